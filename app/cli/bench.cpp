@@ -1,0 +1,67 @@
+// fyd bench [NAME] [--out DIR]
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+
+#include "app/cli/bench/table.h"
+#include "app/cli/command.h"
+
+namespace fyd::bench {
+#define FYD_BENCH(name) Table bench_##name();
+#include "benches.inc"
+#undef FYD_BENCH
+}  // namespace fyd::bench
+
+namespace fyd::cli {
+namespace {
+
+struct Subject {
+  std::string name;
+  std::function<bench::Table()> run;
+};
+
+const std::vector<Subject>& subjects() {
+  static const std::vector<Subject> all = {
+#define FYD_BENCH(name) {#name, bench::bench_##name},
+#include "benches.inc"
+#undef FYD_BENCH
+  };
+  return all;
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw Failure(fmt::format("{}: cannot be written", path.string()));
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app) {
+  struct Options {
+    std::string name;
+    std::string out;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("bench", "Measure speed beside error, against a baseline in the same run");
+  std::vector<std::string> names;
+  for (const Subject& subject : subjects()) names.push_back(subject.name);
+  command->add_option("name", options->name, "Subject; all of them when left out")->check(CLI::IsMember(names));
+  command->add_option("--out", options->out, "Folder for one Markdown and one CSV file per subject");
+  command->callback([options] {
+    for (const Subject& subject : subjects()) {
+      if (!options->name.empty() && options->name != subject.name) continue;
+      const bench::Table table = subject.run();
+      std::cout << bench::toMarkdown(table) << '\n' << std::flush;
+      if (options->out.empty()) continue;
+      std::error_code problem;
+      std::filesystem::create_directories(options->out, problem);
+      if (problem) throw Failure(fmt::format("{}: {}", options->out, problem.message()));
+      write(std::filesystem::path(options->out) / (table.subject + ".md"), bench::toMarkdown(table));
+      write(std::filesystem::path(options->out) / (table.subject + ".csv"), bench::toCsv(table));
+    }
+  });
+}
+
+}  // namespace fyd::cli

@@ -1,0 +1,117 @@
+#include "core/base/csv.h"
+
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include <csv.h>
+
+namespace fyd {
+namespace {
+
+struct Reader {
+  std::string_view source;
+  const std::vector<std::string>& wanted;
+  CsvTable table;
+  std::vector<std::size_t> position;  // of each wanted column in the file
+  std::vector<std::string> header;
+  std::vector<double> row;
+  std::size_t columns_seen = 0;
+  std::size_t line = 1;
+  bool has_header = false;
+  std::string problem;
+
+  void field(std::string_view text) {
+    if (!problem.empty()) return;
+    if (!has_header) {
+      header.emplace_back(text);
+    } else {
+      for (std::size_t i = 0; i < position.size(); ++i) {
+        if (position[i] == columns_seen) row[i] = number(text, wanted[i]);
+      }
+    }
+    ++columns_seen;
+  }
+
+  double number(std::string_view text, const std::string& column) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty() || error != std::errc{} || end != text.data() + text.size()) {
+      problem = fmt::format("{}:{}: column {}: '{}' is not a number", source, line, column, text.substr(0, 40));
+    }
+    return value;
+  }
+
+  void endRow() {
+    if (problem.empty()) {
+      if (!has_header) {
+        takeHeader();
+      } else if (columns_seen != header.size()) {
+        problem = fmt::format("{}:{}: {} fields; the header has {}", source, line, columns_seen, header.size());
+      } else {
+        for (std::size_t i = 0; i < row.size(); ++i) table.values[i].push_back(row[i]);
+        table.lines.push_back(line);
+      }
+    }
+    columns_seen = 0;
+  }
+
+  void takeHeader() {
+    has_header = true;
+    for (const std::string& name : wanted) {
+      std::size_t i = 0;
+      while (i < header.size() && header[i] != name) ++i;
+      if (i == header.size()) {
+        problem = fmt::format("{}:{}: no column '{}'; expected {}", source, line, name, fmt::join(wanted, ","));
+        return;
+      }
+      position.push_back(i);
+    }
+    row.resize(wanted.size());
+    table.columns = wanted;
+    table.values.resize(wanted.size());
+  }
+};
+
+}  // namespace
+
+Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, const std::vector<std::string>& wanted) {
+  Reader reader{.source = source_name, .wanted = wanted, .table = {}, .position = {}, .header = {}, .row = {}, .problem = {}};
+  csv_parser parser{};
+  if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0) return fail("{}: the CSV parser could not start", source_name);
+  const auto on_field = [](void* data, std::size_t size, void* self) {
+    static_cast<Reader*>(self)->field({static_cast<const char*>(data), size});
+  };
+  const auto on_row = [](int, void* self) { static_cast<Reader*>(self)->endRow(); };
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  bool parsed = true;
+  reader.line = 0;
+  while (parsed && !text.empty()) {  // line by line, because libcsv does not count the blank ones
+    const std::string_view line = text.substr(0, text.find('\n') == text.npos ? text.size() : text.find('\n') + 1);
+    ++reader.line;
+    parsed = csv_parse(&parser, line.data(), line.size(), on_field, on_row, &reader) == line.size();
+    text.remove_prefix(line.size());
+  }
+  parsed = parsed && csv_fini(&parser, on_field, on_row, &reader) == 0;
+  const char* parser_problem = csv_strerror(csv_error(&parser));
+  csv_free(&parser);
+  if (!reader.problem.empty()) return fail("{}", reader.problem);
+  if (!parsed) return fail("{}:{}: not valid CSV: {}", source_name, reader.line, parser_problem);
+  if (!reader.has_header) return fail("{}: empty; expected a header with {}", source_name, fmt::join(wanted, ","));
+  if (reader.table.rows() == 0) return fail("{}: a header but no rows", source_name);
+  return std::move(reader.table);
+}
+
+Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return fail("{}: cannot be opened for reading", path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) return fail("{}: reading failed", path);
+  return parseCsv(text, path, wanted);
+}
+
+}  // namespace fyd

@@ -1,0 +1,29 @@
+// Tables of numbers from CSV text (quoting and line ends by libcsv, numbers by std::from_chars).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace fyd {
+
+struct CsvTable {
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> values;  ///< one vector per column, all of the same length
+  std::vector<std::size_t> lines;           ///< the file's line of each row, for messages
+
+  [[nodiscard]] std::size_t rows() const { return lines.size(); }
+};
+
+/// Reads the named columns, in that order, whatever their order in the file; other columns are ignored.
+/// "nan" (any case) reads as NaN; whether that is allowed is the caller's question.
+/// @return an error with file and line for a missing column, text in a number, a short row, or no rows
+[[nodiscard]] Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name,
+                                        const std::vector<std::string>& wanted);
+
+/// parseCsv on a file's contents.
+[[nodiscard]] Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted);
+
+}  // namespace fyd

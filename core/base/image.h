@@ -1,0 +1,21 @@
+// A picture somebody else owns: rows of 8-bit samples. The core's detector and the camera's
+// threads pass this, so that neither needs the other's image library.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace fyd {
+
+struct ImageView {
+  const std::uint8_t* data = nullptr;  ///< first sample of the top row
+  int width = 0;                       ///< px
+  int height = 0;                      ///< px
+  std::ptrdiff_t stride = 0;           ///< bytes from a row to the next
+  int channels = 1;                    ///< 1: grey; 3: blue, green, red
+
+  [[nodiscard]] bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
+  [[nodiscard]] const std::uint8_t* row(int y) const { return data + y * stride; }
+};
+
+}  // namespace fyd

@@ -1,0 +1,103 @@
+#include "core/base/parameter.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace fyd {
+namespace {
+
+std::string_view trim(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+Result<double> parseNumber(const Parameter& parameter, std::string_view text) {
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc{} || end != text.data() + text.size()) {
+    return fail("{}: '{}' is not a number; expected {}", parameter.id, text, describeRange(parameter));
+  }
+  return value;
+}
+
+}  // namespace
+
+Result<double> checkParameter(const Parameter& parameter, double value) {
+  const bool whole = parameter.kind != ParameterKind::real && parameter.kind != ParameterKind::list;
+  if (!std::isfinite(value) || value < parameter.info.minimum || value > parameter.info.maximum ||
+      (whole && value != std::floor(value))) {
+    return fail("{} = {}: expected {}", parameter.id, value, describeRange(parameter));
+  }
+  return value;
+}
+
+Result<void> assignParameter(const Parameter& parameter, std::string_view text) {
+  text = trim(text);
+  if (parameter.kind == ParameterKind::list) {
+    if (text.size() < 2 || text.front() != '[' || text.back() != ']') {
+      return fail("{} = {}: expected a list such as [1, 2]", parameter.id, text);
+    }
+    ParameterList values;
+    std::string_view rest = trim(text.substr(1, text.size() - 2));
+    while (!rest.empty()) {
+      const auto comma = rest.find(',');
+      const auto value =
+          parseNumber(parameter, trim(rest.substr(0, comma))).and_then([&](double v) { return checkParameter(parameter, v); });
+      if (!value) return tl::unexpected(value.error());
+      if (!values.push(*value)) return fail("{}: at most {} values", parameter.id, kParameterListCapacity);
+      rest = comma == std::string_view::npos ? std::string_view{} : trim(rest.substr(comma + 1));
+    }
+    parameter.list() = values;
+    return {};
+  }
+  if (parameter.kind == ParameterKind::boolean && (text == "true" || text == "false")) {
+    parameter.set(text == "true" ? 1.0 : 0.0);
+    return {};
+  }
+  if (parameter.kind == ParameterKind::choice) {
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+      if (parameter.choices[i] == text) {
+        parameter.set(static_cast<double>(i));
+        return {};
+      }
+    }
+    return fail("{} = '{}': expected {}", parameter.id, text, describeRange(parameter));
+  }
+  if (parameter.kind == ParameterKind::boolean) {
+    return fail("{} = '{}': expected true or false", parameter.id, text);
+  }
+  const auto value = parseNumber(parameter, text).and_then([&](double v) { return checkParameter(parameter, v); });
+  if (!value) return tl::unexpected(value.error());
+  parameter.set(*value);
+  return {};
+}
+
+std::string formatParameter(const Parameter& parameter) {
+  switch (parameter.kind) {
+    case ParameterKind::boolean: return parameter.value() != 0.0 ? "true" : "false";
+    case ParameterKind::choice: return std::string(parameter.choices[static_cast<std::size_t>(parameter.value())]);
+    case ParameterKind::integer: return fmt::format("{}", static_cast<long>(parameter.value()));
+    case ParameterKind::list: return fmt::format("[{}]", fmt::join(parameter.list().view(), ", "));
+    case ParameterKind::real: break;
+  }
+  return fmt::format("{}", parameter.value());
+}
+
+std::string describeRange(const Parameter& parameter) {
+  if (parameter.kind == ParameterKind::boolean) return "true or false";
+  if (parameter.kind == ParameterKind::choice) return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
+  const char* what = parameter.kind == ParameterKind::integer ? "a whole number" : "a number";
+  if (parameter.kind == ParameterKind::list) what = "a list of numbers, each";
+  const std::string unit = parameter.info.unit == "1" ? "" : fmt::format(" {}", parameter.info.unit);
+  return fmt::format("{} from {} to {}{}", what, parameter.info.minimum, parameter.info.maximum, unit);
+}
+
+const Parameter* findParameter(std::span<const Parameter> parameters, std::string_view id) {
+  for (const Parameter& parameter : parameters) {
+    if (parameter.id == id) return &parameter;
+  }
+  return nullptr;
+}
+
+}  // namespace fyd

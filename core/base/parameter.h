@@ -1,0 +1,133 @@
+// One description of each parameter, declared beside the code that uses it.
+//
+// A room's parameters are a plain struct whose defaults are its initialisers, with one member template:
+//
+//   struct PwmParameters {
+//     double k_vib = 1.0;
+//     template <class Visitor>
+//     void describe(Visitor& v) {
+//       v.real("texture.k_vib", k_vib, {.unit = "1", .minimum = 0, .maximum = 10, .help = "…", .live = true});
+//     }
+//   };
+//
+// The profile file, the command line, the tuning panel, the recorder and the manual's tables all read
+// the list that `bindParameters` makes of it. A live change travels to the step as (index, value).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/batch.h"
+#include "core/base/error.h"
+
+namespace fyd {
+
+enum class ParameterKind : std::uint8_t { real, integer, boolean, choice, list };
+
+/// What a room says of a parameter, beside its id and its default.
+struct ParameterInfo {
+  std::string_view unit = "1";  ///< "1" for a pure number
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  std::string_view help;  ///< one sentence, for the tuning panel and the manual
+  bool live = false;      ///< may change while the pipeline is active
+};
+
+inline constexpr std::size_t kParameterListCapacity = 16;
+using ParameterList = Batch<double, kParameterListCapacity>;
+
+/// One parameter of one instance of a parameter struct. Numbers travel as double, a choice as its index.
+struct Parameter {
+  std::string_view id;  ///< "room.name"
+  ParameterKind kind = ParameterKind::real;
+  ParameterInfo info;
+  std::span<const std::string_view> choices;  ///< kind choice only
+  void* field = nullptr;
+  double (*read)(const void*) = nullptr;
+  void (*store)(void*, double) = nullptr;
+
+  [[nodiscard]] double value() const { return read(field); }
+  /// Stores without a check; callers check with `checkParameter` first.
+  void set(double value) const { store(field, value); }
+  [[nodiscard]] ParameterList& list() const { return *static_cast<ParameterList*>(field); }
+};
+
+/// The visitor that collects the descriptions.
+class ParameterCollector {
+ public:
+  explicit ParameterCollector(std::vector<Parameter>& out) : out_(out) {}
+
+  void real(std::string_view id, double& field, const ParameterInfo& info) { add(id, ParameterKind::real, field, info); }
+  void integer(std::string_view id, int& field, const ParameterInfo& info) {
+    add(id, ParameterKind::integer, field, info);
+  }
+  void boolean(std::string_view id, bool& field, ParameterInfo info) {
+    info.minimum = 0;
+    info.maximum = 1;
+    add(id, ParameterKind::boolean, field, info);
+  }
+  /// @param names static storage; the enum's values count from 0 in the same order.
+  template <class Enum>
+  void choice(std::string_view id, Enum& field, std::span<const std::string_view> names, ParameterInfo info) {
+    static_assert(std::is_enum_v<Enum>);
+    info.minimum = 0;
+    info.maximum = static_cast<double>(names.size()) - 1;
+    add(id, ParameterKind::choice, field, info);
+    out_.back().choices = names;
+  }
+  void list(std::string_view id, ParameterList& field, const ParameterInfo& info) {
+    out_.push_back({.id = id, .kind = ParameterKind::list, .info = info, .field = &field});
+  }
+
+ private:
+  template <class T>
+  void add(std::string_view id, ParameterKind kind, T& field, const ParameterInfo& info) {
+    out_.push_back({.id = id,
+                    .kind = kind,
+                    .info = info,
+                    .field = &field,
+                    .read = [](const void* p) { return static_cast<double>(*static_cast<const T*>(p)); },
+                    .store = [](void* p, double value) {
+                      if constexpr (std::is_same_v<T, bool>) {
+                        *static_cast<T*>(p) = value != 0.0;
+                      } else {
+                        *static_cast<T*>(p) = static_cast<T>(static_cast<std::conditional_t<std::is_enum_v<T>, int, T>>(value));
+                      }
+                    }});
+  }
+
+  std::vector<Parameter>& out_;
+};
+
+/// Parameters of `instance`, in the order they are described. The result points into `instance`.
+template <class Parameters>
+[[nodiscard]] std::vector<Parameter> bindParameters(Parameters& instance) {
+  std::vector<Parameter> out;
+  ParameterCollector collector(out);
+  instance.describe(collector);
+  return out;
+}
+
+/// Whether `value` may be stored: finite, in range, whole where it must be. The message names id, value and range.
+[[nodiscard]] Result<double> checkParameter(const Parameter& parameter, double value);
+
+/// Reads one value as a person writes it ("12.5", "true", "dft321", "[1, 2]"), checks it and stores it.
+[[nodiscard]] Result<void> assignParameter(const Parameter& parameter, std::string_view text);
+
+/// The value as `assignParameter` reads it; reals with the digits that round-trip.
+[[nodiscard]] std::string formatParameter(const Parameter& parameter);
+
+/// "0 … 10 1" or "a | b": what may stand there, for messages and tables.
+[[nodiscard]] std::string describeRange(const Parameter& parameter);
+
+/// nullptr when there is none.
+[[nodiscard]] const Parameter* findParameter(std::span<const Parameter> parameters, std::string_view id);
+
+}  // namespace fyd

@@ -1,0 +1,114 @@
+#include "core/base/profile_text.h"
+
+#include <cmath>
+#include <sstream>
+
+#include <toml++/toml.h>
+
+namespace fyd {
+namespace {
+
+struct Assignment {
+  const Parameter* parameter;
+  double value;
+  ParameterList list;
+};
+
+std::string place(std::string_view source, const toml::node& node) {
+  return fmt::format("{}:{}", source, node.source().begin.line);
+}
+
+Result<double> readNumber(const Parameter& parameter, const toml::node& node) {
+  if (parameter.kind == ParameterKind::boolean) {
+    if (const auto value = node.value_exact<bool>()) return *value ? 1.0 : 0.0;
+    return fail("{}: expected true or false", parameter.id);
+  }
+  if (parameter.kind == ParameterKind::choice) {
+    if (const auto value = node.value_exact<std::string>()) {
+      for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+        if (parameter.choices[i] == *value) return static_cast<double>(i);
+      }
+      return fail("{} = \"{}\": expected {}", parameter.id, *value, describeRange(parameter));
+    }
+    return fail("{}: expected {}", parameter.id, describeRange(parameter));
+  }
+  if (const auto value = node.value_exact<std::int64_t>()) return checkParameter(parameter, static_cast<double>(*value));
+  if (const auto value = node.value_exact<double>()) return checkParameter(parameter, *value);
+  return fail("{}: expected {}", parameter.id, describeRange(parameter));
+}
+
+Result<Assignment> readAssignment(const Parameter& parameter, const toml::node& node) {
+  Assignment assignment{&parameter, 0.0, {}};
+  if (parameter.kind != ParameterKind::list) {
+    const auto value = readNumber(parameter, node);
+    if (!value) return tl::unexpected(value.error());
+    assignment.value = *value;
+    return assignment;
+  }
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return fail("{}: expected {}", parameter.id, describeRange(parameter));
+  for (const toml::node& item : *array) {
+    const auto value = readNumber(parameter, item);
+    if (!value) return tl::unexpected(value.error());
+    if (!assignment.list.push(*value)) return fail("{}: at most {} values", parameter.id, kParameterListCapacity);
+  }
+  return assignment;
+}
+
+toml::table parseToml(std::string_view text, std::string_view source_name) {
+  return toml::parse(text, source_name);
+}
+
+}  // namespace
+
+Result<void> parseProfile(std::string_view text, std::string_view source_name, std::span<const Parameter> parameters) {
+  toml::table root;
+  try {
+    root = parseToml(text, source_name);
+  } catch (const toml::parse_error& error) {
+    return fail("{}:{}: {}", source_name, error.source().begin.line, error.description());
+  }
+  std::vector<Assignment> assignments;
+  for (const auto& [room, node] : root) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      return fail("{}: '{}' stands outside a table; expected a table such as [control]", place(source_name, node), room.str());
+    }
+    for (const auto& [key, value] : *table) {
+      const std::string id = fmt::format("{}.{}", room.str(), key.str());
+      const Parameter* parameter = findParameter(parameters, id);
+      if (parameter == nullptr) {
+        return fail("{}: unknown parameter '{}'; 'fyd params' lists those there are", place(source_name, value), id);
+      }
+      const auto assignment = readAssignment(*parameter, value);
+      if (!assignment) return fail("{}: {}", place(source_name, value), assignment.error().message);
+      assignments.push_back(*assignment);
+    }
+  }
+  for (const Assignment& assignment : assignments) {
+    if (assignment.parameter->kind == ParameterKind::list) {
+      assignment.parameter->list() = assignment.list;
+    } else {
+      assignment.parameter->set(assignment.value);
+    }
+  }
+  return {};
+}
+
+std::string formatProfile(std::span<const Parameter> parameters) {
+  std::string out;
+  std::string_view room;
+  for (const Parameter& parameter : parameters) {
+    const auto dot = parameter.id.find('.');
+    if (parameter.id.substr(0, dot) != room) {
+      room = parameter.id.substr(0, dot);
+      out += fmt::format("{}[{}]\n", out.empty() ? "" : "\n", room);
+    }
+    std::string value = formatParameter(parameter);
+    if (parameter.kind == ParameterKind::choice) value = fmt::format("\"{}\"", value);
+    out += fmt::format("{} = {}  # {}\n", parameter.id.substr(dot + 1), value, describeRange(parameter));
+  }
+  return out;
+}
+
+}  // namespace fyd

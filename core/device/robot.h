@@ -1,0 +1,31 @@
+// A robot arm as the robot end sees it: simulated, or a KUKA LWR behind FRI (a later issue).
+#pragma once
+
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/time.h"
+#include "core/base/vec3.h"
+
+namespace fyd::device {
+
+/// Frame: x right, y back, z up as the touchpad's; origin where the tool stood when the robot end started.
+struct RobotReadings {
+  Vec3 position_mm;
+  double force_N = 0.0;  ///< normal contact force on the tool, ≥ 0
+  Vec3 acceleration_g;   ///< as the sensor gives it, gravity included
+  Instant taken{};
+};
+
+/// Used by one thread at a time.
+class Robot {
+ public:
+  virtual ~Robot() = default;
+  [[nodiscard]] virtual std::string description() const = 0;
+
+  /// Sends the target and reads the state, as one exchange; the arm itself limits workspace and speed.
+  /// @return an error when the target is not finite or the arm did not answer
+  [[nodiscard]] virtual Result<RobotReadings> exchange(const Vec3& target_mm, Instant now) = 0;
+};
+
+}  // namespace fyd::device

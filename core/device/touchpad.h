@@ -1,0 +1,37 @@
+// The touchpad as everything above it sees it; simulated, Modbus and motor-board backends stand behind this.
+#pragma once
+
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/timed.h"
+#include "core/control/motor_types.h"
+#include "core/sensing/readings.h"
+
+namespace fyd::device {
+
+/// Each quantity with the instant its sensor took it; a quantity without news keeps its old instant and count.
+struct TouchpadReadings {
+  Timed<sensing::IrCounts> ir;
+  Timed<sensing::BridgeReading> bridge;
+  Timed<control::MotorFeedback> motors;
+};
+
+/// Used by one thread at a time (the station's device thread).
+class Touchpad {
+ public:
+  virtual ~Touchpad() = default;
+
+  /// "simulated touchpad, seed 1" or the port and identity of a real one.
+  [[nodiscard]] virtual std::string description() const = 0;
+
+  /// Writes the command and reads what there is, as one exchange.
+  /// @param now the station's clock
+  /// @return an error when the device did not answer; the readings' ages then tell the rest
+  [[nodiscard]] virtual Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) = 0;
+
+  /// The longest a caller should wait between two exchanges.
+  [[nodiscard]] virtual Duration period() const = 0;
+};
+
+}  // namespace fyd::device

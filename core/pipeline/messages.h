@@ -1,0 +1,60 @@
+// What the two ends say to each other, once, as plain structs with units; codecs translate (core/protocol).
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/vec3.h"
+#include "core/texture/acceleration_sample.h"
+
+namespace fyd::pipeline {
+
+/// Touchpad → robot. Frame: x right, y back, z up, origin at the camera axis on the untouched cloth;
+/// pressing is negative z (thesis §4.1.1, fact sheet §3).
+struct TouchMessage {
+  Vec3 position_mm;
+  bool in_contact = false;  ///< false: the robot holds its x and y
+  double force_N = 0.0;     ///< normal force at the finger, ≥ 0
+};
+
+/// Robot → touchpad: state-like part.
+struct RobotState {
+  double stiffness_N_per_mm = 0.0;  ///< 0: the robot touches nothing
+  Vec3 position_mm;                 ///< of the end effector in the touchpad's frame
+  bool button = false;
+};
+
+/// Robot → touchpad: one sample of the tri-axial accelerometer, rest already removed by the robot.
+using AccelerationSample = texture::AccelerationSample;
+
+/// Commands the robot's operator sends (the twelve of the classic protocol; value of the classic character − 48).
+enum class RobotCommand : std::uint8_t {
+  none = 0,
+  vibration_down = 1,  ///< k_vib − 0.1
+  vibration_up = 2,    ///< k_vib + 0.1
+  use_dft321 = 3,
+  use_soc = 4,
+  send_info_and_pause = 5,
+  resume = 6,
+  images_on = 7,
+  images_off = 8,
+  disconnect = 9,
+  motor_reference_on = 10,
+  motor_reference_off = 11,
+};
+
+/// Motor references set by the robot, after motor_reference_on.
+struct RobotMotorReference {
+  double first_ticks = 0.0;
+  double second_ticks = 0.0;
+};
+
+enum class LinkPhase : std::uint8_t {
+  none,     ///< no robot is wanted
+  waiting,  ///< listening for a robot
+  running,
+  paused,   ///< negotiated: no loss
+  closed,   ///< the robot said goodbye
+  lost,     ///< silence longer than allowed
+};
+
+}  // namespace fyd::pipeline

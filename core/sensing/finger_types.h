@@ -1,0 +1,36 @@
+// What the finger detector says of one picture (thesis §4.1.1).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace fyd::sensing {
+
+enum class FingerReason : std::uint8_t {
+  found,          ///< a finger, all is well
+  no_finger,      ///< the picture is good and shows none
+  too_small,      ///< something dark, smaller than the minimum area
+  at_edge,        ///< a finger, cut by the edge of the region of interest
+  several,        ///< several blobs; the one nearest the last was taken
+  flat_picture,   ///< darkest and brightest pixel are equal: nothing to weigh
+  black_picture,  ///< no light
+  saturated,      ///< (nearly) every pixel at the top of the scale
+  blurred,        ///< edge too soft for the usual accuracy
+  no_picture,     ///< empty, or the region of interest lies outside it
+};
+
+/// A word or two for the operator and for JSON, such as "at edge".
+[[nodiscard]] std::string_view toString(FingerReason reason);
+
+struct FingerDetection {
+  bool contact = false;   ///< a finger presses the cloth; position below is meaningful only then
+  double area_px = 0.0;   ///< px of the 160 × 120 working picture (thesis), also when no contact
+  double x_px = 0.0;      ///< centroid, px in the camera's full picture, x right
+  double y_px = 0.0;      ///< centroid, px in the camera's full picture, y down
+  double x_mm = 0.0;      ///< touchpad frame: x right
+  double y_mm = 0.0;      ///< touchpad frame: y back
+  double quality = 0.0;   ///< 0 useless … 1 as good as it gets
+  FingerReason reason = FingerReason::no_picture;
+};
+
+}  // namespace fyd::sensing

@@ -1,0 +1,14 @@
+// One sample of the robot's tri-axial accelerometer, the raw material of texture.
+#pragma once
+
+#include "core/base/time.h"
+#include "core/base/vec3.h"
+
+namespace fyd::texture {
+
+struct AccelerationSample {
+  Instant taken{};      ///< at the sensor, on the touchpad's clock as well as it is known
+  Vec3 acceleration_g;  ///< multiples of standard gravity
+};
+
+}  // namespace fyd::texture

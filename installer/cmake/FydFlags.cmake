@@ -1,0 +1,27 @@
+# Everything the compiler must know about our own code, on one target: fyd_flags.
+add_library(fyd_flags INTERFACE)
+target_compile_features(fyd_flags INTERFACE cxx_std_20)
+target_include_directories(fyd_flags INTERFACE "${PROJECT_SOURCE_DIR}")
+target_compile_options(fyd_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+                       -Wno-missing-field-initializers)  # designated initialisers leave the rest to its default
+# A recording must replay bit for bit: no contraction that depends on the surrounding code.
+target_compile_options(fyd_flags INTERFACE -ffp-contract=off)
+target_compile_definitions(fyd_flags INTERFACE FYD_VERSION="${PROJECT_VERSION}")
+if(FYD_WARNINGS_AS_ERRORS)
+  target_compile_options(fyd_flags INTERFACE -Werror)
+endif()
+if(FYD_SANITIZE)
+  target_compile_options(fyd_flags INTERFACE -fsanitize=${FYD_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(fyd_flags INTERFACE -fsanitize=${FYD_SANITIZE})
+endif()
+
+find_program(FYD_CCACHE ccache)
+if(FYD_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # Precompiled headers carry time stamps; ccache must be told not to mind.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime;${FYD_CCACHE}")
+endif()
+find_program(FYD_LLD ld.lld)
+if(FYD_LLD)
+  target_link_options(fyd_flags INTERFACE -fuse-ld=lld)
+endif()

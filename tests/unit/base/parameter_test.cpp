@@ -1,0 +1,103 @@
+#include "core/base/parameter.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/profile_text.h"
+
+namespace fyd {
+namespace {
+
+enum class Colour { red, green };
+constexpr std::array<std::string_view, 2> kColours = {"red", "green"};
+
+struct Sample {
+  double gain = 2.5;
+  int count = 3;
+  bool on = true;
+  Colour colour = Colour::green;
+  ParameterList points{{1.0, 2.0}, 2};
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.real("room.gain", gain, {.unit = "mm", .minimum = 0, .maximum = 10, .help = "A gain.", .live = true});
+    v.integer("room.count", count, {.minimum = 1, .maximum = 9});
+    v.boolean("room.on", on, {});
+    v.choice("other.colour", colour, kColours, {});
+    v.list("other.points", points, {.minimum = -5, .maximum = 5});
+  }
+};
+
+std::string problem(std::string_view text) {
+  Sample sample;
+  const auto result = parseProfile(text, "p.toml", bindParameters(sample));
+  return result ? "none" : result.error().message;
+}
+
+TEST(Parameter, DefaultsAreTheInitialisers) {
+  Sample sample;
+  const auto parameters = bindParameters(sample);
+  ASSERT_EQ(parameters.size(), 5U);
+  EXPECT_EQ(parameters[0].value(), 2.5);
+  EXPECT_EQ(parameters[3].value(), 1.0);
+  EXPECT_EQ(formatParameter(parameters[4]), "[1, 2]");
+}
+
+TEST(Parameter, AProfileRoundTrips) {
+  Sample written;
+  written.gain = 0.1 + 0.2;
+  written.on = false;
+  written.colour = Colour::red;
+  written.points.clear();
+  Sample read;
+  const auto result = parseProfile(formatProfile(bindParameters(written)), "p.toml", bindParameters(read));
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(read.gain, written.gain);
+  EXPECT_FALSE(read.on);
+  EXPECT_EQ(read.colour, Colour::red);
+  EXPECT_TRUE(read.points.empty());
+}
+
+TEST(Parameter, ARefusalNamesFileLineValueAndRange) {
+  EXPECT_EQ(problem("[room]\ngain = 11\n"), "p.toml:2: room.gain = 11: expected a number from 0 to 10 mm");
+  EXPECT_EQ(problem("[room]\n\ngain = nan\n"), "p.toml:3: room.gain = nan: expected a number from 0 to 10 mm");
+  EXPECT_EQ(problem("[room]\ngain = \"big\"\n"), "p.toml:2: room.gain: expected a number from 0 to 10 mm");
+  EXPECT_EQ(problem("[room]\ncount = 1.5\n"), "p.toml:2: room.count = 1.5: expected a whole number from 1 to 9");
+  EXPECT_EQ(problem("[room]\non = 1\n"), "p.toml:2: room.on: expected true or false");
+  EXPECT_EQ(problem("[other]\ncolour = \"blue\"\n"), "p.toml:2: other.colour = \"blue\": expected one of red, green");
+  EXPECT_EQ(problem("[other]\npoints = [1, 6]\n"),
+            "p.toml:2: other.points = 6: expected a list of numbers, each from -5 to 5");
+  EXPECT_EQ(problem("[room]\nsize = 1\n"), "p.toml:2: unknown parameter 'room.size'; 'fyd params' lists those there are");
+  EXPECT_EQ(problem("gain = 1\n"), "p.toml:1: 'gain' stands outside a table; expected a table such as [control]");
+}
+
+TEST(Parameter, ARefusedProfileChangesNothing) {
+  Sample sample;
+  EXPECT_FALSE(parseProfile("[room]\ngain = 1\ncount = 99\n", "p.toml", bindParameters(sample)));
+  EXPECT_EQ(sample.gain, 2.5);
+}
+
+TEST(Parameter, AHalfWrittenProfileIsRefused) {
+  Sample sample;
+  std::string text = formatProfile(bindParameters(sample));
+  text.resize(text.find("on = ") + 5);
+  EXPECT_FALSE(parseProfile(text, "p.toml", bindParameters(sample)));
+}
+
+TEST(Parameter, TextAssignmentIsAsStrict) {
+  Sample sample;
+  const auto parameters = bindParameters(sample);
+  EXPECT_TRUE(assignParameter(parameters[0], " 7.5 "));
+  EXPECT_EQ(sample.gain, 7.5);
+  EXPECT_FALSE(assignParameter(parameters[0], "7.5x"));
+  EXPECT_FALSE(assignParameter(parameters[0], "inf"));
+  EXPECT_TRUE(assignParameter(parameters[2], "false"));
+  EXPECT_FALSE(assignParameter(parameters[2], "0"));
+  EXPECT_TRUE(assignParameter(parameters[3], "red"));
+  EXPECT_TRUE(assignParameter(parameters[4], "[ -1, 2.5 ]"));
+  EXPECT_EQ(sample.points.size(), 2U);
+  EXPECT_FALSE(assignParameter(parameters[4], "[1, 9]"));
+  EXPECT_EQ(sample.points.size(), 2U);
+}
+
+}  // namespace
+}  // namespace fyd
