@@ -1,0 +1,56 @@
+// Everything the step may know: nothing reaches it by another way, so a recording of these re-runs it bit for bit.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/batch.h"
+#include "core/base/timed.h"
+#include "core/control/motor_types.h"
+#include "core/pipeline/messages.h"
+#include "core/sensing/finger_types.h"
+#include "core/sensing/readings.h"
+
+namespace fyd::pipeline {
+
+enum class OperatorAction : std::uint8_t {
+  arm,               ///< start, or start again after Held or Stopped
+  stop,              ///< to Stopped, from anywhere
+  tare,              ///< take the present readings as "not touched": distance offsets and load-cell zero
+  target_by_hand,    ///< value: N/mm
+  target_from_robot  ///< follow the robot's stiffness
+};
+
+struct OperatorCommand {
+  OperatorAction action = OperatorAction::stop;
+  double value = 0.0;
+};
+
+/// A live parameter's new value; `index` counts as in bindParameters(Parameters&).
+struct ParameterChange {
+  std::uint16_t index = 0;
+  double value = 0.0;
+};
+
+inline constexpr std::size_t kMaximumAccelerationsPerStep = 64;
+inline constexpr std::size_t kMaximumCommandsPerStep = 16;
+
+struct RobotInputs {
+  LinkPhase phase = LinkPhase::none;
+  Timed<RobotState> state;
+  Timed<RobotMotorReference> motor_reference;
+  Batch<AccelerationSample, kMaximumAccelerationsPerStep> accelerations;  ///< since the last step
+  Batch<RobotCommand, kMaximumCommandsPerStep> commands;                  ///< since the last step
+};
+
+struct Inputs {
+  Instant now{};
+  Timed<sensing::FingerDetection> finger;  ///< taken: when the picture was taken
+  Timed<sensing::IrCounts> ir;
+  Timed<sensing::BridgeReading> bridge;
+  Timed<control::MotorFeedback> motors;
+  RobotInputs robot;
+  Batch<OperatorCommand, kMaximumCommandsPerStep> commands;
+  Batch<ParameterChange, kMaximumCommandsPerStep> changes;
+};
+
+}  // namespace fyd::pipeline

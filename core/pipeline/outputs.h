@@ -1,0 +1,43 @@
+// What one step gives.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/batch.h"
+#include "core/control/motor_types.h"
+#include "core/pipeline/messages.h"
+#include "core/pipeline/safety.h"
+#include "core/pipeline/telemetry.h"
+
+namespace fyd::pipeline {
+
+enum class EventKind : std::uint8_t {
+  state_changed,      ///< state, lack
+  arm_refused,        ///< lack: what is missing
+  tare_done,          ///< value: largest change of an offset, mm
+  tare_failed,        ///< the cloth was touched or a sensor unavailable
+  parameter_changed,  ///< index, value
+  parameter_refused,  ///< index, value: not live, not finite or out of range
+  robot_command,      ///< value: the command
+  target_clamped,     ///< value: nearest reachable stiffness, N/mm
+  time_reversed,      ///< value: by how many seconds
+};
+
+struct Event {
+  EventKind kind = EventKind::state_changed;
+  SafetyState state = SafetyState::disconnected;
+  Lack lack = Lack::none;
+  std::uint16_t index = 0;
+  double value = 0.0;
+};
+
+inline constexpr std::size_t kMaximumEventsPerStep = 32;
+
+struct Outputs {
+  control::MotorCommand motors;
+  TouchMessage touch;
+  TelemetrySample telemetry;
+  Batch<Event, kMaximumEventsPerStep> events;
+};
+
+}  // namespace fyd::pipeline

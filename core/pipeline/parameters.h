@@ -1,0 +1,58 @@
+// The step's parameters, gathered from the rooms that declare them.
+#pragma once
+
+#include "core/control/control_parameters.h"
+#include "core/sensing/sensing_parameters.h"
+#include "core/texture/texture_parameters.h"
+
+namespace fyd::pipeline {
+
+/// How the step itself judges its inputs and moves the robot.
+struct StepParameters {
+  double finger_maximum_age_ms = 250.0;
+  double ir_maximum_age_ms = 100.0;
+  double bridge_maximum_age_ms = 100.0;
+  double motors_maximum_age_ms = 50.0;
+  bool absolute_motion = false;  ///< the thesis' way: the robot goes where the finger is
+  double motion_scale = 1.0;
+  double motion_depth_scale = 1.0;
+  double hand_target_N_per_mm = 0.6;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.real("pipeline.finger_maximum_age_ms", finger_maximum_age_ms,
+           {.unit = "ms", .minimum = 20, .maximum = 2000, .help = "Oldest picture the step still trusts."});
+    v.real("pipeline.ir_maximum_age_ms", ir_maximum_age_ms,
+           {.unit = "ms", .minimum = 20, .maximum = 1000, .help = "Oldest distance reading the step still trusts."});
+    v.real("pipeline.bridge_maximum_age_ms", bridge_maximum_age_ms,
+           {.unit = "ms", .minimum = 10, .maximum = 1000, .help = "Oldest load-cell reading the step still trusts."});
+    v.real("pipeline.motors_maximum_age_ms", motors_maximum_age_ms,
+           {.unit = "ms", .minimum = 5, .maximum = 1000, .help = "Oldest encoder reading the step still trusts."});
+    v.boolean("pipeline.absolute_motion", absolute_motion,
+              {.help = "Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: "
+                       "each touch moves it from where it stands."});
+    v.real("pipeline.motion_scale", motion_scale,
+           {.minimum = 0.05, .maximum = 5, .help = "Robot's travel for the finger's along the cloth.", .live = true});
+    v.real("pipeline.motion_depth_scale", motion_depth_scale,
+           {.minimum = 0.05, .maximum = 5, .help = "Robot's travel downward for the finger's indentation.", .live = true});
+    v.real("pipeline.hand_target_N_per_mm", hand_target_N_per_mm,
+           {.unit = "N/mm", .minimum = 0.05, .maximum = 3, .help = "Stiffness target while it is set by hand.", .live = true});
+  }
+};
+
+struct Parameters {
+  StepParameters step;
+  sensing::SensingParameters sensing;
+  control::ControlParameters control;
+  texture::TextureParameters texture;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    step.describe(v);
+    sensing.describe(v);
+    control.describe(v);
+    texture.describe(v);
+  }
+};
+
+}  // namespace fyd::pipeline

@@ -1,0 +1,34 @@
+// Everything a laboratory keeps of a touchpad between sessions: the step's parameters (calibration among them),
+// the link's and the simulation's. One TOML file.
+#pragma once
+
+#include <string>
+
+#include "core/base/error.h"
+#include "core/pipeline/parameters.h"
+#include "core/protocol/link_parameters.h"
+#include "core/sim/sim_parameters.h"
+
+namespace fyd::station {
+
+struct Profile {
+  pipeline::Parameters step;
+  protocol::LinkParameters link;
+  sim::SimParameters sim;
+
+  /// The step's parameters come first, so that an index counts the same here and in the step.
+  template <class Visitor>
+  void describe(Visitor& v) {
+    step.describe(v);
+    link.describe(v);
+    sim.describe(v);
+  }
+};
+
+/// @return an error naming file, line, value and range; nothing is half loaded
+[[nodiscard]] Result<Profile> loadProfile(const std::string& path);
+
+/// Writes the whole file beside `path`, syncs it and renames it over: a reader sees the old or the new one, never half.
+[[nodiscard]] Result<void> saveProfile(const Profile& profile, const std::string& path);
+
+}  // namespace fyd::station

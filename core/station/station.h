@@ -1,0 +1,145 @@
+// The threads around the step: which backends, which robot, supervision.
+//
+//   device thread  exchanges with the touchpad          ─▶ latest-value slot ─▶ ┐
+//   camera thread  takes pictures, detects the finger   ─▶ latest-value slot ─▶ ├─ haptic loop: Pipeline::step, 1 kHz
+//   link thread    speaks with the robot, answers it    ─▶ slot and rings    ─▶ ┘    └▶ motor command, touch, telemetry
+//
+// The window, the headless runner and the tests hold a Station and see only this header.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/base/error.h"
+#include "core/pipeline/inputs.h"
+#include "core/pipeline/outputs.h"
+#include "core/sensing/finger_types.h"
+#include "core/station/profile.h"
+
+namespace fyd::station {
+
+struct StationOptions {
+  Profile profile;
+  std::string finger_csv;           ///< recording the simulated finger follows; empty: the built-in gesture
+  std::string camera;               ///< device index, file, folder, URL; empty: simulated
+  std::string robot = "simulated";  ///< "simulated", "none" or "classic:HOST:PORT" (listens there)
+};
+
+/// How one part is doing, in words an operator reads.
+struct PartStatus {
+  std::string name;         ///< "Touchpad", "Camera", "Robot"
+  std::string description;  ///< which one it is
+  bool ok = false;
+  std::string problem;    ///< empty when ok; says what to do otherwise
+  double rate_hz = 0.0;   ///< exchanges or pictures in the last second
+  double age_ms = 0.0;    ///< of the newest value; NaN before the first
+  std::uint64_t errors = 0;
+};
+
+struct LoopStatus {
+  std::uint64_t steps = 0;
+  std::uint64_t missed_cycles = 0;
+  double step_ns_p50 = 0.0;  ///< over the last 10 000 steps
+  double step_ns_p99 = 0.0;
+  bool real_time = false;  ///< SCHED_FIFO granted
+};
+
+struct LinkStatus {
+  std::string protocol;  ///< "classic (not secured)", "none"
+  std::string local;     ///< address this end listens on
+  std::string peer;      ///< empty before the first
+  std::uint64_t states_received = 0;
+  std::uint64_t touches_sent = 0;
+  std::uint64_t refused = 0;  ///< datagrams counted and ignored
+};
+
+struct StationStatus {
+  std::vector<PartStatus> parts;
+  LoopStatus loop;
+  LinkStatus link;
+};
+
+/// One line of the readiness list: what must hold before arming.
+struct ReadinessLine {
+  std::string what;
+  bool ok = false;
+  std::string remedy;  ///< empty when ok
+};
+
+/// A picture as the detector saw it.
+struct CameraView {
+  cv::Mat picture;        ///< 8 bit, grey or BGR; empty before the first
+  cv::Mat finger_mask;    ///< 8 bit, the region of interest's size; 255 where the detector sees finger
+  cv::Rect region;        ///< of interest, in the picture
+  sensing::FingerDetection finger;
+  Instant taken{};
+  std::uint64_t number = 0;
+};
+
+/// An event with its time, and as a sentence.
+struct Notice {
+  Instant when{};
+  pipeline::Event event;
+  std::string text;
+};
+
+/// True values of the simulated touchpad; for error figures only.
+struct SimulationTruth {
+  bool available = false;
+  double finger_error_mm_rms = 0.0;       ///< detected against true position at the picture's own time, in contact
+  double indentation_error_mm_rms = 0.0;  ///< estimated against true, in contact
+};
+
+class Station {
+ public:
+  /// Opens devices and sockets; threads start with `start`.
+  /// @return an error when an option is wrong or a port is taken. A missing camera is no error: it is retried and shown.
+  [[nodiscard]] static Result<std::unique_ptr<Station>> open(const StationOptions& options);
+
+  Station(const Station&) = delete;
+  Station& operator=(const Station&) = delete;
+  ~Station();  ///< stops the motors and joins the threads
+
+  void start();
+  /// Motors off, robot told, threads joined; idempotent.
+  void shutDown();
+
+  /// From one thread (the operator's). @return false when the queue is full: nothing was asked.
+  [[nodiscard]] bool command(const pipeline::OperatorCommand& command);
+  /// Heard by the next step whatever else is queued; from any thread.
+  void requestStop();
+  /// Checks against the parameter's description, then queues the change; from the operator's thread.
+  [[nodiscard]] Result<void> setParameter(std::string_view id, double value);
+  /// The profile with every change made since (including tare); from the operator's thread.
+  [[nodiscard]] Profile currentProfile() const;
+
+  /// Moves telemetry into `out`, oldest first; one consumer. @return how many
+  std::size_t takeTelemetry(std::span<pipeline::TelemetrySample> out);
+  /// Samples lost because the consumer was too slow.
+  [[nodiscard]] std::uint64_t telemetryLost() const;
+  /// Moves notices out, oldest first; one consumer.
+  [[nodiscard]] std::vector<Notice> takeNotices();
+
+  /// Copies of the newest; from any thread.
+  [[nodiscard]] CameraView cameraView() const;
+  [[nodiscard]] StationStatus status() const;
+  [[nodiscard]] std::vector<ReadinessLine> readiness() const;
+  [[nodiscard]] SimulationTruth simulationTruth() const;
+
+  /// Simulation only: the finger goes where the mouse says until released; no effect on a real touchpad.
+  void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm);
+  void releaseSimulatedFinger();
+  [[nodiscard]] bool simulated() const;
+
+ private:
+  struct Impl;
+  explicit Station(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fyd::station
