@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything and runs all tests. $1: another preset than release (debug, asan, tsan).
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+
+preset=${1:-release}
+install_packages run test
+build "$preset" -DFYD_BUILD_TESTS=ON -DFYD_WARNINGS_AS_ERRORS="${CI:+ON}"
+say "Running the tests"
+cd "$root"
+ctest --preset "$preset" --no-tests=error
