@@ -1,0 +1,24 @@
+// Cameras through OpenCV: a device, a video file, a folder of pictures or a stream.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/device/camera.h"
+
+namespace fyd::device {
+
+/// @param source one of
+///   "0"                 number of a capture device
+///   "/dev/video0"       path of a capture device (or of a link to one, such as in /dev/v4l/by-id)
+///   "press.avi"         video file, played at its own rate (30 fps where it tells none), again from the start at its
+///   end "pictures/"         folder; its .png .jpg .jpeg .bmp .pgm .tif .tiff in the order of their names, 30 fps,
+///   again from the start "rtsp://…", "http://…"   stream
+/// Pictures are passed on as they are, black ones too: judging them is the detector's work.
+/// A device or stream that falls silent makes next() fail; each later call tries to open it again, at most once a
+/// second.
+/// @return an error that names the source, what it was taken for and what was found
+[[nodiscard]] Result<std::unique_ptr<Camera>> openCamera(const std::string& source);
+
+}  // namespace fyd::device

@@ -1,0 +1,48 @@
+// The picture under the cloth: 320 × 240 grey, bright cloth, the finger a dark disc with a soft edge.
+//
+//   x_mm = (u − 150)·100/220      y_mm = −(v − 120)·70/150   (u right, v down; the region of interest is 220 × 150 at
+//   (40, 45)) cloth   245·light·(1 + gradient·(u/319 − ½))·(1 − vignette·(r/200)²), r in px from the picture's middle
+//   finger  radius 3.5 mm + 2.5 mm·(F/1 N)^⅓; darkest grey 60, reached from 0.1 N on
+//   noise   Gaussian, from a fixed table read at random offsets (each row another), so that a picture stays under 0.5
+//   ms
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/sim/sim_parameters.h"
+#include "core/sim/touchpad_world.h"
+
+namespace fyd::sim {
+
+inline constexpr int kPictureWidth_px = 320;
+inline constexpr int kPictureHeight_px = 240;
+
+struct PicturePoint {
+  double u_px = 0.0;
+  double v_px = 0.0;
+};
+
+/// Where a point of the cloth appears.
+[[nodiscard]] PicturePoint pictureOf(double x_mm, double y_mm);
+
+/// Radius of the pressed spot; 0 without force.
+[[nodiscard]] double spotRadius_mm(double force_N);
+
+class PictureRenderer {
+ public:
+  explicit PictureRenderer(const SimParameters& parameters);
+
+  /// Deterministic in its arguments. Allocates only when `picture` is not yet 320 × 240, 8 bit, 1 channel.
+  void render(const WorldSnapshot& world, std::mt19937_64& random, cv::Mat& picture) const;
+
+ private:
+  double edge_softness_px_;
+  std::vector<std::int16_t> cloth_;  // grey × 16
+  std::vector<std::int16_t> noise_;  // grey × 16
+};
+
+}  // namespace fyd::sim

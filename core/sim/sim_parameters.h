@@ -1,0 +1,126 @@
+// Parameters of the simulated touchpad, its camera and the simulated robot arm. The defaults are a well-behaved
+// device; the "plant truth" options (spread, hysteresis, friction, delays, noise) make it unkind for tests.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/base/parameter.h"
+#include "core/sim/material.h"
+
+namespace fyd::sim {
+
+struct SimParameters {
+  int seed = 1;
+
+  // fabric
+  double fabric_stiffness_scale = 1.0;
+  double fabric_hysteresis = 0.0;
+  double cloth_height_mm = 100.0;
+
+  // motors
+  double initial_angle_deg = 20.0;
+  double motor_speed_limit_deg_s = 180.0;
+  double motor_current_limit_mA = 1200.0;
+  double motor_friction_percent = 3.0;
+  bool reports_position_duty = false;
+
+  // sensors
+  double ir_noise_mV = 10.0;
+  double ir_period_ms = 16.5;
+  double ir_delay_ms = 0.0;
+  double bridge_noise_mV_per_V = 0.0005;
+  double bridge_offset_mV_per_V = 0.0;
+  double bridge_rate_Hz = 122.0;
+  double bridge_delay_ms = 0.0;
+  double encoder_delay_ms = 0.0;
+
+  // camera
+  double camera_rate_Hz = 30.0;
+  double camera_delay_ms = 0.0;
+  double camera_noise = 2.0;
+  double camera_vignette = 0.20;
+  double light = 1.0;
+  double light_gradient = 0.0;
+  double edge_softness_px = 1.5;
+
+  // robot
+  Material material = Material::rubber;
+  double material_stiffness_N_per_mm = 0.0;
+  double robot_speed_limit_mm_s = 250.0;
+  double robot_stiffness_N_per_mm = 1.0;
+  double accelerometer_noise_g = 0.004;
+  double accelerometer_range_g = 5.0;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.integer("sim.seed", seed,
+              {.minimum = 0, .maximum = 1e9, .help = "Seed of every random number of the simulation."});
+    v.real("sim.fabric_stiffness_scale", fabric_stiffness_scale,
+           {.minimum = 0.7, .maximum = 1.3, .help = "Factor on the stiffness of the nominal fabric."});
+    v.real(
+        "sim.fabric_hysteresis", fabric_hysteresis,
+        {.minimum = 0, .maximum = 0.3, .help = "Share of the force added on the way down and missing on the way up."});
+    v.real(
+        "sim.cloth_height_mm", cloth_height_mm,
+        {.unit = "mm", .minimum = 60, .maximum = 150, .help = "Height of the untouched cloth above the IR sensors."});
+    v.real("sim.initial_angle_deg", initial_angle_deg,
+           {.unit = "°", .minimum = 0, .maximum = 120, .help = "Stretch angle at which the simulated motors start."});
+    v.real("sim.motor_speed_limit_deg_s", motor_speed_limit_deg_s,
+           {.unit = "°/s", .minimum = 1, .maximum = 2000, .help = "Highest speed of a motor's output shaft."});
+    v.real("sim.motor_current_limit_mA", motor_current_limit_mA,
+           {.unit = "mA", .minimum = 50, .maximum = 5000, .help = "Highest current of a motor."});
+    v.real("sim.motor_friction_percent", motor_friction_percent,
+           {.unit = "%", .minimum = 0, .maximum = 40, .help = "Duty cycle that a motor needs before it turns."});
+    v.boolean("sim.reports_position_duty", reports_position_duty,
+              {.help = "Whether the motor board tells the duty its position loop uses (the thesis' board does not)."});
+    v.real("sim.ir_noise_mV", ir_noise_mV,
+           {.unit = "mV", .minimum = 0, .maximum = 200, .help = "Noise of an IR sensor's output, standard deviation."});
+    v.real("sim.ir_period_ms", ir_period_ms,
+           {.unit = "ms", .minimum = 1, .maximum = 200, .help = "Time between two measurements of an IR sensor."});
+    v.real("sim.ir_delay_ms", ir_delay_ms,
+           {.unit = "ms", .minimum = 0, .maximum = 500, .help = "How old the world is that an IR reading shows."});
+    v.real(
+        "sim.bridge_noise_mV_per_V", bridge_noise_mV_per_V,
+        {.unit = "mV/V", .minimum = 0, .maximum = 0.1, .help = "Noise of the load cell's bridge, standard deviation."});
+    v.real(
+        "sim.bridge_offset_mV_per_V", bridge_offset_mV_per_V,
+        {.unit = "mV/V", .minimum = -1, .maximum = 1, .help = "Zero error of the load cell, for the tare to remove."});
+    v.real("sim.bridge_rate_Hz", bridge_rate_Hz,
+           {.unit = "Hz", .minimum = 1, .maximum = 122, .help = "Samples of the load cell's bridge in a second."});
+    v.real("sim.bridge_delay_ms", bridge_delay_ms,
+           {.unit = "ms", .minimum = 0, .maximum = 500, .help = "How old the world is that a bridge reading shows."});
+    v.real("sim.encoder_delay_ms", encoder_delay_ms,
+           {.unit = "ms", .minimum = 0, .maximum = 500, .help = "How old the world is that the encoders show."});
+    v.real("sim.camera_rate_Hz", camera_rate_Hz,
+           {.unit = "Hz", .minimum = 1, .maximum = 120, .help = "Pictures in a second."});
+    v.real("sim.camera_delay_ms", camera_delay_ms,
+           {.unit = "ms", .minimum = 0, .maximum = 500, .help = "How old the world is that a picture shows."});
+    v.real("sim.camera_noise", camera_noise,
+           {.minimum = 0, .maximum = 30, .help = "Noise of a pixel in grey levels, standard deviation."});
+    v.real("sim.camera_vignette", camera_vignette,
+           {.minimum = 0, .maximum = 0.9, .help = "Share of the light that the lens loses at the picture's corners."});
+    v.real("sim.light", light, {.minimum = 0, .maximum = 3, .help = "Brightness of the cloth, 1 as intended, 0 dark."});
+    v.real(
+        "sim.light_gradient", light_gradient,
+        {.minimum = -0.9, .maximum = 0.9, .help = "Change of brightness from the picture's left to its right edge."});
+    v.real("sim.edge_softness_px", edge_softness_px,
+           {.unit = "px", .minimum = 0.1, .maximum = 20, .help = "Width of the finger's soft edge in the picture."});
+    v.choice("sim.material", material, kMaterialNames, {.help = "What lies under the simulated robot's tool."});
+    v.real("sim.material_stiffness_N_per_mm", material_stiffness_N_per_mm,
+           {.unit = "N/mm",
+            .minimum = 0,
+            .maximum = 1000,
+            .help = "Stiffness in place of the material's own; 0 keeps that."});
+    v.real("sim.robot_speed_limit_mm_s", robot_speed_limit_mm_s,
+           {.unit = "mm/s", .minimum = 1, .maximum = 2000, .help = "Highest speed of the simulated robot's tool."});
+    v.real("sim.robot_stiffness_N_per_mm", robot_stiffness_N_per_mm,
+           {.unit = "N/mm", .minimum = 0.05, .maximum = 5, .help = "Cartesian impedance of the simulated robot."});
+    v.real("sim.accelerometer_noise_g", accelerometer_noise_g,
+           {.unit = "g", .minimum = 0, .maximum = 1, .help = "Noise of the tool's accelerometer, standard deviation."});
+    v.real("sim.accelerometer_range_g", accelerometer_range_g,
+           {.unit = "g", .minimum = 1, .maximum = 16, .help = "Where the tool's accelerometer clips."});
+  }
+};
+
+}  // namespace fyd::sim

@@ -1,0 +1,36 @@
+// device::Camera that draws the simulated world.
+#pragma once
+
+#include <memory>
+#include <random>
+
+#include "core/device/camera.h"
+#include "core/sim/picture.h"
+#include "core/sim/touchpad_world.h"
+
+namespace fyd::sim {
+
+class SimulatedCamera final : public device::Camera {
+ public:
+  explicit SimulatedCamera(std::shared_ptr<TouchpadWorld> world);
+
+  [[nodiscard]] std::string description() const override;
+
+  /// Sleeps until the next picture is due on the steady clock, brings the world there and draws it.
+  /// Pictures that came due while the caller was busy are skipped, as a camera's are. Never fails.
+  [[nodiscard]] Result<device::CameraFrame> next() override;
+
+  /// The picture at a moment of virtual time, without waiting and without advancing the world.
+  [[nodiscard]] device::CameraFrame frameAt(Instant when);
+
+ private:
+  std::shared_ptr<TouchpadWorld> world_;
+  PictureRenderer renderer_;
+  Duration period_;
+  Duration delay_;
+  std::mt19937_64 random_;
+  Instant due_{};
+  std::uint64_t number_ = 0;
+};
+
+}  // namespace fyd::sim

@@ -1,0 +1,98 @@
+// The one physical state behind the simulated touchpad and its camera: finger, cloth, motors, sensors.
+//
+// It lives in virtual time on a fixed grid of 1 ms from its start, advanced by whoever asks first (the device thread
+// or the camera thread); the result depends only on the seed, the finger and the instants of the commands.
+// A jump of more than 200 ms is not caught up: the world skips to 200 ms before the new time.
+// Thread-safe: every public function locks.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/control/motor_types.h"
+#include "core/device/touchpad.h"
+#include "core/sensing/membrane.h"
+#include "core/sim/fabric.h"
+#include "core/sim/finger_path.h"
+#include "core/sim/sim_parameters.h"
+#include "core/sim/simulated_motor.h"
+
+namespace fyd::sim {
+
+/// The truth at one instant: what no sensor says exactly.
+struct WorldSnapshot {
+  Instant taken{};
+  FingerState finger;
+  double angle_deg = 0.0;           ///< stretch, half the difference of the two motors
+  double stiffness_N_per_mm = 0.0;  ///< of the cloth at that angle, hysteresis apart
+  double force_N = 0.0;             ///< of the finger on the cloth
+  std::array<double, control::kMotorCount> motor_deg{};
+};
+
+class TouchpadWorld {
+ public:
+  /// @param start the world's time 0, and that of the finger's path
+  TouchpadWorld(const SimParameters& parameters, FingerPath path, Instant start);
+
+  static constexpr Duration kStep = std::chrono::milliseconds(1);
+  static constexpr Duration kLongestCatchUp = std::chrono::milliseconds(200);
+  static constexpr Duration kHistory = std::chrono::milliseconds(2000);
+
+  /// Earlier times than the last do nothing.
+  void advanceTo(Instant now);
+
+  /// From the world's present time on. A duty that is not a number counts as 0; references beyond the travel are
+  /// followed to the end stops.
+  void command(const control::MotorCommand& command);
+
+  /// What the sensors said last, each with its own instant.
+  [[nodiscard]] device::TouchpadReadings readings() const;
+
+  /// The world as it was, between grid points by straight line; beyond the ends of the last 2 s the nearest known.
+  [[nodiscard]] WorldSnapshot truthAt(Instant when) const;
+  [[nodiscard]] WorldSnapshot truth() const;
+
+  /// Puts the finger somewhere (a mouse, a test) in place of the path; nullopt gives it back to the path.
+  /// Clamped to the usable area; NaN lifts.
+  void setFingerOverride(std::optional<FingerState> finger);
+  void setPath(FingerPath path);
+
+  /// Takes over what may change while running: all but seed, start angle and rates' phase.
+  void configure(const SimParameters& parameters);
+  [[nodiscard]] SimParameters parameters() const;
+
+ private:
+  void step();
+  void senseIr();
+  void senseBridge();
+  void senseMotors();
+  void remember();
+  [[nodiscard]] WorldSnapshot truthLocked(Instant when) const;
+  [[nodiscard]] double gaussian(double sigma);
+
+  mutable std::mutex mutex_;
+  SimParameters parameters_;
+  FingerPath path_;
+  std::optional<FingerState> finger_override_;
+  sensing::Membrane membrane_;
+  Fabric fabric_;
+  std::array<SimulatedMotor, control::kMotorCount> motors_;
+  control::MotorCommand command_;
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+  Instant start_;
+  Instant now_;
+  Instant next_ir_;
+  Instant next_bridge_;
+  WorldSnapshot present_;
+  device::TouchpadReadings readings_;
+  std::vector<WorldSnapshot> history_;  // ring, newest at (written_ − 1)
+  std::size_t written_ = 0;
+};
+
+}  // namespace fyd::sim
