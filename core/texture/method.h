@@ -1,0 +1,38 @@
+// A method turns three axes of vibration into one signal, sample by sample.
+#pragma once
+
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/base/vec3.h"
+#include "core/texture/texture_parameters.h"
+
+namespace fyd::texture {
+
+/// Streaming: one sample in, one sample out. After construction nothing allocates, locks or throws.
+/// Inputs are finite (the caller's duty) and in g, high-passed; the output is in g.
+class Method {
+ public:
+  virtual ~Method() = default;
+
+  /// The signal's next sample, `delaySamples` behind `filtered_g`.
+  [[nodiscard]] virtual double step(const Vec3& filtered_g) = 0;
+
+  /// Back to silence, as if newly made.
+  virtual void reset() = 0;
+
+  /// Constant: an impulse on one axis leaves this many samples later.
+  [[nodiscard]] virtual int delaySamples() const = 0;
+};
+
+/// Largest frame a short-time method accepts.
+inline constexpr int kMaximumFrame = 4096;
+
+/// Makes any method with any frame, for programs and tests; the renderer makes its own set.
+/// @param frame, hop  used by dft321 only: frame 2…4096; hop equal to frame (blocks), or an even frame's half,
+///                    or its quarter (overlapped)
+/// @return an error that says what of frame and hop was refused
+[[nodiscard]] Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame,
+                                                         int hop);
+
+}  // namespace fyd::texture

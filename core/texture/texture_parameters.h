@@ -1,0 +1,117 @@
+// Everything an operator may set about texture rendering.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace fyd::texture {
+
+enum class MethodChoice : std::uint8_t { single, soc, magnitude, principal, dft321, recolour };
+inline constexpr std::array<std::string_view, 6> kMethodNames = {"single",    "soc",    "magnitude",
+                                                                 "principal", "dft321", "recolour"};
+
+enum class FilterChoice : std::uint8_t {
+  standard,  ///< second-order Butterworth high-pass with its zero exactly at DC; named "default"
+  thesis,    ///< the thesis' printed coefficients: gravity leaks at −48 dB, the passband is inverted
+  none,      ///< the accelerations as they come
+};
+inline constexpr std::array<std::string_view, 3> kFilterNames = {"default", "thesis", "none"};
+
+/// Frame of the short-time methods. A choice, so that every one of them exists before the first step.
+enum class FrameChoice : std::uint8_t { of_8, of_16, of_32, of_64, of_128, of_256, of_512 };
+inline constexpr std::array<std::string_view, 7> kFrameNames = {"8", "16", "32", "64", "128", "256", "512"};
+[[nodiscard]] constexpr int frameLength(FrameChoice choice) { return 8 << static_cast<int>(choice); }
+
+/// How far a frame advances: by all of itself (blocks), by a half or by a quarter (overlapped).
+enum class HopChoice : std::uint8_t { frame, half, quarter };
+inline constexpr std::array<std::string_view, 3> kHopNames = {"frame", "half", "quarter"};
+[[nodiscard]] constexpr int hopLength(FrameChoice frame, HopChoice hop) {
+  return frameLength(frame) >> static_cast<int>(hop);
+}
+
+enum class PwmChoice : std::uint8_t {
+  symmetric,  ///< rounds alike on both sides of zero, gain before the limit
+  thesis,     ///< floor, gain after the limit, exactly zero accelerations switch the duty off at once
+};
+inline constexpr std::array<std::string_view, 2> kPwmNames = {"symmetric", "thesis"};
+
+struct TextureParameters {
+  MethodChoice method = MethodChoice::dft321;
+  FilterChoice filter = FilterChoice::standard;
+  double corner_Hz = 78.0;
+  double sample_rate_Hz = 1000.0;
+  FrameChoice frame = FrameChoice::of_32;
+  HopChoice hop = HopChoice::half;
+  double k_vib = 1.0;
+  double dead_zone_percent = 25.0;
+  double maximum_percent = 100.0;
+  double full_scale_g = 2.0;
+  PwmChoice pwm = PwmChoice::symmetric;
+  double input_delay_ms = 1.0;
+  double maximum_gap_ms = 2.5;
+  double crossfade_ms = 20.0;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.choice("texture.method", method, kMethodNames,
+             {.help = "How three axes of vibration become one signal.", .live = true});
+    v.choice("texture.filter", filter, kFilterNames,
+             {.help = "High-pass in front of the method; thesis is the printed one, with its leak of gravity.",
+              .live = true});
+    v.real(
+        "texture.corner_Hz", corner_Hz,
+        {.unit = "Hz", .minimum = 1, .maximum = 400, .help = "Corner (-3 dB) of the default high-pass.", .live = true});
+    v.real("texture.sample_rate_Hz", sample_rate_Hz,
+           {.unit = "Hz",
+            .minimum = 50,
+            .maximum = 10000,
+            .help = "Rate at which the texture step is called and its filters are designed."});
+    v.choice("texture.frame", frame, kFrameNames,
+             {.help = "Samples in a frame of dft321: more resolution for more delay.", .live = true});
+    v.choice("texture.hop", hop, kHopNames,
+             {.help = "Advance from a frame to the next: whole frames are blocks, less overlaps them.", .live = true});
+    v.real("texture.k_vib", k_vib,
+           {.minimum = 0,
+            .maximum = 10,
+            .help = "Gain of the vibration; the robot's operator moves it by 0.1.",
+            .live = true});
+    v.real("texture.dead_zone_percent", dead_zone_percent,
+           {.unit = "%",
+            .minimum = 0,
+            .maximum = 100,
+            .help = "Duties smaller than this become zero, as the motors would not turn.",
+            .live = true});
+    v.real("texture.maximum_percent", maximum_percent,
+           {.unit = "%", .minimum = 0, .maximum = 100, .help = "Largest duty that vibration may use.", .live = true});
+    v.real("texture.full_scale_g", full_scale_g,
+           {.unit = "g",
+            .minimum = 0.001,
+            .maximum = 100,
+            .help = "Signal that asks for the largest duty (s_max of the thesis).",
+            .live = true});
+    v.choice("texture.pwm", pwm, kPwmNames,
+             {.help = "Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit.",
+              .live = true});
+    v.real("texture.input_delay_ms", input_delay_ms,
+           {.unit = "ms",
+            .minimum = 0,
+            .maximum = 25,
+            .help = "How long accelerations wait, so that jittery packets still arrive in time.",
+            .live = true});
+    v.real("texture.maximum_gap_ms", maximum_gap_ms,
+           {.unit = "ms",
+            .minimum = 0.1,
+            .maximum = 25,
+            .help = "Accelerations further apart than this are a gap, during which the texture is silent.",
+            .live = true});
+    v.real("texture.crossfade_ms", crossfade_ms,
+           {.unit = "ms",
+            .minimum = 1,
+            .maximum = 500,
+            .help = "Time over which a new method, filter or gain takes over.",
+            .live = true});
+  }
+};
+
+}  // namespace fyd::texture

@@ -1,0 +1,64 @@
+// From the robot's accelerations to a duty cycle: resampling, high-pass, method, PWM mapping.
+//
+//   samples ─▶ UniformStream ─▶ HighPass ×3 ─▶ Method ─▶ crossfade ─▶ PwmMapper ─▶ duty
+//
+// Called once per sample period (1 ms). From time-stamped bunches to the uniform stream, see uniform_stream.h;
+// in one sentence: each call takes the mean of the samples stamped within its own millisecond, a lone empty
+// millisecond between two near samples is interpolated between them, and anything longer is a gap, which is
+// silence and counted, never invented data.
+//
+// Changes of method, filter, frame, hop, k_vib, full scale, limit and dead zone glide over `crossfade_ms`: the signal
+// is at every instant a weighted mean of the old and the new one, so it never exceeds the larger of the two.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/base/time.h"
+#include "core/base/vec3.h"
+#include "core/texture/acceleration_sample.h"
+#include "core/texture/texture_parameters.h"
+
+namespace fyd::texture {
+
+struct TextureOutput {
+  double signal_g = 0.0;      ///< after high-pass and method, before PWM; finite
+  double duty_percent = 0.0;  ///< ±maximum at most, and ±100 together with the position share
+  Vec3 filtered_g;            ///< behind the high-pass, newest
+  double delay_ms = 0.0;      ///< of input delay and method together
+  bool gap = false;           ///< no acceleration for this instant
+  bool position_share_known = false;
+  std::uint64_t clipped = 0;          ///< steps whose duty a limit cut, since the start
+  std::uint64_t gaps = 0;             ///< gaps begun, since the first sample
+  std::uint64_t refused_samples = 0;  ///< not finite, too late, out of order or stamped in the future, since the start
+};
+
+class TextureRenderer {
+ public:
+  /// Makes every method at every frame; from here on nothing allocates.
+  explicit TextureRenderer(const TextureParameters& parameters);
+  ~TextureRenderer();
+  TextureRenderer(TextureRenderer&&) noexcept;
+  TextureRenderer& operator=(TextureRenderer&&) noexcept;
+
+  /// Applies live changes, gliding. `sample_rate_Hz` is taken at construction only.
+  void configure(const TextureParameters& parameters);
+
+  /// @param new_samples    since the last call, in any number; older and repeated ones are refused and counted
+  /// @param position_share_percent  duty the board's position loop uses now, signed; NaN when it does not say
+  [[nodiscard]] TextureOutput step(Instant now, std::span<const AccelerationSample> new_samples,
+                                   double position_share_percent);
+
+  /// The same from a signal that needs no filter or method: a virtual texture (virtual_texture.h).
+  [[nodiscard]] TextureOutput stepVirtual(double signal_g, double position_share_percent);
+
+  /// Silence; counters stay.
+  void reset();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace fyd::texture

@@ -1,0 +1,80 @@
+// A stored surface rendered from the finger's speed and force, when there is no robot (thesis §7.3).
+//
+// The surface is a sum of noise bands. Band k has its centre at f_k = v / wavelength_mm (a pattern that passes faster
+// under a faster finger) or at a fixed frequency_Hz (a resonance), a quality factor Q_k, and
+//
+//   rms_k(v, F) = rms_g · quiet(v) · (v / v_ref)^speed_exponent · (F / F_ref)^force_exponent
+//
+// with quiet(v) = 0 up to 5 mm/s, then rising smoothly to 1 at 10 mm/s (thesis: nothing below 5 mm/s; its
+// later cut at 60 mm/s is not repeated: above 2·v_ref the amplitude stays and only the pitch goes on rising).
+// A band that has moved above 0.45 of the sample rate is silent, fading out from 0.4.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/signal/resonator.h"
+
+namespace fyd::texture {
+
+struct SurfaceBand {
+  double wavelength_mm = 0.0;  ///< > 0: the centre moves with the finger
+  double frequency_Hz = 0.0;   ///< > 0: the centre stays; exactly one of the two is given
+  double quality = 1.0;        ///< centre over −3 dB width
+  double rms_g = 0.0;          ///< at the reference speed and force
+};
+
+struct SurfaceModel {
+  std::string name;
+  std::string description;
+  double reference_speed_mm_s = 40.0;
+  double reference_force_N = 1.0;
+  double speed_exponent = 0.5;
+  double force_exponent = 0.5;
+  std::vector<SurfaceBand> bands;  ///< 1…kMaximumBands
+};
+
+inline constexpr std::size_t kMaximumBands = 32;
+inline constexpr double kQuietBelow_mm_s = 5.0;
+
+/// Reads a model from TOML text.
+/// @return an error with source name and line: missing or unknown key, wrong type, value out of range
+[[nodiscard]] Result<SurfaceModel> parseSurface(std::string_view text, std::string_view source_name);
+
+/// Text that parseSurface reads back equal.
+[[nodiscard]] std::string formatSurface(const SurfaceModel& model);
+
+/// Allocation-free after construction; deterministic from its seed.
+class VirtualTexture {
+ public:
+  VirtualTexture(const SurfaceModel& model, double sample_rate_Hz, std::uint64_t seed = 1);
+
+  /// The next sample of the texture signal, in g. Speed and force that are not finite or negative count as 0;
+  /// both glide over 5 ms, so that a camera's steps are not heard.
+  [[nodiscard]] double step(double speed_mm_s, double force_N);
+  void reset();
+
+ private:
+  struct Band {
+    SurfaceBand surface;
+    signal::Resonator resonator;
+  };
+
+  double white();
+  void retune();
+
+  SurfaceModel model_;
+  double sample_rate_Hz_;
+  std::uint64_t seed_;
+  std::uint64_t random_;
+  std::vector<Band> bands_;
+  double speed_mm_s_ = 0.0;
+  double force_N_ = 0.0;
+  double gain_ = 0.0;
+  int until_retune_ = 0;
+};
+
+}  // namespace fyd::texture
