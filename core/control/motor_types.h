@@ -23,10 +23,10 @@ struct MotorCommand {
 };
 
 struct MotorFeedback {
-  std::array<std::uint16_t, kMotorCount> encoder_counts{};      ///< 0…4095
-  std::array<double, kMotorCount> current_mA{};                 ///< signed
-  std::array<double, kMotorCount> position_duty_percent{};      ///< share the board's position loop uses; see known flag
-  bool position_duty_known = false;                             ///< false when the board closes its own loop unseen
+  std::array<std::uint16_t, kMotorCount> encoder_counts{};  ///< 0…4095
+  std::array<double, kMotorCount> current_mA{};             ///< signed
+  std::array<double, kMotorCount> position_duty_percent{};  ///< share the board's position loop uses; see known flag
+  bool position_duty_known = false;                         ///< false when the board closes its own loop unseen
 };
 
 }  // namespace fyd::control

@@ -1,0 +1,154 @@
+// Everything of the stretch that an operator or a profile may set.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/parameter.h"
+
+namespace fyd::control {
+
+enum class ControlMode : std::uint8_t {
+  normal,  ///< feed-forward from the static law, PID on the relative error; "default" in profiles
+  thesis,  ///< every 100 ms a PI(D) on the error in N/mm around the rest position (thesis §4.1.4)
+};
+inline constexpr std::array<std::string_view, 2> kControlModeNames = {"default", "thesis"};
+
+enum class StaticLawKind : std::uint8_t {
+  interpolated,   ///< monotone curve through the profile's calibration points
+  thesis,         ///< 314.5 k² − 107 k − 0.3552 (thesis §4.1.4)
+  thesis_linear,  ///< 204.6 k − 23.6 (the authors' later code, another fabric)
+};
+inline constexpr std::array<std::string_view, 3> kStaticLawNames = {"interpolated", "thesis", "thesis-linear"};
+
+struct ControlParameters {
+  ControlMode mode = ControlMode::normal;
+  StaticLawKind law = StaticLawKind::interpolated;
+  ParameterList law_angle_deg{{20.0, 45.0, 60.0, 90.0}, 4};
+  ParameterList law_stiffness_N_per_mm{{0.501, 0.550, 0.673, 0.715}, 4};
+
+  double kp = 0.1;
+  double ki_per_s = 1.5;
+  double kd_s = 0.0;
+  double derivative_filter_s = 0.1;
+  double dead_band_N_per_mm = 0.01;
+  double measurement_lag_s = 0.3;
+  double measurement_delay_s = 0.05;
+
+  double travel_minimum_deg = 20.0;
+  double travel_maximum_deg = 90.0;
+  double rate_limit_deg_per_s = 180.0;
+  double motor_limit_deg = 120.0;
+
+  double thesis_kp = 60.0;
+  double thesis_ki = 60.0;
+  double thesis_kd = 0.0;
+  double thesis_period_ms = 100.0;
+
+  int encoder_zero_first_counts = 0;
+  int encoder_zero_second_counts = 0;
+  bool encoder_first_inverted = false;
+  bool encoder_second_inverted = false;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.choice("control.mode", mode, kControlModeNames,
+             {.help = "How the stretch follows the stiffness target: law and PID, or as the thesis prints it."});
+    v.choice("control.law", law, kStaticLawNames,
+             {.help = "Static law between stretch angle and stiffness; interpolated uses the points below."});
+    v.list(
+        "control.law_angle_deg", law_angle_deg,
+        {.unit = "deg", .minimum = -180, .maximum = 180, .help = "Stretch angles of the calibration points, rising."});
+    v.list("control.law_stiffness_N_per_mm", law_stiffness_N_per_mm,
+           {.unit = "N/mm",
+            .minimum = 0.01,
+            .maximum = 10,
+            .help = "Stiffness measured at each of those angles, rising."});
+    v.real("control.kp", kp,
+           {.minimum = 0,
+            .maximum = 1e12,
+            .help = "Proportional gain: relative correction for relative error.",
+            .live = true});
+    v.real(
+        "control.ki", ki_per_s,
+        {.unit = "1/s", .minimum = 0, .maximum = 1e12, .help = "Integral gain, of the relative error.", .live = true});
+    v.real("control.kd", kd_s,
+           {.unit = "s",
+            .minimum = 0,
+            .maximum = 1e12,
+            .help = "Derivative gain, on the measured stiffness and not on the target.",
+            .live = true});
+    v.real("control.derivative_filter_s", derivative_filter_s,
+           {.unit = "s",
+            .minimum = 0.001,
+            .maximum = 10,
+            .help = "Time constant of the derivative's low-pass.",
+            .live = true});
+    v.real("control.dead_band_N_per_mm", dead_band_N_per_mm,
+           {.unit = "N/mm",
+            .minimum = 0,
+            .maximum = 0.5,
+            .help = "Errors of the measured stiffness up to this are left alone (thesis: 0.01).",
+            .live = true});
+    v.real("control.measurement_lag_s", measurement_lag_s,
+           {.unit = "s",
+            .minimum = 0,
+            .maximum = 10,
+            .help = "How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.",
+            .live = true});
+    v.real("control.measurement_delay_s", measurement_delay_s,
+           {.unit = "s",
+            .minimum = 0,
+            .maximum = 1,
+            .help = "Dead time of the measured stiffness behind the stretch; auto-tune measures it.",
+            .live = true});
+    v.real("control.travel_minimum_deg", travel_minimum_deg,
+           {.unit = "deg", .minimum = -30, .maximum = 180, .help = "Least stretch the controller commands."});
+    v.real("control.travel_maximum_deg", travel_maximum_deg,
+           {.unit = "deg", .minimum = -30, .maximum = 180, .help = "Greatest stretch the controller commands."});
+    v.real("control.rate_limit_deg_per_s", rate_limit_deg_per_s,
+           {.unit = "deg/s",
+            .minimum = 1,
+            .maximum = 1000,
+            .help = "Fastest change of the commanded stretch.",
+            .live = true});
+    v.real("control.motor_limit_deg", motor_limit_deg,
+           {.unit = "deg",
+            .minimum = 10,
+            .maximum = 700,
+            .help = "No motor is sent further than this from its zero, whatever stretch and translation add up to."});
+    v.real("control.thesis_kp", thesis_kp,
+           {.unit = "deg/(N/mm)",
+            .minimum = 0,
+            .maximum = 1e12,
+            .help = "Proportional gain in thesis mode.",
+            .live = true});
+    v.real(
+        "control.thesis_ki", thesis_ki,
+        {.unit = "deg/(N/mm)/s", .minimum = 0, .maximum = 1e12, .help = "Integral gain in thesis mode.", .live = true});
+    v.real("control.thesis_kd", thesis_kd,
+           {.unit = "deg/(N/mm)*s",
+            .minimum = 0,
+            .maximum = 1e12,
+            .help = "Derivative gain in thesis mode (the thesis used none).",
+            .live = true});
+    v.real("control.thesis_period_ms", thesis_period_ms,
+           {.unit = "ms", .minimum = 1, .maximum = 1000, .help = "Period of the thesis' control law."});
+    v.integer("control.encoder_zero_first_counts", encoder_zero_first_counts,
+              {.unit = "counts", .minimum = 0, .maximum = 4095, .help = "First encoder's reading at zero stretch."});
+    v.integer("control.encoder_zero_second_counts", encoder_zero_second_counts,
+              {.unit = "counts", .minimum = 0, .maximum = 4095, .help = "Second encoder's reading at zero stretch."});
+    v.boolean("control.encoder_first_inverted", encoder_first_inverted,
+              {.help = "The first encoder counts against its motor's reference (firmware of 2014 and later differ)."});
+    v.boolean("control.encoder_second_inverted", encoder_second_inverted,
+              {.help = "The second encoder counts against its motor's reference."});
+  }
+};
+
+/// What single ranges cannot say: lists of equal length, at least two points, both rising; travel not empty.
+/// The message names the parameter and the value. Profiles are checked with this when they are opened.
+[[nodiscard]] Result<void> checkControlParameters(const ControlParameters& parameters);
+
+}  // namespace fyd::control

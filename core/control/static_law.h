@@ -1,0 +1,61 @@
+// The static stiffness law: which stretch angle gives which stiffness, and back.
+//
+//   interpolated   θ(k): monotone cubic (Fritsch–Carlson) through the calibration points; never overshoots between
+//                  them, defined from the first to the last point, and not a degree further
+//   thesis         θ = 314.5 k² − 107 k − 0.3552 (thesis §4.1.4), on the 0.3…0.9 N/mm the thesis states.
+//                  TRAP: −4.2° at 0.3, 158° at 0.9, and up to 10° off the four points it was fitted to
+//   thesis-linear  θ = 204.6 k − 23.6 (the authors' later code): another fabric, 33…59° above the four points
+//
+// The cubic runs from stiffness to angle, the way the controller asks at each step; the way back bisects it.
+#pragma once
+
+#include <array>
+
+#include "core/base/parameter.h"
+#include "core/control/control_parameters.h"
+
+namespace fyd::control {
+
+/// A value of the law, or the nearest the law can give.
+struct LawValue {
+  double value = 0.0;
+  bool clamped = false;  ///< what was asked lies outside the domain (or is NaN: then the domain's lower end)
+};
+
+class StaticLaw {
+ public:
+  /// The four measured points of the thesis.
+  StaticLaw();
+  explicit StaticLaw(const ControlParameters& parameters);
+
+  /// @return false, and nothing changed, when `checkControlParameters` would refuse the points
+  bool configure(StaticLawKind kind, const ParameterList& angle_deg, const ParameterList& stiffness_N_per_mm);
+
+  /// Narrows the domain to these angles (motor travel), as far as the law reaches.
+  void limitTravel(double minimum_deg, double maximum_deg);
+
+  [[nodiscard]] LawValue angle_deg(double stiffness_N_per_mm) const;
+  [[nodiscard]] LawValue stiffness_N_per_mm(double angle_deg) const;
+  /// dk/dθ, N/mm per degree, ≥ 0; the end's own slope outside the domain.
+  [[nodiscard]] double slope_N_per_mm_deg(double angle_deg) const;
+
+  [[nodiscard]] double minimumStiffness_N_per_mm() const { return minimum_k_; }
+  [[nodiscard]] double maximumStiffness_N_per_mm() const { return maximum_k_; }
+  [[nodiscard]] double minimumAngle_deg() const { return minimum_deg_; }
+  [[nodiscard]] double maximumAngle_deg() const { return maximum_deg_; }
+
+ private:
+  [[nodiscard]] double evaluate(double stiffness_N_per_mm) const;  // angle, inside the law's own domain
+  [[nodiscard]] double invert(double angle_deg) const;             // stiffness, inside the law's own domain
+  void takeWholeDomain();
+
+  StaticLawKind kind_ = StaticLawKind::interpolated;
+  std::size_t count_ = 0;
+  std::array<double, kParameterListCapacity> k_{};
+  std::array<double, kParameterListCapacity> theta_{};
+  std::array<double, kParameterListCapacity> tangent_{};  // dθ/dk at the points
+  double minimum_k_ = 0.0, maximum_k_ = 0.0;              // domain after limitTravel
+  double minimum_deg_ = 0.0, maximum_deg_ = 0.0;
+};
+
+}  // namespace fyd::control

@@ -1,0 +1,98 @@
+// Holds the stiffness under the finger at the target by turning the rollers.
+//
+// Default mode, each step, with k* the target, k̂ the measured stiffness, θ the measured stretch, law(·) the static
+// law in N/mm and L the lag of the measurement (dead time and one time constant):
+//
+//   y = ln k̂ + ln law(θ) − ln L[law(θ)]        what k̂ will be once the sensors have seen the present stretch
+//   c = PID(ln k* − y)                          relative correction; dead band, weighted with the reading's confidence
+//   stretch = law⁻¹(k*·eᶜ)                      within travel and rate limits
+//
+// Feed-forward makes it fast; the logarithm makes the loop's gain the same at every stretch and every fabric (a cloth
+// stiffer by S only shifts y by ln S); the lag model keeps the integrator from learning its own motion.
+//
+// Thesis mode (§4.1.4), every 100 ms, if k̂ > 0.1 and |k* − k̂| > 0.01: stretch = PID(k* − k̂) + rest, with rest the
+// static law's angle of the first target.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/base/time.h"
+#include "core/control/control_parameters.h"
+#include "core/control/pid.h"
+#include "core/control/static_law.h"
+
+namespace fyd::control {
+
+struct ControlInput {
+  Instant now{};
+  double target_N_per_mm = 0.0;    ///< NaN or ≤ 0: none, the stretch stays where it is
+  double measured_N_per_mm = 0.0;  ///< used only while observable
+  double measured_sigma_N_per_mm = 0.0;
+  bool observable = false;  ///< the measured stiffness is of now; otherwise feed-forward with the last correction
+  double measured_angle_deg = 0.0;
+  bool measured_angle_known = false;
+  bool enabled = false;  ///< false: the reference stands still; the first enabled step starts from there
+};
+
+struct ControlOutput {
+  double stretch_angle_deg = 0.0;  ///< reference, always finite and within travel
+  double reachable_target_N_per_mm =
+      0.0;                      ///< nearest to the target this fabric can give, as known so far; NaN: no target
+  bool target_clamped = false;  ///< the target lies outside what the fabric can give
+  bool at_limit = false;        ///< the reference stands at an end of the travel
+  bool holding = false;         ///< no target or not enabled: the reference stands
+  double correction = 0.0;      ///< PID's part: relative in default mode, degrees in thesis mode
+  double fabric_scale = 1.0;    ///< measured over law, learned: 1.3 is a cloth 30 % stiffer than calibrated
+};
+
+class StiffnessController {
+ public:
+  explicit StiffnessController(const ControlParameters& parameters = {});
+
+  /// Live changes; no allocation, no step of the reference because of gains. Points that
+  /// `checkControlParameters` refuses are ignored.
+  void configure(const ControlParameters& parameters);
+
+  [[nodiscard]] ControlOutput step(const ControlInput& input);
+
+  /// Forgets what was learned and starts from this stretch (NaN: the travel's lower end).
+  void reset(double stretch_angle_deg);
+
+  [[nodiscard]] const StaticLaw& law() const { return law_; }
+
+ private:
+  /// The law's stiffness of the last steps, seen through the measurement's dead time and lag.
+  class LagModel {
+   public:
+    void configure(double delay_s, double lag_s);
+    void reset(double value);
+    double step(double value, double dt_s);
+
+   private:
+    static constexpr std::size_t kCells = 64;  // the dead time in this many pieces
+    std::array<double, kCells> line_{};
+    std::size_t next_ = 0;
+    double cell_s_ = 0.0, since_s_ = 0.0, lag_s_ = 0.0, value_ = 0.0;
+  };
+
+  double desiredDefault(const ControlInput& input, double dt_s);
+  double desiredThesis(const ControlInput& input);
+  void learnScale(const ControlInput& input, double seen_N_per_mm, double dt_s);
+
+  ControlParameters parameters_;
+  StaticLaw law_;
+  Pid pid_;
+  Pid thesis_pid_;
+  LagModel lag_;
+  double reference_deg_ = 0.0;
+  double fabric_scale_ = 1.0;
+  double rest_deg_ = 0.0;
+  bool rest_known_ = false;
+  bool was_enabled_ = false;
+  bool started_ = false;
+  Instant last_{};
+  Instant thesis_last_{};
+};
+
+}  // namespace fyd::control
