@@ -1,0 +1,37 @@
+// Parameters of the link to the robot, on the touchpad's side.
+#pragma once
+
+#include "core/base/parameter.h"
+
+namespace fyd::protocol {
+
+struct LinkParameters {
+  double lost_cap_ms = 100.0;
+  double closing_s = 3.0;
+  double takeover_silence_s = 3.0;
+  bool classic_images = false;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.real("link.lost_cap_ms", lost_cap_ms,
+           {.unit = "ms",
+            .minimum = 20,
+            .maximum = 2000,
+            .help = "Longest silence of the robot before the link counts as lost, however slow or uneven it sends."});
+    v.real("link.closing_s", closing_s,
+           {.unit = "s",
+            .minimum = 0,
+            .maximum = 30,
+            .help = "How long a robot that said goodbye is still answered when another one takes its place."});
+    v.real("link.takeover_silence_s", takeover_silence_s,
+           {.unit = "s",
+            .minimum = 0.1,
+            .maximum = 600,
+            .help = "Silence of a pausing or not yet running robot after which another one may take its place."});
+    v.boolean("link.classic_images", classic_images,
+              {.help = "Send camera pictures when a classic robot asks for them; off, because the published robot "
+                       "program asks and cannot read them."});
+  }
+};
+
+}  // namespace fyd::protocol
