@@ -23,13 +23,13 @@ enum class FingerReason : std::uint8_t {
 [[nodiscard]] std::string_view toString(FingerReason reason);
 
 struct FingerDetection {
-  bool contact = false;   ///< a finger presses the cloth; position below is meaningful only then
-  double area_px = 0.0;   ///< px of the 160 × 120 working picture (thesis), also when no contact
-  double x_px = 0.0;      ///< centroid, px in the camera's full picture, x right
-  double y_px = 0.0;      ///< centroid, px in the camera's full picture, y down
-  double x_mm = 0.0;      ///< touchpad frame: x right
-  double y_mm = 0.0;      ///< touchpad frame: y back
-  double quality = 0.0;   ///< 0 useless … 1 as good as it gets
+  bool contact = false;  ///< a finger presses the cloth; position below is meaningful only then
+  double area_px = 0.0;  ///< px of the 160 × 120 working picture (thesis), also when no contact
+  double x_px = 0.0;     ///< centroid, px in the camera's full picture, x right
+  double y_px = 0.0;     ///< centroid, px in the camera's full picture, y down
+  double x_mm = 0.0;     ///< touchpad frame: x right
+  double y_mm = 0.0;     ///< touchpad frame: y back
+  double quality = 0.0;  ///< 0 useless … 1 as good as it gets
   FingerReason reason = FingerReason::no_picture;
 };
 

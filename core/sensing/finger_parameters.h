@@ -1,0 +1,97 @@
+// Parameters of the finger detector (thesis §4.1.1; fact sheet §2).
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/base/parameter.h"
+
+namespace fyd::sensing {
+
+enum class FingerMode : std::uint8_t { adaptive, thesis };
+inline constexpr std::array<std::string_view, 2> kFingerModeNames = {"adaptive", "thesis"};
+
+struct FingerParameters {
+  FingerMode mode = FingerMode::adaptive;
+  int roi_x_px = 40;
+  int roi_y_px = 45;
+  int roi_width_px = 220;
+  int roi_height_px = 150;
+  int threshold = 210;
+  double minimum_area_px = 150.0;
+  double minimum_contrast = 0.15;
+  int stride_px = 1;
+  double centre_x_px = 150.0;
+  double centre_y_px = 120.0;
+  double scale_x_mm_per_px = 100.0 / 220.0;
+  double scale_y_mm_per_px = 70.0 / 150.0;
+  double rotation_deg = 0.0;
+  bool mirror = false;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.choice("sensing.finger_mode", mode, kFingerModeNames,
+             {.help = "adaptive follows uneven and changing light; thesis is the printed algorithm.", .live = true});
+    v.integer("sensing.roi_x_px", roi_x_px,
+              {.unit = "px", .minimum = 0, .maximum = 4000, .help = "Left edge of the cloth in the camera's picture."});
+    v.integer("sensing.roi_y_px", roi_y_px,
+              {.unit = "px", .minimum = 0, .maximum = 4000, .help = "Top edge of the cloth in the camera's picture."});
+    v.integer("sensing.roi_width_px", roi_width_px,
+              {.unit = "px", .minimum = 16, .maximum = 1920, .help = "Width of the cloth in the camera's picture."});
+    v.integer("sensing.roi_height_px", roi_height_px,
+              {.unit = "px", .minimum = 16, .maximum = 1080, .help = "Height of the cloth in the camera's picture."});
+    v.integer(
+        "sensing.finger_threshold", threshold,
+        {.minimum = 1, .maximum = 255, .help = "Thesis mode: grey values below it are the finger.", .live = true});
+    v.real("sensing.finger_minimum_area_px", minimum_area_px,
+           {.unit = "px",
+            .minimum = 1,
+            .maximum = 19200,
+            .help = "Smallest dark area that counts as a touch, in pixels of the 160 × 120 working picture.",
+            .live = true});
+    v.real("sensing.finger_minimum_contrast", minimum_contrast,
+           {.minimum = 0.05,
+            .maximum = 0.9,
+            .help = "Adaptive mode: a finger is darker than the lit cloth by at least this part of it.",
+            .live = true});
+    v.integer("sensing.finger_stride_px", stride_px,
+              {.unit = "px",
+               .minimum = 1,
+               .maximum = 8,
+               .help = "Adaptive mode: use every n-th pixel and row, for slow computers."});
+    v.real("sensing.finger_centre_x_px", centre_x_px,
+           {.unit = "px",
+            .minimum = -4000,
+            .maximum = 8000,
+            .help = "Picture column of the touchpad's origin.",
+            .live = true});
+    v.real("sensing.finger_centre_y_px", centre_y_px,
+           {.unit = "px",
+            .minimum = -4000,
+            .maximum = 8000,
+            .help = "Picture row of the touchpad's origin.",
+            .live = true});
+    v.real("sensing.finger_scale_x_mm_per_px", scale_x_mm_per_px,
+           {.unit = "mm/px",
+            .minimum = 0.01,
+            .maximum = 10,
+            .help = "Millimetres per pixel along a picture row.",
+            .live = true});
+    v.real("sensing.finger_scale_y_mm_per_px", scale_y_mm_per_px,
+           {.unit = "mm/px",
+            .minimum = 0.01,
+            .maximum = 10,
+            .help = "Millimetres per pixel along a picture column.",
+            .live = true});
+    v.real("sensing.finger_rotation_deg", rotation_deg,
+           {.unit = "°",
+            .minimum = -180,
+            .maximum = 180,
+            .help = "Turn from the picture's axes to the touchpad's, counter-clockwise seen from above.",
+            .live = true});
+    v.boolean("sensing.finger_mirror", mirror,
+              {.help = "The camera sees the cloth mirrored left to right.", .live = true});
+  }
+};
+
+}  // namespace fyd::sensing

@@ -1,0 +1,113 @@
+// Indentation of the cloth under the finger from distance sensors beside it (thesis §4.1.2).
+//
+// membrane (default): each sensor sees its own share of the indentation δ, zᵢ = dᵢ − offsetᵢ = −sᵢ(x, y)·δ, with sᵢ
+// from
+//   membrane.h at the camera's (x, y). Two Kalman filters of δ, one for a finger that holds and one for a finger
+//   that moves, share their beliefs at each reading (interacting multiple models); readings far from what
+//   both expect are left out until they persist.
+// thesis: plane through the sensors at (x, y), accepted when it moved < 2 mm, smoothed 0.8/0.2. As printed, the gate
+//   can shut for good; here it opens again after five readings that agree with each other. Three valid sensors are
+//   needed.
+//
+// Sensors outside their span, or stuck while the others move, are left out while the rest suffice. A lifted
+// finger is no fault: available, 0 mm.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/base/timed.h"
+#include "core/sensing/fabric_plane.h"
+#include "core/sensing/finger_types.h"
+#include "core/sensing/indentation_filter.h"
+#include "core/sensing/indentation_parameters.h"
+#include "core/sensing/ir_distance.h"
+#include "core/sensing/membrane.h"
+#include "core/sensing/readings.h"
+
+namespace fyd::sensing {
+
+enum class IndentationReason : std::uint8_t {
+  measured,         ///< all sensors used
+  untouched,        ///< no finger on the cloth
+  some_invalid,     ///< measured without the sensors that are invalid
+  inconsistent,     ///< the sensors contradict each other: uncertainty raised
+  uncertain,        ///< uncertainty above the limit: unavailable
+  too_few_sensors,  ///< too few valid sensors, or too near to one line: unavailable
+  ir_stale,         ///< distance readings missing or too old: unavailable
+  finger_stale,     ///< no recent picture: unavailable
+};
+
+[[nodiscard]] std::string_view toString(IndentationReason reason);
+
+struct IndentationEstimate {
+  double indentation_mm = 0.0;  ///< downward positive; the last one while unavailable; always finite
+  double sigma_mm = 0.0;        ///< standard deviation; 0 while untouched
+  bool available = false;
+  bool touched = false;  ///< the camera sees a finger
+  IndentationReason reason = IndentationReason::ir_stale;
+  std::uint32_t sensors = 0;                            ///< how many the touchpad has
+  std::array<bool, kMaximumIrSensors> valid{};          ///< per sensor: used now
+  std::array<double, kMaximumIrSensors> distance_mm{};  ///< per sensor; NaN when out of span
+  Instant taken{};                                      ///< of the distance readings
+  std::uint64_t count = 0;                              ///< grows with each new set of readings
+};
+
+class IndentationEstimator {
+ public:
+  explicit IndentationEstimator(const IndentationParameters& parameters = {});
+  /// Live changes: no allocation, the present estimate is kept unless the mode changes.
+  void configure(const IndentationParameters& parameters);
+  /// Readings older than these are stale.
+  void setMaximumAges(Duration ir, Duration finger);
+
+  [[nodiscard]] IndentationEstimate step(Instant now, const Timed<IrCounts>& ir, const Timed<FingerDetection>& finger);
+
+  /// New distances to the untouched cloth, one per sensor (see tare.h).
+  void tare(std::span<const double> offset_mm);
+  [[nodiscard]] std::span<const double> offsets_mm() const { return parameters_.ir_offset_mm.view(); }
+
+  /// Condition number of the plane through all sensors; infinite when they lie on one line.
+  [[nodiscard]] double conditionNumber() const { return condition_number_; }
+
+  void reset();
+
+ private:
+  struct Reading {
+    IrReading ir;
+    double z_mm = 0.0;      // distance less offset
+    double sigma_mm = 0.0;  // of one reading
+    bool used = false;
+  };
+
+  void readSensors(const IrCounts& counts, bool fresh_counts);
+  void noticeStuck(const IrCounts& counts);
+  void stepMembrane(Instant now, const FingerDetection& finger, bool fresh_counts);
+  void stepThesis(const FingerDetection& finger, bool fresh_counts);
+  [[nodiscard]] std::uint32_t usedMask() const;
+
+  IndentationParameters parameters_;
+  Duration ir_maximum_age_ = std::chrono::milliseconds(100);
+  Duration finger_maximum_age_ = std::chrono::milliseconds(250);
+  std::uint32_t sensor_count_ = 0;
+  std::array<SensorPosition, kMaximumIrSensors> positions_{};
+  std::array<IrDistance, kMaximumIrSensors> curves_{};
+  std::array<Reading, kMaximumIrSensors> readings_{};
+  std::array<std::uint16_t, kMaximumIrSensors> last_codes_{};
+  std::array<std::uint32_t, kMaximumIrSensors> unchanged_{};  // readings since the code last changed
+  std::array<double, kMaximumIrSensors> others_travel_{};     // counts the others moved meanwhile
+  Membrane membrane_;
+  FabricPlane plane_;
+  std::uint32_t plane_mask_ = 0;
+  double condition_number_ = 0.0;
+  IndentationFilter filter_;
+  ThesisSmoother smoother_;
+  bool touched_ = false;
+  std::uint64_t last_count_ = 0;
+  Instant last_step_{};
+  IndentationEstimate estimate_;
+};
+
+}  // namespace fyd::sensing

@@ -1,0 +1,105 @@
+// Parameters of the distance sensors and of the indentation under the finger (thesis §4.1.2).
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/base/parameter.h"
+#include "core/sensing/readings.h"
+
+namespace fyd::sensing {
+
+enum class IndentationMode : std::uint8_t { membrane, thesis };
+inline constexpr std::array<std::string_view, 2> kIndentationModeNames = {"membrane", "thesis"};
+
+/// A list with these values.
+template <class... Values>
+[[nodiscard]] ParameterList listOf(Values... values) {
+  return {.items = {static_cast<double>(values)...}, .count = sizeof...(values)};
+}
+
+struct IndentationParameters {
+  IndentationMode mode = IndentationMode::membrane;
+  ParameterList ir_x_mm = listOf(-22, 0, 22);
+  ParameterList ir_y_mm = listOf(-3, 27, -3);
+  ParameterList ir_offset_mm = listOf(100, 100, 100);
+  ParameterList ir_lowest_code = listOf(524, 524, 524);
+  ParameterList ir_highest_code = listOf(3408, 3408, 3408);
+  std::array<ParameterList, kMaximumIrSensors> ir_curve_mm{};  ///< c₀…cₙ; empty: the thesis polynomial
+  double ir_noise_mV = 10.0;
+  double ir_condition_limit = 20.0;
+  double frame_half_width_mm = 50.0;
+  double frame_half_depth_mm = 35.0;
+  double finger_radius_mm = 7.0;
+  double holding_mm_per_sqrt_s = 1.0;
+  double moving_mm_per_sqrt_s = 20.0;
+  double sigma_limit_mm = 6.0;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    static constexpr std::array<std::string_view, kMaximumIrSensors> kCurveIds = {
+        "sensing.ir1_curve_mm", "sensing.ir2_curve_mm", "sensing.ir3_curve_mm", "sensing.ir4_curve_mm",
+        "sensing.ir5_curve_mm", "sensing.ir6_curve_mm", "sensing.ir7_curve_mm", "sensing.ir8_curve_mm"};
+    v.choice("sensing.indentation_mode", mode, kIndentationModeNames,
+             {.help = "membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a "
+                      "2 mm gate.",
+              .live = true});
+    v.list(
+        "sensing.ir_x_mm", ir_x_mm,
+        {.unit = "mm", .minimum = -100, .maximum = 100, .help = "Distance sensors: x of each; as many as there are."});
+    v.list("sensing.ir_y_mm", ir_y_mm,
+           {.unit = "mm", .minimum = -100, .maximum = 100, .help = "Distance sensors: y of each."});
+    v.list("sensing.ir_offset_mm", ir_offset_mm,
+           {.unit = "mm",
+            .minimum = 0,
+            .maximum = 400,
+            .help = "Distance sensors: distance to the untouched cloth; the tare sets it.",
+            .live = true});
+    v.list("sensing.ir_lowest_code", ir_lowest_code,
+           {.minimum = 0, .maximum = 4095, .help = "Distance sensors: lowest valid ADC code of each."});
+    v.list("sensing.ir_highest_code", ir_highest_code,
+           {.minimum = 0, .maximum = 4095, .help = "Distance sensors: highest valid ADC code of each."});
+    for (std::size_t i = 0; i < kMaximumIrSensors; ++i) {
+      v.list(kCurveIds[i], ir_curve_mm[i],
+             {.unit = "mm",
+              .minimum = -1e6,
+              .maximum = 1e6,
+              .help = "Distance sensor's curve: polynomial of volts, constant first; empty: the thesis polynomial."});
+    }
+    v.real("sensing.ir_noise_mV", ir_noise_mV,
+           {.unit = "mV",
+            .minimum = 0.1,
+            .maximum = 200,
+            .help = "Distance sensors: noise of one reading.",
+            .live = true});
+    v.real(
+        "sensing.ir_condition_limit", ir_condition_limit,
+        {.minimum = 2, .maximum = 1e6, .help = "Sensors nearer to one line than this condition number make no plane."});
+    v.real("sensing.frame_half_width_mm", frame_half_width_mm,
+           {.unit = "mm", .minimum = 10, .maximum = 200, .help = "Half the usable cloth's width."});
+    v.real("sensing.frame_half_depth_mm", frame_half_depth_mm,
+           {.unit = "mm", .minimum = 10, .maximum = 200, .help = "Half the usable cloth's depth."});
+    v.real("sensing.finger_radius_mm", finger_radius_mm,
+           {.unit = "mm", .minimum = 1, .maximum = 20, .help = "Radius of the finger's contact with the cloth."});
+    v.real("sensing.indentation_holding_mm_per_sqrt_s", holding_mm_per_sqrt_s,
+           {.unit = "mm/√s",
+            .minimum = 0.01,
+            .maximum = 100,
+            .help = "Kalman filter: how much the indentation wanders while the finger holds still.",
+            .live = true});
+    v.real("sensing.indentation_moving_mm_per_sqrt_s", moving_mm_per_sqrt_s,
+           {.unit = "mm/√s",
+            .minimum = 0.1,
+            .maximum = 1000,
+            .help = "Kalman filter: how much it wanders while the finger presses or lifts.",
+            .live = true});
+    v.real("sensing.indentation_sigma_limit_mm", sigma_limit_mm,
+           {.unit = "mm",
+            .minimum = 0.1,
+            .maximum = 100,
+            .help = "An indentation less certain than this is unavailable.",
+            .live = true});
+  }
+};
+
+}  // namespace fyd::sensing

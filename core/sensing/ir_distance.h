@@ -1,0 +1,49 @@
+// One infrared distance sensor: ADC code to millimetres (thesis §2.1, §4.1.2; fact sheet §2).
+//
+//   v = 3.3·code/4096,   d = c₀ + c₁v + … + cₙvⁿ  (mm)
+//
+// Without a calibration the curve is the thesis polynomial. A code outside the valid span gives no distance
+// (NaN): beyond it the polynomial turns negative or claims 790 mm. TRAP kept out of the way: no clamping.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/base/batch.h"
+#include "core/base/parameter.h"
+
+namespace fyd::sensing {
+
+inline constexpr double kAdcReference_V = 3.3;
+inline constexpr int kAdcCodes = 4096;
+
+struct IrReading {
+  double distance_mm = 0.0;     ///< NaN when not valid
+  double slope_mm_per_V = 0.0;  ///< |dd/dv| at this code; turns the sensor's noise into millimetres
+  bool valid = false;
+};
+
+class IrDistance {
+ public:
+  /// @param coefficients_mm c₀…cₙ for volts; empty: the thesis polynomial
+  /// @param lowest_code,highest_code valid span, both included
+  explicit IrDistance(std::span<const double> coefficients_mm = {}, int lowest_code = 524, int highest_code = 3408);
+
+  [[nodiscard]] IrReading read(std::uint16_t code) const;
+
+  /// The curve without the span; for drawing and calibration.
+  [[nodiscard]] double distance_mm(double volts) const;
+
+  /// Code whose distance is nearest to `distance_mm` within the span, for simulation and tests.
+  [[nodiscard]] std::uint16_t codeAt(double distance_mm) const;
+
+ private:
+  Batch<double, kParameterListCapacity> coefficients_;
+  int lowest_code_;
+  int highest_code_;
+};
+
+[[nodiscard]] constexpr double voltsFromCode(double code) { return kAdcReference_V * code / kAdcCodes; }
+
+}  // namespace fyd::sensing
