@@ -24,8 +24,6 @@ class Fabric {
  public:
   Fabric(double stiffness_scale, double hysteresis);
 
-  void configure(double stiffness_scale, double hysteresis);
-
   /// Follows the indentation to a new value. @param indentation_mm ≤ 0 and NaN mean no contact
   /// @return the normal force in N, ≥ 0
   double press(double angle_deg, double indentation_mm);

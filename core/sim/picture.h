@@ -40,7 +40,8 @@ class PictureRenderer {
   void render(const WorldSnapshot& world, std::mt19937_64& random, cv::Mat& picture) const;
 
  private:
-  double edge_softness_px_;
+  double edge_softness_mm_;
+  std::int16_t finger_;              // grey × 16
   std::vector<std::int16_t> cloth_;  // grey × 16
   std::vector<std::int16_t> noise_;  // grey × 16
 };

@@ -32,9 +32,6 @@ class RobotArm final : public device::Robot {
   /// Stiffness of what lies under the tool, N/mm; 0 when nothing does. For error figures.
   [[nodiscard]] double trueStiffness_N_per_mm() const { return stiffness_; }
 
-  /// Changes speed limit, impedance, material and sensor while running.
-  void configure(const SimParameters& parameters);
-
  private:
   void step(double dt_s);
   void moveReference(double dt_s);

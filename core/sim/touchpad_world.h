@@ -60,23 +60,24 @@ class TouchpadWorld {
   /// Puts the finger somewhere (a mouse, a test) in place of the path; nullopt gives it back to the path.
   /// Clamped to the usable area; NaN lifts.
   void setFingerOverride(std::optional<FingerState> finger);
-  void setPath(FingerPath path);
 
-  /// Takes over what may change while running: all but seed, start angle and rates' phase.
-  void configure(const SimParameters& parameters);
-  [[nodiscard]] SimParameters parameters() const;
+  [[nodiscard]] const SimParameters& parameters() const { return parameters_; }
 
  private:
+  void skip(Duration gap);
   void step();
+  void sense();
   void senseIr();
   void senseBridge();
   void senseMotors();
   void remember();
+  [[nodiscard]] FingerState fingerNow() const;
+  [[nodiscard]] WorldSnapshot lookBack(double delay_ms) const;
   [[nodiscard]] WorldSnapshot truthLocked(Instant when) const;
   [[nodiscard]] double gaussian(double sigma);
 
+  const SimParameters parameters_;
   mutable std::mutex mutex_;
-  SimParameters parameters_;
   FingerPath path_;
   std::optional<FingerState> finger_override_;
   sensing::Membrane membrane_;
@@ -89,7 +90,6 @@ class TouchpadWorld {
   Instant now_;
   Instant next_ir_;
   Instant next_bridge_;
-  WorldSnapshot present_;
   device::TouchpadReadings readings_;
   std::vector<WorldSnapshot> history_;  // ring, newest at (written_ − 1)
   std::size_t written_ = 0;

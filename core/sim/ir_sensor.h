@@ -1,0 +1,26 @@
+// One simulated Sharp distance sensor with its 12-bit converter: the inverse of the thesis' curve.
+//
+//   d = 10·(−4.6327 v⁵ + 39.954 v⁴ − 133.8297 v³ + 220.8604 v² − 188.5623 v + 79.0712) mm   (thesis §4.1.2)
+//   code = round(4096·v/3.3), 0…4095
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace fyd::sim {
+
+struct SensorPlace {
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+};
+
+/// Where the three sensors look at the cloth, from the camera's axis (thesis §4.1.2).
+inline constexpr std::array<SensorPlace, 3> kIrPlaces = {{{-22.0, -3.0}, {0.0, 27.0}, {22.0, -3.0}}};
+
+/// Voltage at a distance; the curve falls strictly, so there is one. Clamped to 0…3.3 V; NaN gives 0 V.
+[[nodiscard]] double irVolts(double distance_mm);
+
+/// What the converter says of a voltage; NaN gives 0.
+[[nodiscard]] std::uint16_t irCode(double volts);
+
+}  // namespace fyd::sim
