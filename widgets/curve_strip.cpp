@@ -1,0 +1,195 @@
+#include "widgets/curve_strip.h"
+
+#include <QMouseEvent>
+#include <QRubberBand>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+#include <qcustomplot.h>
+
+namespace fyd::widgets {
+namespace {
+
+constexpr int kLeftMargin = 48;
+constexpr int kRightMargin = 8;
+constexpr int kScaleHeight = 20;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// "−8" rather than "-8": the numbers beside the curves are typeset the same way.
+class TimeTicker : public QCPAxisTicker {
+ protected:
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    QString text = QCPAxisTicker::getTickLabel(tick, locale, format, precision);
+    text.replace(QLatin1Char('-'), QChar(0x2212));
+    return tick == 0.0 ? QStringLiteral("0 s") : text;
+  }
+};
+
+}  // namespace
+
+CurveStrip::CurveStrip(const QString& name, Range least, std::vector<Trace> traces, bool with_time_scale, QWidget* parent)
+    : QWidget(parent),
+      plot_(new QCustomPlot(this)),
+      traces_(std::move(traces)),
+      range_(least),
+      with_time_scale_(with_time_scale),
+      band_(new QRubberBand(QRubberBand::Rectangle, plot_)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setAccessibleName(name);
+  plot_->setAccessibleName(name);
+  plot_->setMinimumHeight(40);
+  plot_->setPlottingHints(QCP::phFastPolylines);
+  plot_->setNotAntialiasedElements(QCP::aeAll);
+  plot_->setInteractions({});
+  plot_->installEventFilter(this);
+  plot_->setFocusPolicy(Qt::NoFocus);
+  plot_->setToolTip(tr("Drag to look back, wheel to zoom, drag with the right button to zoom into a box,\n"
+                       "Ctrl and wheel to stretch this curve, double-click or F to follow again."));
+  QCPAxisRect* rect = plot_->axisRect();
+  rect->setAutoMargins(QCP::msNone);
+  rect->setMargins(QMargins(kLeftMargin, 4, kRightMargin, with_time_scale_ ? kScaleHeight : 4));
+  plot_->xAxis->setTickLabels(with_time_scale_);
+  plot_->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new TimeTicker));
+  plot_->yAxis->ticker()->setTickCount(3);
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
+    axis->setSubTicks(false);
+    axis->setTickLengthIn(0);
+    axis->setNumberFormat(QStringLiteral("gb"));
+    axis->setNumberPrecision(4);
+  }
+  for (std::size_t i = 0; i < traces_.size(); ++i) {
+    QCPGraph* graph = plot_->addGraph();
+    graph->setAdaptiveSampling(false);  // the columns already are what the pixels can show
+  }
+  connect(&Look::instance(), &Look::changed, this, &CurveStrip::dress);
+  dress();
+}
+
+void CurveStrip::dress() {
+  const Theme& t = theme();
+  plot_->setBackground(QBrush(t.panel));
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
+    axis->setBasePen(Qt::NoPen);
+    axis->setTickPen(Qt::NoPen);
+    axis->setTickLabelColor(t.muted);
+    axis->setTickLabelFont(textFont(TextSize::small));
+    QColor grid = t.line;
+    grid.setAlphaF(0.6F);
+    axis->grid()->setPen(QPen(grid, 1));
+    axis->grid()->setZeroLinePen(QPen(t.line, 1));
+  }
+  for (std::size_t i = 0; i < traces_.size(); ++i) {
+    plot_->graph(static_cast<int>(i))
+        ->setPen(QPen(t.of(traces_[i].quantity), 1, traces_[i].dashed ? Qt::DashLine : Qt::SolidLine));
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveBuffer& buffer, const TimeWindow& window) {
+  const int width = std::max(1, plot_->axisRect()->width());
+  buffer.decimate(trace.channel, window.from_s(), window.to_s(), static_cast<std::size_t>(width), columns_);
+  QVector<QCPGraphData> points;
+  points.reserve(static_cast<qsizetype>(columns_.size()) * 2);
+  double last = kNaN;
+  for (const CurveColumn& column : columns_) {
+    if (column.empty) continue;  // zoomed in beyond the samples: the line goes on to the next one
+    const double x = column.time_s - window.to_s();
+    if (!std::isnan(column.minimum)) {
+      double first = column.minimum;
+      double second = column.maximum;
+      drawn_.lower = std::min(drawn_.lower, first);
+      drawn_.upper = std::max(drawn_.upper, second);
+      if (std::abs(last - second) < std::abs(last - first)) std::swap(first, second);
+      // A dashed line of many short pieces costs, and a level one needs only its ends.
+      const bool level = first == second && first == last && points.size() >= 2 && points.constLast().value == last &&
+                         points.at(points.size() - 2).value == last;
+      if (level) {
+        points.last().key = x;
+      } else {
+        points.append(QCPGraphData(x, first));
+        if (second != first) points.append(QCPGraphData(x, second));
+      }
+      last = second;
+    }
+    if (column.gap) {
+      points.append(QCPGraphData(x, kNaN));
+      last = kNaN;
+    }
+  }
+  graph->data()->set(points, true);
+}
+
+void CurveStrip::draw(const CurveBuffer& buffer, const TimeWindow& window) {
+  drawn_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  if (!qFuzzyCompare(plot_->bufferDevicePixelRatio(), plot_->devicePixelRatioF())) {
+    plot_->setBufferDevicePixelRatio(plot_->devicePixelRatioF());
+  }
+  for (std::size_t i = 0; i < traces_.size(); ++i) fill(plot_->graph(static_cast<int>(i)), traces_[i], buffer, window);
+  if (drawn_.lower <= drawn_.upper) range_.fit(drawn_.lower, drawn_.upper);
+  const Range shown = shownRange();
+  const double margin = fixed_range_ ? 0.0 : 0.04 * (shown.upper - shown.lower);  // the line at the end stays visible
+  plot_->xAxis->setRange(-window.span_s(), 0.0);
+  plot_->yAxis->setRange(shown.lower - margin, shown.upper + margin);
+  plot_->replot(QCustomPlot::rpQueuedRefresh);
+}
+
+Range CurveStrip::shownRange() const { return fixed_range_.value_or(range_.shown()); }
+
+double CurveStrip::timeAt(double x_px) const { return plot_->xAxis->pixelToCoord(x_px); }
+
+bool CurveStrip::press(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton && event.button() != Qt::RightButton) return false;
+  button_ = event.button();
+  last_ = pressed_ = event.position();
+  return true;
+}
+
+bool CurveStrip::move(const QMouseEvent& event) {
+  if (button_ == Qt::LeftButton) {
+    Q_EMIT panned(timeAt(event.position().x()) - timeAt(last_.x()));
+    last_ = event.position();
+  } else if (button_ == Qt::RightButton) {
+    band_->setGeometry(QRect(pressed_.toPoint(), event.position().toPoint()).normalized());
+    band_->show();
+  }
+  return button_ != Qt::NoButton;
+}
+
+bool CurveStrip::release(const QMouseEvent& event) {
+  const bool box = button_ == Qt::RightButton && band_->isVisible();
+  button_ = Qt::NoButton;
+  band_->hide();
+  const QRect rect = QRect(pressed_.toPoint(), event.position().toPoint()).normalized();
+  if (box && rect.width() > 4 && rect.height() > 4) {
+    fixRange({plot_->yAxis->pixelToCoord(rect.bottom()), plot_->yAxis->pixelToCoord(rect.top())});
+    Q_EMIT boxed(timeAt(rect.left()), std::min(0.0, timeAt(rect.right())));
+  }
+  return true;
+}
+
+void CurveStrip::wheel(const QWheelEvent& event) {
+  const double factor = std::pow(0.8, event.angleDelta().y() / 120.0);
+  if (event.modifiers().testFlag(Qt::ControlModifier)) {
+    const Range shown = shownRange();
+    const double about = plot_->yAxis->pixelToCoord(event.position().y());
+    fixRange({about + (shown.lower - about) * factor, about + (shown.upper - about) * factor});
+    Q_EMIT panned(0.0);
+  } else {
+    Q_EMIT zoomed(factor, std::min(0.0, timeAt(event.position().x())));
+  }
+}
+
+bool CurveStrip::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress: return press(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove: return move(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease: return release(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonDblClick: Q_EMIT followAsked(); return true;
+    case QEvent::Wheel: wheel(*static_cast<QWheelEvent*>(event)); return true;
+    default: return QWidget::eventFilter(watched, event);
+  }
+}
+
+}  // namespace fyd::widgets
