@@ -48,7 +48,7 @@ class Pid {
   [[nodiscard]] bool saturated() const { return saturated_; }
 
  private:
-  void integrate(double error, double proportional_and_derivative, double dt_s);
+  void integrate(double error, double rest, double dt_s);  // rest: the proportional and derivative parts
 
   PidGains gains_;
   PidLimits limits_;

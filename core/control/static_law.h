@@ -1,15 +1,17 @@
 // The static stiffness law: which stretch angle gives which stiffness, and back.
 //
-//   interpolated   θ(k): monotone cubic (Fritsch–Carlson) through the calibration points; never overshoots between
-//                  them, defined from the first to the last point, and not a degree further
+//   interpolated   k(θ): monotone cubic through the calibration points (Fritsch and Butland 1984: the tangents are
+//                  weighted harmonic means of the neighbouring slopes); it never overshoots between the points, and
+//                  ends at the first and the last
 //   thesis         θ = 314.5 k² − 107 k − 0.3552 (thesis §4.1.4), on the 0.3…0.9 N/mm the thesis states.
 //                  TRAP: −4.2° at 0.3, 158° at 0.9, and up to 10° off the four points it was fitted to
 //   thesis-linear  θ = 204.6 k − 23.6 (the authors' later code): another fabric, 33…59° above the four points
 //
-// The cubic runs from stiffness to angle, the way the controller asks at each step; the way back bisects it.
+// No allocation anywhere; the cubic's inverse is found by bisection, exact to the last bits.
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "core/base/parameter.h"
 #include "core/control/control_parameters.h"
@@ -45,15 +47,17 @@ class StaticLaw {
   [[nodiscard]] double maximumAngle_deg() const { return maximum_deg_; }
 
  private:
-  [[nodiscard]] double evaluate(double stiffness_N_per_mm) const;  // angle, inside the law's own domain
-  [[nodiscard]] double invert(double angle_deg) const;             // stiffness, inside the law's own domain
+  [[nodiscard]] double angleAt(double stiffness_N_per_mm) const;  // inside the law's own domain
+  [[nodiscard]] double stiffnessAt(double angle_deg) const;       // inside the law's own domain
+  [[nodiscard]] double cubic(std::size_t segment, double angle_deg) const;
+  [[nodiscard]] std::size_t segmentOf(const std::array<double, kParameterListCapacity>& knots, double x) const;
   void takeWholeDomain();
 
   StaticLawKind kind_ = StaticLawKind::interpolated;
   std::size_t count_ = 0;
-  std::array<double, kParameterListCapacity> k_{};
   std::array<double, kParameterListCapacity> theta_{};
-  std::array<double, kParameterListCapacity> tangent_{};  // dθ/dk at the points
+  std::array<double, kParameterListCapacity> k_{};
+  std::array<double, kParameterListCapacity> tangent_{};  // dk/dθ at the points
   double minimum_k_ = 0.0, maximum_k_ = 0.0;              // domain after limitTravel
   double minimum_deg_ = 0.0, maximum_deg_ = 0.0;
 };

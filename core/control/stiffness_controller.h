@@ -14,11 +14,9 @@
 // static law's angle of the first target.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "core/base/time.h"
 #include "core/control/control_parameters.h"
+#include "core/control/lag_model.h"
 #include "core/control/pid.h"
 #include "core/control/static_law.h"
 
@@ -62,37 +60,28 @@ class StiffnessController {
   [[nodiscard]] const StaticLaw& law() const { return law_; }
 
  private:
-  /// The law's stiffness of the last steps, seen through the measurement's dead time and lag.
-  class LagModel {
-   public:
-    void configure(double delay_s, double lag_s);
-    void reset(double value);
-    double step(double value, double dt_s);
-
-   private:
-    static constexpr std::size_t kCells = 64;  // the dead time in this many pieces
-    std::array<double, kCells> line_{};
-    std::size_t next_ = 0;
-    double cell_s_ = 0.0, since_s_ = 0.0, lag_s_ = 0.0, value_ = 0.0;
-  };
-
-  double desiredDefault(const ControlInput& input, double dt_s);
+  /// Where the stretch should be now.
+  double desiredDefault(const ControlInput& input, double lead_log, double dt_s);
   double desiredThesis(const ControlInput& input);
-  void learnScale(const ControlInput& input, double seen_N_per_mm, double dt_s);
+  void learnScale(const ControlInput& input, double seen_log, double dt_s);
+  void judgeReach(double target_N_per_mm, ControlOutput& output);
 
   ControlParameters parameters_;
   StaticLaw law_;
+  LagModel lag_;  // ln law(θ) as the sensors have seen it
   Pid pid_;
   Pid thesis_pid_;
-  LagModel lag_;
   double reference_deg_ = 0.0;
-  double fabric_scale_ = 1.0;
+  double log_scale_ = 0.0;  // learned ln S
+  bool scale_counts_ = false;
+  bool clamped_ = false;
   double rest_deg_ = 0.0;
   bool rest_known_ = false;
   bool was_enabled_ = false;
+  bool was_observable_ = false;
   bool started_ = false;
   Instant last_{};
-  Instant thesis_last_{};
+  Instant thesis_next_{};
 };
 
 }  // namespace fyd::control
