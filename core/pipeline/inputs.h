@@ -44,6 +44,7 @@ struct RobotInputs {
 
 struct Inputs {
   Instant now{};
+  std::uint64_t missed_cycles = 0;         ///< of the haptic loop since its start: cycles that got no step
   Timed<sensing::FingerDetection> finger;  ///< taken: when the picture was taken
   Timed<sensing::IrCounts> ir;
   Timed<sensing::BridgeReading> bridge;

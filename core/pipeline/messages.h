@@ -52,9 +52,9 @@ enum class LinkPhase : std::uint8_t {
   none,     ///< no robot is wanted
   waiting,  ///< listening for a robot
   running,
-  paused,   ///< negotiated: no loss
-  closed,   ///< the robot said goodbye
-  lost,     ///< silence longer than allowed
+  paused,  ///< negotiated: no loss
+  closed,  ///< the robot said goodbye
+  lost,    ///< silence longer than allowed
 };
 
 }  // namespace fyd::pipeline

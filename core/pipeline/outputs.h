@@ -5,9 +5,11 @@
 
 #include "core/base/batch.h"
 #include "core/control/motor_types.h"
+#include "core/pipeline/input_health.h"
 #include "core/pipeline/messages.h"
 #include "core/pipeline/safety.h"
 #include "core/pipeline/telemetry.h"
+#include "core/sensing/tare.h"
 
 namespace fyd::pipeline {
 
@@ -37,6 +39,8 @@ struct Outputs {
   control::MotorCommand motors;
   TouchMessage touch;
   TelemetrySample telemetry;
+  Lacks lacks;               ///< everything missing for Active
+  sensing::TareResult tare;  ///< meaningful with the event tare_done: what the profile should keep
   Batch<Event, kMaximumEventsPerStep> events;
 };
 

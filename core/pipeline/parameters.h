@@ -16,6 +16,7 @@ struct StepParameters {
   bool absolute_motion = false;  ///< the thesis' way: the robot goes where the finger is
   double motion_scale = 1.0;
   double motion_depth_scale = 1.0;
+  double motion_speed_limit_mm_s = 200.0;
   double hand_target_N_per_mm = 0.6;
 
   template <class Visitor>
@@ -33,10 +34,21 @@ struct StepParameters {
                        "each touch moves it from where it stands."});
     v.real("pipeline.motion_scale", motion_scale,
            {.minimum = 0.05, .maximum = 5, .help = "Robot's travel for the finger's along the cloth.", .live = true});
-    v.real("pipeline.motion_depth_scale", motion_depth_scale,
-           {.minimum = 0.05, .maximum = 5, .help = "Robot's travel downward for the finger's indentation.", .live = true});
+    v.real(
+        "pipeline.motion_depth_scale", motion_depth_scale,
+        {.minimum = 0.05, .maximum = 5, .help = "Robot's travel downward for the finger's indentation.", .live = true});
+    v.real("pipeline.motion_speed_limit_mm_s", motion_speed_limit_mm_s,
+           {.unit = "mm/s",
+            .minimum = 1,
+            .maximum = 1000,
+            .help = "Fastest the position sent to the robot moves.",
+            .live = true});
     v.real("pipeline.hand_target_N_per_mm", hand_target_N_per_mm,
-           {.unit = "N/mm", .minimum = 0.05, .maximum = 3, .help = "Stiffness target while it is set by hand.", .live = true});
+           {.unit = "N/mm",
+            .minimum = 0.05,
+            .maximum = 3,
+            .help = "Stiffness target while it is set by hand.",
+            .live = true});
   }
 };
 

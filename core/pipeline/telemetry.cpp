@@ -7,8 +7,10 @@ namespace {
 
 using Sample = TelemetrySample;
 
-#define FYD_FIELD(member, unit, decimals) \
-  TelemetryField { #member, unit, decimals, [](const Sample& s) { return static_cast<double>(s.member); } }
+#define FYD_FIELD(member, unit, decimals)                                                  \
+  TelemetryField {                                                                         \
+#member, unit, decimals, [](const Sample& s) { return static_cast<double>(s.member); } \
+  }
 
 constexpr auto kFields = std::to_array<TelemetryField>({
     {"t_s", "s", 6, [](const Sample& s) { return toSeconds(s.now.time_since_epoch()); }},

@@ -43,9 +43,9 @@ struct TelemetrySample {
   double acceleration_x_g = kNone;  ///< newest of the robot's, as received
   double acceleration_y_g = kNone;
   double acceleration_z_g = kNone;
-  double texture_signal_g = 0.0;         ///< after high-pass and method, before PWM
-  double vibration_duty_percent = 0.0;   ///< as sent to the motors
-  double vibration_clipped = 0.0;        ///< steps in which the limit cut the signal, since the start
+  double texture_signal_g = 0.0;        ///< after high-pass and method, before PWM
+  double vibration_duty_percent = 0.0;  ///< as sent to the motors
+  double vibration_clipped = 0.0;       ///< steps in which the limit cut the signal, since the start
 
   double touch_x_mm = 0.0;  ///< position sent to the robot
   double touch_y_mm = 0.0;

@@ -35,9 +35,9 @@ struct PartStatus {
   std::string name;         ///< "Touchpad", "Camera", "Robot"
   std::string description;  ///< which one it is
   bool ok = false;
-  std::string problem;    ///< empty when ok; says what to do otherwise
-  double rate_hz = 0.0;   ///< exchanges or pictures in the last second
-  double age_ms = 0.0;    ///< of the newest value; NaN before the first
+  std::string problem;   ///< empty when ok; says what to do otherwise
+  double rate_hz = 0.0;  ///< exchanges or pictures in the last second
+  double age_ms = 0.0;   ///< of the newest value; NaN before the first
   std::uint64_t errors = 0;
 };
 
@@ -55,7 +55,10 @@ struct LinkStatus {
   std::string peer;      ///< empty before the first
   std::uint64_t states_received = 0;
   std::uint64_t touches_sent = 0;
-  std::uint64_t refused = 0;  ///< datagrams counted and ignored
+  std::uint64_t refused = 0;        ///< datagrams counted and ignored
+  std::uint64_t send_failures = 0;  ///< replies the network did not take
+  std::uint64_t samples_lost = 0;   ///< accelerations and commands the loop did not take in time
+  pipeline::LinkPhase phase = pipeline::LinkPhase::none;
 };
 
 struct StationStatus {
@@ -73,9 +76,9 @@ struct ReadinessLine {
 
 /// A picture as the detector saw it.
 struct CameraView {
-  cv::Mat picture;        ///< 8 bit, grey or BGR; empty before the first
-  cv::Mat finger_mask;    ///< 8 bit, the region of interest's size; 255 where the detector sees finger
-  cv::Rect region;        ///< of interest, in the picture
+  cv::Mat picture;      ///< 8 bit, grey or BGR; empty before the first
+  cv::Mat finger_mask;  ///< 8 bit, the region of interest's size; 255 where the detector sees finger
+  cv::Rect region;      ///< of interest, in the picture
   sensing::FingerDetection finger;
   Instant taken{};
   std::uint64_t number = 0;
@@ -98,7 +101,8 @@ struct SimulationTruth {
 class Station {
  public:
   /// Opens devices and sockets; threads start with `start`.
-  /// @return an error when an option is wrong or a port is taken. A missing camera is no error: it is retried and shown.
+  /// @return an error when an option is wrong or a port is taken. A missing camera is no error: it is retried and
+  /// shown.
   [[nodiscard]] static Result<std::unique_ptr<Station>> open(const StationOptions& options);
 
   Station(const Station&) = delete;

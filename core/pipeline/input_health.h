@@ -1,0 +1,44 @@
+// Which of the things the present mode needs are missing, judged from the inputs' ages and validity.
+#pragma once
+
+#include <bitset>
+
+#include "core/pipeline/inputs.h"
+#include "core/pipeline/safety.h"
+
+namespace fyd::pipeline {
+
+struct StepParameters;
+using Lacks = std::bitset<kLackCount>;  ///< indexed by Lack
+
+/// What only the step knows of this moment.
+struct HealthContext {
+  bool bridge_valid = true;        ///< the load cell's value lies in its span
+  bool indentation_usable = true;  ///< false only while a finger presses and its indentation cannot be told
+  bool needs_robot = true;         ///< the target comes from the robot
+  bool target_known = true;
+};
+
+class InputHealth {
+ public:
+  /// Validity (not only age) may fail for up to the input's maximum age before it counts.
+  [[nodiscard]] Lacks judge(const Inputs& inputs, const HealthContext& context, const StepParameters& limits);
+
+  /// Any sensor of the touchpad answers.
+  [[nodiscard]] static bool devicesLive(const Lacks& lacks);
+  /// The first lack in the order of the enum; none when complete.
+  [[nodiscard]] static Lack first(const Lacks& lacks);
+
+ private:
+  /// True once `bad` has held longer than `grace`.
+  struct Grace {
+    Instant since{};
+    bool bad = false;
+    bool expired(bool now_bad, Instant now, double grace_ms);
+  };
+  Grace camera_blind_;
+  Grace ir_invalid_;
+  Grace bridge_invalid_;
+};
+
+}  // namespace fyd::pipeline

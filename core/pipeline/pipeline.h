@@ -1,0 +1,116 @@
+// The pure step: all haptic behaviour in one function without I/O, threads or clock.
+//
+//   sensing   counts, bridge, finger            → force, indentation, stiffness
+//   safety    ages, validity, operator, robot   → state
+//   control   target, measured stiffness        → stretch
+//   texture   accelerations or stored surface   → vibration duty
+//   motion    finger, indentation               → touch message
+//
+// Live operation, the headless runner, tests and replay call the same step; the same parameters, surface and inputs
+// give the same outputs bit for bit. After construction a step neither allocates nor throws, and whatever comes in,
+// no output is NaN where a number is promised and no command lies beyond its limits.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/control/motor_mixing.h"
+#include "core/control/stiffness_controller.h"
+#include "core/pipeline/input_health.h"
+#include "core/pipeline/inputs.h"
+#include "core/pipeline/outputs.h"
+#include "core/pipeline/parameters.h"
+#include "core/pipeline/touch_motion.h"
+#include "core/sensing/indentation.h"
+#include "core/sensing/load_cell.h"
+#include "core/sensing/stiffness_estimator.h"
+#include "core/sensing/tare.h"
+#include "core/texture/finger_speed.h"
+#include "core/texture/texture_renderer.h"
+#include "core/texture/virtual_texture.h"
+
+namespace fyd::pipeline {
+
+class Pipeline {
+ public:
+  /// @param surface rendered while no robot is wanted; nothing is felt then without one
+  explicit Pipeline(const Parameters& parameters, const std::optional<texture::SurfaceModel>& surface = {});
+  Pipeline(const Pipeline&) = delete;
+  Pipeline& operator=(const Pipeline&) = delete;
+
+  /// Nominally every millisecond. Time that stands still or goes back moves nothing and is reported.
+  /// The result is valid until the next call.
+  [[nodiscard]] const Outputs& step(const Inputs& inputs);
+
+  /// As they are now, live changes and tare included.
+  [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+
+ private:
+  void takeTime(const Inputs& inputs);
+  void applyChanges(const Inputs& inputs);
+  void applyRobotCommands(const Inputs& inputs);
+  void sense(const Inputs& inputs);
+  void stepTare(const Inputs& inputs);
+  void judge(const Inputs& inputs);
+  void stepSafety(const Inputs& inputs);
+  void stepControl(const Inputs& inputs);
+  void stepTexture(const Inputs& inputs);
+  void stepMotion(const Inputs& inputs);
+  void writeTelemetry(const Inputs& inputs);
+
+  void changeParameter(std::uint16_t index, double value);
+  void followRobotReference(const RobotMotorReference& reference);
+  void configure();
+  [[nodiscard]] double target(const Inputs& inputs) const;
+  [[nodiscard]] bool rendering(const Inputs& inputs) const;
+  [[nodiscard]] std::optional<Lack> fault(const Inputs& inputs) const;
+  void report(const Event& event) { (void)outputs_.events.push(event); }
+
+  Parameters parameters_;
+  std::vector<Parameter> bound_;  // into parameters_
+
+  sensing::IndentationEstimator indentation_;
+  sensing::LoadCell load_cell_;
+  sensing::StiffnessEstimator stiffness_;
+  sensing::Tare tare_;
+  control::StiffnessController controller_;
+  control::MotorMixing mixing_;
+  texture::TextureRenderer renderer_;
+  std::optional<texture::VirtualTexture> surface_;
+  texture::FingerSpeed finger_speed_;
+  InputHealth health_;
+  Safety safety_;
+  TouchMotion motion_;
+
+  // between steps
+  bool started_ = false;
+  Instant last_now_{};
+  std::uint64_t steps_ = 0;
+  std::uint64_t missed_at_second_start_ = 0;
+  Instant second_start_{};
+  std::uint64_t last_finger_ = 0;
+  std::uint64_t last_bridge_ = 0;
+  LinkPhase last_phase_ = LinkPhase::none;
+  bool target_by_hand_ = false;
+  bool target_was_clamped_ = false;
+  bool robot_sets_reference_ = false;
+  double stretch_deg_ = 0.0;  // last reference
+  double translation_deg_ = 0.0;
+  Vec3 newest_acceleration_g_;
+
+  // of this step
+  Duration elapsed_{};
+  bool step_gap_ = false;
+  bool steps_missed_ = false;
+  Timed<double> force_N_;
+  sensing::IndentationEstimate indent_;
+  sensing::StiffnessEstimate stiff_;
+  control::RollerAngles rollers_;
+  control::ControlOutput control_;
+  texture::TextureOutput texture_;
+  Lacks lacks_;
+  Outputs outputs_;
+};
+
+}  // namespace fyd::pipeline

@@ -1,0 +1,44 @@
+#include "core/pipeline/touch_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fyd::pipeline {
+namespace {
+
+double approach(double from, double to, double furthest) { return from + std::clamp(to - from, -furthest, furthest); }
+
+}  // namespace
+
+TouchMessage TouchMotion::step(const MotionInput& input) {
+  const bool contact =
+      input.enabled && input.contact && std::isfinite(input.finger_x_mm) && std::isfinite(input.finger_y_mm);
+  const double furthest = std::max(0.0, toSeconds(input.elapsed)) * input.speed_limit_mm_s;
+  if (contact) {
+    const Vec3 finger{input.scale * input.finger_x_mm, input.scale * input.finger_y_mm, 0.0};
+    if (input.absolute) {
+      anchor_mm_ = {};
+    } else if (!touching_) {
+      anchor_mm_ = position_mm_ - finger;
+    }
+    const Vec3 wanted = anchor_mm_ + finger;
+    const Vec3 target{std::clamp(wanted.x, -kWorkspaceHalf_mm.x, kWorkspaceHalf_mm.x),
+                      std::clamp(wanted.y, -kWorkspaceHalf_mm.y, kWorkspaceHalf_mm.y), 0.0};
+    // At the workspace's edge the clutch slips, so that turning back moves the robot at once.
+    if (!input.absolute) anchor_mm_ = target - finger;
+    position_mm_.x = approach(position_mm_.x, target.x, furthest);
+    position_mm_.y = approach(position_mm_.y, target.y, furthest);
+  }
+  touching_ = contact;
+  if (input.enabled && (!input.contact || std::isfinite(input.indentation_mm))) {
+    const double depth = contact ? std::max(0.0, input.indentation_mm) * input.depth_scale : 0.0;
+    position_mm_.z = approach(position_mm_.z, -std::min(depth, kWorkspaceHalf_mm.z), furthest);
+  }
+  return {.position_mm = position_mm_,
+          .in_contact = contact,
+          .force_N = contact && std::isfinite(input.force_N) ? std::max(0.0, input.force_N) : 0.0};
+}
+
+void TouchMotion::reset() { *this = TouchMotion(); }
+
+}  // namespace fyd::pipeline

@@ -1,0 +1,54 @@
+#include "core/station/haptic_loop.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/station/real_time.h"
+
+namespace fyd::station {
+namespace {
+
+void sleepUntil(Instant when) {
+  const auto since_epoch = std::chrono::duration_cast<std::chrono::nanoseconds>(when.time_since_epoch()).count();
+  const timespec due{.tv_sec = since_epoch / 1'000'000'000, .tv_nsec = since_epoch % 1'000'000'000};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
+  }
+}
+
+}  // namespace
+
+void StepTimes::add(Duration time) {
+  const std::uint64_t count = count_.load(std::memory_order_relaxed);
+  const auto ns = std::clamp<std::int64_t>(time.count(), 0, UINT32_MAX);
+  times_ns_[count % kCapacity].store(static_cast<std::uint32_t>(ns), std::memory_order_relaxed);
+  count_.store(count + 1, std::memory_order_release);
+}
+
+StepTimes::Figures StepTimes::figures() const {
+  const std::size_t count = std::min<std::uint64_t>(count_.load(std::memory_order_acquire), kCapacity);
+  if (count == 0) return {};
+  std::vector<std::uint32_t> sorted(count);
+  for (std::size_t i = 0; i < count; ++i) sorted[i] = times_ns_[i].load(std::memory_order_relaxed);
+  std::sort(sorted.begin(), sorted.end());
+  return {.p50_ns = static_cast<double>(sorted[count / 2]), .p99_ns = static_cast<double>(sorted[count * 99 / 100])};
+}
+
+void HapticLoop::run(const std::stop_token& stop, const Cycle& cycle) {
+  real_time_ = askForRealTime(Urgency::haptic);
+  if (real_time_) lockMemory();
+  Instant due = Clock::now() + kHapticPeriod;
+  while (!stop.stop_requested()) {
+    sleepUntil(due);
+    const Instant now = Clock::now();
+    const auto late_cycles = static_cast<std::uint64_t>((now - due) / kHapticPeriod);
+    missed_.fetch_add(late_cycles, std::memory_order_relaxed);
+    cycle(now, missed_.load(std::memory_order_relaxed));
+    times_.add(Clock::now() - now);
+    cycles_.fetch_add(1, std::memory_order_relaxed);
+    due += kHapticPeriod * static_cast<Duration::rep>(late_cycles + 1);
+  }
+}
+
+}  // namespace fyd::station

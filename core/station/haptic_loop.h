@@ -1,0 +1,52 @@
+// Calls a function at 1 kHz on absolute time, with the best priority the system grants, and keeps count.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+
+#include "core/base/time.h"
+
+namespace fyd::station {
+
+inline constexpr Duration kHapticPeriod = std::chrono::milliseconds(1);
+
+/// Times of the last steps, written by the loop, read by anyone: figures, not a record.
+class StepTimes {
+ public:
+  static constexpr std::size_t kCapacity = 10'000;
+  void add(Duration time);
+  struct Figures {
+    double p50_ns = 0.0;
+    double p99_ns = 0.0;
+  };
+  [[nodiscard]] Figures figures() const;
+
+ private:
+  std::array<std::atomic<std::uint32_t>, kCapacity> times_ns_{};
+  std::atomic<std::uint64_t> count_{0};
+};
+
+class HapticLoop {
+ public:
+  /// Called once a period. A cycle that could not start within its period is skipped and counted in `missed_cycles`.
+  using Cycle = std::function<void(Instant now, std::uint64_t missed_cycles)>;
+
+  /// Runs on the calling thread until asked to stop.
+  void run(const std::stop_token& stop, const Cycle& cycle);
+
+  [[nodiscard]] std::uint64_t cycles() const { return cycles_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::uint64_t missedCycles() const { return missed_.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool realTime() const { return real_time_.load(std::memory_order_relaxed); }
+  [[nodiscard]] StepTimes::Figures times() const { return times_.figures(); }
+
+ private:
+  std::atomic<std::uint64_t> cycles_{0};
+  std::atomic<std::uint64_t> missed_{0};
+  std::atomic<bool> real_time_{false};
+  StepTimes times_;
+};
+
+}  // namespace fyd::station

@@ -1,0 +1,148 @@
+#include "core/station/link_thread.h"
+
+#include <spdlog/spdlog.h>
+
+#include "core/station/real_time.h"
+
+namespace fyd::station {
+namespace {
+
+constexpr Duration kPatience = std::chrono::milliseconds(2);  // also how late a lost link may be noticed
+constexpr Duration kStatusPeriod = std::chrono::milliseconds(50);
+constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
+
+protocol::TouchpadAnswer answerFrom(const Announcement& said, std::span<const std::uint8_t> image) {
+  return {.touch = said.touch,
+          .info = {.k_vib = said.k_vib,
+                   .reference_ticks = {static_cast<double>(said.motors.reference_ticks[0]),
+                                       static_cast<double>(said.motors.reference_ticks[1])}},
+          .board_text = kBoardText,
+          .image = image};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LinkThread>> LinkThread::open(const protocol::Endpoint& local,
+                                                     const protocol::LinkParameters& parameters) {
+  auto socket = protocol::UdpSocket::open(local);
+  if (!socket) return tl::unexpected(socket.error());
+  return std::unique_ptr<LinkThread>(new LinkThread(std::move(*socket), parameters));
+}
+
+LinkThread::LinkThread(protocol::UdpSocket socket, const protocol::LinkParameters& parameters)
+    : socket_(std::move(socket)),
+      end_(parameters),
+      monitor_("Robot", fmt::format("classic robot, listening on {}", protocol::toString(socket_.local()))) {
+  status_.protocol = "classic, not secured";
+  status_.local = protocol::toString(socket_.local());
+}
+
+LinkThread::~LinkThread() { shutDown(); }
+
+void LinkThread::start() {
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void LinkThread::shutDown() {
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  thread_.join();
+}
+
+void LinkThread::offerImage(std::vector<std::uint8_t> encoded) {
+  const std::lock_guard lock(image_mutex_);
+  offered_image_ = std::move(encoded);
+}
+
+void LinkThread::run(const std::stop_token& stop) {
+  askForRealTime(Urgency::link);
+  std::vector<std::uint8_t> buffer(protocol::kMaximumDatagram);
+  Instant published{};
+  while (!stop.stop_requested()) {
+    const auto received = socket_.receive(buffer, kPatience);
+    const Instant now = Clock::now();
+    if (received) {
+      if (end_.imagesOn()) {
+        const std::lock_guard lock(image_mutex_);
+        image_.swap(offered_image_);
+        offered_image_.clear();
+      }
+      const auto& reception =
+          end_.handle({buffer.data(), received->size}, received->from, now, answerFrom(announcement.read(), image_));
+      send(reception);
+      take(reception, now);
+    }
+    end_.advance(now);
+    newest_.phase = end_.phase();
+    snapshot.write(newest_);
+    wants_images_.store(end_.imagesOn(), std::memory_order_relaxed);
+    if (now - published > kStatusPeriod) {
+      publish();
+      published = now;
+    }
+  }
+  publish();
+}
+
+void LinkThread::send(const protocol::TouchpadReception& reception) {
+  for (const protocol::Datagram& reply : reception.replies) {
+    if (socket_.send(reply.bytes, reply.to) != protocol::SendOutcome::sent) ++send_failures_;
+  }
+}
+
+void LinkThread::take(const protocol::TouchpadReception& reception, Instant now) {
+  if (reception.session_started) {
+    newest_.state = {};
+    newest_.motor_reference = {};
+  }
+  if (reception.state) {
+    newest_.state.set(*reception.state, now);
+    monitor_.succeeded(now);
+  }
+  if (reception.acceleration && !accelerations.push(*reception.acceleration)) ++lost_samples_;
+  if (reception.command != pipeline::RobotCommand::none && !commands.push(reception.command)) ++lost_samples_;
+  if (reception.motor_reference) newest_.motor_reference.set(*reception.motor_reference, now);
+}
+
+void LinkThread::publish() {
+  const protocol::TouchpadCounters& counters = end_.counters();
+  const std::lock_guard lock(status_mutex_);
+  status_.peer = end_.peer() ? protocol::toString(*end_.peer()) : "";
+  status_.states_received = counters.states;
+  status_.touches_sent = counters.touches;
+  status_.refused = counters.refused();
+  status_.send_failures = send_failures_;
+  status_.samples_lost = lost_samples_;
+  status_.phase = end_.phase();
+}
+
+LinkStatus LinkThread::status() const {
+  const std::lock_guard lock(status_mutex_);
+  return status_;
+}
+
+PartStatus LinkThread::part(Instant now) const {
+  PartStatus part = monitor_.status(now);
+  const LinkStatus link = status();
+  switch (link.phase) {
+    case pipeline::LinkPhase::waiting:
+      part.ok = false;
+      part.problem = fmt::format("waiting for a robot on {}", link.local);
+      break;
+    case pipeline::LinkPhase::lost:
+      part.ok = false;
+      part.problem = "silent";
+      break;
+    case pipeline::LinkPhase::closed:
+      part.ok = false;
+      part.problem = "has said goodbye";
+      break;
+    case pipeline::LinkPhase::paused:
+    case pipeline::LinkPhase::running:
+    case pipeline::LinkPhase::none: break;
+  }
+  part.errors = link.refused;
+  return part;
+}
+
+}  // namespace fyd::station

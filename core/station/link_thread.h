@@ -1,0 +1,77 @@
+// The link thread: owns the socket, answers the robot at once with the newest touch, passes on what it said.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "core/base/latest_value.h"
+#include "core/base/ring.h"
+#include "core/pipeline/inputs.h"
+#include "core/protocol/classic_touchpad_end.h"
+#include "core/protocol/udp_socket.h"
+#include "core/station/part_monitor.h"
+
+namespace fyd::station {
+
+/// What the loop has to say to the robot.
+struct Announcement {
+  pipeline::TouchMessage touch;
+  double k_vib = 0.0;
+  control::MotorCommand motors;
+};
+
+/// State-like part of what the robot said; the streams go through the rings.
+struct LinkSnapshot {
+  pipeline::LinkPhase phase = pipeline::LinkPhase::waiting;
+  Timed<pipeline::RobotState> state;
+  Timed<pipeline::RobotMotorReference> motor_reference;
+};
+
+class LinkThread {
+ public:
+  /// @return an error when the address is taken or not there
+  [[nodiscard]] static Result<std::unique_ptr<LinkThread>> open(const protocol::Endpoint& local,
+                                                                const protocol::LinkParameters& parameters);
+  ~LinkThread();
+  void start();
+  void shutDown();
+
+  LatestValue<Announcement> announcement;                  ///< written by the haptic loop
+  LatestValue<LinkSnapshot> snapshot;                      ///< read by the haptic loop
+  Ring<pipeline::AccelerationSample> accelerations{1024};  ///< read by the haptic loop
+  Ring<pipeline::RobotCommand> commands{64};               ///< read by the haptic loop
+
+  /// The camera thread asks this before it spends time on encoding.
+  [[nodiscard]] bool wantsImages() const { return wants_images_.load(std::memory_order_relaxed); }
+  void offerImage(std::vector<std::uint8_t> encoded);
+
+  [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
+  [[nodiscard]] LinkStatus status() const;
+  [[nodiscard]] PartStatus part(Instant now) const;
+
+ private:
+  LinkThread(protocol::UdpSocket socket, const protocol::LinkParameters& parameters);
+  void run(const std::stop_token& stop);
+  void take(const protocol::TouchpadReception& reception, Instant now);
+  void send(const protocol::TouchpadReception& reception);
+  void publish();
+
+  protocol::UdpSocket socket_;
+  protocol::ClassicTouchpadEnd end_;
+  LinkSnapshot newest_;
+  std::atomic<bool> wants_images_{false};
+  std::mutex image_mutex_;
+  std::vector<std::uint8_t> offered_image_;
+  std::vector<std::uint8_t> image_;  // the link thread's own
+  std::uint64_t lost_samples_ = 0;
+  std::uint64_t send_failures_ = 0;
+  PartMonitor monitor_;
+  mutable std::mutex status_mutex_;
+  LinkStatus status_;
+  std::jthread thread_;
+};
+
+}  // namespace fyd::station

@@ -1,0 +1,47 @@
+// The device thread: exchanges with the touchpad at its own pace and is the last guard of the motors. When the haptic
+// loop has written no command for 20 ms, vibration goes to zero and the references stay.
+#pragma once
+
+#include <memory>
+#include <thread>
+
+#include "core/base/latest_value.h"
+#include "core/control/motor_types.h"
+#include "core/device/touchpad.h"
+#include "core/station/part_monitor.h"
+
+namespace fyd::station {
+
+/// A command and when the step gave it.
+struct StampedMotorCommand {
+  control::MotorCommand command;
+  Instant given{};
+};
+
+inline constexpr Duration kCommandTimeout = std::chrono::milliseconds(20);
+
+/// What goes to the motors at `now` when `stamped` is the newest command there is.
+[[nodiscard]] control::MotorCommand guardedCommand(const StampedMotorCommand& stamped, Instant now);
+
+class TouchpadThread {
+ public:
+  explicit TouchpadThread(std::unique_ptr<device::Touchpad> touchpad);
+  ~TouchpadThread();
+
+  void start();
+  /// Sends one last command with the motors off, then joins.
+  void shutDown();
+
+  LatestValue<StampedMotorCommand> command;        ///< written by the haptic loop
+  LatestValue<device::TouchpadReadings> readings;  ///< read by the haptic loop
+  [[nodiscard]] PartStatus status(Instant now) const { return monitor_.status(now); }
+
+ private:
+  void run(const std::stop_token& stop);
+
+  std::unique_ptr<device::Touchpad> touchpad_;
+  PartMonitor monitor_;
+  std::jthread thread_;
+};
+
+}  // namespace fyd::station

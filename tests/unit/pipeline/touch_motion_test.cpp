@@ -1,0 +1,104 @@
+#include "core/pipeline/touch_motion.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace fyd::pipeline {
+namespace {
+
+MotionInput touching(double x_mm, double y_mm, double indentation_mm = 0.0) {
+  MotionInput input;
+  input.elapsed = std::chrono::milliseconds(1);
+  input.enabled = true;
+  input.contact = true;
+  input.finger_x_mm = x_mm;
+  input.finger_y_mm = y_mm;
+  input.indentation_mm = indentation_mm;
+  return input;
+}
+
+MotionInput lifted() {
+  MotionInput input = touching(0, 0);
+  input.contact = false;
+  return input;
+}
+
+TouchMessage settle(TouchMotion& motion, const MotionInput& input) {
+  TouchMessage message;
+  for (int i = 0; i < 1000; ++i) message = motion.step(input);
+  return message;
+}
+
+TEST(TouchMotion, ANewTouchDoesNotMoveTheRobot) {
+  TouchMotion motion;
+  EXPECT_EQ(settle(motion, touching(20, 10)).position_mm, (Vec3{0, 0, 0}));
+  EXPECT_NEAR(settle(motion, touching(25, 7)).position_mm.x, 5.0, 1e-12);
+  settle(motion, lifted());
+  const Vec3 again = settle(motion, touching(-30, -20)).position_mm;
+  EXPECT_NEAR(again.x, 5.0, 1e-12);
+  EXPECT_NEAR(again.y, -3.0, 1e-12);
+}
+
+TEST(TouchMotion, AbsoluteFollowsTheFingerItself) {
+  TouchMotion motion;
+  MotionInput input = touching(20, 10);
+  input.absolute = true;
+  const Vec3 there = settle(motion, input).position_mm;
+  EXPECT_NEAR(there.x, 20.0, 1e-12);
+  EXPECT_NEAR(there.y, 10.0, 1e-12);
+}
+
+TEST(TouchMotion, PressingIsNegativeZAndLiftingReturnsToZero) {
+  TouchMotion motion;
+  EXPECT_NEAR(settle(motion, touching(0, 0, 4.0)).position_mm.z, -4.0, 1e-12);
+  EXPECT_NEAR(settle(motion, touching(0, 0, -2.0)).position_mm.z, 0.0, 1e-12);
+  settle(motion, touching(0, 0, 4.0));
+  EXPECT_NEAR(settle(motion, lifted()).position_mm.z, 0.0, 1e-12);
+}
+
+TEST(TouchMotion, TheWorkspaceIsNeverLeftAndItsEdgeDoesNotStick) {
+  TouchMotion motion;
+  settle(motion, touching(0, 0));
+  const Vec3 edge = settle(motion, touching(90, -90, 500)).position_mm;
+  EXPECT_EQ(edge, (Vec3{35, -25, -70}));
+  EXPECT_NEAR(settle(motion, touching(89, -89, 0)).position_mm.x, 34.0, 1e-12);
+}
+
+TEST(TouchMotion, TheSpeedLimitHoldsWhateverTheFingerDoes) {
+  TouchMotion motion;
+  (void)motion.step(touching(0, 0));
+  const Vec3 next = motion.step(touching(30, 0, 8)).position_mm;
+  EXPECT_NEAR(next.x, 0.2, 1e-12);
+  EXPECT_NEAR(next.z, -0.2, 1e-12);
+}
+
+TEST(TouchMotion, DisabledStandsStill) {
+  TouchMotion motion;
+  settle(motion, touching(0, 0));
+  const Vec3 before = settle(motion, touching(5, 5, 3)).position_mm;
+  MotionInput input = touching(-20, 0, 8);
+  input.enabled = false;
+  EXPECT_EQ(settle(motion, input).position_mm, before);
+  EXPECT_FALSE(motion.step(input).in_contact);
+}
+
+TEST(TouchMotion, WhatIsNotANumberMovesNothing) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  TouchMotion motion;
+  settle(motion, touching(0, 0, 2));
+  const Vec3 before = settle(motion, touching(3, 3, 2)).position_mm;
+  MotionInput bad = touching(kNaN, 3, 2);
+  EXPECT_EQ(motion.step(bad).position_mm.x, before.x);
+  bad = touching(3, 3, kNaN);
+  bad.force_N = kNaN;
+  const TouchMessage message = motion.step(bad);
+  EXPECT_EQ(message.position_mm.z, before.z);
+  EXPECT_EQ(message.force_N, 0.0);
+  bad = touching(3, 3, 5);
+  bad.elapsed = -std::chrono::seconds(1);
+  EXPECT_EQ(motion.step(bad).position_mm.z, before.z);
+}
+
+}  // namespace
+}  // namespace fyd::pipeline
