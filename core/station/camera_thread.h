@@ -1,0 +1,53 @@
+// The camera thread: takes pictures, finds the finger, hands the result to the haptic loop and the picture to the window.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "core/base/latest_value.h"
+#include "core/device/camera.h"
+#include "core/sensing/finger_detector.h"
+#include "core/station/part_monitor.h"
+
+namespace fyd::station {
+
+class CameraThread {
+ public:
+  /// Opens the source; called again after failures, from the camera thread.
+  using Opener = std::function<Result<std::unique_ptr<device::Camera>>()>;
+  /// Sees every picture with its detection, on the camera thread.
+  using Observer = std::function<void(const CameraView&)>;
+
+  CameraThread(const std::string& description, Opener opener, const sensing::FingerParameters& parameters);
+  ~CameraThread();
+  void observe(Observer observer) { observer_ = std::move(observer); }  ///< before start
+  void start();
+  void shutDown();
+
+  /// Takes effect with the next picture; from any thread but the haptic loop.
+  void configure(const sensing::FingerParameters& parameters);
+
+  LatestValue<Timed<sensing::FingerDetection>> finger;  ///< read by the haptic loop
+  [[nodiscard]] CameraView view() const;
+  [[nodiscard]] PartStatus status(Instant now) const { return monitor_.status(now); }
+
+ private:
+  void run(const std::stop_token& stop);
+  void process(device::CameraFrame frame);
+  void fail(const std::string& problem);
+
+  Opener opener_;
+  Observer observer_;
+  sensing::FingerDetector detector_;
+  Timed<sensing::FingerDetection> newest_;
+  PartMonitor monitor_;
+  mutable std::mutex mutex_;
+  CameraView view_;
+  sensing::FingerParameters parameters_;
+  bool parameters_changed_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace fyd::station
