@@ -1,10 +1,11 @@
 // Plane through the distances of three or more sensors, read at the finger (thesis §4.1.2).
 //
-//   z(x, y) = Σ wᵢ(x, y)·zᵢ,   w = (x, y, 1)·(AᵀA)⁻¹Aᵀ,   rows of A: (xᵢ, yᵢ, 1)
+//   z(p) = Σ wᵢ(p)·zᵢ,   wᵢ(p) = 1/n + (p − m)·C⁻¹(pᵢ − m),   m = mean of the pᵢ,   C = Σ(pᵢ − m)(pᵢ − m)ᵀ
 //
-// For the thesis' three positions this is its printed formula, exactly. The noise gain |w| is 0.64 at the origin, 1 at
-// a sensor and 2.42 at the corners of the cloth. Nearly collinear sensors are refused: the condition number is that of
-// A with positions centred and scaled to unit spread, so 1 is a regular triangle whatever its size.
+// (least squares, written about the sensors' mean). For the thesis' three positions this is its printed formula,
+// exactly. The noise gain |w| is 0.64 at the origin, 1 at a sensor and 2.42 at the corners of the cloth. Nearly
+// collinear sensors are refused: the condition number is the square root of the ratio of C's eigenvalues, so 1 is a
+// regular triangle whatever its size.
 #pragma once
 
 #include <array>
@@ -39,7 +40,15 @@ class FabricPlane {
   [[nodiscard]] PlaneWeights weightsAt(double x_mm, double y_mm) const;
 
  private:
-  std::array<std::array<double, 3>, kMaximumIrSensors> columns_{};  // (AᵀA)⁻¹Aᵀ
+  struct Share {
+    double even = 0.0;  // 1/n
+    double along_x = 0.0;
+    double along_y = 0.0;
+  };
+
+  std::array<Share, kMaximumIrSensors> shares_{};
+  double centre_x_mm_ = 0.0;
+  double centre_y_mm_ = 0.0;
   double condition_ = 0.0;
   bool usable_ = false;
 };

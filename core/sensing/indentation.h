@@ -82,10 +82,10 @@ class IndentationEstimator {
     bool used = false;
   };
 
-  void readSensors(const IrCounts& counts, bool fresh_counts);
+  void readSensors(const IrCounts& counts);
   void noticeStuck(const IrCounts& counts);
-  void stepMembrane(Instant now, const FingerDetection& finger, bool fresh_counts);
-  void stepThesis(const FingerDetection& finger, bool fresh_counts);
+  void stepMembrane(double dt_s, const FingerDetection& finger);
+  void stepThesis(const FingerDetection& finger);
   [[nodiscard]] std::uint32_t usedMask() const;
 
   IndentationParameters parameters_;
@@ -102,11 +102,16 @@ class IndentationEstimator {
   FabricPlane plane_;
   std::uint32_t plane_mask_ = 0;
   double condition_number_ = 0.0;
+  std::array<double, kMaximumIrSensors> shapes_{};  // at the finger's last position
+  double shapes_x_mm_ = 0.0;
+  double shapes_y_mm_ = 0.0;
+  bool shapes_known_ = false;
   IndentationFilter filter_;
   ThesisSmoother smoother_;
   bool touched_ = false;
   std::uint64_t last_count_ = 0;
-  Instant last_step_{};
+  bool was_available_ = false;
+  IndentationReason last_reason_ = IndentationReason::ir_stale;
   IndentationEstimate estimate_;
 };
 

@@ -33,7 +33,7 @@ struct IndentationParameters {
   double finger_radius_mm = 7.0;
   double holding_mm_per_sqrt_s = 1.0;
   double moving_mm_per_sqrt_s = 20.0;
-  double sigma_limit_mm = 6.0;
+  double sigma_limit_mm = 10.0;
 
   template <class Visitor>
   void describe(Visitor& v) {

@@ -26,17 +26,20 @@ struct IrReading {
 
 class IrDistance {
  public:
+  /// The thesis polynomial on the sensor's own span, 40…300 mm.
+  IrDistance() : IrDistance({}, 524, 3408) {}
   /// @param coefficients_mm c₀…cₙ for volts; empty: the thesis polynomial
   /// @param lowest_code,highest_code valid span, both included
-  explicit IrDistance(std::span<const double> coefficients_mm = {}, int lowest_code = 524, int highest_code = 3408);
+  IrDistance(std::span<const double> coefficients_mm, int lowest_code, int highest_code);
 
   [[nodiscard]] IrReading read(std::uint16_t code) const;
 
   /// The curve without the span; for drawing and calibration.
   [[nodiscard]] double distance_mm(double volts) const;
 
-  /// Code whose distance is nearest to `distance_mm` within the span, for simulation and tests.
-  [[nodiscard]] std::uint16_t codeAt(double distance_mm) const;
+  /// Volts that read as `distance_mm`, at the nearest end when the span does not hold it (the curve must fall).
+  /// For simulation and tests.
+  [[nodiscard]] double voltsAt(double distance_mm) const;
 
  private:
   Batch<double, kParameterListCapacity> coefficients_;

@@ -104,7 +104,8 @@ class StiffnessEstimator {
 
  private:
   void restart();
-  void learn(double dt_s, double force_N, const IndentationEstimate& indentation);
+  void observe(const Timed<double>& force_N, const IndentationEstimate& indentation);
+  void learn(double dt_s, double force_N, double depth_mm, double depth_sigma_mm);
 
   StiffnessParameters parameters_;
   Duration maximum_age_ = std::chrono::milliseconds(100);

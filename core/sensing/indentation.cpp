@@ -1,0 +1,237 @@
+#include "core/sensing/indentation.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace fyd::sensing {
+namespace {
+
+constexpr std::uint32_t kFewestForMembrane = 2;  // so that one can contradict the other
+constexpr double kShapeError = 0.02;             // of δ: what the membrane's formula leaves
+constexpr double kInconsistent = 4.0;            // squared standard deviations
+constexpr std::uint32_t kStuckReadings = 60;     // 1 s at 60 Hz without one changed count …
+constexpr double kStuckTravel_counts = 200.0;    // … while the others went this far
+constexpr double kLowest_mm = -20.0;
+constexpr double kHighest_mm = 100.0;
+
+std::uint32_t bitsBelow(std::uint32_t count) { return count >= 32 ? ~0U : (1U << count) - 1U; }
+
+double at(const ParameterList& list, std::size_t i, double otherwise) {
+  return i < list.size() && std::isfinite(list[i]) ? list[i] : otherwise;
+}
+
+}  // namespace
+
+std::string_view toString(IndentationReason reason) {
+  switch (reason) {
+    case IndentationReason::measured: return "measured";
+    case IndentationReason::untouched: return "untouched";
+    case IndentationReason::some_invalid: return "measured without the invalid sensors";
+    case IndentationReason::inconsistent: return "sensors contradict each other";
+    case IndentationReason::uncertain: return "too uncertain";
+    case IndentationReason::too_few_sensors: return "too few valid sensors";
+    case IndentationReason::ir_stale: return "distance readings missing or too old";
+    case IndentationReason::finger_stale: return "no recent picture";
+  }
+  return "unknown";
+}
+
+IndentationEstimator::IndentationEstimator(const IndentationParameters& parameters) { configure(parameters); }
+
+void IndentationEstimator::configure(const IndentationParameters& parameters) {
+  const bool mode_changed = parameters.mode != parameters_.mode;
+  parameters_ = parameters;
+  sensor_count_ =
+      std::min({parameters.ir_x_mm.count, parameters.ir_y_mm.count, static_cast<std::uint32_t>(kMaximumIrSensors)});
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    positions_[i] = {parameters.ir_x_mm[i], parameters.ir_y_mm[i]};
+    curves_[i] = IrDistance(parameters.ir_curve_mm[i].view(), static_cast<int>(at(parameters.ir_lowest_code, i, 524)),
+                            static_cast<int>(at(parameters.ir_highest_code, i, 3408)));
+  }
+  membrane_ = Membrane(parameters.frame_half_width_mm, parameters.frame_half_depth_mm, parameters.finger_radius_mm);
+  filter_.configure(parameters.holding_mm_per_sqrt_s, parameters.moving_mm_per_sqrt_s);
+  plane_mask_ = bitsBelow(sensor_count_);
+  plane_.solve(std::span(positions_).first(sensor_count_), plane_mask_, parameters.ir_condition_limit);
+  condition_number_ = plane_.conditionNumber();
+  shapes_known_ = false;
+  if (mode_changed) reset();
+}
+
+void IndentationEstimator::setMaximumAges(Duration ir, Duration finger) {
+  ir_maximum_age_ = ir;
+  finger_maximum_age_ = finger;
+}
+
+void IndentationEstimator::tare(std::span<const double> offset_mm) {
+  parameters_.ir_offset_mm.clear();
+  for (std::size_t i = 0; i < std::min<std::size_t>(sensor_count_, offset_mm.size()); ++i) {
+    if (!parameters_.ir_offset_mm.push(offset_mm[i])) break;
+  }
+}
+
+void IndentationEstimator::reset() {
+  filter_.restart();
+  smoother_.restart();
+  touched_ = false;
+  last_count_ = 0;
+  unchanged_ = {};
+  others_travel_ = {};
+  readings_ = {};
+  estimate_ = {};
+}
+
+IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts>& ir,
+                                               const Timed<FingerDetection>& finger) {
+  estimate_.sensors = sensor_count_;
+  estimate_.available = false;
+  if (ir.freshness(now, ir_maximum_age_) != Freshness::fresh) {
+    estimate_.valid = {};
+    estimate_.distance_mm.fill(std::numeric_limits<double>::quiet_NaN());
+    estimate_.reason = IndentationReason::ir_stale;
+    return estimate_;
+  }
+  const bool new_readings = ir.count != last_count_;
+  const double dt_s = toSeconds(ir.taken - estimate_.taken);
+  last_count_ = ir.count;
+  if (new_readings) readSensors(ir.value);
+  estimate_.taken = ir.taken;
+  estimate_.count = ir.count;
+
+  const FingerDetection& seen = finger.value;
+  if (finger.freshness(now, finger_maximum_age_) != Freshness::fresh ||
+      (seen.contact && !(std::isfinite(seen.x_mm) && std::isfinite(seen.y_mm)))) {
+    estimate_.reason = IndentationReason::finger_stale;
+    return estimate_;
+  }
+  const bool new_touch = seen.contact && !touched_;
+  touched_ = seen.contact;
+  estimate_.touched = seen.contact;
+  if (!touched_) {
+    estimate_.indentation_mm = 0.0;
+    estimate_.sigma_mm = 0.0;
+    estimate_.available = true;
+    estimate_.reason = IndentationReason::untouched;
+    return estimate_;
+  }
+  if (new_touch) {
+    filter_.restart();
+    smoother_.restart();
+  }
+  if (new_readings || new_touch) {
+    parameters_.mode == IndentationMode::thesis ? stepThesis(seen) : stepMembrane(new_touch ? 0.0 : dt_s, seen);
+  } else {
+    estimate_.available = was_available_;
+    estimate_.reason = last_reason_;
+  }
+  was_available_ = estimate_.available;
+  last_reason_ = estimate_.reason;
+  return estimate_;
+}
+
+void IndentationEstimator::readSensors(const IrCounts& counts) {
+  noticeStuck(counts);
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    Reading& r = readings_[i];
+    const double offset = at(parameters_.ir_offset_mm, i, std::numeric_limits<double>::quiet_NaN());
+    r.ir = i < counts.size() ? curves_[i].read(counts[i])
+                             : IrReading{.distance_mm = std::numeric_limits<double>::quiet_NaN()};
+    const bool stuck = unchanged_[i] >= kStuckReadings && others_travel_[i] >= kStuckTravel_counts;
+    r.used = r.ir.valid && !stuck && std::isfinite(offset);
+    r.z_mm = r.ir.distance_mm - offset;
+    r.sigma_mm = std::max(r.ir.slope_mm_per_V * parameters_.ir_noise_mV * 1e-3, 0.01);
+    estimate_.valid[i] = r.used;
+    estimate_.distance_mm[i] = r.ir.distance_mm;
+  }
+}
+
+void IndentationEstimator::noticeStuck(const IrCounts& counts) {
+  const std::size_t count = std::min<std::size_t>(sensor_count_, counts.size());
+  double largest_move = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    largest_move = std::max(largest_move, std::abs(static_cast<double>(counts[i]) - last_codes_[i]));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (counts[i] == last_codes_[i]) {
+      unchanged_[i] = std::min(unchanged_[i] + 1, kStuckReadings);
+      others_travel_[i] = std::min(others_travel_[i] + largest_move, kStuckTravel_counts);
+    } else {
+      unchanged_[i] = 0;
+      others_travel_[i] = 0.0;
+    }
+    last_codes_[i] = counts[i];
+  }
+}
+
+std::uint32_t IndentationEstimator::usedMask() const {
+  std::uint32_t mask = 0;
+  for (std::size_t i = 0; i < sensor_count_; ++i) mask |= readings_[i].used ? 1U << i : 0U;
+  return mask;
+}
+
+void IndentationEstimator::stepMembrane(double dt_s, const FingerDetection& finger) {
+  const std::uint32_t mask = usedMask();
+  if (static_cast<std::uint32_t>(std::popcount(mask)) < kFewestForMembrane) {
+    estimate_.reason = IndentationReason::too_few_sensors;
+    return;
+  }
+  if (!shapes_known_ || finger.x_mm != shapes_x_mm_ || finger.y_mm != shapes_y_mm_) {
+    for (std::size_t i = 0; i < sensor_count_; ++i) {
+      shapes_[i] = membrane_.shape(positions_[i].x_mm, positions_[i].y_mm, finger.x_mm, finger.y_mm);
+    }
+    shapes_x_mm_ = finger.x_mm;
+    shapes_y_mm_ = finger.y_mm;
+    shapes_known_ = true;
+  }
+  std::array<IndentationFilter::Measurement, kMaximumIrSensors> measurements;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const Reading& r = readings_[i];
+    if (r.used) measurements[count++] = {.z_mm = -r.z_mm, .h = shapes_[i], .sigma_mm = r.sigma_mm};
+  }
+  filter_.update(dt_s, std::span(measurements).first(count));
+
+  const double value = filter_.value_mm();
+  const double shape_error = kShapeError * value;
+  const double excess = std::max(1.0, filter_.disagreement());
+  estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);
+  estimate_.sigma_mm = std::sqrt(filter_.sigma_mm() * filter_.sigma_mm() * excess + shape_error * shape_error);
+  estimate_.available = estimate_.sigma_mm <= parameters_.sigma_limit_mm;
+  if (!estimate_.available) {
+    estimate_.reason = IndentationReason::uncertain;
+  } else if (excess > kInconsistent) {
+    estimate_.reason = IndentationReason::inconsistent;
+  } else {
+    estimate_.reason = mask == bitsBelow(sensor_count_) ? IndentationReason::measured : IndentationReason::some_invalid;
+  }
+}
+
+void IndentationEstimator::stepThesis(const FingerDetection& finger) {
+  const std::uint32_t mask = usedMask();
+  if (mask != plane_mask_) {
+    plane_.solve(std::span(positions_).first(sensor_count_), mask, parameters_.ir_condition_limit);
+    plane_mask_ = mask;
+  }
+  if (!plane_.usable()) {
+    estimate_.reason = IndentationReason::too_few_sensors;
+    return;
+  }
+  const PlaneWeights weights = plane_.weightsAt(finger.x_mm, finger.y_mm);
+  double z = 0.0;
+  double variance = 0.0;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const Reading& r = readings_[i];
+    if (!r.used) continue;
+    z += weights.weight[i] * r.z_mm;
+    variance += weights.weight[i] * weights.weight[i] * r.sigma_mm * r.sigma_mm;
+  }
+  estimate_.indentation_mm = std::clamp(smoother_.update(-z), kLowest_mm, kHighest_mm);
+  // Variance that remains after old·0.8 + new·0.2 of independent readings: 0.2/(2 − 0.2) of one reading's.
+  constexpr double kNew = 1.0 - ThesisSmoother::kOldShare;
+  estimate_.sigma_mm = std::min(std::sqrt(variance * kNew / (2.0 - kNew)), 1e3);
+  estimate_.available = true;
+  estimate_.reason = mask == bitsBelow(sensor_count_) ? IndentationReason::measured : IndentationReason::some_invalid;
+}
+
+}  // namespace fyd::sensing

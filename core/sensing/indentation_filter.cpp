@@ -1,0 +1,136 @@
+#include "core/sensing/indentation_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fyd::sensing {
+namespace {
+
+constexpr double kStay_s = 0.3;  // mean time before a finger changes from holding to moving or back
+constexpr double kLongestStep_s = 1.0;
+constexpr double kLargest_mm = 200.0;  // beyond any cloth: keeps the arithmetic finite
+constexpr double kOutlier = 5.0;       // standard deviations from what a moving finger allows
+constexpr int kPersistent = 4;         // an outlier this often in a row is the truth
+constexpr double kDisagreementShare = 0.05;
+
+}  // namespace
+
+void IndentationFilter::configure(double holding_mm_per_sqrt_s, double moving_mm_per_sqrt_s) {
+  pace_squared_ = {holding_mm_per_sqrt_s * holding_mm_per_sqrt_s, moving_mm_per_sqrt_s * moving_mm_per_sqrt_s};
+}
+
+void IndentationFilter::restart() {
+  belief_ = {};
+  probability_ = {0.1, 0.9};  // a touch begins with a movement
+  disagreement_ = 1.0;
+  left_out_in_a_row_ = 0;
+  combine();
+}
+
+double IndentationFilter::sigma_mm() const { return std::sqrt(variance_); }
+
+void IndentationFilter::update(double dt_s, std::span<Measurement> measurements) {
+  mix(std::isfinite(dt_s) ? std::clamp(dt_s, 0.0, kLongestStep_s) : 0.0);
+
+  // Outliers against what the wider belief allows, judged before any reading is used.
+  const Belief& wide = belief_[1];
+  bool any_left_out = false;
+  for (Measurement& m : measurements) {
+    m.used = std::isfinite(m.z_mm) && std::isfinite(m.h) && std::isfinite(m.sigma_mm) && m.sigma_mm > 0.0;
+    if (!m.used) continue;
+    const double innovation = m.z_mm - m.h * wide.mean;
+    const double variance = m.h * m.h * wide.variance + m.sigma_mm * m.sigma_mm;
+    if (innovation * innovation > kOutlier * kOutlier * variance && left_out_in_a_row_ < kPersistent) {
+      m.used = false;
+      any_left_out = true;
+    }
+  }
+  left_out_in_a_row_ = any_left_out ? left_out_in_a_row_ + 1 : 0;
+
+  std::array<double, 2> log_likelihood{};
+  for (std::size_t i = 0; i < belief_.size(); ++i) {
+    Belief& b = belief_[i];
+    for (const Measurement& m : measurements) {
+      if (!m.used) continue;
+      const double innovation = m.z_mm - m.h * b.mean;
+      const double variance = m.h * m.h * b.variance + m.sigma_mm * m.sigma_mm;
+      const double gain = b.variance * m.h / variance;
+      b.mean = std::clamp(b.mean + gain * innovation, -kLargest_mm, kLargest_mm);
+      b.variance = std::max(b.variance * (1.0 - gain * m.h), 1e-9);
+      log_likelihood[i] -= 0.5 * (innovation * innovation / variance + std::log(variance));
+    }
+  }
+  const double top = std::max(log_likelihood[0], log_likelihood[1]);
+  const double holding = probability_[0] * std::exp(log_likelihood[0] - top);
+  const double moving = probability_[1] * std::exp(log_likelihood[1] - top);
+  if (holding + moving > 0.0) {
+    probability_[0] = std::clamp(holding / (holding + moving), 1e-3, 1.0 - 1e-3);
+    probability_[1] = 1.0 - probability_[0];
+  }
+  combine();
+
+  double squares = 0.0;
+  int used = 0;
+  for (const Measurement& m : measurements) {
+    if (!std::isfinite(m.z_mm) || !std::isfinite(m.h) || !(m.sigma_mm > 0.0)) continue;
+    const double residual = (m.z_mm - m.h * value_) / m.sigma_mm;
+    squares += std::min(residual * residual, 1e6);
+    ++used;
+  }
+  if (used >= 2) disagreement_ += kDisagreementShare * (squares / (used - 1) - disagreement_);
+}
+
+void IndentationFilter::mix(double dt_s) {
+  const double change = 0.5 * (1.0 - std::exp(-2.0 * dt_s / kStay_s));
+  const std::array<Belief, 2> before = belief_;
+  const std::array<double, 2> prior = probability_;
+  for (std::size_t to = 0; to < 2; ++to) {
+    const std::size_t other = 1 - to;
+    const double stays = (1.0 - change) * prior[to];
+    const double comes = change * prior[other];
+    const double sum = stays + comes;
+    const double mean = (stays * before[to].mean + comes * before[other].mean) / sum;
+    const double spread_own = before[to].mean - mean;
+    const double spread_other = before[other].mean - mean;
+    belief_[to].mean = mean;
+    belief_[to].variance = (stays * (before[to].variance + spread_own * spread_own) +
+                            comes * (before[other].variance + spread_other * spread_other)) /
+                               sum +
+                           pace_squared_[to] * dt_s;
+    belief_[to].variance = std::min(belief_[to].variance, kLargest_mm * kLargest_mm);
+    probability_[to] = sum;
+  }
+}
+
+void IndentationFilter::combine() {
+  value_ = probability_[0] * belief_[0].mean + probability_[1] * belief_[1].mean;
+  variance_ = 0.0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double spread = belief_[i].mean - value_;
+    variance_ += probability_[i] * (belief_[i].variance + spread * spread);
+  }
+}
+
+double ThesisSmoother::update(double value_mm) {
+  constexpr int kEnough = 5;
+  if (!std::isfinite(value_mm)) return value_;
+  if (!started_) {
+    started_ = true;
+    value_ = value_mm;
+    return value_;
+  }
+  if (std::abs(value_mm - value_) < kGate_mm) {
+    refusals_ = 0;
+    value_ = kOldShare * value_ + (1.0 - kOldShare) * value_mm;
+    return value_;
+  }
+  refusals_ = refusals_ > 0 && std::abs(value_mm - refused_) < kGate_mm ? refusals_ + 1 : 1;
+  refused_ = value_mm;
+  if (refusals_ >= kEnough) {
+    refusals_ = 0;
+    value_ = value_mm;
+  }
+  return value_;
+}
+
+}  // namespace fyd::sensing
