@@ -66,12 +66,13 @@ struct ClassicState {
   pipeline::RobotCommand command = pipeline::RobotCommand::none;
   Vec3 acceleration_g;  ///< rest removed
   pipeline::RobotState robot;
-  bool position_known = true;   ///< false: the packet was cut within it; the value is then zero
-  bool stiffness_known = true;  ///< likewise
+  bool stiffness_known = true;  ///< false: a six-character number before it pushed it out of the packet; it is then 0
 };
 [[nodiscard]] std::array<std::uint8_t, kClassicStateSize> encodeState(const ClassicState& state);
 /// A negative stiffness is read as 0: the robot touches nothing.
 [[nodiscard]] Decoded<ClassicState> decodeState(Bytes packet);
+/// A state by its size and one of its marks, whatever stands between: its sender waits for a touch.
+[[nodiscard]] bool looksLikeState(Bytes packet);
 
 /// Touchpad → robot, once for each state. Not in contact is written x = y = 0, which means "hold the last".
 [[nodiscard]] std::array<std::uint8_t, kClassicTouchSize> encodeTouch(const pipeline::TouchMessage& touch);

@@ -89,7 +89,7 @@ class ClassicRobotEnd {
   [[nodiscard]] std::span<const Datagram> tick(Instant now, const RobotReport& report);
 
   /// Takes one datagram. Does not allocate, whatever arrives.
-  [[nodiscard]] RobotReception handle(Bytes datagram, const Endpoint& from, Instant now);
+  [[nodiscard]] RobotReception handle(Bytes datagram, const Endpoint& from);
 
   /// Puts a command into one of the next states, one each. @return false when sixteen are waiting already
   bool command(pipeline::RobotCommand command);
@@ -100,17 +100,19 @@ class ClassicRobotEnd {
   [[nodiscard]] const ClassicInfo& info() const { return info_; }
   [[nodiscard]] std::string_view boardText() const { return {board_text_.data(), board_size_}; }
   /// The last complete picture, encoded.
-  [[nodiscard]] Bytes image() const { return {image_.data(), image_size_}; }
+  [[nodiscard]] Bytes image() const { return Bytes(image_).first(image_size_); }
   [[nodiscard]] const RobotCounters& counters() const { return counters_; }
 
  private:
   enum class Due : std::uint8_t { nothing, touch, info_length, info_text, info_values, image_length, image_bytes };
 
+  void send(Bytes bytes);
   void sendAck(Instant now);
   void sendState(Instant now, const RobotReport& report);
+  void act(pipeline::RobotCommand command, Instant now);
   void giveUpCycle();
   void nextDue();
-  void takeTouch(Bytes datagram, RobotReception& out);
+  void takeTouch(const pipeline::TouchMessage& touch, RobotReception& out);
   void takeInfo(Bytes datagram, const Endpoint& from, RobotReception& out);
   void takeImage(Bytes datagram, RobotReception& out);
 
@@ -123,7 +125,8 @@ class ClassicRobotEnd {
   bool image_wanted_ = false;            // likewise
   bool motor_reference_wanted_ = false;  // goes out before the next state
   bool images_on_ = false;
-  int misses_ = 0;
+  int misses_ = 0;           // touches, in a row
+  int pictures_missed_ = 0;  // likewise
   std::optional<Instant> ack_sent_;
   Instant state_sent_{};
   std::optional<Instant> closing_since_;

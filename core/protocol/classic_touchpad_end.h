@@ -46,7 +46,8 @@ struct TouchpadAnswer {
 struct TouchpadReception {
   static constexpr std::size_t kMaximumReplies = 64;
 
-  bool session_started = false;                                   ///< a robot shook hands
+  bool session_started = false;  ///< a robot shook hands
+  bool was_lost = false;         ///< the silence before this datagram was a loss, though the phase may be running again
   std::optional<pipeline::RobotState> state;                      ///< parts cut away keep their last value
   std::optional<pipeline::AccelerationSample> acceleration;       ///< taken: the datagram's arrival
   pipeline::RobotCommand command = pipeline::RobotCommand::none;  ///< for the pipeline to act upon
@@ -98,16 +99,16 @@ class ClassicTouchpadEnd {
 
   [[nodiscard]] Duration lostLimit() const;
   [[nodiscard]] double periodMs() const { return period_ms_; }  ///< smoothed; 0 before two states
-  [[nodiscard]] double jitterMs() const { return jitter_ms_; }
+  [[nodiscard]] double jitterMs() const;                        ///< four mean deviations of the period
   /// Since the last datagram of the peer; zero before the first.
   [[nodiscard]] Duration silence(Instant now) const;
 
  private:
   void handleAck(const Endpoint& from, Instant now, const TouchpadAnswer& answer);
-  void handleState(const Decoded<ClassicState>& decoded, Instant now, const TouchpadAnswer& answer);
-  void handleOther(Bytes datagram, ClassicRefusal refusal);
+  void handlePeer(Bytes datagram, Instant now, const TouchpadAnswer& answer);
+  void handleStranger(Bytes datagram, const Endpoint& from, Instant now, const TouchpadAnswer& answer);
   void useState(const ClassicState& state, Instant now);
-  void obey(pipeline::RobotCommand command);
+  void obey(pipeline::RobotCommand command, Instant now);
   [[nodiscard]] bool mayTakeOver(const Endpoint& from, Instant now) const;
   void measure(Instant now);
   void reply(Bytes bytes, const Endpoint& to);
@@ -124,7 +125,7 @@ class ClassicTouchpadEnd {
   Instant last_heard_{};
   std::optional<Instant> last_state_;
   double period_ms_ = 0.0;
-  double jitter_ms_ = 0.0;
+  double deviation_ms_ = 0.0;
   bool images_on_ = false;
   bool motor_references_on_ = false;
   pipeline::RobotState robot_;

@@ -49,6 +49,7 @@ struct SimulatedRobotStatus {
   std::uint64_t missed_cycles = 0;  ///< of the loop's own clock
   std::uint64_t robot_errors = 0;   ///< exchanges with the arm that failed
   std::uint64_t send_failures = 0;  ///< datagrams the network did not take
+  std::uint64_t commands_lost = 0;  ///< asked for while sixteen were waiting
   double seconds = 0.0;             ///< since `run` began
 };
 

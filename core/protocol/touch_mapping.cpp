@@ -1,0 +1,26 @@
+#include "core/protocol/touch_mapping.h"
+
+#include <cmath>
+
+namespace fyd::protocol {
+
+void TouchMapping::reset(const Vec3& target_mm) {
+  if (target_mm.finite()) target_mm_ = target_mm;
+}
+
+const Vec3& TouchMapping::apply(const pipeline::TouchMessage& touch) {
+  const Vec3& p = touch.position_mm;
+  if (!p.finite()) return target_mm_;
+  if (p.z > 0.0 && p.x != 0.0 && p.y != 0.0) return target_mm_;
+  const bool held = p.x == 0.0 && p.y == 0.0;
+  Vec3 next = target_mm_;
+  if (!held) {
+    next.x = settings_.keep_xy * next.x + (1.0 - settings_.keep_xy) * settings_.scale_xy * p.x;
+    next.y = settings_.keep_xy * next.y + (1.0 - settings_.keep_xy) * settings_.scale_xy * p.y;
+  }
+  next.z = settings_.keep_z * next.z + (1.0 - settings_.keep_z) * settings_.scale_z * p.z;
+  if (next.finite()) target_mm_ = next;
+  return target_mm_;
+}
+
+}  // namespace fyd::protocol
