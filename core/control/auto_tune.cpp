@@ -1,0 +1,63 @@
+#include "core/control/auto_tune.h"
+
+#include <cmath>
+
+namespace fyd::control {
+namespace {
+
+constexpr double kFastest_s = 0.35;
+constexpr double kSlowest_s = 10.0;
+constexpr double kLeastGainMargin = 2.0;
+constexpr double kLeastPhaseMargin_deg = 60.0;
+constexpr double kNoiseAllowed = 0.01;
+
+ControlParameters tuned(const ControlParameters& present, const IdentifiedFabric& fabric, double lambda_s) {
+  ControlParameters p = present;
+  p.ki_per_s = 1.0 / (fabric.shape_gain * lambda_s);
+  p.kp = kMotorLag_s * p.ki_per_s;
+  p.kd_s = 0.0;
+  p.measurement_lag_s = fabric.lag_s;
+  p.measurement_delay_s = fabric.delay_s;
+  return p;
+}
+
+bool keepsMargins(const IdentifiedFabric& fabric, const ControlParameters& p) {
+  for (const double gain : {0.7, 1.0, 1.3}) {
+    for (const double lag : {0.7, 1.0, 1.3}) {
+      for (const double more_delay_s : {0.0, 0.05}) {
+        IdentifiedFabric other = fabric;
+        other.shape_gain *= gain;
+        other.lag_s *= lag;
+        other.delay_s += more_delay_s;
+        const LoopMargins margins = loopMargins(other, p);
+        if (margins.gain_margin < kLeastGainMargin || margins.phase_margin_deg < kLeastPhaseMargin_deg) return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// RMS of the integrator's output for a measurement whose noise is correlated over its own lag.
+double noiseOfStretch(const IdentifiedFabric& fabric, double lambda_s) {
+  const double correlation_s = fabric.lag_s + 0.02;
+  return fabric.residual_rms_relative * std::sqrt(correlation_s / (correlation_s + lambda_s));
+}
+
+}  // namespace
+
+Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const ControlParameters& present) {
+  const auto fabric = identifyFabric(recording, present);
+  if (!fabric) return tl::unexpected(fabric.error());
+  for (double lambda_s = kFastest_s; lambda_s <= kSlowest_s; lambda_s *= 1.05) {
+    const ControlParameters proposed = tuned(present, *fabric, lambda_s);
+    if (noiseOfStretch(*fabric, lambda_s) > kNoiseAllowed || !keepsMargins(*fabric, proposed)) continue;
+    return TuneProposal{*fabric, proposed, predictLoop(*fabric, present), predictLoop(*fabric, proposed)};
+  }
+  return fail(
+      "auto-tune: no time constant up to {} s keeps gain margin {} and phase margin {}° (dead time {:.3f} s, lag "
+      "{:.3f} s, noise {:.1f} %)",
+      kSlowest_s, kLeastGainMargin, kLeastPhaseMargin_deg, fabric->delay_s, fabric->lag_s,
+      100 * fabric->residual_rms_relative);
+}
+
+}  // namespace fyd::control
