@@ -1,0 +1,59 @@
+#include "core/device/camera_source.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "core/device/capture_camera.h"
+#include "core/device/folder_camera.h"
+
+namespace fyd::device {
+namespace {
+
+std::string devicesPresent() {
+  std::vector<std::string> found;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry("/dev", error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().filename().string().starts_with("video")) found.push_back(entry->path().string());
+  }
+  std::sort(found.begin(), found.end());
+  return found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", "));
+}
+
+std::optional<int> deviceNumber(const std::string& source) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(source.data(), source.data() + source.size(), number);
+  if (error != std::errc{} || end != source.data() + source.size() || number < 0) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Camera>> openCamera(const std::string& source) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (const auto number = deviceNumber(source)) {
+    const std::string path = fmt::format("/dev/video{}", *number);
+    if (!fs::exists(path, error)) {
+      return fail("camera device {}: there is no {}; capture devices found: {}", *number, path, devicesPresent());
+    }
+    return CaptureCamera::open(CaptureKind::device, path, number);
+  }
+  if (source.find("://") != std::string::npos) return CaptureCamera::open(CaptureKind::stream, source);
+  const fs::file_status status = fs::status(source, error);
+  switch (status.type()) {
+    case fs::file_type::directory: return FolderCamera::open(source);
+    case fs::file_type::character: return CaptureCamera::open(CaptureKind::device, source);
+    case fs::file_type::regular: return CaptureCamera::open(CaptureKind::video, source);
+    default: break;
+  }
+  if (source.starts_with("/dev/")) {
+    return fail("camera device '{}': there is none; capture devices found: {}", source, devicesPresent());
+  }
+  return fail(
+      "camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, a video file, "
+      "a folder of pictures or a stream's URL",
+      source);
+}
+
+}  // namespace fyd::device

@@ -1,0 +1,125 @@
+#include "core/device/capture_camera.h"
+
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+
+#include <opencv2/core/utils/logger.hpp>
+
+namespace fyd::device {
+namespace {
+
+constexpr Duration kRetryAfter = std::chrono::seconds(1);
+constexpr int kOpenTimeout_ms = 3000;
+constexpr int kReadTimeout_ms = 1000;
+
+/// OpenCV and FFmpeg write to the console on every failure; ours are returned instead.
+void silenceOpenCv() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // NOLINT(concurrency-mt-unsafe): before any capture exists
+  });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Camera>> CaptureCamera::open(CaptureKind kind, const std::string& source,
+                                                    std::optional<int> number) {
+  silenceOpenCv();
+  std::unique_ptr<CaptureCamera> camera(new CaptureCamera(kind, source, number));
+  if (const auto opened = camera->openCapture(); !opened) return tl::unexpected(opened.error());
+  if (kind == CaptureKind::video) {
+    if (cv::Mat first; !camera->read(first)) return fail("{}: holds no picture", camera->name());
+    if (const auto rewound = camera->openCapture(); !rewound) return tl::unexpected(rewound.error());
+  }
+  return camera;
+}
+
+std::string CaptureCamera::name() const {
+  switch (kind_) {
+    case CaptureKind::device: return fmt::format("camera device '{}'", source_);
+    case CaptureKind::video: return fmt::format("video file '{}'", source_);
+    case CaptureKind::stream: return fmt::format("camera stream '{}'", source_);
+  }
+  return source_;
+}
+
+std::string CaptureCamera::description() const {
+  const std::string size = fmt::format("{} × {}", size_.width, size_.height);
+  if (kind_ == CaptureKind::video)
+    return fmt::format("{}, {} at {:.4g} fps, repeating", name(), size, pacer_.rate_Hz());
+  return size_.empty() ? name() : fmt::format("{}, {}", name(), size);
+}
+
+Result<void> CaptureCamera::openCapture() {
+  last_attempt_ = Clock::now();
+  try {
+    switch (kind_) {
+      case CaptureKind::device:
+        if (number_) {
+          capture_.open(*number_, cv::CAP_V4L2);
+        } else {
+          capture_.open(source_, cv::CAP_V4L2);
+        }
+        break;
+      case CaptureKind::video: capture_.open(source_); break;
+      case CaptureKind::stream:
+        if (!capture_.open(source_, cv::CAP_FFMPEG,
+                           {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenTimeout_ms,  //
+                            cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadTimeout_ms})) {
+          capture_.open(source_);
+        }
+        break;
+    }
+    if (!capture_.isOpened()) {
+      return fail("{}: does not open{}", name(),
+                  kind_ == CaptureKind::video ? "; expected a video that OpenCV can decode" : "");
+    }
+    if (kind_ == CaptureKind::device) {  // the thesis' format; a camera without it keeps its own
+      capture_.set(cv::CAP_PROP_FRAME_WIDTH, 320);
+      capture_.set(cv::CAP_PROP_FRAME_HEIGHT, 240);
+      capture_.set(cv::CAP_PROP_FPS, kUsualRate_Hz);
+    }
+    size_ = {static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH)),
+             static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT))};
+    if (kind_ == CaptureKind::video && frames_ == 0) pacer_ = Pacer(capture_.get(cv::CAP_PROP_FPS));
+  } catch (const cv::Exception& problem) {
+    capture_.release();
+    return fail("{}: does not open: {}", name(), problem.err);
+  }
+  return {};
+}
+
+bool CaptureCamera::read(cv::Mat& picture) {
+  try {
+    return capture_.read(picture) && !picture.empty();
+  } catch (const cv::Exception&) {
+    return false;
+  }
+}
+
+Result<CameraFrame> CaptureCamera::next() {
+  if (!capture_.isOpened()) {
+    std::this_thread::sleep_until(last_attempt_ + kRetryAfter);
+    if (const auto opened = openCapture(); !opened) return tl::unexpected(opened.error());
+  }
+  if (kind_ == CaptureKind::video) pacer_.wait();
+  CameraFrame frame;
+  bool got = read(frame.picture);
+  if (!got && kind_ == CaptureKind::video) {  // its end: again from the start
+    capture_.release();
+    if (const auto opened = openCapture(); !opened) return tl::unexpected(opened.error());
+    got = read(frame.picture);
+  }
+  if (!got) {
+    capture_.release();
+    last_attempt_ = Clock::now();
+    return fail("{}: {}", name(), kind_ == CaptureKind::video ? "holds no picture" : "gives no picture any more");
+  }
+  frame.taken = Clock::now();
+  frame.number = ++frames_;
+  return frame;
+}
+
+}  // namespace fyd::device

@@ -1,0 +1,64 @@
+#include "core/device/folder_camera.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace fyd::device {
+namespace {
+
+constexpr std::array<std::string_view, 7> kEndings = {".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".tif", ".tiff"};
+
+bool isPicture(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Camera>> FolderCamera::open(const std::string& folder) {
+  std::unique_ptr<FolderCamera> camera(new FolderCamera(folder));
+  if (const auto listed = camera->list(); !listed) return tl::unexpected(listed.error());
+  return camera;
+}
+
+Result<void> FolderCamera::list() {
+  files_.clear();
+  position_ = 0;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
+    if (isPicture(entry->path()) && entry->is_regular_file(error)) files_.push_back(entry->path().string());
+  }
+  if (error) return fail("camera folder '{}': {}", folder_, error.message());
+  if (files_.empty()) return fail("camera folder '{}': no pictures; expected {}", folder_, fmt::join(kEndings, " "));
+  std::sort(files_.begin(), files_.end());
+  return {};
+}
+
+std::string FolderCamera::description() const {
+  return fmt::format("folder {}, {} pictures at {:.0f} fps, repeating", folder_, files_.size(), pacer_.rate_Hz());
+}
+
+Result<CameraFrame> FolderCamera::next() {
+  pacer_.wait();
+  if (position_ == files_.size()) {
+    if (const auto listed = list(); !listed) return tl::unexpected(listed.error());
+  }
+  const std::string& file = files_[position_++];
+  CameraFrame frame;
+  try {
+    frame.picture = cv::imread(file, cv::IMREAD_ANYCOLOR);
+  } catch (const cv::Exception&) {  // larger than OpenCV dares to read
+    frame.picture.release();
+  }
+  if (frame.picture.empty()) return fail("camera folder: '{}' is not a picture that can be read", file);
+  frame.taken = Clock::now();
+  frame.number = ++number_;
+  return frame;
+}
+
+}  // namespace fyd::device

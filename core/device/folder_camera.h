@@ -1,0 +1,33 @@
+// A folder of pictures as a camera: in the order of their names, 30 a second, again from the start at the end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/device/camera.h"
+#include "core/device/pacer.h"
+
+namespace fyd::device {
+
+class FolderCamera final : public Camera {
+ public:
+  /// @return an error when the folder cannot be read or holds no picture
+  [[nodiscard]] static Result<std::unique_ptr<Camera>> open(const std::string& folder);
+
+  [[nodiscard]] std::string description() const override;
+  /// @return an error for a picture that cannot be decoded (the next call goes on with the one after it), and when
+  ///         at the end of a round the folder has become empty
+  [[nodiscard]] Result<CameraFrame> next() override;
+
+ private:
+  explicit FolderCamera(std::string folder) : folder_(std::move(folder)), pacer_(kUsualRate_Hz) {}
+  [[nodiscard]] Result<void> list();
+
+  std::string folder_;
+  std::vector<std::string> files_;
+  std::size_t position_ = 0;
+  Pacer pacer_;
+  std::uint64_t number_ = 0;
+};
+
+}  // namespace fyd::device
