@@ -7,9 +7,9 @@
 
 namespace fyd::texture {
 
-enum class MethodChoice : std::uint8_t { single, soc, magnitude, principal, dft321, recolour };
-inline constexpr std::array<std::string_view, 6> kMethodNames = {"single",    "soc",    "magnitude",
-                                                                 "principal", "dft321", "recolour"};
+enum class MethodChoice : std::uint8_t { single, soc, magnitude, principal, dft321, recolour, dft321_thesis };
+inline constexpr std::array<std::string_view, 7> kMethodNames = {"single", "soc",      "magnitude",    "principal",
+                                                                 "dft321", "recolour", "dft321_thesis"};
 
 enum class FilterChoice : std::uint8_t {
   standard,  ///< second-order Butterworth high-pass with its zero exactly at DC; named "default"

@@ -1,0 +1,129 @@
+#include "core/texture/spectral_equaliser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include <Eigen/Core>
+
+namespace fyd::texture {
+namespace {
+
+constexpr double kSpectrumTime_s = 0.3;
+constexpr double kTrimTime_s = 0.5;
+constexpr double kFloor = 1e-4;  // of the strongest bin: nothing weaker is boosted
+const double kLargestLogGain = 18.0 / 20.0 * std::numbers::ln10;
+constexpr double kLargestTrim = 1.4142135623730951;  // 3 dB
+constexpr double kSilence = 1e-30;                   // g²: below, smoothed powers become exactly zero
+
+using Taps = Eigen::Map<Eigen::ArrayXd>;
+
+double flushed(double power) { return power < kSilence ? 0.0 : power; }
+
+}  // namespace
+
+SpectralEqualiser::SpectralEqualiser(double sample_rate_Hz)
+    : fft_(kFrame),
+      frame_share_(std::min(1.0, kHop / (kSpectrumTime_s * sample_rate_Hz))),
+      trim_share_(std::min(1.0, 1.0 / (kTrimTime_s * sample_rate_Hz))) {
+  for (std::size_t i = 0; i < kFrame; ++i) {
+    window_[i] = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / kFrame);
+  }
+  reset();
+}
+
+void SpectralEqualiser::reset() {
+  for (auto& axis : history_) axis.fill(0.0);
+  reference_.fill(0.0);
+  power_.fill(0.0);
+  taps_.fill(0.0);
+  taps_[0] = 1.0;
+  next_taps_ = taps_;
+  tap_steps_.fill(0.0);
+  recent_.fill(0.0);
+  newest_ = 0;
+  filled_ = 0;
+  frames_ = 0;
+  energy_in_ = energy_out_ = 0.0;
+}
+
+double SpectralEqualiser::step(double signal, const Vec3& axes) {
+  const auto at = static_cast<std::size_t>(kFrame - kHop + filled_);
+  history_[0][at] = axes.x;
+  history_[1][at] = axes.y;
+  history_[2][at] = axes.z;
+  history_[3][at] = signal;
+  ++filled_;
+  if (filled_ == kHop / 2 && frames_ > 0) design();
+  if (filled_ == kHop) {
+    measure();
+    for (auto& axis : history_) std::copy(axis.begin() + kHop, axis.end(), axis.begin());
+    filled_ = 0;
+  }
+  return trimmed(filtered(signal), axes);
+}
+
+void SpectralEqualiser::measure() {
+  std::array<double, kBins> reference{};
+  std::array<double, kBins> power{};
+  for (std::size_t axis = 0; axis < history_.size(); ++axis) {
+    for (std::size_t i = 0; i < kFrame; ++i) fft_.time()[i] = window_[i] * history_[axis][i];
+    fft_.forward();
+    auto& sum = axis < 3 ? reference : power;
+    for (std::size_t k = 0; k < kBins; ++k) sum[k] += std::norm(fft_.bins()[k]);
+  }
+  // The first frames are averaged plainly, so that a new signal is not compared with the silence before it.
+  ++frames_;
+  const double share = std::max(frame_share_, 1.0 / frames_);
+  if (frames_ > 1000) frames_ = 1000;
+  for (std::size_t k = 0; k < kBins; ++k) {
+    reference_[k] = flushed(reference_[k] + share * (reference[k] - reference_[k]));
+    power_[k] = flushed(power_[k] + share * (power[k] - power_[k]));
+  }
+}
+
+void SpectralEqualiser::design() {
+  const double strongest = *std::max_element(reference_.begin(), reference_.end());
+  taps_ = next_taps_;
+  tap_steps_.fill(0.0);
+  if (strongest <= kSilence) return;  // nothing to learn from: keep the last filter
+
+  const auto bins = fft_.bins();
+  const auto cepstrum = fft_.time();
+  const double floor = kFloor * strongest;
+  for (std::size_t k = 0; k < kBins; ++k) {
+    const double log_gain = 0.5 * std::log((reference_[k] + floor) / (power_[k] + floor));
+    bins[k] = std::clamp(log_gain, -kLargestLogGain, kLargestLogGain);
+  }
+  fft_.backward();
+  for (std::size_t i = 1; i < kFrame / 2; ++i) cepstrum[i] *= 2.0;
+  std::fill(cepstrum.begin() + kFrame / 2 + 1, cepstrum.end(), 0.0);
+  fft_.forward();
+  for (auto& bin : bins) bin = std::polar(std::exp(bin.real()), bin.imag());
+  fft_.backward();
+  for (std::size_t i = 0; i < kTaps; ++i) {
+    next_taps_[i] = cepstrum[i];
+    tap_steps_[i] = (next_taps_[i] - taps_[i]) / kHop;
+  }
+}
+
+double SpectralEqualiser::filtered(double signal) {
+  // The signal is stored twice, kTaps apart, so that the newest kTaps samples always stand in one row.
+  newest_ = newest_ == 0 ? kTaps - 1 : newest_ - 1;
+  recent_[static_cast<std::size_t>(newest_)] = signal;
+  recent_[static_cast<std::size_t>(newest_ + kTaps)] = signal;
+  Taps taps(taps_.data(), kTaps);
+  taps += Taps(tap_steps_.data(), kTaps);
+  return (taps * Taps(recent_.data() + newest_, kTaps)).sum();
+}
+
+double SpectralEqualiser::trimmed(double equalised, const Vec3& axes) {
+  const double in = axes.x * axes.x + axes.y * axes.y + axes.z * axes.z;
+  energy_in_ = flushed(energy_in_ + trim_share_ * (in - energy_in_));
+  energy_out_ = flushed(energy_out_ + trim_share_ * (equalised * equalised - energy_out_));
+  if (energy_in_ <= 0.0 || energy_out_ <= 0.0) return equalised;
+  return equalised * std::clamp(std::sqrt(energy_in_ / energy_out_), 1.0 / kLargestTrim, kLargestTrim);
+}
+
+}  // namespace fyd::texture

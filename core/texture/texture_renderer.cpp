@@ -1,0 +1,177 @@
+#include "core/texture/texture_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/texture/method_bank.h"
+#include "core/texture/pwm.h"
+#include "core/texture/uniform_stream.h"
+
+namespace fyd::texture {
+namespace {
+
+// A new filter needs a few periods of its corner, a new method its delay, before it may be heard.
+constexpr int kSettlingSamples = 32;
+
+double glide(double from, double to, double share_of_way, double span) {
+  const double step = span * share_of_way;
+  return std::clamp(to, from - step, from + step);
+}
+
+ChainChoice chainOf(const TextureParameters& p) {
+  return {.method = p.method, .filter = p.filter, .corner_Hz = p.corner_Hz, .frame = p.frame, .hop = p.hop};
+}
+
+PwmSettings settingsOf(const TextureParameters& p) {
+  return {.k_vib = p.k_vib,
+          .full_scale_g = p.full_scale_g,
+          .maximum_percent = p.maximum_percent,
+          .dead_zone_percent = p.dead_zone_percent};
+}
+
+}  // namespace
+
+struct TextureRenderer::State {
+  explicit State(const TextureParameters& p)
+      : parameters(p),
+        sample_rate_Hz(p.sample_rate_Hz),
+        stream(p.sample_rate_Hz),
+        banks{MethodBank(p.sample_rate_Hz), MethodBank(p.sample_rate_Hz)},
+        playing(chainOf(p)),
+        pwm(settingsOf(p)) {
+    stream.configure(p.input_delay_ms, p.maximum_gap_ms);
+    banks[active].select(playing);
+  }
+
+  [[nodiscard]] MethodBank& current() { return banks[active]; }
+  [[nodiscard]] MethodBank& incoming() { return banks[1 - active]; }
+  [[nodiscard]] double fadeShare() const { return std::min(1.0, 1e3 / (parameters.crossfade_ms * sample_rate_Hz)); }
+
+  void startSwitch() {
+    coming = chainOf(parameters);
+    incoming().select(coming);
+    incoming_resumes = true;
+    until_audible = incoming().delaySamples() + kSettlingSamples;
+    fade = 0.0;
+    switching = true;
+  }
+
+  double stepChain(const UniformStream::Step& sample) {
+    if (!switching && !(chainOf(parameters) == playing)) startSwitch();
+    const double now_playing = sample.gap ? current().stepGap() : current().step(sample.acceleration_g, sample.resumed);
+    if (!switching) return now_playing;
+
+    double next = 0.0;
+    if (sample.gap) {
+      next = incoming().stepGap();
+    } else {
+      next = incoming().step(sample.acceleration_g, sample.resumed || incoming_resumes);
+      incoming_resumes = false;
+    }
+    if (until_audible > 0) {
+      --until_audible;
+      return now_playing;
+    }
+    fade = std::min(1.0, fade + fadeShare());
+    const double mixed = (1.0 - fade) * now_playing + fade * next;
+    if (fade >= 1.0) {
+      active = 1 - active;
+      playing = coming;
+      switching = false;
+    }
+    return mixed;
+  }
+
+  void glidePwm() {
+    const double share = fadeShare();
+    const PwmSettings to = settingsOf(parameters);
+    pwm.k_vib = glide(pwm.k_vib, to.k_vib, share, std::max(k_vib_span, 0.1));
+    pwm.full_scale_g = glide(pwm.full_scale_g, to.full_scale_g, share, std::max(full_scale_span_g, 1e-3));
+    pwm.maximum_percent = glide(pwm.maximum_percent, to.maximum_percent, share, 100.0);
+    pwm.dead_zone_percent = glide(pwm.dead_zone_percent, to.dead_zone_percent, share, 100.0);
+  }
+
+  TextureOutput finish(double signal_g, bool silent_input, double position_share_percent) {
+    glidePwm();
+    if (!std::isfinite(signal_g)) signal_g = 0.0;
+    const bool thesis = parameters.pwm == PwmChoice::thesis;
+    Duty wanted = thesis ? thesisDuty(signal_g, pwm) : symmetricDuty(signal_g, pwm);
+    if (thesis && silent_input) wanted = {};
+    const Duty sent = limitDuty(wanted, pwm.maximum_percent, position_share_percent);
+    if (sent.clipped) ++clipped;
+    TextureOutput out;
+    out.signal_g = signal_g;
+    out.duty_percent = sent.percent;
+    out.filtered_g = current().filtered_g();
+    out.delay_ms = parameters.input_delay_ms + 1e3 * current().delaySamples() / sample_rate_Hz;
+    out.position_share_known = std::isfinite(position_share_percent);
+    out.clipped = clipped;
+    out.gaps = stream.gaps();
+    out.refused_samples = stream.refused();
+    return out;
+  }
+
+  TextureParameters parameters;
+  double sample_rate_Hz;
+  UniformStream stream;
+  std::array<MethodBank, 2> banks;
+  std::size_t active = 0;
+  ChainChoice playing;
+  ChainChoice coming;
+  bool switching = false;
+  bool incoming_resumes = false;
+  int until_audible = 0;
+  double fade = 0.0;
+  double virtual_share = 0.0;  // 0: the robot's accelerations, 1: the virtual texture
+  PwmSettings pwm;
+  double k_vib_span = 0.0;  // of the change being glided
+  double full_scale_span_g = 0.0;
+  std::uint64_t clipped = 0;
+};
+
+TextureRenderer::TextureRenderer(const TextureParameters& parameters) : state_(std::make_unique<State>(parameters)) {}
+TextureRenderer::~TextureRenderer() = default;
+TextureRenderer::TextureRenderer(TextureRenderer&&) noexcept = default;
+TextureRenderer& TextureRenderer::operator=(TextureRenderer&&) noexcept = default;
+
+void TextureRenderer::configure(const TextureParameters& parameters) {
+  State& s = *state_;
+  s.parameters = parameters;
+  s.stream.configure(parameters.input_delay_ms, parameters.maximum_gap_ms);
+  s.k_vib_span = std::abs(parameters.k_vib - s.pwm.k_vib);
+  s.full_scale_span_g = std::abs(parameters.full_scale_g - s.pwm.full_scale_g);
+}
+
+TextureOutput TextureRenderer::step(Instant now, std::span<const AccelerationSample> new_samples,
+                                    double position_share_percent) {
+  State& s = *state_;
+  s.stream.push(now, new_samples);
+  const UniformStream::Step sample = s.stream.step(now);
+  s.virtual_share = 0.0;
+  TextureOutput out =
+      s.finish(s.stepChain(sample), sample.gap || sample.acceleration_g == Vec3{}, position_share_percent);
+  out.gap = sample.gap;
+  return out;
+}
+
+TextureOutput TextureRenderer::stepVirtual(double signal_g, double position_share_percent) {
+  State& s = *state_;
+  const double rest = s.stepChain({});
+  s.virtual_share = std::min(1.0, s.virtual_share + s.fadeShare());
+  const double signal = std::isfinite(signal_g) ? signal_g : 0.0;
+  return s.finish((1.0 - s.virtual_share) * rest + s.virtual_share * signal, false, position_share_percent);
+}
+
+void TextureRenderer::reset() {
+  State& s = *state_;
+  s.stream.reset();
+  s.current().reset();
+  s.switching = false;
+  s.playing = chainOf(s.parameters);
+  s.current().select(s.playing);
+  s.virtual_share = 0.0;
+  s.pwm = settingsOf(s.parameters);
+}
+
+}  // namespace fyd::texture

@@ -1,0 +1,78 @@
+// From time-stamped samples, in bunches, repeated or missing, to one sample per step.
+//
+// The stream's own grid advances by exactly one period T = 1/rate per step and stays `delay` behind the caller's clock
+// (more than one period away from it, the grid is set anew). One step takes what is stamped within its period (g − T,
+// g]:
+//
+//   one sample              → that sample, unchanged (its time is off by at most T/2)
+//   several                 → their mean: a box of T, which is also the guard against aliases of a faster sensor; a
+//   sensor's
+//                             repeated readings (the robot's loop is faster than its accelerometer) weigh as they came
+//   none, but its two neighbours are at most `maximum_gap` apart
+//                           → the straight line between them at the middle of the period (clocks that slip)
+//   none otherwise          → a gap: the step says so and has no value. Nothing is invented.
+//
+// Refused and counted: values not finite or beyond ±1000 g, stamps before the newest one, stamps more than 1 ms in
+// the future, samples whose period is already past, and what does not fit the queue of 256.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "core/base/time.h"
+#include "core/texture/acceleration_sample.h"
+
+namespace fyd::texture {
+
+class UniformStream {
+ public:
+  struct Step {
+    bool gap = true;       ///< no value
+    bool resumed = false;  ///< the first value after a gap, or ever
+    Vec3 acceleration_g;   ///< zero in a gap
+  };
+
+  explicit UniformStream(double rate_Hz);
+
+  /// Alloc-free; takes effect at the next step.
+  void configure(double delay_ms, double maximum_gap_ms);
+
+  void push(Instant now, std::span<const AccelerationSample> samples);
+  [[nodiscard]] Step step(Instant now);
+  /// Forgets the queue and the grid; counters stay.
+  void reset();
+
+  [[nodiscard]] std::uint64_t gaps() const { return gaps_; }
+  [[nodiscard]] std::uint64_t refused() const { return refused_; }
+
+ private:
+  static constexpr std::size_t kCapacity = 256;
+
+  void advanceGrid(Instant now);
+  [[nodiscard]] const AccelerationSample& front() const { return queue_[first_]; }
+  void pop();
+  [[nodiscard]] Step value(const Vec3& acceleration_g);
+
+  double rate_Hz_;
+  Duration period_;
+  Duration delay_{};
+  Duration maximum_gap_{};
+  std::array<AccelerationSample, kCapacity> queue_{};
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  bool running_ = false;    // the grid is set
+  Instant origin_{};        // of the grid
+  std::int64_t steps_ = 0;  // since the origin
+  Instant until_{};         // end of the present period
+  Instant last_call_{};
+  AccelerationSample newest_;  // accepted
+  AccelerationSample before_;  // the last one used
+  bool has_newest_ = false;
+  bool has_before_ = false;
+  bool in_gap_ = true;
+  std::uint64_t gaps_ = 0;
+  std::uint64_t refused_ = 0;
+};
+
+}  // namespace fyd::texture
