@@ -1,5 +1,5 @@
 // Precompiled for the command line: the two heavy headers every subcommand reads.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

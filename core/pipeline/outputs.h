@@ -4,12 +4,12 @@
 #include <cstdint>
 
 #include "core/base/batch.h"
+#include "core/base/parameter.h"
 #include "core/control/motor_types.h"
 #include "core/pipeline/input_health.h"
 #include "core/pipeline/messages.h"
 #include "core/pipeline/safety.h"
 #include "core/pipeline/telemetry.h"
-#include "core/sensing/tare.h"
 
 namespace fyd::pipeline {
 
@@ -35,12 +35,18 @@ struct Event {
 
 inline constexpr std::size_t kMaximumEventsPerStep = 32;
 
+/// Calibration that a tare changed; the profile should keep it.
+struct TareValues {
+  ParameterList ir_offset_mm;
+  double force_zero_N = 0.0;
+};
+
 struct Outputs {
   control::MotorCommand motors;
   TouchMessage touch;
   TelemetrySample telemetry;
-  Lacks lacks;               ///< everything missing for Active
-  sensing::TareResult tare;  ///< meaningful with the event tare_done: what the profile should keep
+  Lacks lacks;      ///< everything missing for Active
+  TareValues tare;  ///< of the event tare_done
   Batch<Event, kMaximumEventsPerStep> events;
 };
 

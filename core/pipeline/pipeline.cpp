@@ -191,7 +191,7 @@ void Pipeline::stepTare(const Inputs& inputs) {
   indentation_.tare({result.offset_mm.data(), result.sensors});
   load_cell_.tare(result.force_N);
   parameters_.sensing.load_cell.zero_N = load_cell_.zero_N();
-  outputs_.tare = result;
+  outputs_.tare = {.ir_offset_mm = kept, .force_zero_N = load_cell_.zero_N()};
   report({.kind = EventKind::tare_done, .value = largest});
 }
 

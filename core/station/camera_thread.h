@@ -1,4 +1,5 @@
-// The camera thread: takes pictures, finds the finger, hands the result to the haptic loop and the picture to the window.
+// The camera thread: takes pictures, finds the finger, hands the result to the haptic loop and the picture to the
+// window.
 #pragma once
 
 #include <functional>

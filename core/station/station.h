@@ -28,6 +28,7 @@ struct StationOptions {
   std::string finger_csv;           ///< recording the simulated finger follows; empty: the built-in gesture
   std::string camera;               ///< device index, file, folder, URL; empty: simulated
   std::string robot = "simulated";  ///< "simulated", "none" or "classic:HOST:PORT" (listens there)
+  std::string surface;              ///< file of a stored surface, felt while robot is "none"; empty: none
 };
 
 /// How one part is doing, in words an operator reads.

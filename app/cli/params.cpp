@@ -1,0 +1,87 @@
+// fyd params [ID] [--profile FILE] [--set id=value] [--json] [--save FILE]
+#include <iostream>
+
+#include "app/cli/command.h"
+#include "app/cli/profile_options.h"
+
+namespace fyd::cli {
+namespace {
+
+nlohmann::ordered_json describe(const Parameter& parameter, const Parameter& standard) {
+  nlohmann::ordered_json json;
+  json["id"] = parameter.id;
+  json["unit"] = parameter.info.unit;
+  json["value"] = formatParameter(parameter);
+  json["default"] = formatParameter(standard);
+  if (parameter.kind == ParameterKind::choice) {
+    json["choices"] = parameter.choices;
+  } else if (parameter.kind != ParameterKind::boolean) {
+    json["minimum"] = jsonNumber(parameter.info.minimum);
+    json["maximum"] = jsonNumber(parameter.info.maximum);
+  }
+  json["live"] = parameter.info.live;
+  json["help"] = parameter.info.help;
+  return json;
+}
+
+void printText(const Parameter& parameter, const Parameter& standard) {
+  const std::string value = formatParameter(parameter);
+  const std::string changed =
+      value == formatParameter(standard) ? "" : fmt::format(" (default {})", formatParameter(standard));
+  std::cout << fmt::format("{} = {}{}\n    {}{}\n    {}\n", parameter.id, value, changed, describeRange(parameter),
+                           parameter.info.live ? "; may change while active" : "", parameter.info.help);
+}
+
+void printMarkdown(const std::vector<Parameter>& parameters) {
+  std::cout << "| id | default | range | live | meaning |\n|---|---|---|---|---|\n";
+  for (const Parameter& parameter : parameters) {
+    std::cout << fmt::format("| `{}` | {} | {} | {} | {} |\n", parameter.id, formatParameter(parameter),
+                             describeRange(parameter), parameter.info.live ? "yes" : "", parameter.info.help);
+  }
+}
+
+}  // namespace
+
+void add_params(CLI::App& app) {
+  struct Options {
+    std::string id;
+    ProfileOptions profile;
+    std::string save;
+    bool json = false;
+    bool markdown = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("params", "Print every parameter: value, unit, range, default and meaning");
+  command->add_option("id", options->id, "One parameter or one room, such as control.kp or control");
+  options->profile.addTo(*command);
+  command->add_option("--save", options->save, "Write the profile, complete and checked, to this file");
+  command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--markdown", options->markdown, "As the manual's table");
+  command->callback([options] {
+    station::Profile profile = options->profile.load();
+    station::Profile standard;
+    const auto values = bindParameters(profile);
+    const auto standards = bindParameters(standard);
+    if (!options->save.empty()) valueOrFail(station::saveProfile(profile, options->save));
+    if (options->markdown) {
+      printMarkdown(standards);
+      return;
+    }
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    bool found = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string_view id = values[i].id;
+      if (!options->id.empty() && id != options->id && !id.starts_with(options->id + ".")) continue;
+      found = true;
+      if (options->json) {
+        json.push_back(describe(values[i], standards[i]));
+      } else {
+        printText(values[i], standards[i]);
+      }
+    }
+    if (!found) throw UsageError(fmt::format("params: no parameter '{}'; 'fyd params' lists them all", options->id));
+    if (options->json) printJson(json);
+  });
+}
+
+}  // namespace fyd::cli

@@ -1,0 +1,29 @@
+#include "app/cli/profile_options.h"
+
+#include "app/cli/command.h"
+
+namespace fyd::cli {
+
+void ProfileOptions::addTo(CLI::App& command) {
+  command.add_option("--profile", file, "Profile to load (TOML)");
+  command.add_option("--set", settings, "A parameter as id=value, over the profile's; may be repeated")->take_all();
+}
+
+station::Profile ProfileOptions::load() const {
+  station::Profile profile;
+  if (!file.empty()) profile = valueOrFail(station::loadProfile(file));
+  const auto parameters = bindParameters(profile);
+  for (const std::string& setting : settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) throw UsageError(fmt::format("--set {}: expected id=value", setting));
+    const Parameter* parameter = findParameter(parameters, setting.substr(0, equals));
+    if (parameter == nullptr)
+      throw UsageError(fmt::format("--set {}: unknown parameter; 'fyd params' lists them", setting));
+    if (auto assigned = assignParameter(*parameter, setting.substr(equals + 1)); !assigned) {
+      throw UsageError("--set " + assigned.error().message);
+    }
+  }
+  return profile;
+}
+
+}  // namespace fyd::cli

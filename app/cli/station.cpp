@@ -1,0 +1,172 @@
+// fyd station --headless …
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include "app/cli/command.h"
+#include "app/cli/profile_options.h"
+#include "app/cli/telemetry_csv.h"
+#include "core/station/station.h"
+
+namespace fyd::cli {
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+struct Options {
+  station::StationOptions station;
+  ProfileOptions profile;
+  double duration_s = 0.0;
+  std::string telemetry;
+  bool headless = false;
+  bool simulate = false;
+  bool json = false;
+};
+
+/// What a session comes to, gathered from its telemetry.
+struct SessionFigures {
+  pipeline::TelemetrySample last;
+  std::uint64_t samples = 0;
+  std::uint64_t in_contact = 0;
+  double pwm_abs_max = 0.0;
+  void add(const pipeline::TelemetrySample& sample) {
+    last = sample;
+    ++samples;
+    in_contact += sample.contact ? 1 : 0;
+    pwm_abs_max = std::max(pwm_abs_max, std::abs(sample.vibration_duty_percent));
+  }
+};
+
+/// Arms once, when everything is first ready; never again: re-arming is an operator's act.
+class ArmOnce {
+ public:
+  void see(const pipeline::TelemetrySample& sample, station::Station& station) {
+    if (done_ || sample.state != pipeline::SafetyState::ready) return;
+    done_ = station.command({.action = pipeline::OperatorAction::arm});
+  }
+
+ private:
+  bool done_ = false;
+};
+
+void report(const Options& options, const SessionFigures& figures, const station::Station& station) {
+  const station::StationStatus status = station.status();
+  const station::SimulationTruth truth = station.simulationTruth();
+  const double contact =
+      figures.samples == 0 ? 0.0 : static_cast<double>(figures.in_contact) / static_cast<double>(figures.samples);
+  nlohmann::ordered_json json;
+  json["state"] = pipeline::toString(figures.last.state);
+  json["reason"] = figures.last.lack == pipeline::Lack::none ? "" : pipeline::toString(figures.last.lack);
+  json["steps"] = status.loop.steps;
+  json["missed_cycles"] = status.loop.missed_cycles;
+  json["real_time"] = status.loop.real_time;
+  json["step_ns_p50"] = status.loop.step_ns_p50;
+  json["step_ns_p99"] = status.loop.step_ns_p99;
+  json["stiffness_target_N_per_mm"] = jsonNumber(figures.last.target_N_per_mm);
+  json["stiffness_measured_N_per_mm"] = jsonNumber(figures.last.stiffness_N_per_mm);
+  json["contact_fraction"] = contact;
+  json["finger_error_mm_rms"] = jsonNumber(truth.finger_error_mm_rms);
+  json["indentation_error_mm_rms"] = jsonNumber(truth.indentation_error_mm_rms);
+  json["touch_messages_sent"] = status.link.touches_sent;
+  json["state_messages_received"] = status.link.states_received;
+  json["refused_datagrams"] = status.link.refused;
+  json["pwm_abs_max"] = figures.pwm_abs_max;
+  json["telemetry_lost"] = station.telemetryLost();
+  for (const station::PartStatus& part : status.parts) {
+    json["parts"].push_back({{"name", part.name},
+                             {"description", part.description},
+                             {"ok", part.ok},
+                             {"problem", part.problem},
+                             {"rate_hz", part.rate_hz},
+                             {"age_ms", jsonNumber(part.age_ms)},
+                             {"errors", part.errors}});
+  }
+  if (options.json) {
+    printJson(json);
+    return;
+  }
+  for (const auto& [key, value] : json.items()) {
+    if (key != "parts")
+      std::cout << fmt::format("{:<32} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  for (const station::PartStatus& part : status.parts) {
+    std::cout << fmt::format("{:<32} {}\n", part.name,
+                             part.ok ? part.description : part.description + ": " + part.problem);
+  }
+}
+
+void run(const Options& options) {
+  // Standard output carries the result alone.
+  spdlog::set_default_logger(spdlog::stderr_color_mt("fyd"));
+  auto station = valueOrFail(station::Station::open(options.station));
+  std::unique_ptr<TelemetryCsv> csv;
+  if (!options.telemetry.empty()) csv = std::make_unique<TelemetryCsv>(options.telemetry);
+
+  interrupted = false;
+  const auto on_signal = [](int) { interrupted = true; };
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+
+  ArmOnce arm;
+  SessionFigures figures;
+  std::vector<pipeline::TelemetrySample> batch(1000);
+  station->start();
+  const Instant start = Clock::now();
+  const auto drain = [&] {
+    while (const std::size_t taken = station->takeTelemetry(batch)) {
+      for (std::size_t i = 0; i < taken; ++i) {
+        arm.see(batch[i], *station);
+        figures.add(batch[i]);
+        if (csv) csv->write(batch[i]);
+      }
+    }
+    for (const station::Notice& notice : station->takeNotices()) {
+      spdlog::info("{:9.3f} s  {}", toSeconds(notice.when - start), notice.text);
+    }
+  };
+  while (!interrupted && (options.duration_s <= 0.0 || toSeconds(Clock::now() - start) < options.duration_s)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    drain();
+  }
+  drain();
+  const SessionFigures at_end = figures;
+  report(options, at_end, *station);
+  station->shutDown();
+  if (csv) csv->close();
+}
+
+}  // namespace
+
+void add_station(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("station", "Run a session: touchpad, camera, haptic loop and robot link");
+  command->add_flag("--headless", options->headless,
+                    "Without a window (the only way of this program; fyd-console opens one)");
+  command->add_flag("--simulate", options->simulate, "On the simulated touchpad (the only one this version drives)");
+  command->add_option("--duration", options->duration_s, "Seconds; 0 runs until interrupted")
+      ->check(CLI::Range(0.0, 1e7));
+  command->add_option("--finger", options->station.finger_csv,
+                      "Recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)");
+  command->add_option("--camera", options->station.camera,
+                      "Device index, video file, folder of pictures or stream URL; simulated when left out");
+  command->add_option("--robot", options->station.robot, "simulated, none, or classic:HOST:PORT to listen there");
+  command->add_option("--surface", options->station.surface, "Stored surface to feel with --robot none (TOML)");
+  options->profile.addTo(*command);
+  command->add_option("--telemetry", options->telemetry, "Write every step's sample to this CSV file");
+  command->add_flag("--json", options->json, "Result as JSON");
+  command->callback([options] {
+    if (!options->simulate) {
+      throw UsageError("station: this version drives the simulated touchpad only; add --simulate");
+    }
+    options->station.profile = options->profile.load();
+    run(*options);
+  });
+}
+
+}  // namespace fyd::cli

@@ -1,0 +1,39 @@
+#include "app/cli/telemetry_csv.h"
+
+#include <cmath>
+#include <iterator>
+
+#include "app/cli/command.h"
+
+namespace fyd::cli {
+
+TelemetryCsv::TelemetryCsv(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+  if (!file_) throw Failure(fmt::format("{}: cannot be opened for writing", path));
+  for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
+    line_ += line_.empty() ? "" : ",";
+    line_ += field.name;
+  }
+  file_ << line_ << '\n';
+}
+
+void TelemetryCsv::write(const pipeline::TelemetrySample& sample) {
+  line_.clear();
+  for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
+    if (!line_.empty()) line_ += ',';
+    const double value = field.read(sample);
+    if (std::isfinite(value)) {
+      fmt::format_to(std::back_inserter(line_), "{:.{}f}", value, field.decimals);
+    } else {
+      line_ += "nan";
+    }
+  }
+  line_ += '\n';
+  file_ << line_;
+}
+
+void TelemetryCsv::close() {
+  file_.close();
+  if (!file_) throw Failure(fmt::format("{}: writing failed; is the disk full?", path_));
+}
+
+}  // namespace fyd::cli

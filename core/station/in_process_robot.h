@@ -1,0 +1,30 @@
+// The simulated robot in a thread of this process, connected over real UDP on the loopback interface.
+#pragma once
+
+#include <memory>
+#include <thread>
+
+#include "core/protocol/endpoint.h"
+#include "core/sim/sim_parameters.h"
+#include "core/sim/simulated_robot.h"
+
+namespace fyd::station {
+
+class InProcessRobot {
+ public:
+  /// Probes its material before it connects.
+  [[nodiscard]] static Result<std::unique_ptr<InProcessRobot>> open(const protocol::Endpoint& touchpad,
+                                                                    const sim::SimParameters& parameters);
+  ~InProcessRobot() { shutDown(); }
+  void start();
+  void shutDown();
+  [[nodiscard]] sim::SimulatedRobotStatus status() const { return robot_->status(); }
+
+ private:
+  explicit InProcessRobot(std::unique_ptr<sim::SimulatedRobot> robot) : robot_(std::move(robot)) {}
+
+  std::unique_ptr<sim::SimulatedRobot> robot_;
+  std::jthread thread_;
+};
+
+}  // namespace fyd::station

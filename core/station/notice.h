@@ -1,0 +1,18 @@
+// Events of the step as sentences for the operator.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/base/parameter.h"
+#include "core/pipeline/outputs.h"
+
+namespace fyd::station {
+
+/// @param parameters the step's, for the names behind indices
+[[nodiscard]] std::string describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters);
+
+/// Of a robot's command: "vibration up".
+[[nodiscard]] std::string_view toString(pipeline::RobotCommand command);
+
+}  // namespace fyd::station

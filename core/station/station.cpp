@@ -1,0 +1,373 @@
+#include "core/station/station.h"
+
+#include <spdlog/spdlog.h>
+
+#include <fstream>
+#include <iterator>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/base/ring.h"
+#include "core/device/camera_source.h"
+#include "core/pipeline/pipeline.h"
+#include "core/sim/simulated_camera.h"
+#include "core/sim/simulated_touchpad.h"
+#include "core/station/camera_thread.h"
+#include "core/station/haptic_loop.h"
+#include "core/station/in_process_robot.h"
+#include "core/station/link_thread.h"
+#include "core/station/notice.h"
+#include "core/station/touchpad_thread.h"
+
+namespace fyd::station {
+namespace {
+
+constexpr std::size_t kTelemetryCapacity = 30'000;  // 30 s for a window that is busy
+constexpr std::string_view kClassicPrefix = "classic:";
+constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
+
+struct TimedEvent {
+  Instant when{};
+  pipeline::Event event;
+};
+
+Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& path) {
+  if (path.empty()) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return fail("{}: cannot be opened for reading", path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  auto model = texture::parseSurface(text, path);
+  if (!model) return tl::unexpected(model.error());
+  return std::move(*model);
+}
+
+Result<sim::FingerPath> readFinger(const std::string& path) {
+  if (path.empty()) return sim::FingerPath::demonstration();
+  return sim::FingerPath::fromCsv(path);
+}
+
+/// Sum of squares of an error, as it grows.
+struct ErrorSum {
+  double squares = 0.0;
+  std::uint64_t count = 0;
+  void add(double squared) {
+    squares += squared;
+    ++count;
+  }
+  [[nodiscard]] double rms() const {
+    return count == 0 ? pipeline::kNone : std::sqrt(squares / static_cast<double>(count));
+  }
+};
+
+}  // namespace
+
+struct Station::Impl {
+  Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface, sim::FingerPath finger)
+      : profile(options.profile),
+        bound(bindParameters(profile)),
+        pipeline(options.profile.step, surface),
+        world(std::make_shared<sim::TouchpadWorld>(options.profile.sim, std::move(finger), Clock::now())),
+        touchpad(std::make_unique<sim::SimulatedTouchpad>(world)),
+        camera(
+            options.camera.empty() ? "simulated camera" : options.camera,
+            [source = options.camera, shared = world]() -> Result<std::unique_ptr<device::Camera>> {
+              if (source.empty()) return std::make_unique<sim::SimulatedCamera>(shared);
+              return device::openCamera(source);
+            },
+            options.profile.step.sensing.finger),
+        simulated_camera(options.camera.empty()) {
+    camera.observe([this](const CameraView& view) { onPicture(view); });
+  }
+
+  void cycle(Instant now, std::uint64_t missed_cycles);
+  void takeLink();
+  void takeOperator();
+  void onPicture(const CameraView& view);
+  void compareWithTruth(const pipeline::TelemetrySample& sample);
+
+  // the operator's thread
+  Profile profile;  // with every change asked for
+  std::vector<Parameter> bound;
+
+  // the haptic loop's
+  pipeline::Pipeline pipeline;
+  pipeline::Inputs inputs;
+  HapticLoop loop;
+  std::jthread loop_thread;
+
+  // parts
+  std::shared_ptr<sim::TouchpadWorld> world;
+  TouchpadThread touchpad;
+  CameraThread camera;
+  std::unique_ptr<LinkThread> link;  // none without a robot
+  std::unique_ptr<InProcessRobot> robot;
+  bool simulated_camera;
+
+  // between threads
+  Ring<pipeline::OperatorCommand> commands{64};
+  Ring<pipeline::ParameterChange> changes{256};
+  std::atomic<bool> stop_requested{false};
+  Ring<pipeline::TelemetrySample> telemetry{kTelemetryCapacity};
+  std::atomic<std::uint64_t> telemetry_lost{0};
+  Ring<TimedEvent> events{1024};
+  std::atomic<std::uint32_t> lacks{0};
+  mutable LatestValue<pipeline::TareValues> tare;
+  std::atomic<std::uint64_t> tares{0};
+
+  mutable std::mutex truth_mutex;
+  ErrorSum finger_error;
+  ErrorSum indentation_error;
+};
+
+void Station::Impl::takeLink() {
+  inputs.robot.accelerations.clear();
+  inputs.robot.commands.clear();
+  if (!link) return;
+  const LinkSnapshot& snapshot = link->snapshot.read();
+  inputs.robot.phase = snapshot.phase;
+  inputs.robot.state = snapshot.state;
+  inputs.robot.motor_reference = snapshot.motor_reference;
+  pipeline::AccelerationSample sample;
+  while (!inputs.robot.accelerations.full() && link->accelerations.pop(sample)) {
+    (void)inputs.robot.accelerations.push(sample);
+  }
+  pipeline::RobotCommand command{};
+  while (!inputs.robot.commands.full() && link->commands.pop(command)) (void)inputs.robot.commands.push(command);
+}
+
+void Station::Impl::takeOperator() {
+  inputs.commands.clear();
+  inputs.changes.clear();
+  if (stop_requested.exchange(false, std::memory_order_acq_rel)) {
+    (void)inputs.commands.push({.action = pipeline::OperatorAction::stop});
+  }
+  pipeline::OperatorCommand command;
+  while (!inputs.commands.full() && commands.pop(command)) (void)inputs.commands.push(command);
+  pipeline::ParameterChange change;
+  while (!inputs.changes.full() && changes.pop(change)) (void)inputs.changes.push(change);
+}
+
+void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
+  inputs.now = now;
+  inputs.missed_cycles = missed_cycles;
+  inputs.finger = camera.finger.read();
+  const device::TouchpadReadings& readings = touchpad.readings.read();
+  inputs.ir = readings.ir;
+  inputs.bridge = readings.bridge;
+  inputs.motors = readings.motors;
+  takeLink();
+  takeOperator();
+
+  const pipeline::Outputs& outputs = pipeline.step(inputs);
+
+  touchpad.command.write({.command = outputs.motors, .given = now});
+  if (link) {
+    link->announcement.write(
+        {.touch = outputs.touch, .k_vib = pipeline.parameters().texture.k_vib, .motors = outputs.motors});
+  }
+  if (!telemetry.push(outputs.telemetry)) telemetry_lost.fetch_add(1, std::memory_order_relaxed);
+  for (const pipeline::Event& event : outputs.events) {
+    (void)events.push({.when = now, .event = event});
+    if (event.kind != pipeline::EventKind::tare_done) continue;
+    tare.write(outputs.tare);
+    tares.fetch_add(1, std::memory_order_release);
+  }
+  lacks.store(static_cast<std::uint32_t>(outputs.lacks.to_ulong()), std::memory_order_relaxed);
+}
+
+void Station::Impl::onPicture(const CameraView& view) {
+  if (link && link->wantsImages()) {
+    std::vector<std::uint8_t> encoded;
+    cv::imencode(".jpg", view.picture, encoded);
+    link->offerImage(std::move(encoded));
+  }
+  if (!simulated_camera || !view.finger.contact) return;
+  const sim::FingerState finger = world->truthAt(view.taken).finger;
+  if (finger.lifted) return;
+  const double dx = view.finger.x_mm - finger.x_mm;
+  const double dy = view.finger.y_mm - finger.y_mm;
+  const std::lock_guard lock(truth_mutex);
+  finger_error.add(dx * dx + dy * dy);
+}
+
+void Station::Impl::compareWithTruth(const pipeline::TelemetrySample& sample) {
+  if (!sample.contact || !std::isfinite(sample.indentation_mm)) return;
+  const sim::FingerState finger = world->truthAt(sample.now).finger;
+  if (finger.lifted) return;
+  const double error = sample.indentation_mm - finger.indentation_mm;
+  const std::lock_guard lock(truth_mutex);
+  indentation_error.add(error * error);
+}
+
+Station::Station(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Station::~Station() { shutDown(); }
+
+Result<std::unique_ptr<Station>> Station::open(const StationOptions& options) {
+  cv::setNumThreads(1);  // replay must not depend on how many cores there are
+  auto surface = readSurface(options.surface);
+  if (!surface) return tl::unexpected(surface.error());
+  auto finger = readFinger(options.finger_csv);
+  if (!finger) return tl::unexpected(finger.error());
+  auto checked = control::checkControlParameters(options.profile.step.control);
+  if (!checked) return tl::unexpected(checked.error());
+
+  auto impl = std::make_unique<Impl>(options, *surface, std::move(*finger));
+  const bool in_process = options.robot == "simulated";
+  const bool classic = options.robot.starts_with(kClassicPrefix);
+  if (!in_process && !classic && options.robot != "none") {
+    return fail("robot '{}': expected simulated, none or classic:HOST:PORT", options.robot);
+  }
+  if (in_process || classic) {
+    auto endpoint = protocol::parseEndpoint(in_process ? kSimulatedRobotEndpoint
+                                                       : std::string_view(options.robot).substr(kClassicPrefix.size()));
+    if (!endpoint) return tl::unexpected(endpoint.error());
+    auto link = LinkThread::open(*endpoint, options.profile.link);
+    if (!link) return tl::unexpected(link.error());
+    impl->link = std::move(*link);
+  } else {
+    (void)impl->commands.push(
+        {.action = pipeline::OperatorAction::target_by_hand, .value = options.profile.step.step.hand_target_N_per_mm});
+  }
+  if (in_process) {
+    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim);
+    if (!robot) return tl::unexpected(robot.error());
+    impl->robot = std::move(*robot);
+  }
+  return std::unique_ptr<Station>(new Station(std::move(impl)));
+}
+
+void Station::start() {
+  impl_->touchpad.start();
+  impl_->camera.start();
+  if (impl_->link) impl_->link->start();
+  if (impl_->robot) impl_->robot->start();
+  impl_->loop_thread = std::jthread([impl = impl_.get()](const std::stop_token& stop) {
+    impl->loop.run(stop, [impl](Instant now, std::uint64_t missed_cycles) { impl->cycle(now, missed_cycles); });
+  });
+}
+
+void Station::shutDown() {
+  if (impl_->robot) impl_->robot->shutDown();
+  if (impl_->loop_thread.joinable()) {
+    impl_->loop_thread.request_stop();
+    impl_->loop_thread.join();
+  }
+  impl_->touchpad.shutDown();
+  impl_->camera.shutDown();
+  if (impl_->link) impl_->link->shutDown();
+}
+
+bool Station::command(const pipeline::OperatorCommand& command) { return impl_->commands.push(command); }
+
+void Station::requestStop() { impl_->stop_requested.store(true, std::memory_order_release); }
+
+Result<void> Station::setParameter(std::string_view id, double value) {
+  const Parameter* parameter = findParameter(impl_->bound, id);
+  if (parameter == nullptr) return fail("unknown parameter '{}'", id);
+  if (!parameter->info.live) return fail("{} cannot change while the station runs", id);
+  if (auto checked = checkParameter(*parameter, value); !checked) return tl::unexpected(checked.error());
+  const auto index = static_cast<std::uint16_t>(parameter - impl_->bound.data());
+  if (!impl_->changes.push({.index = index, .value = value})) return fail("{}: too many changes at once", id);
+  parameter->set(value);
+  if (id.starts_with("sensing.finger_")) impl_->camera.configure(impl_->profile.step.sensing.finger);
+  return {};
+}
+
+Profile Station::currentProfile() const {
+  Profile profile = impl_->profile;
+  if (impl_->tares.load(std::memory_order_acquire) > 0) {
+    const pipeline::TareValues& tare = impl_->tare.read();
+    profile.step.sensing.indentation.ir_offset_mm = tare.ir_offset_mm;
+    profile.step.sensing.load_cell.zero_N = tare.force_zero_N;
+  }
+  return profile;
+}
+
+std::size_t Station::takeTelemetry(std::span<pipeline::TelemetrySample> out) {
+  const std::size_t taken = impl_->telemetry.pop(out.data(), out.size());
+  for (const pipeline::TelemetrySample& sample : out.first(taken)) impl_->compareWithTruth(sample);
+  return taken;
+}
+
+std::uint64_t Station::telemetryLost() const { return impl_->telemetry_lost.load(std::memory_order_relaxed); }
+
+std::vector<Notice> Station::takeNotices() {
+  std::vector<Notice> out;
+  TimedEvent event;
+  while (impl_->events.pop(event)) {
+    out.push_back({.when = event.when, .event = event.event, .text = describeEvent(event.event, impl_->bound)});
+    // What the robot's operator changed belongs to the profile as well.
+    if (event.event.kind == pipeline::EventKind::parameter_changed && event.event.index < impl_->bound.size()) {
+      impl_->bound[event.event.index].set(event.event.value);
+    }
+  }
+  return out;
+}
+
+CameraView Station::cameraView() const { return impl_->camera.view(); }
+
+StationStatus Station::status() const {
+  const Instant now = Clock::now();
+  StationStatus out;
+  out.parts = {impl_->touchpad.status(now), impl_->camera.status(now)};
+  if (impl_->link) {
+    out.parts.push_back(impl_->link->part(now));
+    out.link = impl_->link->status();
+  } else {
+    out.link.protocol = "none";
+  }
+  const StepTimes::Figures times = impl_->loop.times();
+  out.loop = {.steps = impl_->loop.cycles(),
+              .missed_cycles = impl_->loop.missedCycles(),
+              .step_ns_p50 = times.p50_ns,
+              .step_ns_p99 = times.p99_ns,
+              .real_time = impl_->loop.realTime()};
+  return out;
+}
+
+std::vector<ReadinessLine> Station::readiness() const {
+  using pipeline::Lack;
+  struct Line {
+    const char* what;
+    std::vector<Lack> lacks;
+  };
+  static const std::vector<Line> kLines = {
+      {"Motors answer", {Lack::motors_stale}},
+      {"Distance sensors measure", {Lack::ir_stale, Lack::ir_invalid}},
+      {"Load cell measures", {Lack::bridge_stale, Lack::bridge_invalid}},
+      {"Camera sees", {Lack::camera_stale, Lack::camera_blind}},
+      {"Robot connected", {Lack::robot_waiting, Lack::robot_lost, Lack::robot_closed, Lack::robot_frozen}},
+      {"Stiffness target known", {Lack::no_target}},
+  };
+  const pipeline::Lacks lacks(impl_->lacks.load(std::memory_order_relaxed));
+  std::vector<ReadinessLine> out;
+  for (const Line& line : kLines) {
+    ReadinessLine shown{.what = line.what, .ok = true};
+    for (const Lack lack : line.lacks) {
+      if (!lacks.test(static_cast<std::size_t>(lack)) || !shown.ok) continue;
+      shown.ok = false;
+      shown.remedy = fmt::format("{}. {}", pipeline::toString(lack), pipeline::remedy(lack));
+    }
+    out.push_back(std::move(shown));
+  }
+  return out;
+}
+
+SimulationTruth Station::simulationTruth() const {
+  const std::lock_guard lock(impl_->truth_mutex);
+  return {.available = true,
+          .finger_error_mm_rms = impl_->finger_error.rms(),
+          .indentation_error_mm_rms = impl_->indentation_error.rms()};
+}
+
+void Station::moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) {
+  impl_->world->setFingerOverride(
+      sim::FingerState{.x_mm = x_mm, .y_mm = y_mm, .indentation_mm = indentation_mm, .lifted = indentation_mm <= 0.0});
+}
+
+void Station::releaseSimulatedFinger() { impl_->world->setFingerOverride(std::nullopt); }
+
+bool Station::simulated() const { return true; }
+
+}  // namespace fyd::station
