@@ -42,6 +42,11 @@ class ContactDetector {
   [[nodiscard]] double threshold_g() const;
 
  private:
+  void follow(double& mean, double power, double time_s) const;
+  [[nodiscard]] bool after(std::int64_t samples, double time_s) const;
+  ContactEvent begin();
+  ContactEvent during(bool loud, bool sustained);
+
   ContactParameters parameters_;
   double sample_rate_Hz_;
   signal::HighPass3 filter_;

@@ -48,7 +48,7 @@ struct TextureParameters {
   double maximum_percent = 100.0;
   double full_scale_g = 2.0;
   PwmChoice pwm = PwmChoice::symmetric;
-  double input_delay_ms = 1.0;
+  double input_delay_ms = 0.5;
   double maximum_gap_ms = 2.5;
   double crossfade_ms = 20.0;
 
@@ -93,12 +93,13 @@ struct TextureParameters {
     v.choice("texture.pwm", pwm, kPwmNames,
              {.help = "Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit.",
               .live = true});
-    v.real("texture.input_delay_ms", input_delay_ms,
-           {.unit = "ms",
-            .minimum = 0,
-            .maximum = 25,
-            .help = "How long accelerations wait, so that jittery packets still arrive in time.",
-            .live = true});
+    v.real(
+        "texture.input_delay_ms", input_delay_ms,
+        {.unit = "ms",
+         .minimum = 0,
+         .maximum = 25,
+         .help = "How long accelerations wait (plus up to one period), so that jittery packets still arrive in time.",
+         .live = true});
     v.real("texture.maximum_gap_ms", maximum_gap_ms,
            {.unit = "ms",
             .minimum = 0.1,

@@ -26,7 +26,7 @@ struct TextureOutput {
   double signal_g = 0.0;      ///< after high-pass and method, before PWM; finite
   double duty_percent = 0.0;  ///< ±maximum at most, and ±100 together with the position share
   Vec3 filtered_g;            ///< behind the high-pass, newest
-  double delay_ms = 0.0;      ///< of input delay and method together
+  double delay_ms = 0.0;      ///< of input delay and method together; laying the grid adds up to one period
   bool gap = false;           ///< no acceleration for this instant
   bool position_share_known = false;
   std::uint64_t clipped = 0;          ///< steps whose duty a limit cut, since the start

@@ -52,10 +52,19 @@ void UniformStream::advanceGrid(Instant now) {
     // From the origin, not from the last step: a period that is no whole number of nanoseconds must not drift.
     until_ = origin_ + fromSeconds(static_cast<double>(steps_) / rate_Hz_);
     const Duration off = until_ - wanted;
-    if (off <= period_ && off >= -period_ && now >= last_call_) return;
+    if (off > period_ || off < -2 * period_ || now < last_call_) setGrid(wanted);
+  } else {
+    setGrid(wanted);
   }
+  if (!in_gap_ || count_ == 0) return;
+  const Instant middle = front().taken + period_ / 2;
+  const Duration away = (middle - wanted) % period_;  // whole periods away from `middle`, and not after `wanted`
+  setGrid(wanted + away - (away > Duration::zero() ? period_ : Duration::zero()));
+}
+
+void UniformStream::setGrid(Instant until) {
   running_ = true;
-  origin_ = until_ = wanted;
+  origin_ = until_ = until;
   steps_ = 0;
 }
 

@@ -1,8 +1,9 @@
 // From time-stamped samples, in bunches, repeated or missing, to one sample per step.
 //
-// The stream's own grid advances by exactly one period T = 1/rate per step and stays `delay` behind the caller's clock
-// (more than one period away from it, the grid is set anew). One step takes what is stamped within its period (g − T,
-// g]:
+// The stream's own grid advances by exactly one period T = 1/rate per step and stays `delay` to `delay` + T behind the
+// caller's clock (one period further away from it, the grid is set anew). At the start and after a gap it is laid so
+// that the first sample stands in the middle of its period: a sensor at this rate then gives one sample per period in
+// spite of ±T/2 of jitter. One step takes what is stamped within its period (g − T, g]:
 //
 //   one sample              → that sample, unchanged (its time is off by at most T/2)
 //   several                 → their mean: a box of T, which is also the guard against aliases of a faster sensor; a
@@ -50,6 +51,7 @@ class UniformStream {
   static constexpr std::size_t kCapacity = 256;
 
   void advanceGrid(Instant now);
+  void setGrid(Instant until);
   [[nodiscard]] const AccelerationSample& front() const { return queue_[first_]; }
   void pop();
   [[nodiscard]] Step value(const Vec3& acceleration_g);

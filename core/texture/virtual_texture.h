@@ -11,41 +11,14 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/signal/resonator.h"
+#include "core/texture/surface_model.h"
 
 namespace fyd::texture {
 
-struct SurfaceBand {
-  double wavelength_mm = 0.0;  ///< > 0: the centre moves with the finger
-  double frequency_Hz = 0.0;   ///< > 0: the centre stays; exactly one of the two is given
-  double quality = 1.0;        ///< centre over −3 dB width
-  double rms_g = 0.0;          ///< at the reference speed and force
-};
-
-struct SurfaceModel {
-  std::string name;
-  std::string description;
-  double reference_speed_mm_s = 40.0;
-  double reference_force_N = 1.0;
-  double speed_exponent = 0.5;
-  double force_exponent = 0.5;
-  std::vector<SurfaceBand> bands;  ///< 1…kMaximumBands
-};
-
-inline constexpr std::size_t kMaximumBands = 32;
 inline constexpr double kQuietBelow_mm_s = 5.0;
-
-/// Reads a model from TOML text.
-/// @return an error with source name and line: missing or unknown key, wrong type, value out of range
-[[nodiscard]] Result<SurfaceModel> parseSurface(std::string_view text, std::string_view source_name);
-
-/// Text that parseSurface reads back equal.
-[[nodiscard]] std::string formatSurface(const SurfaceModel& model);
 
 /// Allocation-free after construction; deterministic from its seed.
 class VirtualTexture {
@@ -61,6 +34,7 @@ class VirtualTexture {
   struct Band {
     SurfaceBand surface;
     signal::Resonator resonator;
+    double level = 0.0;  // turns unit noise into the band's RMS
   };
 
   double white();
