@@ -1,0 +1,299 @@
+#include "core/sensing/finger_adaptive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fyd::sensing {
+namespace {
+
+constexpr int kCell_px = 16;         // columns and rows of a cell, about
+constexpr int kLimitRows = 5;        // rows that share one row of limits: the light changes slowly
+constexpr float kJump = 0.06F;       // of the light: a change that calls for a second pass
+constexpr int kForget_pictures = 5;  // without a finger, after which its place no longer counts
+constexpr int kSpeck_px = 12;        // smaller blobs are noise
+constexpr float kBlack = 12.0F;      // grey: no light
+constexpr float kSaturated = 253.5F;
+constexpr double kBlurred_px = 4.0;
+constexpr double kWorkingArea_px = 160.0 * 120.0;
+
+}  // namespace
+
+void AdaptiveFinger::reset() {
+  light_known_ = false;
+  has_last_ = false;
+  chosen_ = -1;
+  runs_.clear();
+}
+
+void AdaptiveFinger::resize(const RegionOfInterest& region, int stride) {
+  region_ = region;
+  stride_ = stride;
+  width_ = (region.width + stride - 1) / stride;
+  height_ = (region.height + stride - 1) / stride;
+  cell_columns_ = std::clamp(width_ / kCell_px, 4, 24);
+  cell_rows_ = std::clamp(height_ / kCell_px, 4, 24);
+  light_.setRegion(width_, height_);
+  runs_.resize(width_, height_);
+  meter_.resize(width_, height_);
+  const auto columns = static_cast<std::size_t>(width_);
+  cells_.assign(static_cast<std::size_t>(cell_columns_ * cell_rows_), {});
+  for (int j = 0; j < cell_rows_; ++j) {
+    for (int i = 0; i < cell_columns_; ++i) {
+      LightSurface::Cell& cell = cells_[static_cast<std::size_t>(j * cell_columns_ + i)];
+      cell.u = light_.toU(0.5F * static_cast<float>(i * width_ / cell_columns_ + (i + 1) * width_ / cell_columns_ - 1));
+      cell.v = light_.toV(0.5F * static_cast<float>(j * height_ / cell_rows_ + (j + 1) * height_ / cell_rows_ - 1));
+    }
+  }
+  cell_light_.assign(cells_.size(), 0.0F);
+  column_sums_.assign(columns, 0);
+  column_least_.assign(columns, 0);
+  column_most_.assign(columns, 0);
+  marks_.assign(columns + sizeof(std::uint64_t), 0);
+  limits_.assign(columns, 0);
+  grey_.assign(columns, 0);
+  light_row_.assign(columns, 0.0F);
+  reset();
+}
+
+const std::uint8_t* AdaptiveFinger::greyRow(int y, std::uint8_t* buffer) const {
+  const std::uint8_t* row = picture_.row(region_.y + y * stride_);
+  if (picture_.channels == 1) {
+    row += region_.x;
+    if (stride_ == 1) return row;
+    for (int x = 0; x < width_; ++x) buffer[x] = row[x * stride_];
+    return buffer;
+  }
+  row += 3 * region_.x;
+  const int step = 3 * stride_;
+  // Rec. 601 luma in 1/256.
+  for (int x = 0; x < width_; ++x, row += step) {
+    buffer[x] = static_cast<std::uint8_t>((29 * row[0] + 150 * row[1] + 77 * row[2] + 128) >> 8);
+  }
+  return buffer;
+}
+
+void AdaptiveFinger::pass() {
+  runs_.clear();
+  std::fill(column_sums_.begin(), column_sums_.end(), std::uint16_t{0});
+  std::fill(column_least_.begin(), column_least_.end(), std::uint8_t{255});
+  std::fill(column_most_.begin(), column_most_.end(), std::uint8_t{0});
+  std::uint16_t* sums = column_sums_.data();
+  std::uint8_t* least = column_least_.data();
+  std::uint8_t* most = column_most_.data();
+  std::uint8_t* marks = marks_.data();
+  std::uint8_t* limits = limits_.data();
+  int cell_row = 0;
+  int cell_end = height_ / cell_rows_;
+  for (int y = 0; y < height_; ++y) {
+    if (light_known_ && y % kLimitRows == 0) {
+      light_.row(std::min(y + kLimitRows / 2, height_ - 1), 0, width_, mark_below_, light_row_.data());
+      for (int x = 0; x < width_; ++x) {
+        limits[x] = static_cast<std::uint8_t>(std::min(light_row_[static_cast<std::size_t>(x)], 255.0F));
+      }
+    }
+    const std::uint8_t* grey = greyRow(y, grey_.data());
+    std::uint8_t any = 0;
+    for (int x = 0; x < width_; ++x) {
+      sums[x] = static_cast<std::uint16_t>(sums[x] + grey[x]);
+      least[x] = std::min(least[x], grey[x]);
+      most[x] = std::max(most[x], grey[x]);
+    }
+    if (light_known_) {
+      for (int x = 0; x < width_; ++x) {
+        const std::uint8_t mark = grey[x] < limits[x] ? 255 : 0;
+        marks[x] = mark;
+        any = static_cast<std::uint8_t>(any | mark);
+      }
+      if (any != 0) runs_.addRow(y, marks);
+    }
+    if (y + 1 == cell_end) {
+      closeCells(cell_row++);
+      cell_end = (cell_row + 1) * height_ / cell_rows_;
+    }
+  }
+  runs_.finish();
+  darkest_ = *std::min_element(column_least_.begin(), column_least_.end());
+  brightest_ = *std::max_element(column_most_.begin(), column_most_.end());
+}
+
+void AdaptiveFinger::closeCells(int row) {
+  const int rows = (row + 1) * height_ / cell_rows_ - row * height_ / cell_rows_;
+  for (int i = 0; i < cell_columns_; ++i) {
+    const int begin = i * width_ / cell_columns_;
+    const int end = (i + 1) * width_ / cell_columns_;
+    std::uint32_t sum = 0;
+    for (int x = begin; x < end; ++x) sum += column_sums_[static_cast<std::size_t>(x)];
+    LightSurface::Cell& cell = cells_[static_cast<std::size_t>(row * cell_columns_ + i)];
+    cell.grey = static_cast<float>(sum) / static_cast<float>(rows * (end - begin));
+    cell.weight = 1.0F;
+  }
+  std::fill(column_sums_.begin(), column_sums_.end(), std::uint16_t{0});
+}
+
+/// Cells that a blob or its soft edge touches say nothing about the light.
+void AdaptiveFinger::coverCells() {
+  constexpr int kRim_px = 6;
+  for (const DarkBlob& blob : runs_.blobs()) {
+    if (blob.pixels < kSpeck_px) continue;
+    for (int j = 0; j < cell_rows_; ++j) {
+      if ((j + 1) * height_ / cell_rows_ <= blob.top - kRim_px || j * height_ / cell_rows_ >= blob.bottom + kRim_px)
+        continue;
+      for (int i = 0; i < cell_columns_; ++i) {
+        if ((i + 1) * width_ / cell_columns_ <= blob.left - kRim_px) continue;
+        if (i * width_ / cell_columns_ >= blob.right + kRim_px) continue;
+        cells_[static_cast<std::size_t>(j * cell_columns_ + i)].weight = 0.0F;
+      }
+    }
+  }
+}
+
+/// @return whether the light the pass went by was near enough to this picture's own
+bool AdaptiveFinger::learnLight() {
+  float darkest_share = 1.0F;
+  if (light_known_) {
+    coverCells();
+    for (std::size_t i = 0; i < cells_.size(); ++i) cell_light_[i] = light_.at(cells_[i].u, cells_[i].v);
+    // Bare cells that moved with the light must still look like the light; otherwise start anew.
+    std::size_t off = 0;
+    std::size_t bare = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      if (!(cells_[i].weight > 0.0F)) continue;
+      ++bare;
+      if (std::abs(cells_[i].grey - cell_light_[i]) > kJump * cell_light_[i]) ++off;
+    }
+    if (2 * bare >= cells_.size() && 8 * off < bare && light_.fit(cells_)) return true;
+  }
+  if (!light_.fitUnknown(cells_)) return true;  // nothing better to be had from this picture
+  for (const LightSurface::Cell& cell : cells_) {
+    darkest_share = std::min(darkest_share, cell.grey / light_.at(cell.u, cell.v));
+  }
+  mark_below_ =
+      std::clamp(0.5F * (1.0F + darkest_share), 0.3F, 1.0F - static_cast<float>(parameters_.minimum_contrast));
+  light_known_ = true;
+  return false;
+}
+
+FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfInterest& region,
+                                       const FingerParameters& parameters) {
+  parameters_ = parameters;
+  picture_ = picture;
+  const int stride = std::clamp(parameters.stride_px, 1, std::max(1, std::min(region.width, region.height) / 16));
+  if (region.x != region_.x || region.y != region_.y || region.width != region_.width ||
+      region.height != region_.height || stride != stride_) {
+    resize(region, stride);
+  }
+  pass();
+  FingerDetection out;
+  if (unusable(out)) {
+    light_known_ = false;
+    chosen_ = -1;
+    return out;
+  }
+  if (!learnLight()) {
+    pass();
+    coverCells();
+    (void)light_.fit(cells_);
+  }
+  out = judge();
+  ++since_last_;
+  if (out.contact) {
+    since_last_ = 0;
+    has_last_ = true;
+  } else if (since_last_ > kForget_pictures) {
+    has_last_ = false;
+  }
+  picture_ = {};
+  return out;
+}
+
+bool AdaptiveFinger::unusable(FingerDetection& out) const {
+  if (static_cast<float>(brightest_) < kBlack) {
+    out.reason = FingerReason::black_picture;
+  } else if (darkest_ >= 250) {
+    out.reason = FingerReason::saturated;
+  } else if (darkest_ == brightest_) {
+    out.reason = FingerReason::flat_picture;
+  } else {
+    float sum = 0.0F;
+    float least = std::numeric_limits<float>::max();
+    for (const LightSurface::Cell& cell : cells_) {
+      sum += cell.grey;
+      least = std::min(least, cell.grey);
+    }
+    const float mean = sum / static_cast<float>(cells_.size());
+    if (mean < kBlack) {
+      out.reason = FingerReason::black_picture;
+    } else if (least > kSaturated) {
+      out.reason = FingerReason::saturated;
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+int AdaptiveFinger::chooseBlob(int& candidates) const {
+  const double scale = kWorkingArea_px / (static_cast<double>(width_) * height_);
+  const auto blobs = runs_.blobs();
+  candidates = 0;
+  int largest = -1;
+  int nearest = -1;
+  double nearest_distance = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < blobs.size(); ++i) {
+    const DarkBlob& blob = blobs[i];
+    if (blob.pixels < kSpeck_px) continue;
+    if (largest < 0 || blob.pixels > blobs[static_cast<std::size_t>(largest)].pixels) largest = static_cast<int>(i);
+    if (blob.pixels * scale < 0.7 * parameters_.minimum_area_px) continue;
+    ++candidates;
+    const double distance = std::hypot(blob.x() - last_x_, blob.y() - last_y_);
+    if (distance < nearest_distance) {
+      nearest_distance = distance;
+      nearest = static_cast<int>(i);
+    }
+  }
+  return has_last_ && nearest >= 0 ? nearest : largest;
+}
+
+FingerDetection AdaptiveFinger::judge() {
+  FingerDetection out;
+  int candidates = 0;
+  chosen_ = chooseBlob(candidates);
+  out.reason = FingerReason::no_finger;
+  const float widest = 1.0F - static_cast<float>(parameters_.minimum_contrast);
+  if (chosen_ < 0) {
+    mark_below_ = widest;
+    return out;
+  }
+  const BlobMeasure m =
+      meter_.measure(runs_, chosen_, light_, [this](int y, std::uint8_t* b) { return greyRow(y, b); });
+  const double scale = kWorkingArea_px / (static_cast<double>(width_) * height_);
+  out.area_px = std::min(m.area_px * scale, kWorkingArea_px);
+  const bool dark_enough = m.contrast >= parameters_.minimum_contrast;
+  if (!dark_enough || !(out.area_px > parameters_.minimum_area_px)) {
+    out.reason = dark_enough ? FingerReason::too_small : FingerReason::no_finger;
+    chosen_ = -1;
+    mark_below_ = widest;
+    return out;
+  }
+  mark_below_ = std::clamp(1.0F - 0.5F * static_cast<float>(m.contrast), 0.3F, widest);
+  last_x_ = m.x;
+  last_y_ = m.y;
+  out.contact = true;
+  out.x_px = region_.x + m.x * stride_;
+  out.y_px = region_.y + m.y * stride_;
+  toMillimetres(parameters_, out.x_px, out.y_px, out.x_mm, out.y_mm);
+
+  const DarkBlob& blob = runs_.blobs()[static_cast<std::size_t>(chosen_)];
+  const bool cut = blob.left == 0 || blob.top == 0 || blob.right == width_ || blob.bottom == height_;
+  const bool blurred = m.edge_px * stride_ > kBlurred_px;
+  out.reason = candidates > 1 ? FingerReason::several
+               : cut          ? FingerReason::at_edge
+               : blurred      ? FingerReason::blurred
+                              : FingerReason::found;
+  out.quality = std::min(1.0, m.contrast / 0.4) * (candidates > 1 ? 0.7 : 1.0) * (cut ? 0.6 : 1.0) *
+                std::min(1.0, 2.0 / std::max(m.edge_px * stride_, 0.1));
+  return out;
+}
+
+}  // namespace fyd::sensing
