@@ -148,7 +148,7 @@ bool CurveStrip::press(const QMouseEvent& event) {
 
 bool CurveStrip::move(const QMouseEvent& event) {
   if (button_ == Qt::LeftButton) {
-    Q_EMIT panned(timeAt(event.position().x()) - timeAt(last_.x()));
+    emit panned(timeAt(event.position().x()) - timeAt(last_.x()));
     last_ = event.position();
   } else if (button_ == Qt::RightButton) {
     band_->setGeometry(QRect(pressed_.toPoint(), event.position().toPoint()).normalized());
@@ -164,7 +164,7 @@ bool CurveStrip::release(const QMouseEvent& event) {
   const QRect rect = QRect(pressed_.toPoint(), event.position().toPoint()).normalized();
   if (box && rect.width() > 4 && rect.height() > 4) {
     fixRange({plot_->yAxis->pixelToCoord(rect.bottom()), plot_->yAxis->pixelToCoord(rect.top())});
-    Q_EMIT boxed(timeAt(rect.left()), std::min(0.0, timeAt(rect.right())));
+    emit boxed(timeAt(rect.left()), std::min(0.0, timeAt(rect.right())));
   }
   return true;
 }
@@ -175,9 +175,9 @@ void CurveStrip::wheel(const QWheelEvent& event) {
     const Range shown = shownRange();
     const double about = plot_->yAxis->pixelToCoord(event.position().y());
     fixRange({about + (shown.lower - about) * factor, about + (shown.upper - about) * factor});
-    Q_EMIT panned(0.0);
+    emit panned(0.0);
   } else {
-    Q_EMIT zoomed(factor, std::min(0.0, timeAt(event.position().x())));
+    emit zoomed(factor, std::min(0.0, timeAt(event.position().x())));
   }
 }
 
@@ -186,7 +186,7 @@ bool CurveStrip::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonPress: return press(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseMove: return move(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease: return release(*static_cast<QMouseEvent*>(event));
-    case QEvent::MouseButtonDblClick: Q_EMIT followAsked(); return true;
+    case QEvent::MouseButtonDblClick: emit followAsked(); return true;
     case QEvent::Wheel: wheel(*static_cast<QWheelEvent*>(event)); return true;
     default: return QWidget::eventFilter(watched, event);
   }

@@ -41,7 +41,7 @@ class CurveStrip : public QWidget {
   [[nodiscard]] Range drawnExtent() const { return drawn_; }
   [[nodiscard]] QCustomPlot* plot() const { return plot_; }
 
- Q_SIGNALS:
+ signals:
   void panned(double by_s);                      ///< > 0 towards the past
   void zoomed(double factor, double about_s);    ///< about_s counts from the right edge, ≤ 0
   void boxed(double from_s, double to_s);        ///< from the right edge, ≤ 0

@@ -201,7 +201,7 @@ void CurveView::sayFollowing() {
   follow_button_->setText(now ? tr("Pause") : tr("Follow"));
   follow_button_->setIcon(icon(now ? QStringLiteral("pause") : QStringLiteral("follow")));
   follow_button_->setToolTip(now ? tr("Hold the picture still; measuring goes on (Space)") : tr("Follow the newest values (F)"));
-  if (now != was_following_) Q_EMIT followingChanged(now);
+  if (now != was_following_) emit followingChanged(now);
   was_following_ = now;
 }
 

@@ -36,13 +36,13 @@ class CurveView : public QWidget {
   [[nodiscard]] Readout* readout(std::size_t index) const { return readouts_[index]; }
   [[nodiscard]] QString followText() const { return follow_label_->text(); }
 
- public Q_SLOTS:
+ public slots:
   void follow();
   void pause();
   void togglePause();
   void chooseSpan(double span_s);
 
- Q_SIGNALS:
+ signals:
   void followingChanged(bool following);
 
  private:

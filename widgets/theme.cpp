@@ -142,7 +142,7 @@ void Look::apply(QApplication& application, ThemeChoice choice) {
   QApplication::setPalette(theme_.palette());
   QFile sheet(QStringLiteral(":/fyd/themes/instrument.qss"));
   if (sheet.open(QIODevice::ReadOnly)) application.setStyleSheet(fillIn(QString::fromUtf8(sheet.readAll()), theme_));
-  Q_EMIT changed();
+  emit changed();
 }
 
 }  // namespace fyd::widgets

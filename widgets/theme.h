@@ -53,7 +53,7 @@ class Look : public QObject {
   [[nodiscard]] ThemeChoice choice() const { return choice_; }
   void apply(QApplication& application, ThemeChoice choice);
 
- Q_SIGNALS:
+ signals:
   void changed();
 
  private:

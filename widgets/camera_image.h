@@ -1,0 +1,81 @@
+// The camera's picture with what the detector made of it: region of interest, finger mask, centroid.
+// An empty picture says what was looked for. In simulation, a press on the picture moves the simulated finger.
+#pragma once
+
+#include <QImage>
+#include <QRect>
+#include <QString>
+#include <QWidget>
+
+#include "core/sensing/finger_types.h"
+
+namespace fyd::widgets {
+
+struct CameraPicture {
+  QImage picture;  ///< null before the first
+  QImage mask;     ///< Grayscale8 of the region's size, 255 where the finger is; may be null
+  QRect region;    ///< of interest, px of the picture
+  sensing::FingerDetection finger;
+};
+
+/// From picture to touchpad millimetres, for the mouse.
+struct PictureScale {
+  double centre_x_px = 160.0;
+  double centre_y_px = 120.0;
+  double x_mm_per_px = 0.45;
+  double y_mm_per_px = 0.45;
+};
+
+class CameraImage : public QWidget {
+  Q_OBJECT
+ public:
+  static constexpr double kDepthStep_mm = 0.25;
+  static constexpr double kMaximumDepth_mm = 12.0;
+
+  explicit CameraImage(QWidget* parent = nullptr);
+
+  void setPicture(const CameraPicture& picture);
+  void showMask(bool on);
+  /// Words in place of a picture: what was looked for, what to do.
+  void setEmptyText(const QString& text);
+  /// Lets the mouse move the simulated finger.
+  void setTouchable(bool touchable, const PictureScale& scale);
+  [[nodiscard]] double depth_mm() const { return depth_mm_; }
+  [[nodiscard]] QSize sizeHint() const override { return {280, 210}; }
+  [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+  [[nodiscard]] int heightForWidth(int width) const override;
+
+ signals:
+  void fingerMoved(double x_mm, double y_mm, double indentation_mm);
+  void fingerReleased();
+  void depthChanged(double indentation_mm);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  [[nodiscard]] QRectF target() const;
+  void touch();
+  void release();
+  void changeDepth(double by_mm);
+  void paintFinger(QPainter& painter, const QRectF& area) const;
+  void refreshTint();
+
+  CameraPicture shown_;
+  QImage tint_;  ///< the mask as a coloured, translucent picture
+  bool mask_on_ = true;
+  QString empty_text_;
+  bool touchable_ = false;
+  PictureScale scale_;
+  double depth_mm_ = 4.0;
+  bool touching_ = false;
+  QPointF mouse_;  ///< where the finger presses, px of the widget
+  QPointF hand_;   ///< where the mouse is; differs after the depth was changed
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,33 @@
+// The camera's picture, the finger's figures below it and what the picture can do.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QToolButton>
+
+#include "widgets/camera_image.h"
+
+namespace fyd::widgets {
+
+class CameraPanel : public QFrame {
+  Q_OBJECT
+ public:
+  explicit CameraPanel(QWidget* parent = nullptr);
+  void setPicture(const CameraPicture& picture);
+  /// Nothing new comes: the figures are no longer true. @param text what was looked for, what to do
+  void showMissing(const QString& text);
+  void setTouchable(bool touchable, const PictureScale& scale);
+  [[nodiscard]] CameraImage* image() const { return image_; }
+  [[nodiscard]] QToolButton* maskButton() const { return mask_; }
+  [[nodiscard]] QString figure(int row) const { return values_[row]->text(); }
+
+ private:
+  void sayHint();
+  CameraImage* image_;
+  QToolButton* mask_;
+  QLabel* values_[3] = {};
+  QLabel* reason_;
+  QLabel* hint_;
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,43 @@
+// A button that acts only after it was held for a while, by mouse or by key: motion is deliberate.
+// Letting go early, leaving the button or losing the focus takes it back. The progress is drawn in the button.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QTimer>
+
+namespace fyd::widgets {
+
+class HoldButton : public QPushButton {
+  Q_OBJECT
+ public:
+  static constexpr int kHold_ms = 600;
+
+  explicit HoldButton(const QString& text, QWidget* parent = nullptr);
+  /// 0 … 1
+  [[nodiscard]] double progress() const;
+
+ signals:
+  /// Once for each hold.
+  void held();
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void begin();
+  void cancel();
+  void tick();
+
+  QElapsedTimer held_for_;
+  QTimer timer_;
+  bool holding_ = false;
+};
+
+}  // namespace fyd::widgets

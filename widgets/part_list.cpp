@@ -1,0 +1,100 @@
+#include "widgets/part_list.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include "widgets/icon.h"
+#include "widgets/number_text.h"
+#include "widgets/theme.h"
+
+namespace fyd::widgets {
+namespace {
+
+constexpr int kIcon = 16;
+
+QColor healthColour(PartView::Health health) {
+  switch (health) {
+    case PartView::Health::well: return theme().muted;
+    case PartView::Health::doubtful: return theme().warning;
+    case PartView::Health::missing: return theme().warning;
+  }
+  return theme().muted;
+}
+
+}  // namespace
+
+PartList::PartList(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  setAccessibleName(tr("Parts and link"));
+  connect(&Look::instance(), &Look::changed, this, qOverload<>(&QWidget::update));
+}
+
+QSize PartList::sizeHint() const { return {300, QFontMetrics(textFont(TextSize::normal)).height() + kGrid / 2}; }
+
+void PartList::setParts(const std::vector<PartView>& parts) {
+  if (parts == parts_) return;
+  parts_ = parts;
+  QStringList words;
+  for (const PartView& part : parts_) words << part.name + QLatin1Char(' ') + part.figures;
+  setAccessibleDescription(words.join(QStringLiteral("; ")));
+  update();
+}
+
+std::vector<QRect> PartList::places() const {
+  // Equal columns: a figure that changes its width moves nothing.
+  std::vector<QRect> out;
+  const int count = std::max(1, static_cast<int>(parts_.size()));
+  const int column = width() / count;
+  for (int i = 0; i < count; ++i) out.emplace_back(i * column, 0, column - kGrid, height());
+  return out;
+}
+
+void PartList::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const std::vector<QRect> where = places();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const PartView& part = parts_[i];
+    const QRect& rect = where[i];
+    const bool well = part.health == PartView::Health::well;
+    const QColor colour = healthColour(part.health);
+    const int middle = rect.center().y();
+    paintIcon(painter, QRectF(rect.left(), middle - kIcon / 2 + 1, kIcon, kIcon),
+              well ? part.icon : QStringLiteral("warning"), colour);
+    int x = rect.left() + kIcon + kGrid / 2;
+    painter.setFont(textFont(TextSize::small, true));
+    const QFontMetrics strong(painter.font());
+    painter.setPen(theme().text);
+    painter.drawText(QRect(x, rect.top(), rect.right() - x, rect.height()), Qt::AlignVCenter, part.name);
+    x += strong.horizontalAdvance(part.name) + kGrid / 2 + 2;
+    painter.setFont(textFont(TextSize::small));
+    painter.setPen(well ? theme().muted : colour);
+    const int room = rect.right() - x;
+    painter.drawText(QRect(x, rect.top(), room, rect.height()), Qt::AlignVCenter,
+                     QFontMetrics(painter.font()).elidedText(part.figures, Qt::ElideRight, room));
+  }
+}
+
+bool PartList::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const std::vector<QRect> where = places();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (where[i].contains(help->pos())) {
+      const PartView& part = parts_[i];
+      QToolTip::showText(help->globalPos(), part.name + QStringLiteral(": ") + part.figures +
+                                                (part.detail.isEmpty() ? QString() : QLatin1Char('\n') + part.detail), this);
+    }
+  }
+  return true;
+}
+
+QString rateAndAge(double rate_hz, double age_ms) {
+  QStringList words;
+  if (std::isfinite(rate_hz)) words << PartList::tr("%1 Hz").arg(rate_hz, 0, 'f', 0);
+  if (std::isfinite(age_ms)) words << ageText(age_ms);
+  return words.isEmpty() ? kNoValue : words.join(QStringLiteral(" · "));
+}
+
+}  // namespace fyd::widgets

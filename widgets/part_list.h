@@ -1,0 +1,40 @@
+// How the parts of the system are doing, in a line of words: "Touchpad 250 Hz · 4 ms".
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+namespace fyd::widgets {
+
+struct PartView {
+  enum class Health { well, doubtful, missing };
+  QString icon;     ///< name of an icon
+  QString name;     ///< "Camera"
+  QString figures;  ///< "30 Hz · 12 ms"; or what is wrong
+  QString detail;   ///< which one it is, what to do: the tool tip
+  Health health = Health::missing;
+  friend bool operator==(const PartView&, const PartView&) = default;
+};
+
+class PartList : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PartList(QWidget* parent = nullptr);
+  void setParts(const std::vector<PartView>& parts);
+  [[nodiscard]] const std::vector<PartView>& parts() const { return parts_; }
+  [[nodiscard]] QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  [[nodiscard]] std::vector<QRect> places() const;
+  std::vector<PartView> parts_;
+};
+
+/// "30 Hz · 12 ms" from a rate and an age; either may be NaN or 0.
+[[nodiscard]] QString rateAndAge(double rate_hz, double age_ms);
+
+}  // namespace fyd::widgets

@@ -1,0 +1,59 @@
+// Top of the window: the safety state in word, colour and shape, why and what to do, since when; the parts and the link
+// in words; Tare, the arming button that must be held, and Stop.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <vector>
+
+#include "core/pipeline/safety.h"
+#include "widgets/hold_button.h"
+#include "widgets/part_list.h"
+
+namespace fyd::widgets {
+
+class StateBar : public QFrame {
+  Q_OBJECT
+ public:
+  explicit StateBar(QWidget* parent = nullptr);
+
+  void showState(pipeline::SafetyState state, pipeline::Lack lack);
+  /// The haptic loop has said nothing for a while: the state shown is no longer known.
+  void showSilence(bool silent);
+  void showParts(const std::vector<PartView>& parts) { parts_->setParts(parts); }
+
+  [[nodiscard]] HoldButton* armButton() const { return arm_; }
+  [[nodiscard]] QPushButton* stopButton() const { return stop_; }
+  [[nodiscard]] QPushButton* tareButton() const { return tare_; }
+  [[nodiscard]] QString stateWord() const { return word_->text(); }
+  [[nodiscard]] QString stateReason() const { return why_->text(); }
+
+ signals:
+  void stopAsked();
+  void armAsked();
+  void tareAsked();
+
+ private:
+  void refresh();
+  void refreshSince();
+
+  pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
+  pipeline::Lack lack_ = pipeline::Lack::none;
+  bool known_ = false;
+  bool silent_ = false;
+  QElapsedTimer since_;
+  QTimer since_timer_;
+  QLabel* shape_;
+  QLabel* word_;
+  QLabel* since_label_;
+  QLabel* why_;
+  PartList* parts_;
+  QPushButton* tare_;
+  HoldButton* arm_;
+  QPushButton* stop_;
+};
+
+}  // namespace fyd::widgets

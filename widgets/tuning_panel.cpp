@@ -1,0 +1,126 @@
+#include "widgets/tuning_panel.h"
+
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "widgets/icon.h"
+
+namespace fyd::widgets {
+
+TuningPanel::TuningPanel(TuningModel& model, const std::vector<TuningSection>& sections, const QString& target_id,
+                         QWidget* parent)
+    : QFrame(parent),
+      model_(model),
+      from_robot_(new QRadioButton(tr("from robot"), this)),
+      by_hand_(new QRadioButton(tr("by hand"), this)) {
+  setProperty("surface", "panel");
+  setAccessibleName(tr("Tuning"));
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* body = new QWidget(scroll);
+  auto* rows = new QVBoxLayout(body);
+  rows->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+  rows->setSpacing(kGrid / 2);
+  for (const TuningSection& section : sections) addSection(rows, section, target_id);
+  rows->addStretch(1);
+  scroll->setWidget(body);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(scroll, 1);
+  layout->addWidget(buildFoot());
+  connect(&model_, &TuningModel::changed, this, &TuningPanel::refreshFoot);
+  connect(model_.undoStack(), &QUndoStack::indexChanged, this, &TuningPanel::refreshFoot);
+  refreshFoot();
+}
+
+QWidget* TuningPanel::buildTargetChoice() {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(kGrid + kGrid / 2, 0, 0, 0);
+  auto* name = new QLabel(tr("Target"), row);
+  layout->addWidget(name);
+  layout->addStretch(1);
+  layout->addWidget(from_robot_);
+  layout->addWidget(by_hand_);
+  from_robot_->setObjectName(QStringLiteral("target_from_robot"));
+  by_hand_->setObjectName(QStringLiteral("target_by_hand"));
+  from_robot_->setAccessibleName(tr("Stiffness target from the robot"));
+  by_hand_->setAccessibleName(tr("Stiffness target by hand"));
+  from_robot_->setToolTip(tr("Follow the stiffness of what the robot touches."));
+  by_hand_->setToolTip(tr("Hold the stiffness set below, whatever the robot touches."));
+  from_robot_->setChecked(true);
+  connect(from_robot_, &QRadioButton::clicked, this, &TuningPanel::targetFromRobotAsked);
+  connect(by_hand_, &QRadioButton::clicked, this, &TuningPanel::targetByHandAsked);
+  return row;
+}
+
+void TuningPanel::addSection(QVBoxLayout* layout, const TuningSection& section, const QString& target_id) {
+  auto* title = new QLabel(section.title, this);
+  title->setFont(textFont(TextSize::normal, true));
+  title->setContentsMargins(kGrid + kGrid / 2, rows_.empty() ? 0 : kGrid, 0, 0);
+  layout->addWidget(title);
+  for (const TuningSection::Row& entry : section.rows) {
+    if (model_.find(entry.id.toStdString()) == nullptr) continue;
+    if (entry.id == target_id) layout->addWidget(buildTargetChoice());
+    auto* row = new TuningRow(model_, entry.id, entry.label, section.quantity, this);
+    connect(row, &TuningRow::refused, this, &TuningPanel::refused);
+    layout->addWidget(row);
+    rows_.push_back(row);
+  }
+}
+
+QWidget* TuningPanel::buildFoot() {
+  auto* foot = new QWidget(this);
+  auto* layout = new QHBoxLayout(foot);
+  layout->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid);
+  layout->setSpacing(kGrid / 2);
+  const auto button = [&](const QString& symbol, const QString& text) {
+    auto* made = new QToolButton(foot);
+    made->setIcon(icon(symbol));
+    made->setToolTip(text);
+    made->setAccessibleName(text);
+    layout->addWidget(made);
+    return made;
+  };
+  undo_ = button(QStringLiteral("undo"), tr("Undo"));
+  redo_ = button(QStringLiteral("redo"), tr("Redo"));
+  undo_->setObjectName(QStringLiteral("undo_button"));
+  redo_->setObjectName(QStringLiteral("redo_button"));
+  saved_ = new QLabel(foot);
+  saved_->setProperty("role", "muted");
+  saved_->setFont(textFont(TextSize::small));
+  layout->addWidget(saved_, 1);
+  save_ = new QPushButton(tr("Save profile"), foot);
+  save_->setObjectName(QStringLiteral("save_button"));
+  save_->setIcon(icon(QStringLiteral("save")));
+  save_->setAutoDefault(false);
+  layout->addWidget(save_);
+  connect(undo_, &QToolButton::clicked, model_.undoStack(), &QUndoStack::undo);
+  connect(redo_, &QToolButton::clicked, model_.undoStack(), &QUndoStack::redo);
+  connect(save_, &QPushButton::clicked, this, &TuningPanel::saveAsked);
+  return foot;
+}
+
+void TuningPanel::refreshFoot() {
+  QUndoStack* stack = model_.undoStack();
+  undo_->setEnabled(stack->canUndo());
+  redo_->setEnabled(stack->canRedo());
+  undo_->setToolTip(stack->canUndo() ? tr("Undo %1 (Ctrl+Z)").arg(stack->undoText()) : tr("Nothing to undo"));
+  redo_->setToolTip(stack->canRedo() ? tr("Redo %1 (Ctrl+Shift+Z)").arg(stack->redoText()) : tr("Nothing to redo"));
+  saved_->setText(model_.anyChanged() ? tr("• not saved") : QString());
+}
+
+void TuningPanel::showTargetByHand(bool by_hand) { (by_hand ? by_hand_ : from_robot_)->setChecked(true); }
+
+TuningRow* TuningPanel::row(const QString& id) const {
+  for (TuningRow* row : rows_) {
+    if (row->id() == id) return row;
+  }
+  return nullptr;
+}
+
+}  // namespace fyd::widgets

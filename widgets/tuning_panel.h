@@ -1,0 +1,63 @@
+// Softness and texture, live: where the stiffness target comes from, the gains, the vibration.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QToolButton>
+#include <vector>
+
+#include "widgets/tuning_model.h"
+#include "widgets/tuning_row.h"
+
+namespace fyd::widgets {
+
+struct TuningSection {
+  struct Row {
+    QString id;
+    QString label;
+  };
+  QString title;
+  Quantity quantity = Quantity::none;
+  std::vector<Row> rows;  ///< ids the model does not have are left out
+};
+
+class TuningPanel : public QFrame {
+  Q_OBJECT
+ public:
+  /// @param target_id the parameter that holds the target while it is set by hand
+  TuningPanel(TuningModel& model, const std::vector<TuningSection>& sections, const QString& target_id,
+              QWidget* parent = nullptr);
+
+  void showTargetByHand(bool by_hand);
+  [[nodiscard]] bool targetByHand() const { return by_hand_->isChecked(); }
+  [[nodiscard]] TuningRow* row(const QString& id) const;
+  [[nodiscard]] const std::vector<TuningRow*>& rows() const { return rows_; }
+  [[nodiscard]] QPushButton* saveButton() const { return save_; }
+  [[nodiscard]] QRadioButton* byHandButton() const { return by_hand_; }
+  [[nodiscard]] QRadioButton* fromRobotButton() const { return from_robot_; }
+
+ signals:
+  void targetByHandAsked();
+  void targetFromRobotAsked();
+  void saveAsked();
+  void refused(const QString& why);
+
+ private:
+  void addSection(class QVBoxLayout* layout, const TuningSection& section, const QString& target_id);
+  QWidget* buildTargetChoice();
+  QWidget* buildFoot();
+  void refreshFoot();
+
+  TuningModel& model_;
+  std::vector<TuningRow*> rows_;
+  QRadioButton* from_robot_;
+  QRadioButton* by_hand_;
+  QToolButton* undo_ = nullptr;
+  QToolButton* redo_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QLabel* saved_ = nullptr;
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,62 @@
+// One parameter in the tuning panel: name, slider and field (or a choice), unit, mark when it differs from what is saved,
+// and the way back to the default. All of it comes from the parameter's description.
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSlider>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/theme.h"
+#include "widgets/tuning_model.h"
+
+namespace fyd::widgets {
+
+class TuningRow : public QWidget {
+  Q_OBJECT
+ public:
+  TuningRow(TuningModel& model, QString id, const QString& label, Quantity quantity, QWidget* parent = nullptr);
+
+  [[nodiscard]] const QString& id() const { return id_; }
+  [[nodiscard]] QSlider* slider() const { return slider_; }
+  [[nodiscard]] QLineEdit* field() const { return field_; }
+  [[nodiscard]] QComboBox* choice() const { return choice_; }
+  [[nodiscard]] QToolButton* resetButton() const { return reset_; }
+
+ signals:
+  /// An entry was refused; the sentence says what is allowed.
+  void refused(const QString& why);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  static constexpr int kSteps = 400;
+
+  void buildNumber();
+  void buildChoice();
+  void refresh();
+  void takeSlider(int position);
+  void takeField();
+  void markRefused(bool refused);
+  [[nodiscard]] double toValue(int position) const;
+  [[nodiscard]] int toPosition(double value) const;
+  [[nodiscard]] const TunedParameter& parameter() const { return *model_.find(id_std_); }
+
+  TuningModel& model_;
+  QString id_;
+  std::string id_std_;
+  Quantity quantity_;
+  double lower_ = 0.0;  ///< the slider's ends; the field takes the whole range
+  double upper_ = 1.0;
+  QLabel* name_;
+  QLabel* mark_;
+  QToolButton* reset_;
+  QSlider* slider_ = nullptr;
+  QLineEdit* field_ = nullptr;
+  QComboBox* choice_ = nullptr;
+};
+
+}  // namespace fyd::widgets
