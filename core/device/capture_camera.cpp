@@ -55,6 +55,7 @@ std::string CaptureCamera::description() const {
 Result<void> CaptureCamera::openCapture() {
   last_attempt_ = Clock::now();
   try {
+    // Each by its backend's name: left to choose, OpenCV also asks GStreamer, which scans its plugins and leaks.
     switch (kind_) {
       case CaptureKind::device:
         if (number_) {
@@ -63,18 +64,20 @@ Result<void> CaptureCamera::openCapture() {
           capture_.open(source_, cv::CAP_V4L2);
         }
         break;
-      case CaptureKind::video: capture_.open(source_); break;
+      case CaptureKind::video: capture_.open(source_, cv::CAP_FFMPEG); break;
       case CaptureKind::stream:
-        if (!capture_.open(source_, cv::CAP_FFMPEG,
-                           {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenTimeout_ms,  //
-                            cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadTimeout_ms})) {
-          capture_.open(source_);
-        }
+        capture_.open(source_, cv::CAP_FFMPEG,
+                      {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenTimeout_ms,  //
+                       cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadTimeout_ms});
         break;
     }
     if (!capture_.isOpened()) {
-      return fail("{}: does not open{}", name(),
-                  kind_ == CaptureKind::video ? "; expected a video that OpenCV can decode" : "");
+      static constexpr std::array<std::string_view, 3> kExpected = {
+          "expected a camera that Video4Linux can read, and the right to open it",
+          "expected a video that FFmpeg can decode",
+          "expected a stream that FFmpeg can play and that starts within 3 s",
+      };
+      return fail("{}: does not open; {}", name(), kExpected[static_cast<std::size_t>(kind_)]);
     }
     if (kind_ == CaptureKind::device) {  // the thesis' format; a camera without it keeps its own
       capture_.set(cv::CAP_PROP_FRAME_WIDTH, 320);

@@ -141,6 +141,22 @@ TEST_F(CameraSource, AVideoThatVanishesFailsAndComesBack) {
   EXPECT_EQ(back->number, 2U);
 }
 
+TEST_F(CameraSource, AStreamThatEndsFailsAndIsOpenedAgainLater) {
+  writeVideo("stream.avi", 2, 100.0);
+  auto camera = openCamera("file://" + path("stream.avi"));
+  ASSERT_TRUE(camera) << camera.error().message;
+  ASSERT_TRUE((*camera)->next());
+  ASSERT_TRUE((*camera)->next());
+  const auto ended = (*camera)->next();
+  ASSERT_FALSE(ended) << "a stream does not repeat";
+  EXPECT_THAT(ended.error().message, HasSubstr("stream.avi': gives no picture any more"));
+  const Instant before = Clock::now();
+  const auto again = (*camera)->next();
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->number, 3U);
+  EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(900)) << "not in a busy loop";
+}
+
 TEST_F(CameraSource, FailuresAreNotPrintedByLibraries) {
   ::testing::internal::CaptureStderr();
   std::ofstream(path("letter.avi")) << "this is no video\n";
