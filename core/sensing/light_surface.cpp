@@ -96,7 +96,7 @@ float LightSurface::at(float u, float v) const {
   return std::max(sum, 1.0F);
 }
 
-void LightSurface::row(int y, int first, int count, float factor, float* out) const {
+void LightSurface::row(int y, int first, int count, float factor, float* __restrict__ out) const {
   const float v = toV(static_cast<float>(y));
   const float v2 = v * v;
   const float p0 = factor * (c_[0] + v * c_[2] + v2 * (c_[5] + v * c_[7] + v2 * c_[8]));
@@ -104,8 +104,10 @@ void LightSurface::row(int y, int first, int count, float factor, float* out) co
   const float p2 = factor * (c_[3] + v * c_[7] + 2.0F * v2 * c_[8]);
   const float p3 = factor * c_[6];
   const float p4 = factor * c_[8];
+  const float middle = middle_x_;  // locals: `out` could alias members
+  const float scale = scale_;
   for (int i = 0; i < count; ++i) {
-    const float u = (static_cast<float>(first + i) - middle_x_) * scale_;
+    const float u = (static_cast<float>(first + i) - middle) * scale;
     const float light = p0 + u * (p1 + u * (p2 + u * (p3 + u * p4)));
     out[i] = light > 1.0F ? light : 1.0F;
   }
