@@ -60,9 +60,8 @@ double ClassicTouchpadEnd::jitterMs() const { return kJitterDeviations * deviati
 Duration ClassicTouchpadEnd::silence(Instant now) const { return peer_ ? now - last_heard_ : Duration::zero(); }
 
 bool ClassicTouchpadEnd::mayTakeOver(const Endpoint& from, Instant now) const {
-  if (!peer_ || *peer_ == from) return true;
-  if (phase_ == LinkPhase::closed || phase_ == LinkPhase::lost) return true;
-  return phase_ != LinkPhase::running && silence(now) >= fromSeconds(parameters_.takeover_silence_s);
+  if (!peer_ || *peer_ == from || phase_ == LinkPhase::closed) return true;
+  return silence(now) >= fromSeconds(parameters_.takeover_silence_s);
 }
 
 void ClassicTouchpadEnd::handleAck(const Endpoint& from, Instant now, const TouchpadAnswer& answer) {

@@ -9,8 +9,9 @@
 // except a valid ACK (by the info triple). Order in a cycle: touch, info (after command 5), image (while on).
 //
 // Peer. The first valid ACK names the peer; datagrams of others are counted and ignored. A new ACK starts a new
-// session: from the same address at any time; from another one when the peer said goodbye, is lost, or was silent
-// for `takeover_silence_s`. While the old peer's farewell lasts (`closing_s`), its states are still answered.
+// session: from the same address at any time; from another one when the peer said goodbye or was silent for
+// `takeover_silence_s` (a link lost for an instant is not up for grabs). While the old peer's farewell lasts
+// (`closing_s`), its states are still answered.
 //
 // Lost: running, and silent for longer than max(20 ms, 3 · period + jitter), at most `lost_cap_ms`; period is the
 // smoothed time between states, jitter four times its smoothed mean deviation. A negotiated pause is no loss.

@@ -8,7 +8,7 @@ namespace fyd::protocol {
 struct LinkParameters {
   double lost_cap_ms = 100.0;
   double closing_s = 3.0;
-  double takeover_silence_s = 3.0;
+  double takeover_silence_s = 1.0;
   bool classic_images = false;
 
   template <class Visitor>
@@ -27,7 +27,7 @@ struct LinkParameters {
            {.unit = "s",
             .minimum = 0.1,
             .maximum = 600,
-            .help = "Silence of a pausing or not yet running robot after which another one may take its place."});
+            .help = "Silence of a robot after which another one may take its place."});
     v.boolean("link.classic_images", classic_images,
               {.help = "Send camera pictures when a classic robot asks for them; off, because the published robot "
                        "program asks and cannot read them."});

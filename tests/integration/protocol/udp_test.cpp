@@ -1,0 +1,214 @@
+// Real sockets on loopback.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "core/protocol/classic_robot_end.h"
+#include "core/protocol/classic_touchpad_end.h"
+#include "core/protocol/udp_socket.h"
+#include "tests/unit/protocol/allocation_counter.h"
+
+namespace fyd::protocol {
+namespace {
+
+using std::chrono::milliseconds;
+
+UdpSocket opened(std::string_view address) { return UdpSocket::open(parseEndpoint(address).value()).value(); }
+
+TEST(Endpoint, ReadsAndWritesBothFamilies) {
+  for (const std::string_view address :
+       {"127.0.0.1:3490", "0.0.0.0:0", "255.1.2.3:65535", "[::1]:3490", "[fe80::1]:1"}) {
+    EXPECT_EQ(toString(parseEndpoint(address).value()), address);
+  }
+  EXPECT_EQ(toString(parseEndpoint("localhost:3490").value()), "127.0.0.1:3490");
+  EXPECT_NE(parseEndpoint("127.0.0.1:1").value(), parseEndpoint("127.0.0.1:2").value());
+  EXPECT_NE(parseEndpoint("127.0.0.1:1").value(), parseEndpoint("127.0.0.2:1").value());
+}
+
+TEST(Endpoint, SaysWhichPartIsWrong) {
+  const auto message = [](std::string_view address) { return parseEndpoint(address).error().message; };
+  EXPECT_THAT(message("127.0.0.1"), ::testing::HasSubstr("no port"));
+  EXPECT_THAT(message("127.0.0.1:"), ::testing::HasSubstr("port \"\""));
+  EXPECT_THAT(message("127.0.0.1:65536"), ::testing::HasSubstr("port \"65536\""));
+  EXPECT_THAT(message("127.0.0.1:-1"), ::testing::HasSubstr("0 to 65535"));
+  EXPECT_THAT(message("127.0.0.1:34x"), ::testing::HasSubstr("port \"34x\""));
+  EXPECT_THAT(message("256.0.0.1:1"), ::testing::HasSubstr("\"256.0.0.1\" is not an IPv4 address"));
+  EXPECT_THAT(message("robot.example:1"), ::testing::HasSubstr("not looked up"));
+  EXPECT_THAT(message("::1:3490"), ::testing::HasSubstr("brackets"));
+  EXPECT_THAT(message("[127.0.0.1]:1"), ::testing::HasSubstr("not an IPv6 address"));
+  EXPECT_THAT(message(""), ::testing::HasSubstr("HOST:PORT"));
+  EXPECT_THAT(message(":1"), ::testing::HasSubstr("not an IPv4 address"));
+}
+
+TEST(UdpSocket, PortThatIsTakenIsNamedWithTheReason) {
+  const UdpSocket first = opened("127.0.0.1:0");
+  const auto second = UdpSocket::open(first.local());
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message, ::testing::HasSubstr(toString(first.local())));
+  EXPECT_THAT(second.error().message, ::testing::HasSubstr("another program holds the port"));
+  Endpoint other_address = first.local();
+  other_address.address[3] = 2;  // 127.0.0.2, the same port: both ends on one host
+  EXPECT_TRUE(UdpSocket::open(other_address));
+}
+
+TEST(UdpSocket, AddressThatIsNotThisMachinesIsRefused) {
+  const auto socket = UdpSocket::open(parseEndpoint("192.0.2.1:0").value());
+  ASSERT_FALSE(socket);
+  EXPECT_THAT(socket.error().message, ::testing::HasSubstr("UDP 192.0.2.1:0"));
+}
+
+TEST(UdpSocket, CarriesDatagramsOfEverySizeIncludingNone) {
+  UdpSocket a = opened("127.0.0.1:0");
+  UdpSocket b = opened("127.0.0.2:0");
+  std::vector<std::uint8_t> buffer(kMaximumDatagram);
+  for (const std::size_t size : {0U, 1U, 62U, 1'400U, 57'599U, 65'507U}) {
+    const std::vector<std::uint8_t> payload(size, 0x5a);
+    ASSERT_EQ(a.send(payload, b.local()), SendOutcome::sent) << size;
+    const auto received = b.receive(buffer, milliseconds(1'000));
+    ASSERT_TRUE(received) << size;
+    EXPECT_EQ(received->size, size);
+    EXPECT_EQ(received->from, a.local());
+  }
+  const std::vector<std::uint8_t> too_long(65'508);
+  EXPECT_EQ(a.send(too_long, b.local()), SendOutcome::refused);
+}
+
+TEST(UdpSocket, WaitsNoLongerThanAsked) {
+  UdpSocket socket = opened("127.0.0.1:0");
+  std::vector<std::uint8_t> buffer(100);
+  EXPECT_FALSE(socket.receive(buffer, Duration::zero()));
+  const Instant before = Clock::now();
+  EXPECT_FALSE(socket.receive(buffer, milliseconds(20)));
+  EXPECT_GE(Clock::now() - before, milliseconds(20));
+}
+
+TEST(UdpSocket, PortNobodyListensOnIsNoFailureOfTheReceiver) {
+  UdpSocket socket = opened("127.0.0.1:0");
+  const Endpoint nobody = opened("127.0.0.1:0").local();  // closed again at once
+  std::vector<std::uint8_t> buffer(100);
+  const std::array<std::uint8_t, 3> payload{1, 2, 3};
+  for (int i = 0; i < 10; ++i) {
+    static_cast<void>(socket.send(payload, nobody));
+    EXPECT_FALSE(socket.receive(buffer, milliseconds(1)));
+  }
+  UdpSocket peer = opened("127.0.0.1:0");
+  ASSERT_EQ(peer.send(payload, socket.local()), SendOutcome::sent);
+  EXPECT_TRUE(socket.receive(buffer, milliseconds(1'000)));
+}
+
+TEST(UdpSocket, WorksOverIpv6) {
+  auto a = UdpSocket::open(parseEndpoint("[::1]:0").value());
+  if (!a) GTEST_SKIP() << "no IPv6 here: " << a.error().message;
+  UdpSocket b = opened("[::1]:0");
+  std::vector<std::uint8_t> buffer(100);
+  ASSERT_EQ(a->send(std::array<std::uint8_t, 1>{7}, b.local()), SendOutcome::sent);
+  const auto received = b.receive(buffer, milliseconds(1'000));
+  ASSERT_TRUE(received);
+  EXPECT_EQ(received->from, a->local());
+}
+
+// Serves `end` until the deadline or until `done` says so.
+template <class Done>
+void serve(UdpSocket& socket, ClassicTouchpadEnd& end, const TouchpadAnswer& answer, Instant deadline, Done&& done) {
+  std::vector<std::uint8_t> buffer(kMaximumDatagram);
+  while (Clock::now() < deadline && !done()) {
+    const auto received = socket.receive(buffer, milliseconds(1));
+    const Instant now = Clock::now();
+    if (!received) {
+      end.advance(now);
+      continue;
+    }
+    for (const Datagram& reply : end.handle({buffer.data(), received->size}, received->from, now, answer).replies) {
+      static_cast<void>(socket.send(reply.bytes, reply.to));
+    }
+  }
+}
+
+TEST(ClassicOverUdp, SessionStaysInStepUnderThousandsOfGarbageDatagrams) {
+  UdpSocket touchpad = opened("127.0.0.1:0");
+  UdpSocket robot = opened("127.0.0.2:0");
+  UdpSocket enemy = opened("127.0.0.3:0");
+  LinkParameters parameters;
+  parameters.takeover_silence_s = 600;  // a busy machine must not lend the enemy the robot's place
+  ClassicTouchpadEnd end(parameters);
+  TouchpadAnswer answer;
+  answer.touch = {.position_mm = {3, 4, -5}, .in_contact = true, .force_N = 1.0};
+  answer.board_text = "test board";
+
+  constexpr std::uint64_t kCycles = 3'000;
+  std::atomic<bool> connected = false;
+  std::atomic<bool> finished = false;
+  std::jthread robot_thread([&] {
+    ClassicRobotEnd self({.reply_timeout = std::chrono::seconds(10)}, touchpad.local());
+    std::vector<std::uint8_t> buffer(kMaximumDatagram);
+    const Instant give_up = Clock::now() + std::chrono::seconds(20);
+    while (self.counters().touches < kCycles && Clock::now() < give_up) {
+      for (const Datagram& datagram : self.tick(Clock::now(), {.robot = {.stiffness_N_per_mm = 0.6}})) {
+        EXPECT_EQ(robot.send(datagram.bytes, datagram.to), SendOutcome::sent);
+      }
+      while (self.replyDue() && Clock::now() < give_up) {
+        if (const auto got = robot.receive(buffer, milliseconds(100))) {
+          if (self.handle({buffer.data(), got->size}, got->from).connected) connected = true;
+        }
+      }
+    }
+    EXPECT_EQ(self.counters().touches, kCycles);
+    EXPECT_EQ(self.counters().missed_replies, 0U);
+    EXPECT_EQ(self.counters().extra_touches, 0U);
+    EXPECT_EQ(self.boardText(), "test board");
+    finished = true;
+  });
+  std::jthread enemy_thread([&](const std::stop_token& stop) {
+    std::mt19937_64 random(5);
+    std::vector<std::uint8_t> garbage(1'000);
+    const auto state = encodeState({.command = pipeline::RobotCommand::disconnect});
+    const auto ack = encodeAck();
+    for (std::uint64_t i = 0; !stop.stop_requested(); ++i) {
+      if (!connected) {
+        std::this_thread::yield();
+        continue;
+      }
+      for (auto& byte : garbage) byte = static_cast<std::uint8_t>(random());
+      static_cast<void>(enemy.send(Bytes(garbage).first(random() % garbage.size()), touchpad.local()));
+      static_cast<void>(enemy.send(Bytes(state).first(random() % (state.size() + 1)), touchpad.local()));
+      static_cast<void>(enemy.send(Bytes(ack).first(random() % (ack.size() + 1)), touchpad.local()));
+      if (i % 4 == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+  });
+  serve(touchpad, end, answer, Clock::now() + std::chrono::seconds(20), [&] { return finished.load(); });
+  enemy_thread.request_stop();
+  EXPECT_TRUE(finished);
+  EXPECT_GT(end.counters().wrong_peer, 1'000U);
+}
+
+TEST(ClassicOverUdp, ExchangeDoesNotAllocate) {
+  UdpSocket touchpad = opened("127.0.0.1:0");
+  UdpSocket robot = opened("127.0.0.2:0");
+  ClassicTouchpadEnd end{LinkParameters{}};
+  ClassicRobotEnd self({}, touchpad.local());
+  std::vector<std::uint8_t> buffer(kMaximumDatagram);
+  std::size_t before = 0;
+  for (int i = 0; i < 200; ++i) {
+    if (i == 10) before = allocationCount();
+    for (const Datagram& datagram : self.tick(Clock::now(), {})) {
+      static_cast<void>(robot.send(datagram.bytes, datagram.to));
+    }
+    while (const auto got = touchpad.receive(buffer, Duration::zero())) {
+      for (const Datagram& reply : end.handle({buffer.data(), got->size}, got->from, Clock::now(), {}).replies) {
+        static_cast<void>(touchpad.send(reply.bytes, reply.to));
+      }
+    }
+    while (const auto got = robot.receive(buffer, Duration::zero())) {
+      static_cast<void>(self.handle({buffer.data(), got->size}, got->from));
+    }
+  }
+  EXPECT_EQ(allocationCount(), before);
+  EXPECT_EQ(self.counters().touches, 199U);
+}
+
+}  // namespace
+}  // namespace fyd::protocol
