@@ -6,7 +6,8 @@
 namespace fyd::sensing {
 namespace {
 
-constexpr double kStay_s = 0.3;  // mean time before a finger changes from holding to moving or back
+constexpr double kHolds_s = 3.0;  // mean time for which a finger holds still …
+constexpr double kMoves_s = 0.2;  // … and moves
 constexpr double kLongestStep_s = 1.0;
 constexpr double kLargest_mm = 200.0;  // beyond any cloth: keeps the arithmetic finite
 constexpr double kOutlier = 5.0;       // standard deviations from what a moving finger allows
@@ -81,13 +82,13 @@ void IndentationFilter::update(double dt_s, std::span<Measurement> measurements)
 }
 
 void IndentationFilter::mix(double dt_s) {
-  const double change = 0.5 * (1.0 - std::exp(-2.0 * dt_s / kStay_s));
+  const std::array<double, 2> leaves = {1.0 - std::exp(-dt_s / kHolds_s), 1.0 - std::exp(-dt_s / kMoves_s)};
   const std::array<Belief, 2> before = belief_;
   const std::array<double, 2> prior = probability_;
   for (std::size_t to = 0; to < 2; ++to) {
     const std::size_t other = 1 - to;
-    const double stays = (1.0 - change) * prior[to];
-    const double comes = change * prior[other];
+    const double stays = (1.0 - leaves[to]) * prior[to];
+    const double comes = leaves[other] * prior[other];
     const double sum = stays + comes;
     const double mean = (stays * before[to].mean + comes * before[other].mean) / sum;
     const double spread_own = before[to].mean - mean;

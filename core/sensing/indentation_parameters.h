@@ -31,7 +31,7 @@ struct IndentationParameters {
   double frame_half_width_mm = 50.0;
   double frame_half_depth_mm = 35.0;
   double finger_radius_mm = 7.0;
-  double holding_mm_per_sqrt_s = 1.0;
+  double holding_mm_per_sqrt_s = 0.5;
   double moving_mm_per_sqrt_s = 20.0;
   double sigma_limit_mm = 10.0;
 
