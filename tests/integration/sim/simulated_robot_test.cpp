@@ -1,0 +1,180 @@
+// The simulated robot over real sockets, against the touchpad's end of the protocol.
+#include "core/sim/simulated_robot.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "core/protocol/classic_touchpad_end.h"
+#include "core/sim/robot_arm.h"
+
+namespace fyd::sim {
+namespace {
+
+using pipeline::RobotCommand;
+using std::chrono::milliseconds;
+
+// A touchpad that answers every state, in a thread of its own.
+class AnsweringTouchpad {
+ public:
+  explicit AnsweringTouchpad(const protocol::Endpoint& local = protocol::parseEndpoint("127.0.0.1:0").value())
+      : socket_(protocol::UdpSocket::open(local).value()),
+        thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+
+  [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
+  void stop() {
+    thread_.request_stop();
+    thread_.join();
+  }
+  /// After stop.
+  [[nodiscard]] const protocol::ClassicTouchpadEnd& end() const { return end_; }
+  [[nodiscard]] const std::vector<RobotCommand>& commands() const { return commands_; }
+  [[nodiscard]] const pipeline::RobotState& state() const { return state_; }
+  [[nodiscard]] const std::optional<pipeline::RobotMotorReference>& motorReference() const { return reference_; }
+
+ private:
+  void serve(const std::stop_token& stop) {
+    std::vector<std::uint8_t> buffer(protocol::kMaximumDatagram);
+    protocol::TouchpadAnswer answer;
+    answer.touch = {.position_mm = {6, 3, -1}, .in_contact = true, .force_N = 0.5};
+    answer.board_text = "test board";
+    while (!stop.stop_requested()) {
+      const auto received = socket_.receive(buffer, milliseconds(5));
+      if (!received) {
+        end_.advance(Clock::now());
+        continue;
+      }
+      const auto& got = end_.handle({buffer.data(), received->size}, received->from, Clock::now(), answer);
+      for (const auto& reply : got.replies) static_cast<void>(socket_.send(reply.bytes, reply.to));
+      if (got.command != RobotCommand::none) commands_.push_back(got.command);
+      if (got.state) state_ = *got.state;
+      if (got.motor_reference) reference_ = got.motor_reference;
+    }
+  }
+
+  protocol::UdpSocket socket_;
+  protocol::ClassicTouchpadEnd end_{protocol::LinkParameters{}};
+  std::vector<RobotCommand> commands_;
+  pipeline::RobotState state_;
+  std::optional<pipeline::RobotMotorReference> reference_;
+  std::jthread thread_;
+};
+
+SimParameters quiet(double stiffness_N_per_mm) {
+  SimParameters parameters;
+  parameters.accelerometer_noise_g = 0.0;
+  parameters.material_stiffness_N_per_mm = stiffness_N_per_mm;
+  return parameters;
+}
+
+std::unique_ptr<SimulatedRobot> makeRobot(const protocol::Endpoint& touchpad, SimulatedRobotOptions options = {},
+                                          const SimParameters& parameters = quiet(0.6)) {
+  options.touchpad = touchpad;
+  options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
+  options.link.reply_timeout = std::chrono::seconds(5);  // a busy machine's pauses are no missed replies here
+  return SimulatedRobot::open(options, std::make_unique<RobotArm>(parameters)).value();
+}
+
+TEST(SimulatedRobot, KnowsItsMaterialBeforeItConnects) {
+  for (const double stiffness : {0.3, 0.6, 0.9}) {
+    const auto robot = makeRobot(protocol::parseEndpoint("127.0.0.1:9").value(), {}, quiet(stiffness));
+    const SimulatedRobotStatus status = robot->status();
+    EXPECT_EQ(status.probe_outcome, device::ProbeOutcome::measured) << stiffness;
+    EXPECT_NEAR(status.probed_stiffness_N_per_mm, stiffness, 0.02 * stiffness);
+    EXPECT_LT(status.readings.position_mm.norm(), 1.0);
+  }
+}
+
+TEST(SimulatedRobot, FindsNothingWhereThereIsNothing) {
+  SimParameters parameters = quiet(0.0);
+  parameters.material = Material::none;
+  const auto robot = makeRobot(protocol::parseEndpoint("127.0.0.1:9").value(), {}, parameters);
+  EXPECT_EQ(robot->status().probe_outcome, device::ProbeOutcome::no_contact);
+  EXPECT_EQ(robot->status().probed_stiffness_N_per_mm, 0.0);
+}
+
+TEST(SimulatedRobot, ExchangesInStepAndFollowsTheFinger) {
+  AnsweringTouchpad touchpad;
+  const auto robot = makeRobot(touchpad.local());
+  robot->run({}, milliseconds(800));
+  touchpad.stop();
+  const SimulatedRobotStatus status = robot->status();
+  EXPECT_GT(status.counters.states, 50U);
+  EXPECT_EQ(status.counters.touches, status.counters.states);
+  EXPECT_EQ(status.counters.missed_replies, 0U);
+  EXPECT_EQ(status.connections, 1U);
+  EXPECT_EQ(touchpad.end().counters().states, status.counters.states);
+  EXPECT_EQ(touchpad.end().counters().refused(), 0U);
+  EXPECT_EQ(touchpad.end().phase(), pipeline::LinkPhase::closed);  // it said goodbye
+  EXPECT_NEAR(touchpad.state().stiffness_N_per_mm, 0.6, 0.02);
+  EXPECT_NEAR(status.readings.position_mm.x, 6.0, 0.5);
+  EXPECT_NEAR(status.readings.position_mm.y, 3.0, 0.5);
+  EXPECT_EQ(status.touch.position_mm, (Vec3{6, 3, -1}));
+}
+
+TEST(SimulatedRobot, GivesItsCommandsInOrderAndEndsAfterDisconnect) {
+  AnsweringTouchpad touchpad;
+  SimulatedRobotOptions options;
+  options.link.closing = milliseconds(100);
+  options.motor_reference = {.first_ticks = 933, .second_ticks = -933};
+  options.commands = {{.at_s = 0.2, .command = RobotCommand::disconnect},
+                      {.at_s = 0.05, .command = RobotCommand::send_info_and_pause},
+                      {.at_s = 0.1, .command = RobotCommand::resume},
+                      {.at_s = 0.15, .command = RobotCommand::motor_reference_on}};
+  const auto robot = makeRobot(touchpad.local(), options);
+  robot->run({}, std::chrono::seconds(20));
+  touchpad.stop();
+  EXPECT_THAT(touchpad.commands(), ::testing::ElementsAre(RobotCommand::send_info_and_pause, RobotCommand::resume,
+                                                          RobotCommand::motor_reference_on, RobotCommand::disconnect));
+  ASSERT_TRUE(touchpad.motorReference());
+  EXPECT_EQ(touchpad.motorReference()->second_ticks, -933.0);
+  EXPECT_EQ(robot->status().phase, protocol::RobotPhase::closed);
+  EXPECT_EQ(robot->status().counters.infos, 2U);
+  EXPECT_LT(robot->status().seconds, 10.0);
+}
+
+TEST(SimulatedRobot, ReconnectsWhenTheTouchpadGoesAwayAndReturns) {
+  auto first = std::make_unique<AnsweringTouchpad>();
+  const protocol::Endpoint address = first->local();
+  SimulatedRobotOptions options;
+  options.link.ack_retry = milliseconds(50);
+  options.touchpad = address;
+  options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
+  options.link.reply_timeout = milliseconds(20);
+  options.link.misses_until_lost = 3;
+  const auto robot = SimulatedRobot::open(options, std::make_unique<RobotArm>(quiet(0.6))).value();
+  std::jthread thread([&](const std::stop_token& stop) { robot->run(stop); });
+  const auto wait_for = [&](std::uint64_t connections) {
+    const Instant give_up = Clock::now() + std::chrono::seconds(20);
+    while (robot->status().connections < connections && Clock::now() < give_up) {
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    return robot->status().connections >= connections;
+  };
+  ASSERT_TRUE(wait_for(1));
+  first->stop();
+  first.reset();
+  std::this_thread::sleep_for(milliseconds(300));
+  AnsweringTouchpad second(address);
+  EXPECT_TRUE(wait_for(2));
+  EXPECT_GE(robot->status().counters.lost, 1U);
+}
+
+TEST(SimulatedRobot, WrongOptionsAreRefusedWithTheirValue) {
+  const auto message = [](SimulatedRobotOptions options) {
+    const auto robot = SimulatedRobot::open(options, std::make_unique<RobotArm>(SimParameters{}));
+    return robot ? std::string("opened") : robot.error().message;
+  };
+  const auto any = protocol::parseEndpoint("127.0.0.2:0").value();
+  const auto touchpad = protocol::parseEndpoint("127.0.0.1:3490").value();
+  EXPECT_THAT(message({.touchpad = touchpad, .bind = any, .rate_Hz = 0.0}), ::testing::HasSubstr("0 states a second"));
+  EXPECT_THAT(message({.touchpad = any, .bind = any}), ::testing::HasSubstr("127.0.0.2:0 has no port"));
+  EXPECT_THAT(message({.touchpad = touchpad, .bind = protocol::parseEndpoint("[::1]:0").value()}),
+              ::testing::HasSubstr("both must be IPv4"));
+  const auto holder = protocol::UdpSocket::open(any).value();
+  EXPECT_THAT(message({.touchpad = touchpad, .bind = holder.local()}), ::testing::HasSubstr("another program"));
+}
+
+}  // namespace
+}  // namespace fyd::sim
