@@ -18,6 +18,8 @@ namespace fyd::device {
 /// Pictures are passed on as they are, black ones too: judging them is the detector's work.
 /// A device or stream that falls silent makes next() fail; each later call tries to open it again, at most once a
 /// second.
+/// Opening a stream takes at most 3 s; a device that is there but silent is given up after 10 s (OpenCV's own limit),
+/// one that was unplugged at once.
 /// @return an error that names the source, what it was taken for and what was found
 [[nodiscard]] Result<std::unique_ptr<Camera>> openCamera(const std::string& source);
 

@@ -1,7 +1,5 @@
-// One simulated Sharp distance sensor with its 12-bit converter: the inverse of the thesis' curve.
-//
-//   d = 10·(−4.6327 v⁵ + 39.954 v⁴ − 133.8297 v³ + 220.8604 v² − 188.5623 v + 79.0712) mm   (thesis §4.1.2)
-//   code = round(4096·v/3.3), 0…4095
+// One simulated Sharp distance sensor with its 12-bit converter: the thesis' curve (sensing/ir_distance.h) backwards,
+// over the whole range of the converter. The simulated sensor keeps this curve whatever a profile calibrates.
 #pragma once
 
 #include <array>
@@ -17,7 +15,7 @@ struct SensorPlace {
 /// Where the three sensors look at the cloth, from the camera's axis (thesis §4.1.2).
 inline constexpr std::array<SensorPlace, 3> kIrPlaces = {{{-22.0, -3.0}, {0.0, 27.0}, {22.0, -3.0}}};
 
-/// Voltage at a distance; the curve falls strictly, so there is one. Clamped to 0…3.3 V; NaN gives 0 V.
+/// Voltage at a distance; the curve falls strictly, so there is one. Clamped to the converter's range; NaN gives 0 V.
 [[nodiscard]] double irVolts(double distance_mm);
 
 /// What the converter says of a voltage; NaN gives 0.
