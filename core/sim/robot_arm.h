@@ -1,6 +1,6 @@
 // A robot arm that presses a tool on a material, in virtual time (steps of at most 1 ms, at most 100 ms a call).
 //
-// Reference: the target, clamped to the workspace x ±35, y ±25, z ±70 mm (thesis §4.1.4), followed as a
+// Reference: the target, clamped to the workspace x ±35, y ±25, z ±70 mm (fact sheet §2), followed as a
 //   critically damped second order of 60 rad/s (lag 33 ms), within 10 m/s² and the speed limit.
 // Contact: the material's surface lies 2 mm below the start. With c the reference's depth below it,
 //   K the arm's Cartesian impedance, k and b the material's stiffness and damping, p the tool's depth in it:

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <random>
