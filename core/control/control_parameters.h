@@ -29,13 +29,14 @@ struct ControlParameters {
   ParameterList law_angle_deg{{20.0, 45.0, 60.0, 90.0}, 4};
   ParameterList law_stiffness_N_per_mm{{0.501, 0.550, 0.673, 0.715}, 4};
 
-  double kp = 0.1;
-  double ki_per_s = 1.5;
+  double kp = 0.05;
+  double ki_per_s = 4.0;
   double kd_s = 0.0;
   double derivative_filter_s = 0.1;
-  double dead_band_N_per_mm = 0.01;
-  double measurement_lag_s = 0.3;
-  double measurement_delay_s = 0.05;
+  double dead_band_N_per_mm = 0.004;
+  double measurement_lag_s = 0.02;
+  double measurement_delay_s = 0.01;
+  double noise_correlation_s = 0.35;
 
   double travel_minimum_deg = 20.0;
   double travel_maximum_deg = 90.0;
@@ -90,7 +91,7 @@ struct ControlParameters {
            {.unit = "N/mm",
             .minimum = 0,
             .maximum = 0.5,
-            .help = "Errors of the measured stiffness up to this are left alone (thesis: 0.01).",
+            .help = "Errors of the stiffness up to this are left alone (the thesis, in its own mode, 0.01).",
             .live = true});
     v.real("control.measurement_lag_s", measurement_lag_s,
            {.unit = "s",
@@ -103,6 +104,12 @@ struct ControlParameters {
             .minimum = 0,
             .maximum = 1,
             .help = "Dead time of the measured stiffness behind the stretch; auto-tune measures it.",
+            .live = true});
+    v.real("control.noise_correlation_s", noise_correlation_s,
+           {.unit = "s",
+            .minimum = 0.005,
+            .maximum = 10,
+            .help = "Time over which the measured stiffness' noise repeats itself; auto-tune measures it.",
             .live = true});
     v.real("control.travel_minimum_deg", travel_minimum_deg,
            {.unit = "deg", .minimum = -30, .maximum = 180, .help = "Least stretch the controller commands."});

@@ -8,12 +8,10 @@ namespace fyd::control {
 namespace {
 
 constexpr double kLongestStep_s = 0.02;  // the station holds after 20 ms without a step (core/pipeline/safety.h)
-constexpr double kScaleTime_s = 0.4;     // how fast the fabric's scale is learned from confident readings
-// A reading this uncertain (relative) counts half.
-constexpr double kHalfTrustSigma = 0.05;
-// A scale within this of 1 is the calibrated fabric seen through noise; the learned scale counts from the first on,
-// until it falls below the second.
-constexpr double kScaleCounts = 0.06, kScaleForgets = 0.03;
+// A reference and rollers further apart than this: the motors travel. Friction alone leaves less. They count as
+// travelling a moment longer, until the last degrees are done.
+constexpr double kTravelling_deg = 3.0;
+constexpr double kArriving_s = 0.15;
 constexpr double kClampHysteresis = 0.005;  // relative, so that noise does not make the notice flicker
 // The thesis' conditions (§4.1.4).
 constexpr double kThesisLeastStiffness_N_per_mm = 0.1;
@@ -26,14 +24,6 @@ bool isTarget(double stiffness_N_per_mm) { return std::isfinite(stiffness_N_per_
 bool isMeasured(const ControlInput& input) {
   return input.observable && std::isfinite(input.measured_N_per_mm) && input.measured_N_per_mm > 1e-3 &&
          input.measured_N_per_mm < 1e3;
-}
-
-/// 1 for a certain reading, ½ at kHalfTrustSigma, 0 for one without a meaning.
-double trust(const ControlInput& input) {
-  const double sigma = input.measured_sigma_N_per_mm / input.measured_N_per_mm;
-  if (!(sigma >= 0)) return input.measured_sigma_N_per_mm < 0 ? 0.0 : 0.5;
-  const double ratio = sigma / kHalfTrustSigma;
-  return 1.0 / (1.0 + ratio * ratio);
 }
 
 /// The error without its first `band` on either side.
@@ -62,16 +52,18 @@ void StiffnessController::configure(const ControlParameters& parameters) {
   pid_.setGains(gainsOf(parameters));
   thesis_pid_.setGains(thesisGainsOf(parameters));
   lag_.configure(parameters.measurement_delay_s, parameters.measurement_lag_s);
+  scale_.configure(parameters.noise_correlation_s);
 }
 
 void StiffnessController::reset(double stretch_angle_deg) {
   const double start = std::isfinite(stretch_angle_deg) ? stretch_angle_deg : parameters_.travel_minimum_deg;
+  still_s_ = 0.0;
   reference_deg_ = std::clamp(start, law_.minimumAngle_deg(), law_.maximumAngle_deg());
   pid_.reset();
   thesis_pid_.reset();
   lag_.reset(std::log(law_.stiffness_N_per_mm(reference_deg_).value));
-  log_scale_ = 0.0;
-  scale_counts_ = clamped_ = rest_known_ = was_enabled_ = was_observable_ = started_ = false;
+  scale_.reset();
+  clamped_ = rest_known_ = was_enabled_ = was_observable_ = started_ = false;
 }
 
 ControlOutput StiffnessController::step(const ControlInput& input) {
@@ -88,23 +80,29 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
   }
   was_enabled_ = input.enabled;
 
-  const double present_log =
-      std::log(law_.stiffness_N_per_mm(angle_known ? input.measured_angle_deg : reference_deg_).value);
-  // The estimate starts anew with each touch, so it has seen nothing but the present stretch.
-  if (input.observable && !was_observable_) lag_.reset(present_log);
+  const double angle_deg = angle_known ? input.measured_angle_deg : reference_deg_;
+  const double present_log = std::log(law_.stiffness_N_per_mm(angle_deg).value);
+  if (input.observable && !was_observable_) {
+    lag_.reset(present_log);  // the estimate starts anew with each touch: it has seen no other stretch
+    scale_.beginTouch();
+  }
   was_observable_ = input.observable;
-  const double lead_log = present_log - lag_.step(present_log, dt_s);
+  const double seen_log = lag_.step(present_log, dt_s);
+  if (isMeasured(input)) {
+    scale_.step(std::log(input.measured_N_per_mm) - seen_log, input.measured_sigma_N_per_mm / input.measured_N_per_mm,
+                present_log, dt_s);
+  }
 
   ControlOutput output;
-  learnScale(input, present_log - lead_log, dt_s);
   output.holding = !input.enabled || !isTarget(input.target_N_per_mm);
   if (!output.holding && dt_s > 0) {
     if (parameters_.mode == ControlMode::thesis) {
       reference_deg_ = desiredThesis(input);
     } else {
       const double reach_deg = parameters_.rate_limit_deg_per_s * dt_s;
-      reference_deg_ =
-          std::clamp(desiredDefault(input, lead_log, dt_s), reference_deg_ - reach_deg, reference_deg_ + reach_deg);
+      still_s_ = std::abs(angle_deg - reference_deg_) > kTravelling_deg ? 0.0 : std::min(still_s_ + dt_s, kArriving_s);
+      const double desired_deg = desiredDefault(input, present_log, dt_s);
+      reference_deg_ = std::clamp(desired_deg, reference_deg_ - reach_deg, reference_deg_ + reach_deg);
     }
     reference_deg_ = std::clamp(reference_deg_, law_.minimumAngle_deg(), law_.maximumAngle_deg());
   }
@@ -112,21 +110,17 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
   output.stretch_angle_deg = reference_deg_;
   output.at_limit = reference_deg_ <= law_.minimumAngle_deg() || reference_deg_ >= law_.maximumAngle_deg();
   output.correction = parameters_.mode == ControlMode::thesis ? thesis_pid_.output() : pid_.output();
-  output.fabric_scale = std::exp(log_scale_);
+  output.fabric_scale = std::exp(scale_.credible());
   return output;
 }
 
-double StiffnessController::desiredDefault(const ControlInput& input, double lead_log, double dt_s) {
+double StiffnessController::desiredDefault(const ControlInput& input, double present_log, double dt_s) {
   const double target_log = std::log(input.target_N_per_mm);
   pid_.setLimits({std::log(law_.minimumStiffness_N_per_mm()) - target_log,
                   std::log(law_.maximumStiffness_N_per_mm()) - target_log, 1e300});
-  // Without a measurement the integral alone stands: it is what was learned of this fabric.
-  double correction = pid_.integral();
-  if (isMeasured(input)) {
-    const double y = std::log(input.measured_N_per_mm) + lead_log;
-    const double error = beyond(target_log - y, parameters_.dead_band_N_per_mm / input.target_N_per_mm);
-    correction = pid_.step(y + error * trust(input), y, dt_s);
-  }
+  const double y = scale_.credible() + present_log;
+  const double error = beyond(target_log - y, parameters_.dead_band_N_per_mm / input.target_N_per_mm);
+  const double correction = pid_.step(y + error, y, dt_s, still_s_ >= kArriving_s);
   return law_.angle_deg(std::exp(target_log + correction)).value;
 }
 
@@ -149,20 +143,13 @@ double StiffnessController::desiredThesis(const ControlInput& input) {
   return rest_deg_ + thesis_pid_.step(input.target_N_per_mm, input.measured_N_per_mm, toSeconds(period));
 }
 
-void StiffnessController::learnScale(const ControlInput& input, double seen_log, double dt_s) {
-  if (!isMeasured(input)) return;
-  const double share = trust(input) * dt_s / (kScaleTime_s + dt_s);
-  log_scale_ += share * (std::log(input.measured_N_per_mm) - seen_log - log_scale_);
-  scale_counts_ = std::abs(log_scale_) > (scale_counts_ ? kScaleForgets : kScaleCounts);
-}
-
 void StiffnessController::judgeReach(double target, ControlOutput& output) {
   if (!isTarget(target)) {
     clamped_ = false;
     output.reachable_target_N_per_mm = kNone;
     return;
   }
-  const double scale = scale_counts_ ? std::exp(log_scale_) : 1.0;
+  const double scale = std::exp(scale_.credible());
   const double least = scale * law_.minimumStiffness_N_per_mm(), most = scale * law_.maximumStiffness_N_per_mm();
   const double margin = clamped_ ? kClampHysteresis : 0.0;
   clamped_ = target < least * (1 + margin) || target > most * (1 - margin);

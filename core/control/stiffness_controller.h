@@ -1,14 +1,16 @@
 // Holds the stiffness under the finger at the target by turning the rollers.
 //
-// Default mode, each step, with k* the target, k̂ the measured stiffness, θ the measured stretch, law(·) the static
-// law in N/mm and L the lag of the measurement (dead time and one time constant):
+// Default mode, each step, with k* the target, k̂ the measured stiffness, θ the measured stretch and law(·) the static
+// law in N/mm:
 //
-//   y = ln k̂ + ln law(θ) − ln L[law(θ)]        what k̂ will be once the sensors have seen the present stretch
-//   c = PID(ln k* − y)                          relative correction; dead band, weighted with the reading's confidence
-//   stretch = law⁻¹(k*·eᶜ)                      within travel and rate limits
+//   ln S = observer( ln k̂ − ln law(θ) as the sensors saw it )   how much stiffer than calibrated this cloth is
+//   y = ln S + ln law(θ)                                        the stiffness now, without the sensors' noise and lag
+//   c = PID(ln k* − y)                                          relative correction, with a dead band
+//   stretch = law⁻¹(k*·eᶜ)                                      within travel and rate limits
 //
-// Feed-forward makes it fast; the logarithm makes the loop's gain the same at every stretch and every fabric (a cloth
-// stiffer by S only shifts y by ln S); the lag model keeps the integrator from learning its own motion.
+// Feed-forward makes it fast: it needs no measurement. The logarithm makes the loop's gain the same at every stretch
+// and on every cloth. The observer (scale_observer.h) averages as long as it takes to tell the cloth from the noise,
+// so the PID may be quick without shaking the motors. The integrator waits while the motors still travel.
 //
 // Thesis mode (§4.1.4), every 100 ms, if k̂ > 0.1 and |k* − k̂| > 0.01: stretch = PID(k* − k̂) + rest, with rest the
 // static law's angle of the first target.
@@ -18,6 +20,7 @@
 #include "core/control/control_parameters.h"
 #include "core/control/lag_model.h"
 #include "core/control/pid.h"
+#include "core/control/scale_observer.h"
 #include "core/control/static_law.h"
 
 namespace fyd::control {
@@ -27,7 +30,7 @@ struct ControlInput {
   double target_N_per_mm = 0.0;    ///< NaN or ≤ 0: none, the stretch stays where it is
   double measured_N_per_mm = 0.0;  ///< used only while observable
   double measured_sigma_N_per_mm = 0.0;
-  bool observable = false;  ///< the measured stiffness is of now; otherwise feed-forward with the last correction
+  bool observable = false;  ///< the measured stiffness is of now; otherwise what was learned of the cloth stands
   double measured_angle_deg = 0.0;
   bool measured_angle_known = false;
   bool enabled = false;  ///< false: the reference stands still; the first enabled step starts from there
@@ -41,7 +44,7 @@ struct ControlOutput {
   bool at_limit = false;        ///< the reference stands at an end of the travel
   bool holding = false;         ///< no target or not enabled: the reference stands
   double correction = 0.0;      ///< PID's part: relative in default mode, degrees in thesis mode
-  double fabric_scale = 1.0;    ///< measured over law, learned: 1.3 is a cloth 30 % stiffer than calibrated
+  double fabric_scale = 1.0;    ///< learned S: 1.3 is a cloth 30 % stiffer than calibrated; 1 while not sure
 };
 
 class StiffnessController {
@@ -61,20 +64,19 @@ class StiffnessController {
 
  private:
   /// Where the stretch should be now.
-  double desiredDefault(const ControlInput& input, double lead_log, double dt_s);
+  double desiredDefault(const ControlInput& input, double present_log, double dt_s);
   double desiredThesis(const ControlInput& input);
-  void learnScale(const ControlInput& input, double seen_log, double dt_s);
   void judgeReach(double target_N_per_mm, ControlOutput& output);
 
   ControlParameters parameters_;
   StaticLaw law_;
   LagModel lag_;  // ln law(θ) as the sensors have seen it
+  ScaleObserver scale_;
   Pid pid_;
   Pid thesis_pid_;
   double reference_deg_ = 0.0;
-  double log_scale_ = 0.0;  // learned ln S
-  bool scale_counts_ = false;
   bool clamped_ = false;
+  double still_s_ = 0.0;  // since the rollers reached the reference
   double rest_deg_ = 0.0;
   bool rest_known_ = false;
   bool was_enabled_ = false;

@@ -1,0 +1,76 @@
+#include "core/control/scale_observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fyd::control {
+namespace {
+
+constexpr double kPriorVariance = 0.25 * 0.25;
+constexpr double kNewTouchVariance = 0.05 * 0.05;
+constexpr double kWanderPerSqrt_s = 0.005;  // q
+constexpr double kUnknownSigma = 0.1;
+constexpr double kLeastSigma = 0.01;
+constexpr double kMostSigma = 1.0;
+constexpr double kLeastShare = 0.25;  // of the variance the sensing reports, which includes what averaging cannot lose
+constexpr double kMeanTime_s = 0.3;
+constexpr double kVarianceTime_s = 0.4;
+constexpr double kMotionTime_s = 0.15;  // the sensors' lag is not known better than this
+constexpr double kMostLogScale = 1.5;   // 4.5 times off the calibration: no cloth, a broken sensor
+constexpr double kStandsOut = 2.0, kBelieved = 3.0;
+
+}  // namespace
+
+void ScaleObserver::configure(double correlation_s) {
+  if (correlation_s > 0 && std::isfinite(correlation_s)) correlation_s_ = correlation_s;
+}
+
+void ScaleObserver::reset() {
+  log_scale_ = 0.0;
+  variance_ = kPriorVariance;
+  reading_variance_ = -1.0;
+  slow_known_ = false;
+}
+
+void ScaleObserver::beginTouch() {
+  variance_ = std::max(variance_, std::min(variance_ + kNewTouchVariance, kPriorVariance));
+  slow_known_ = false;
+}
+
+void ScaleObserver::step(double z, double relative_sigma, double law_log, double dt_s) {
+  if (!std::isfinite(z) || !std::isfinite(law_log) || !(dt_s > 0) || !std::isfinite(dt_s)) return;
+  const double reported = relative_sigma > 0 && std::isfinite(relative_sigma)
+                              ? std::clamp(relative_sigma, kLeastSigma, kMostSigma)
+                              : kUnknownSigma;
+  const double reading = std::clamp(z, -kMostLogScale, kMostLogScale);
+  if (reading_variance_ < 0) {
+    reading_variance_ = std::min(reported * reported, kUnknownSigma * kUnknownSigma);
+    mean_z_ = reading;
+  }
+  mean_z_ += (reading - mean_z_) * dt_s / (kMeanTime_s + dt_s);
+  // The mean follows correlated noise and so hides a part of its variance; what the sensing says bounds the rest.
+  const double off = reading - mean_z_;
+  const double scatter = off * off * (kMeanTime_s + correlation_s_) / kMeanTime_s;
+  reading_variance_ += (scatter - reading_variance_) * dt_s / (kVarianceTime_s + dt_s);
+  const double variance = std::max(reading_variance_, kLeastShare * reported * reported);
+
+  if (!slow_known_) slow_law_log_ = law_log;
+  slow_known_ = true;
+  slow_law_log_ += (law_log - slow_law_log_) * dt_s / (kMotionTime_s + dt_s);
+  const double motion = law_log - slow_law_log_;
+
+  const double density = 2 * correlation_s_ * (variance + motion * motion);  // r
+  // Exact for a constant r over dt: information adds up.
+  const double share = variance_ * dt_s / (density + variance_ * dt_s);
+  log_scale_ += share * (reading - log_scale_);
+  variance_ = std::min((1 - share) * variance_ + kWanderPerSqrt_s * kWanderPerSqrt_s * dt_s, kPriorVariance);
+}
+
+double ScaleObserver::sigma() const { return std::sqrt(variance_); }
+
+double ScaleObserver::credible() const {
+  const double deviations = std::abs(log_scale_) / sigma();
+  return log_scale_ * std::clamp((deviations - kStandsOut) / (kBelieved - kStandsOut), 0.0, 1.0);
+}
+
+}  // namespace fyd::control

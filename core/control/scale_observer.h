@@ -1,0 +1,41 @@
+// Learns how much stiffer or softer than its calibration the cloth under the finger is, from noisy readings.
+//
+// s = ln S is nearly constant during a touch, the reading's noise is not white: it repeats itself over a correlation
+// time Tc. A Kalman–Bucy filter of s,  ṡ = (P/r)·(z − s),  Ṗ = q² − P²/r,  r = 2·Tc·v,  z = ln k̂ − ln law seen by the
+// sensors. v, the reading's variance, starts from what the sensing says and is then learned from the readings'
+// own scatter about their running mean; while the stretch moves, the unknown part of the sensors' lag is added to it.
+//
+// credible(): 0 until |s| stands out of its own uncertainty by 2σ, all of s from 3σ on. So noise does not move a
+// cloth that is as calibrated, and one that is not is recognised within a second or two.
+#pragma once
+
+namespace fyd::control {
+
+class ScaleObserver {
+ public:
+  void configure(double correlation_s);
+  /// Back to S = 1 ± 25 %.
+  void reset();
+  /// A new touch, maybe elsewhere on the cloth: what was learned is believed less.
+  void beginTouch();
+
+  /// One reading of z. Values that are not finite, and dt ≤ 0, change nothing.
+  /// @param relative_sigma of the reading, as the sensing says; not finite or ≤ 0 counts as 10 %
+  /// @param law_log ln law at the present stretch, to see it move
+  void step(double z, double relative_sigma, double law_log, double dt_s);
+
+  [[nodiscard]] double logScale() const { return log_scale_; }
+  [[nodiscard]] double sigma() const;
+  [[nodiscard]] double credible() const;
+
+ private:
+  double correlation_s_ = 0.35;
+  double log_scale_ = 0.0;
+  double variance_ = 0.0625;       // P
+  double mean_z_ = 0.0;           // over kMeanTime_s
+  double reading_variance_ = -1;  // v; negative until the first reading
+  double slow_law_log_ = 0.0;     // the law as it was a while ago
+  bool slow_known_ = false;
+};
+
+}  // namespace fyd::control
