@@ -51,14 +51,17 @@ void CameraImage::showMask(bool on) {
 void CameraImage::refreshTint() {
   tint_ = {};
   if (!mask_on_ || shown_.mask.isNull()) return;
-  QColor colour = theme().force;
-  colour.setAlpha(110);
+  QColor finger = theme().force;
+  finger.setAlpha(110);
+  QColor other = theme().muted;
+  other.setAlpha(110);
   tint_ = QImage(shown_.mask.size(), QImage::Format_ARGB32_Premultiplied);
-  const QRgb on = qPremultiply(colour.rgba());
+  const QRgb on = qPremultiply(finger.rgba());
+  const QRgb else_dark = qPremultiply(other.rgba());
   for (int y = 0; y < tint_.height(); ++y) {
     const uchar* from = shown_.mask.constScanLine(y);
     auto* to = reinterpret_cast<QRgb*>(tint_.scanLine(y));
-    for (int x = 0; x < tint_.width(); ++x) to[x] = from[x] != 0 ? on : 0;
+    for (int x = 0; x < tint_.width(); ++x) to[x] = from[x] == 255 ? on : from[x] != 0 ? else_dark : 0;
   }
 }
 
@@ -68,10 +71,10 @@ void CameraImage::setEmptyText(const QString& text) {
   if (shown_.picture.isNull()) update();
 }
 
-void CameraImage::setTouchable(bool touchable, const PictureScale& scale) {
-  touchable_ = touchable;
-  scale_ = scale;
-  setCursor(touchable ? Qt::CrossCursor : Qt::ArrowCursor);
+void CameraImage::setTouchable(PictureToTouchpad to_touchpad) {
+  to_touchpad_ = std::move(to_touchpad);
+  if (!to_touchpad_) release();
+  setCursor(to_touchpad_ ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 QRectF CameraImage::target() const {
@@ -123,12 +126,10 @@ void CameraImage::paintEvent(QPaintEvent*) {
 
 void CameraImage::touch() {
   const QRectF area = target();
-  if (area.width() <= 0 || shown_.picture.isNull()) return;
+  if (!to_touchpad_ || area.width() <= 0 || shown_.picture.isNull()) return;
   const double s = shown_.picture.width() / area.width();
-  const double x_px = (mouse_.x() - area.left()) * s - 0.5;
-  const double y_px = (mouse_.y() - area.top()) * s - 0.5;
-  emit fingerMoved((x_px - scale_.centre_x_px) * scale_.x_mm_per_px, (scale_.centre_y_px - y_px) * scale_.y_mm_per_px,
-                   depth_mm_);
+  const QPointF pad = to_touchpad_((mouse_ - area.topLeft()) * s - QPointF(0.5, 0.5));
+  emit fingerMoved(pad.x(), pad.y(), depth_mm_);
 }
 
 void CameraImage::release() {
@@ -144,7 +145,7 @@ void CameraImage::changeDepth(double by_mm) {
 }
 
 void CameraImage::mousePressEvent(QMouseEvent* event) {
-  if (!touchable_ || event->button() != Qt::LeftButton || shown_.picture.isNull()) return;
+  if (!to_touchpad_ || event->button() != Qt::LeftButton || shown_.picture.isNull()) return;
   touching_ = true;
   mouse_ = hand_ = event->position();
   touch();
@@ -167,7 +168,7 @@ void CameraImage::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void CameraImage::wheelEvent(QWheelEvent* event) {
-  if (!touchable_) {
+  if (!to_touchpad_) {
     event->ignore();
     return;
   }

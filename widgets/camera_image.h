@@ -2,6 +2,8 @@
 // An empty picture says what was looked for. In simulation, a press on the picture moves the simulated finger.
 #pragma once
 
+#include <functional>
+
 #include <QImage>
 #include <QRect>
 #include <QString>
@@ -13,18 +15,13 @@ namespace fyd::widgets {
 
 struct CameraPicture {
   QImage picture;  ///< null before the first
-  QImage mask;     ///< Grayscale8 of the region's size, 255 where the finger is; may be null
+  QImage mask;     ///< Grayscale8, the region's size: 255 the finger, 128 other dark places, 0 cloth; may be null
   QRect region;    ///< of interest, px of the picture
   sensing::FingerDetection finger;
 };
 
-/// From picture to touchpad millimetres, for the mouse.
-struct PictureScale {
-  double centre_x_px = 160.0;
-  double centre_y_px = 120.0;
-  double x_mm_per_px = 0.45;
-  double y_mm_per_px = 0.45;
-};
+/// From a place in the picture, px, to the touchpad's millimetres; for the mouse.
+using PictureToTouchpad = std::function<QPointF(QPointF)>;
 
 class CameraImage : public QWidget {
   Q_OBJECT
@@ -38,8 +35,8 @@ class CameraImage : public QWidget {
   void showMask(bool on);
   /// Words in place of a picture: what was looked for, what to do.
   void setEmptyText(const QString& text);
-  /// Lets the mouse move the simulated finger.
-  void setTouchable(bool touchable, const PictureScale& scale);
+  /// Lets the mouse move the simulated finger; an empty function ends it.
+  void setTouchable(PictureToTouchpad to_touchpad);
   [[nodiscard]] double depth_mm() const { return depth_mm_; }
   [[nodiscard]] QSize sizeHint() const override { return {280, 210}; }
   [[nodiscard]] bool hasHeightForWidth() const override { return true; }
@@ -70,8 +67,7 @@ class CameraImage : public QWidget {
   QImage tint_;  ///< the mask as a coloured, translucent picture
   bool mask_on_ = true;
   QString empty_text_;
-  bool touchable_ = false;
-  PictureScale scale_;
+  PictureToTouchpad to_touchpad_;
   double depth_mm_ = 4.0;
   bool touching_ = false;
   QPointF mouse_;  ///< where the finger presses, px of the widget

@@ -42,7 +42,8 @@ CameraPanel::CameraPanel(QWidget* parent)
   grid->setHorizontalSpacing(kGrid);
   grid->setVerticalSpacing(0);
   const QString names[3] = {tr("x"), tr("y"), tr("area")};
-  const QString long_names[3] = {tr("Finger x in millimetres"), tr("Finger y in millimetres"), tr("Finger area in pixels")};
+  const QString long_names[3] = {tr("Finger x in millimetres"), tr("Finger y in millimetres"),
+                                 tr("Finger area in pixels")};
   for (int i = 0; i < 3; ++i) {
     auto* name = new QLabel(names[i], this);
     name->setProperty("role", "muted");
@@ -85,9 +86,9 @@ void CameraPanel::showMissing(const QString& text) {
   reason_->setText(tr("No picture"));
 }
 
-void CameraPanel::setTouchable(bool touchable, const PictureScale& scale) {
-  image_->setTouchable(touchable, scale);
-  hint_->setVisible(touchable);
+void CameraPanel::setTouchable(PictureToTouchpad to_touchpad) {
+  hint_->setVisible(static_cast<bool>(to_touchpad));
+  image_->setTouchable(std::move(to_touchpad));
   sayHint();
 }
 

@@ -16,7 +16,7 @@ class CameraPanel : public QFrame {
   void setPicture(const CameraPicture& picture);
   /// Nothing new comes: the figures are no longer true. @param text what was looked for, what to do
   void showMissing(const QString& text);
-  void setTouchable(bool touchable, const PictureScale& scale);
+  void setTouchable(PictureToTouchpad to_touchpad);
   [[nodiscard]] CameraImage* image() const { return image_; }
   [[nodiscard]] QToolButton* maskButton() const { return mask_; }
   [[nodiscard]] QString figure(int row) const { return values_[row]->text(); }

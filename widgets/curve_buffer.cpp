@@ -9,7 +9,9 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kBlock = 65536;  // 16^4: every level divides the ring without a rest
 
-std::size_t roundUp(std::size_t capacity) { return std::max<std::size_t>(1, (capacity + kBlock - 1) / kBlock) * kBlock; }
+std::size_t roundUp(std::size_t capacity) {
+  return std::max<std::size_t>(1, (capacity + kBlock - 1) / kBlock) * kBlock;
+}
 
 }  // namespace
 
@@ -69,8 +71,12 @@ void CurveBuffer::store(double time_s, std::span<const float> values) {
 
 void CurveBuffer::clear() { next_ = 0; }
 
-double CurveBuffer::firstTime_s() const { return empty() ? std::numeric_limits<double>::quiet_NaN() : timeOf(oldest()); }
-double CurveBuffer::lastTime_s() const { return empty() ? std::numeric_limits<double>::quiet_NaN() : timeOf(next_ - 1); }
+double CurveBuffer::firstTime_s() const {
+  return empty() ? std::numeric_limits<double>::quiet_NaN() : timeOf(oldest());
+}
+double CurveBuffer::lastTime_s() const {
+  return empty() ? std::numeric_limits<double>::quiet_NaN() : timeOf(next_ - 1);
+}
 
 float CurveBuffer::last(std::size_t channel) const {
   if (empty()) return kNaN;

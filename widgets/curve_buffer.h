@@ -19,11 +19,11 @@ namespace fyd::widgets {
 
 /// Samples of one pixel column.
 struct CurveColumn {
-  double time_s = 0.0;                                       ///< middle of the column
-  float minimum = std::numeric_limits<float>::quiet_NaN();   ///< NaN: no value in it
-  float maximum = std::numeric_limits<float>::quiet_NaN();   ///< NaN: no value in it
-  bool gap = false;                                          ///< a NaN stands in it: the line breaks here
-  bool empty = true;                                         ///< no sample in it at all, also no NaN
+  double time_s = 0.0;                                      ///< middle of the column
+  float minimum = std::numeric_limits<float>::quiet_NaN();  ///< NaN: no value in it
+  float maximum = std::numeric_limits<float>::quiet_NaN();  ///< NaN: no value in it
+  bool gap = false;                                         ///< a NaN stands in it: the line breaks here
+  bool empty = true;                                        ///< no sample in it at all, also no NaN
 };
 
 class CurveBuffer {
@@ -42,8 +42,8 @@ class CurveBuffer {
   [[nodiscard]] std::size_t capacity() const { return times_.size(); }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(next_ - oldest()); }
   [[nodiscard]] bool empty() const { return next_ == 0; }
-  [[nodiscard]] double firstTime_s() const;  ///< NaN when empty
-  [[nodiscard]] double lastTime_s() const;   ///< NaN when empty
+  [[nodiscard]] double firstTime_s() const;             ///< NaN when empty
+  [[nodiscard]] double lastTime_s() const;              ///< NaN when empty
   [[nodiscard]] float last(std::size_t channel) const;  ///< NaN when empty or a gap
 
   /// Columns of equal width from `from_s` to `to_s`. Their edges lie on multiples of the width, so that a scrolling
@@ -68,7 +68,9 @@ class CurveBuffer {
   static constexpr std::size_t kLevels = 4;
 
   [[nodiscard]] std::uint64_t oldest() const { return next_ > times_.size() ? next_ - times_.size() : 0; }
-  [[nodiscard]] double timeOf(std::uint64_t index) const { return times_[static_cast<std::size_t>(index % times_.size())]; }
+  [[nodiscard]] double timeOf(std::uint64_t index) const {
+    return times_[static_cast<std::size_t>(index % times_.size())];
+  }
   [[nodiscard]] std::uint64_t firstNotBefore(double time_s, std::uint64_t from) const;
   [[nodiscard]] Extent extent(const Channel& channel, std::uint64_t from, std::uint64_t to) const;
   void store(double time_s, std::span<const float> values);

@@ -27,7 +27,8 @@ class TimeTicker : public QCPAxisTicker {
 
 }  // namespace
 
-CurveStrip::CurveStrip(const QString& name, Range least, std::vector<Trace> traces, bool with_time_scale, QWidget* parent)
+CurveStrip::CurveStrip(const QString& name, Range least, std::vector<Trace> traces, bool with_time_scale,
+                       QWidget* parent)
     : QWidget(parent),
       plot_(new QCustomPlot(this)),
       traces_(std::move(traces)),
@@ -45,8 +46,9 @@ CurveStrip::CurveStrip(const QString& name, Range least, std::vector<Trace> trac
   plot_->setInteractions({});
   plot_->installEventFilter(this);
   plot_->setFocusPolicy(Qt::NoFocus);
-  plot_->setToolTip(tr("Drag to look back, wheel to zoom, drag with the right button to zoom into a box,\n"
-                       "Ctrl and wheel to stretch this curve, double-click or F to follow again."));
+  plot_->setToolTip(
+      tr("Drag to look back, wheel to zoom, drag with the right button to zoom into a box,\n"
+         "Ctrl and wheel to stretch this curve, double-click or F to follow again."));
   QCPAxisRect* rect = plot_->axisRect();
   rect->setAutoMargins(QCP::msNone);
   rect->setMargins(QMargins(kLeftMargin, 4, kRightMargin, with_time_scale_ ? kScaleHeight : 4));

@@ -1,4 +1,5 @@
-// One picture of curves over time: traces that share a unit. Draws from a CurveBuffer, one min/max pair per pixel column.
+// One picture of curves over time: traces that share a unit. Draws from a CurveBuffer, one min/max pair per pixel
+// column.
 //
 // The time axis counts from the right edge, so that scale and grid stand still while the curves move.
 #pragma once
@@ -30,7 +31,8 @@ class CurveStrip : public QWidget {
  public:
   /// @param name with unit, for screen readers
   /// @param least range shown at least
-  CurveStrip(const QString& name, Range least, std::vector<Trace> traces, bool with_time_scale, QWidget* parent = nullptr);
+  CurveStrip(const QString& name, Range least, std::vector<Trace> traces, bool with_time_scale,
+             QWidget* parent = nullptr);
 
   void draw(const CurveBuffer& buffer, const TimeWindow& window);
   /// Back to a vertical range that follows the data.
@@ -42,9 +44,9 @@ class CurveStrip : public QWidget {
   [[nodiscard]] QCustomPlot* plot() const { return plot_; }
 
  signals:
-  void panned(double by_s);                      ///< > 0 towards the past
-  void zoomed(double factor, double about_s);    ///< about_s counts from the right edge, ≤ 0
-  void boxed(double from_s, double to_s);        ///< from the right edge, ≤ 0
+  void panned(double by_s);                    ///< > 0 towards the past
+  void zoomed(double factor, double about_s);  ///< about_s counts from the right edge, ≤ 0
+  void boxed(double from_s, double to_s);      ///< from the right edge, ≤ 0
   void followAsked();
 
  protected:

@@ -123,14 +123,9 @@ void CurveView::append(std::span<const pipeline::TelemetrySample> samples) {
   for (const pipeline::TelemetrySample& s : samples) {
     if (!any_) origin_ = s.now;
     any_ = true;
-    const std::array<double, kChannelCount> values = {s.force_N,
-                                                      s.indentation_mm,
-                                                      s.stiffness_N_per_mm,
-                                                      s.target_N_per_mm,
-                                                      s.vibration_duty_percent,
-                                                      s.acceleration_x_g,
-                                                      s.acceleration_y_g,
-                                                      s.acceleration_z_g};
+    const std::array<double, kChannelCount> values = {
+        s.force_N,          s.indentation_mm,   s.stiffness_N_per_mm, s.target_N_per_mm, s.vibration_duty_percent,
+        s.acceleration_x_g, s.acceleration_y_g, s.acceleration_z_g};
     std::array<float, kChannelCount> stored{};
     for (std::size_t c = 0; c < kChannelCount; ++c) {
       stored[c] = static_cast<float>(values[c]);
@@ -200,7 +195,8 @@ void CurveView::sayFollowing() {
   follow_label_->setStyleSheet(QString());  // re-reads the role
   follow_button_->setText(now ? tr("Pause") : tr("Follow"));
   follow_button_->setIcon(icon(now ? QStringLiteral("pause") : QStringLiteral("follow")));
-  follow_button_->setToolTip(now ? tr("Hold the picture still; measuring goes on (Space)") : tr("Follow the newest values (F)"));
+  follow_button_->setToolTip(now ? tr("Hold the picture still; measuring goes on (Space)")
+                                 : tr("Follow the newest values (F)"));
   if (now != was_following_) emit followingChanged(now);
   was_following_ = now;
 }

@@ -26,7 +26,8 @@ QColor colourOf(Severity severity) {
 
 class NoticeCard : public QFrame {
  public:
-  NoticeCard(Severity severity, const QString& text, QWidget* parent) : QFrame(parent), severity_(severity), text_(text) {
+  NoticeCard(Severity severity, const QString& text, QWidget* parent)
+      : QFrame(parent), severity_(severity), text_(text) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(2 * kGrid, kGrid, kGrid, kGrid);
     symbol_ = new QLabel(this);

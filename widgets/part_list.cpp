@@ -83,8 +83,10 @@ bool PartList::event(QEvent* event) {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (where[i].contains(help->pos())) {
       const PartView& part = parts_[i];
-      QToolTip::showText(help->globalPos(), part.name + QStringLiteral(": ") + part.figures +
-                                                (part.detail.isEmpty() ? QString() : QLatin1Char('\n') + part.detail), this);
+      QToolTip::showText(help->globalPos(),
+                         part.name + QStringLiteral(": ") + part.figures +
+                             (part.detail.isEmpty() ? QString() : QLatin1Char('\n') + part.detail),
+                         this);
     }
   }
   return true;

@@ -7,7 +7,8 @@
 
 namespace fyd::widgets {
 
-ReadinessList::ReadinessList(QWidget* parent) : QFrame(parent), title_(new QLabel(this)), layout_(new QVBoxLayout(this)) {
+ReadinessList::ReadinessList(QWidget* parent)
+    : QFrame(parent), title_(new QLabel(this)), layout_(new QVBoxLayout(this)) {
   setProperty("surface", "panel");
   setAccessibleName(tr("Readiness"));
   title_->setFont(textFont(TextSize::normal, true));
@@ -38,8 +39,9 @@ void ReadinessList::rebuild() {
   int line = 0;
   for (const ReadinessRow& row : rows_) {
     auto* mark = new QLabel(body_);
-    mark->setPixmap(icon(row.ok ? QStringLiteral("check") : QStringLiteral("warning"), row.ok ? theme().live : theme().warning)
-                        .pixmap(QSize(16, 16), devicePixelRatioF()));
+    mark->setPixmap(
+        icon(row.ok ? QStringLiteral("check") : QStringLiteral("warning"), row.ok ? theme().live : theme().warning)
+            .pixmap(QSize(16, 16), devicePixelRatioF()));
     auto* what = new QLabel(row.what, body_);
     what->setFont(textFont(TextSize::small, !row.ok));
     what->setWordWrap(true);

@@ -85,7 +85,8 @@ void Readout::paintEntry(QPainter& painter, std::size_t entry, int y, const QFon
   const int unit_width = unit.horizontalAdvance(QStringLiteral("N/mm")) + kGrid / 2;
   painter.setFont(number_font);
   painter.setPen(none ? theme().muted : theme().of(e.quantity));
-  painter.drawText(QRect(x, y, width() - unit_width - x, number.height()), Qt::AlignRight | Qt::AlignTop, texts_[entry]);
+  painter.drawText(QRect(x, y, width() - unit_width - x, number.height()), Qt::AlignRight | Qt::AlignTop,
+                   texts_[entry]);
   painter.setFont(textFont(TextSize::small));
   painter.setPen(theme().muted);
   painter.drawText(width() - unit_width + kGrid / 2, baseline, unit_);

@@ -32,11 +32,14 @@ StateWords describeState(SafetyState state, Lack lack) {
   switch (state) {
     case SafetyState::disconnected:
       return {word, reason.isEmpty() ? tr("No sensor of the touchpad answers.") : reason,
-              remedy.isEmpty() ? tr("Check the touchpad's power and cables.") : remedy, QStringLiteral("state-disconnected")};
+              remedy.isEmpty() ? tr("Check the touchpad's power and cables.") : remedy,
+              QStringLiteral("state-disconnected")};
     case SafetyState::connected:
-      return {word, reason.isEmpty() ? tr("Sensors live, motors off.") : reason, remedy, QStringLiteral("state-connected")};
+      return {word, reason.isEmpty() ? tr("Sensors live, motors off.") : reason, remedy,
+              QStringLiteral("state-connected")};
     case SafetyState::ready:
-      return {word, tr("Everything needed is there; motors off."), tr("Hold Arm to start."), QStringLiteral("state-ready")};
+      return {word, tr("Everything needed is there; motors off."), tr("Hold Arm to start."),
+              QStringLiteral("state-ready")};
     case SafetyState::active:
       return {word, tr("Rendering; motors on."), tr("Esc stops."), QStringLiteral("state-active")};
     case SafetyState::held:

@@ -9,10 +9,10 @@
 namespace fyd::widgets {
 
 struct StateWords {
-  QString word;    ///< "Held"
-  QString why;     ///< "The robot is silent."
-  QString to_do;   ///< "Check the network, then hold Re-arm."
-  QString icon;    ///< shape, so that colour is never alone
+  QString word;   ///< "Held"
+  QString why;    ///< "The robot is silent."
+  QString to_do;  ///< "Check the network, then hold Re-arm."
+  QString icon;   ///< shape, so that colour is never alone
 };
 
 /// @param lack why the state is Held, or what is missing before Ready

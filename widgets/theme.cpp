@@ -58,11 +58,21 @@ Theme lightTheme() {
 /// The style sheet names colours as @name; the names are Theme's.
 QString fillIn(QString sheet, const Theme& t) {
   const std::pair<const char*, QColor> colours[] = {
-      {"@window", t.window},       {"@panel", t.panel}, {"@raised", t.raised},   {"@line", t.line},
-      {"@text", t.text},           {"@muted", t.muted}, {"@accent", t.accent},   {"@live", t.live},
-      {"@warning", t.warning},     {"@danger", t.danger}, {"@on_danger", t.on_danger},
-      {"@force", t.force},         {"@indentation", t.indentation},
-      {"@stiffness", t.stiffness}, {"@vibration", t.vibration},
+      {"@window", t.window},
+      {"@panel", t.panel},
+      {"@raised", t.raised},
+      {"@line", t.line},
+      {"@text", t.text},
+      {"@muted", t.muted},
+      {"@accent", t.accent},
+      {"@live", t.live},
+      {"@warning", t.warning},
+      {"@danger", t.danger},
+      {"@on_danger", t.on_danger},
+      {"@force", t.force},
+      {"@indentation", t.indentation},
+      {"@stiffness", t.stiffness},
+      {"@vibration", t.vibration},
   };
   for (const auto& [name, colour] : colours) {
     sheet.replace(QLatin1String(name), colour.name());

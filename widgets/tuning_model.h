@@ -33,7 +33,8 @@ class TuningModel : public QObject {
   /// Whether any value differs from the saved profile.
   [[nodiscard]] bool anyChanged() const;
 
-  /// The operator's change: checked, undoable. Changes of one parameter that follow closely merge, as a slider gives them.
+  /// The operator's change: checked, undoable. Changes of one parameter that follow closely merge, as a slider gives
+  /// them.
   /// @return an error naming the allowed range; nothing is changed then
   Result<void> change(std::string_view id, double value, bool merge = false);
   /// A change that came from elsewhere (the robot's operator): shown, not undoable.

@@ -70,7 +70,8 @@ TuningRow::TuningRow(TuningModel& model, QString id, const QString& label, Quant
     grid->addWidget(reset_, 0, 4);
     grid->addWidget(slider_, 1, 1, 1, 4);
   }
-  for (QWidget* editor : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(field_), static_cast<QWidget*>(choice_)}) {
+  for (QWidget* editor :
+       {static_cast<QWidget*>(slider_), static_cast<QWidget*>(field_), static_cast<QWidget*>(choice_)}) {
     if (editor == nullptr) continue;
     editor->setToolTip(tip);
     editor->setAccessibleName(accessibleName());

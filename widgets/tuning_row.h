@@ -1,5 +1,5 @@
-// One parameter in the tuning panel: name, slider and field (or a choice), unit, mark when it differs from what is saved,
-// and the way back to the default. All of it comes from the parameter's description.
+// One parameter in the tuning panel: name, slider and field (or a choice), unit, mark when it differs from what is
+// saved, and the way back to the default. All of it comes from the parameter's description.
 #pragma once
 
 #include <QComboBox>

@@ -1,2 +1,80 @@
 // fyd-console: the operator's window. Exit codes: 0 success, 1 the session could not be opened, 2 wrong usage.
-int main() { return 0; }
+#include <QApplication>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QTimer>
+#include <cstdio>
+
+#include "app/console/main_window.h"
+#include "app/console/options.h"
+
+namespace {
+
+using fyd::console::Options;
+
+int complain(const std::string& message, int code) {
+  std::fprintf(stderr, "fyd-console: %s\n", message.c_str());
+  return code;
+}
+
+/// The operator's own profile, where "Save profile" writes when no other was named.
+QString ownProfile() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/profile.toml");
+}
+
+fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options, const QString& profile_path) {
+  fyd::station::StationOptions out;
+  // Pictures for the manual show the defaults, whatever the operator saved.
+  const bool own = options.profile.isEmpty();
+  if (!own || (options.screenshot.isEmpty() && QFileInfo::exists(profile_path))) {
+    auto loaded = fyd::station::loadProfile(profile_path.toStdString());
+    if (!loaded) return tl::unexpected(loaded.error());
+    out.profile = *loaded;
+  }
+  out.finger_csv = options.finger_csv.toStdString();
+  out.camera = options.camera.toStdString();
+  out.robot = options.robot.toStdString();
+  return out;
+}
+
+/// Saves what the window shows, and leaves.
+void takePictureAfter(fyd::console::MainWindow& window, const Options& options) {
+  window.armOnce();
+  QTimer::singleShot(static_cast<int>(options.screenshot_after_s * 1000.0), &window,
+                     [&window, path = options.screenshot] {
+                       const bool saved = window.grab().save(path);
+                       if (!saved)
+                         std::fprintf(stderr, "fyd-console: %s: the picture could not be written\n", qPrintable(path));
+                       window.close();
+                       QApplication::exit(saved ? 0 : 1);
+                     });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Help and mistakes need no display, so they are dealt with before the application asks for one.
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  const auto options = fyd::console::readOptions(arguments);
+  if (!options) return complain(options.error().message, 2);
+  if (!options->help.isEmpty()) {
+    std::fputs(qPrintable(options->help), stdout);
+    return 0;
+  }
+  QApplication application(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("fyd-console"));
+  QApplication::setApplicationVersion(QStringLiteral(FYD_VERSION));
+  const QString profile_path = options->profile.isEmpty() ? ownProfile() : options->profile;
+  const auto wanted = stationOptions(*options, profile_path);
+  if (!wanted) return complain(wanted.error().message, 2);
+  auto station = fyd::station::Station::open(*wanted);
+  if (!station) return complain(station.error().message, 1);
+
+  fyd::widgets::Look::instance().apply(application, options->theme);
+  fyd::console::MainWindow window(fyd::console::makeSession(std::move(*station)), profile_path);
+  window.show();
+  window.start();
+  if (!options->screenshot.isEmpty()) takePictureAfter(window, *options);
+  return QApplication::exec();
+}

@@ -30,15 +30,19 @@ Result<Options> readOptions(const QStringList& arguments) {
   parser.setApplicationDescription(tr("FYD Console: the operator's window of the FYD Touchpad."));
   const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this help."));
   const QCommandLineOption version(QStringLiteral("version"), tr("Show the version."));
-  const QCommandLineOption simulate(QStringLiteral("simulate"),
-                                    tr("Simulate the touchpad; so far always the case, as no device can be configured."));
+  const QCommandLineOption simulate(
+      QStringLiteral("simulate"), tr("Simulate the touchpad; so far always the case, as no device can be configured."));
   const QCommandLineOption finger(QStringLiteral("finger"),
-                                  tr("Let the simulated finger follow a recording (t_s,x_mm,y_mm,z_mm)."), QStringLiteral("CSV"));
-  const QCommandLineOption camera(QStringLiteral("camera"), tr("Device index, video file, image folder or stream URL; "
-                                                               "default: simulated."), QStringLiteral("SOURCE"));
+                                  tr("Let the simulated finger follow a recording (t_s,x_mm,y_mm,z_mm)."),
+                                  QStringLiteral("CSV"));
+  const QCommandLineOption camera(QStringLiteral("camera"),
+                                  tr("Device index, video file, image folder or stream URL; "
+                                     "default: simulated."),
+                                  QStringLiteral("SOURCE"));
   const QCommandLineOption robot(QStringLiteral("robot"), tr("simulated, none, or classic:HOST:PORT to listen there."),
                                  QStringLiteral("ROBOT"), QStringLiteral("simulated"));
-  const QCommandLineOption profile(QStringLiteral("profile"), tr("Profile to load and to save to."), QStringLiteral("FILE"));
+  const QCommandLineOption profile(QStringLiteral("profile"), tr("Profile to load and to save to."),
+                                   QStringLiteral("FILE"));
   const QCommandLineOption theme_name(QStringLiteral("theme"), tr("dark, light or system."), QStringLiteral("NAME"),
                                       QStringLiteral("system"));
   const QCommandLineOption screenshot(QStringLiteral("screenshot"),
@@ -58,7 +62,8 @@ Result<Options> readOptions(const QStringList& arguments) {
     return options;
   }
   if (!parser.positionalArguments().isEmpty()) {
-    return fail("unexpected argument '{}'; --help shows the options", parser.positionalArguments().first().toStdString());
+    return fail("unexpected argument '{}'; --help shows the options",
+                parser.positionalArguments().first().toStdString());
   }
   options.finger_csv = parser.value(finger);
   options.camera = parser.value(camera);

@@ -10,14 +10,14 @@
 namespace fyd::console {
 
 struct Options {
-  QString finger_csv;                               ///< empty: the built-in gesture
-  QString camera;                                   ///< empty: simulated
-  QString robot = QStringLiteral("simulated");      ///< as StationOptions::robot
-  QString profile;                                  ///< empty: defaults
+  QString finger_csv;                           ///< empty: the built-in gesture
+  QString camera;                               ///< empty: simulated
+  QString robot = QStringLiteral("simulated");  ///< as StationOptions::robot
+  QString profile;                              ///< empty: defaults
   widgets::ThemeChoice theme = widgets::ThemeChoice::system;
-  QString screenshot;                               ///< empty: none
+  QString screenshot;  ///< empty: none
   double screenshot_after_s = 5.0;
-  QString help;                                     ///< not empty: print this and leave
+  QString help;  ///< not empty: print this and leave
 };
 
 /// @param arguments with the program's name first

@@ -1,0 +1,70 @@
+// The window: one place so far, "Operate". A rail of places at its left comes with the second one; `centre_` holds it
+// then.
+#pragma once
+
+#include <QMainWindow>
+#include <QTime>
+#include <memory>
+
+#include "app/console/command_palette.h"
+#include "app/console/command_registry.h"
+#include "app/console/key_guard.h"
+#include "app/console/operate_page.h"
+#include "app/console/session.h"
+#include "app/console/session_feed.h"
+#include "app/console/tuning_bridge.h"
+#include "widgets/log_view.h"
+#include "widgets/notice_stack.h"
+
+class QDockWidget;
+
+namespace fyd::console {
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// @param profile_path where "Save profile" writes
+  MainWindow(std::unique_ptr<Session> session, const QString& profile_path);
+  ~MainWindow() override;
+
+  /// Starts the session's threads and the flow of news.
+  void start();
+  /// Arms once when first Ready, as a headless station does; for pictures of the window.
+  void armOnce() { arm_once_ = true; }
+
+  [[nodiscard]] Session& session() { return *session_; }
+  [[nodiscard]] SessionFeed& feed() { return *feed_; }
+  [[nodiscard]] OperatePage* page() const { return page_; }
+  [[nodiscard]] widgets::NoticeStack* notices() const { return notices_; }
+  [[nodiscard]] widgets::LogView* log() const { return log_; }
+  [[nodiscard]] CommandRegistry& commands() { return *commands_; }
+  [[nodiscard]] CommandPalette* palette() const { return palette_; }
+  void tell(widgets::Severity severity, const QString& text, bool slide_in = true);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void buildLog();
+  void connectFeed();
+  void connectPage();
+  void connectCommands();
+  void stop();
+  void ask(pipeline::OperatorAction action);
+  void takeSamples(std::span<const pipeline::TelemetrySample> samples);
+  void takeNotice(const station::Notice& notice);
+
+  std::unique_ptr<Session> session_;
+  TuningBridge tuning_;
+  SessionFeed* feed_;
+  CommandRegistry* commands_;
+  KeyGuard* keys_;
+  OperatePage* page_;
+  widgets::NoticeStack* notices_;
+  widgets::LogView* log_ = nullptr;
+  QDockWidget* log_dock_ = nullptr;
+  CommandPalette* palette_;
+  bool arm_once_ = false;
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,40 @@
+// Between the tuning panel and the session: applies the operator's changes, shows those that come from elsewhere,
+// saves the profile.
+#pragma once
+
+#include <QHash>
+#include <QObject>
+#include <QString>
+
+#include "app/console/session.h"
+#include "widgets/notice_stack.h"
+#include "widgets/tuning_model.h"
+
+namespace fyd::console {
+
+class TuningBridge : public QObject {
+  Q_OBJECT
+ public:
+  TuningBridge(Session& session, QString profile_path, QObject* parent = nullptr);
+  [[nodiscard]] widgets::TuningModel& model() { return model_; }
+
+  /// A parameter event of the step.
+  void hear(const pipeline::Event& event);
+  void targetByHand();
+  void targetFromRobot();
+  void save();
+
+ signals:
+  void told(fyd::widgets::Severity severity, const QString& text);
+
+ private:
+  void apply(const QString& id, double value);
+
+  Session& session_;
+  QString profile_path_;
+  widgets::TuningModel model_;
+  QHash<QString, int> under_way_;  ///< own changes whose echo has not come back
+  std::vector<QString> names_;     ///< by the step's index
+};
+
+}  // namespace fyd::console

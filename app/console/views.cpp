@@ -1,0 +1,120 @@
+#include "app/console/views.h"
+
+#include <QCoreApplication>
+
+#include "widgets/number_text.h"
+
+namespace fyd::console {
+namespace {
+
+using widgets::PartView;
+using widgets::Severity;
+
+QString tr(const char* text) { return QCoreApplication::translate("Views", text); }
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+QString iconOf(const std::string& part) {
+  if (part == "Camera") return QStringLiteral("camera");
+  if (part == "Robot") return QStringLiteral("robot");
+  return QStringLiteral("touchpad");
+}
+
+PartView toPart(const station::PartStatus& part) {
+  PartView view{.icon = iconOf(part.name), .name = tr(part.name.c_str())};
+  view.health = part.ok ? PartView::Health::well : PartView::Health::missing;
+  view.figures = part.ok ? widgets::rateAndAge(part.rate_hz, part.age_ms) : text(part.problem);
+  view.detail = text(part.description);
+  if (part.errors > 0) view.detail += QLatin1Char('\n') + tr("%1 errors since the start").arg(part.errors);
+  return view;
+}
+
+PartView loopPart(const station::LoopStatus& loop, double missed_now, std::uint64_t telemetry_lost) {
+  constexpr double kUsualMissed = 5.0;  // 0.5 % of a second's cycles
+  PartView view{.icon = QStringLiteral("loop"), .name = tr("Loop")};
+  const double share = loop.steps > 0 ? 100.0 * static_cast<double>(loop.missed_cycles) /
+                                            static_cast<double>(loop.steps + loop.missed_cycles)
+                                      : 0.0;
+  view.figures = tr("1 kHz · %1 % missed").arg(share, 0, 'f', 2);
+  view.health = missed_now > kUsualMissed ? PartView::Health::doubtful : PartView::Health::well;
+  view.detail = tr("%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)")
+                    .arg(loop.steps)
+                    .arg(loop.missed_cycles)
+                    .arg(loop.step_ns_p50 / 1000.0, 0, 'f', 1)
+                    .arg(loop.step_ns_p99 / 1000.0, 0, 'f', 1);
+  view.detail += QLatin1Char('\n') + (loop.real_time ? tr("Real-time priority granted.")
+                                                     : tr("No real-time priority: the system may delay the loop."));
+  if (telemetry_lost > 0) view.detail += QLatin1Char('\n') + tr("The curves lost %1 samples.").arg(telemetry_lost);
+  return view;
+}
+
+PartView linkPart(const station::LinkStatus& link) {
+  PartView view{.icon = QStringLiteral("link"), .name = tr("Link")};
+  view.figures = text(link.protocol);
+  view.health = PartView::Health::well;
+  view.detail = tr("Here: %1\nRobot: %2\n%3 states received, %4 touches sent, %5 datagrams refused")
+                    .arg(link.local.empty() ? widgets::kNoValue : text(link.local),
+                         link.peer.empty() ? widgets::kNoValue : text(link.peer))
+                    .arg(link.states_received)
+                    .arg(link.touches_sent)
+                    .arg(link.refused);
+  return view;
+}
+
+}  // namespace
+
+QImage toImage(const cv::Mat& picture) {
+  if (picture.empty() || picture.depth() != CV_8U) return {};
+  const auto stride = static_cast<qsizetype>(picture.step);
+  if (picture.channels() == 1) {
+    return QImage(picture.data, picture.cols, picture.rows, stride, QImage::Format_Grayscale8).copy();
+  }
+  if (picture.channels() == 3) {
+    return QImage(picture.data, picture.cols, picture.rows, stride, QImage::Format_BGR888).copy();
+  }
+  return {};
+}
+
+widgets::CameraPicture toCameraPicture(const station::CameraView& view) {
+  return {.picture = toImage(view.picture),
+          .mask = toImage(view.finger_mask),
+          .region = QRect(view.region.x, view.region.y, view.region.width, view.region.height),
+          .finger = view.finger};
+}
+
+std::vector<PartView> toParts(const station::StationStatus& status, double missed_now, std::uint64_t telemetry_lost) {
+  std::vector<PartView> out;
+  for (const station::PartStatus& part : status.parts) out.push_back(toPart(part));
+  out.push_back(linkPart(status.link));
+  out.push_back(loopPart(status.loop, missed_now, telemetry_lost));
+  return out;
+}
+
+std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines) {
+  std::vector<widgets::ReadinessRow> out;
+  for (const station::ReadinessLine& line : lines) {
+    QString remedy = text(line.remedy);
+    if (!remedy.isEmpty()) remedy[0] = remedy[0].toUpper();
+    out.push_back({.what = tr(line.what.c_str()), .ok = line.ok, .remedy = remedy});
+  }
+  return out;
+}
+
+Telling tellingOf(const pipeline::Event& event) {
+  using enum pipeline::EventKind;
+  switch (event.kind) {
+    case state_changed:
+      // The state bar says every state; only a fall out of rendering also slides in.
+      return event.state == pipeline::SafetyState::held ? Telling{Severity::warning, true} : Telling{};
+    case arm_refused:
+    case tare_failed: return {Severity::warning, true};
+    case tare_done: return {Severity::information, true};
+    case parameter_refused: return {Severity::warning, true};
+    case time_reversed: return {Severity::error, true};
+    case target_clamped: return {Severity::warning, false};
+    case parameter_changed:
+    case robot_command: return {Severity::information, false};
+  }
+  return {};
+}
+
+}  // namespace fyd::console
