@@ -30,7 +30,8 @@ TouchMessage TouchMotion::step(const MotionInput& input) {
     position_mm_.y = approach(position_mm_.y, target.y, furthest);
   }
   touching_ = contact;
-  if (input.enabled && (!input.contact || std::isfinite(input.indentation_mm))) {
+  const bool depth_known = contact ? std::isfinite(input.indentation_mm) : !input.contact;
+  if (input.enabled && depth_known) {
     const double depth = contact ? std::max(0.0, input.indentation_mm) * input.depth_scale : 0.0;
     position_mm_.z = approach(position_mm_.z, -std::min(depth, kWorkspaceHalf_mm.z), furthest);
   }

@@ -26,8 +26,8 @@ Lockstep::Lockstep(const LockstepOptions& options)
   if (std::isfinite(robot_stiffness_)) {
     next.robot.phase = pipeline::LinkPhase::running;
   } else {
-    (void)next.commands.push({.action = pipeline::OperatorAction::target_by_hand,
-                              .value = options.parameters.step.hand_target_N_per_mm});
+    (void)next.commands.push(
+        {.action = pipeline::OperatorAction::target_by_hand, .value = options.parameters.step.hand_target_N_per_mm});
   }
 }
 
@@ -60,8 +60,9 @@ const pipeline::Outputs& Lockstep::step() {
   next.motors = readings.motors;
   takePicture();
   if (std::isfinite(robot_stiffness_)) next.robot.state.set({.stiffness_N_per_mm = robot_stiffness_}, now_);
-  if (spoil) spoil(next);
-  outputs_ = &pipeline_.step(next);
+  pipeline::Inputs inputs = next;
+  if (spoil) spoil(inputs);
+  outputs_ = &pipeline_.step(inputs);
   world_->command(outputs_->motors);
   next.commands.clear();
   next.changes.clear();

@@ -37,7 +37,7 @@ class Lockstep {
   /// Inputs of the coming step that a test may add to (commands, changes, robot) or spoil; the touchpad's own
   /// are written over by `step`.
   pipeline::Inputs next;
-  /// Called with the complete inputs just before the step, to make them wrong.
+  /// Sees the complete inputs just before each step, and may make this step's copy wrong.
   std::function<void(pipeline::Inputs&)> spoil;
 
   [[nodiscard]] TouchpadWorld& world() { return *world_; }

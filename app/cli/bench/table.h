@@ -8,7 +8,7 @@
 namespace fyd::bench {
 
 struct Table {
-  std::string subject;                         ///< file name stem
+  std::string subject;  ///< file name stem
   std::string title;
   std::vector<std::string> columns;            ///< with units
   std::vector<std::vector<std::string>> rows;  ///< the baseline's row says so in its first cell

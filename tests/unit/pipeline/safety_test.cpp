@@ -16,7 +16,8 @@ TEST(SafetyTable, EveryEntryIsAsDesigned) {
     return out;
   };
   // gone, live, missing, complete, fault, arm, stop
-  EXPECT_EQ(row(disconnected), (Row{disconnected, connected, disconnected, disconnected, disconnected, disconnected, stopped}));
+  EXPECT_EQ(row(disconnected),
+            (Row{disconnected, connected, disconnected, disconnected, disconnected, disconnected, stopped}));
   EXPECT_EQ(row(connected), (Row{disconnected, connected, connected, ready, connected, connected, stopped}));
   EXPECT_EQ(row(ready), (Row{disconnected, ready, connected, ready, connected, active, stopped}));
   EXPECT_EQ(row(active), (Row{held, active, held, active, held, active, stopped}));
@@ -44,7 +45,8 @@ TEST(SafetyTable, StopWinsFromEverywhere) {
 
 TEST(Safety, HeldRemembersTheFirstCause) {
   Safety safety;
-  for (const auto event : {SafetyEvent::devices_live, SafetyEvent::inputs_complete, SafetyEvent::arm}) safety.apply(event);
+  for (const auto event : {SafetyEvent::devices_live, SafetyEvent::inputs_complete, SafetyEvent::arm})
+    safety.apply(event);
   ASSERT_EQ(safety.state(), active);
   safety.apply(SafetyEvent::fault, Lack::robot_lost);
   safety.apply(SafetyEvent::fault, Lack::ir_stale);

@@ -1,0 +1,259 @@
+// The pure step closed over the simulated touchpad in virtual time: whole sessions, and every way into Held.
+#include <gtest/gtest.h>
+
+#include "core/sim/lockstep.h"
+
+namespace fyd {
+namespace {
+
+using pipeline::Lack;
+using pipeline::OperatorAction;
+using pipeline::SafetyState;
+using sim::Lockstep;
+using sim::LockstepOptions;
+
+void arm(Lockstep& session) { (void)session.next.commands.push({.action = OperatorAction::arm}); }
+
+/// Active, the finger pressing 6 mm in the middle.
+std::unique_ptr<Lockstep> activeSession(LockstepOptions options = {}) {
+  auto session = std::make_unique<Lockstep>(options);
+  session->run(0.5);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::ready);
+  arm(*session);
+  session->run(0.5);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+  return session;
+}
+
+TEST(StepSession, ThePressedClothTakesTheRobotsStiffness) {
+  LockstepOptions options;
+  options.robot_stiffness_N_per_mm = 0.65;
+  auto session = activeSession(options);
+  session->run(2.0);
+  EXPECT_NEAR(session->world().truth().stiffness_N_per_mm, 0.65, 0.02 * 0.65);
+  const auto& telemetry = session->outputs().telemetry;
+  EXPECT_NEAR(telemetry.indentation_mm, 6.0, 0.6);
+  EXPECT_NEAR(telemetry.stiffness_N_per_mm, 0.65, 0.1 * 0.65);
+  EXPECT_NEAR(telemetry.force_N, 6.0 * 0.65, 0.2);
+  EXPECT_LT(session->outputs().touch.position_mm.z, -4.0);
+}
+
+TEST(StepSession, ItStartsDisconnectedAndArmsOnlyWhenAsked) {
+  Lockstep session{LockstepOptions{}};
+  session.run(3.0, [](const pipeline::Outputs& outputs) {
+    ASSERT_NE(outputs.telemetry.state, SafetyState::active);
+    ASSERT_FALSE(outputs.motors.active);
+    ASSERT_EQ(outputs.motors.vibration_duty_percent[0], 0.0);
+  });
+  EXPECT_EQ(session.outputs().telemetry.state, SafetyState::ready);
+}
+
+TEST(StepSession, ALiftedFingerIsNoFault) {
+  LockstepOptions options;
+  options.finger = sim::FingerPath::constant(0, 0, 0);
+  auto session = activeSession(options);
+  session->run(3.0);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+  EXPECT_FALSE(session->outputs().touch.in_contact);
+}
+
+struct Fault {
+  const char* name;
+  std::function<void(pipeline::Inputs&)> spoil;
+  Lack lack;
+  double within_s;
+};
+
+class EveryFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(EveryFault, HoldsLatchesAndLeavesOnlyByTheOperator) {
+  auto session = activeSession();
+  const auto reference = session->outputs().motors.reference_ticks;
+  session->spoil = GetParam().spoil;
+  session->run(GetParam().within_s);
+  ASSERT_EQ(session->outputs().telemetry.state, SafetyState::held);
+  EXPECT_EQ(session->outputs().telemetry.lack, GetParam().lack);
+  const auto frozen = session->outputs().motors.reference_ticks;
+  EXPECT_NEAR(frozen[0], reference[0], 1500);
+
+  arm(*session);  // refused while the fault lasts
+  session->run(0.2, [&](const pipeline::Outputs& outputs) {
+    ASSERT_EQ(outputs.motors.vibration_duty_percent[0], 0.0);
+    ASSERT_EQ(outputs.motors.reference_ticks, frozen);
+    ASSERT_EQ(outputs.telemetry.state, SafetyState::held);
+  });
+
+  session->spoil = {};
+  session->run(2.0);  // healthy again, and still held
+  ASSERT_EQ(session->outputs().telemetry.state, SafetyState::held);
+  arm(*session);
+  session->run(0.1);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+}
+
+template <class T>
+void freeze(Timed<T>& input) {
+  input.taken = instantAt(1001.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    StepSession, EveryFault,
+    testing::Values(
+        Fault{"motors", [](pipeline::Inputs& in) { freeze(in.motors); }, Lack::motors_stale, 0.1},
+        Fault{"ir", [](pipeline::Inputs& in) { freeze(in.ir); }, Lack::ir_stale, 0.2},
+        Fault{"ir_out_of_span", [](pipeline::Inputs& in) { in.ir.value.items.fill(4095); }, Lack::ir_invalid, 0.4},
+        Fault{"bridge", [](pipeline::Inputs& in) { freeze(in.bridge); }, Lack::bridge_stale, 0.2},
+        Fault{"bridge_nan",
+              [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = std::numeric_limits<double>::quiet_NaN(); },
+              Lack::bridge_invalid, 0.4},
+        Fault{"camera_unplugged", [](pipeline::Inputs& in) { freeze(in.finger); }, Lack::camera_stale, 0.4},
+        Fault{"camera_black",
+              [](pipeline::Inputs& in) {
+                in.finger.value = {};
+                in.finger.value.reason = sensing::FingerReason::black_picture;
+              },
+              Lack::camera_blind, 0.6},
+        Fault{"robot_lost", [](pipeline::Inputs& in) { in.robot.phase = pipeline::LinkPhase::lost; }, Lack::robot_lost,
+              0.02},
+        Fault{"robot_closed", [](pipeline::Inputs& in) { in.robot.phase = pipeline::LinkPhase::closed; },
+              Lack::robot_closed, 0.02},
+        Fault{"robot_nan",
+              [](pipeline::Inputs& in) {
+                in.robot.state.value.stiffness_N_per_mm = std::numeric_limits<double>::quiet_NaN();
+              },
+              Lack::robot_frozen, 0.02}),
+    [](const auto& fault) { return std::string(fault.param.name); });
+
+TEST(StepSession, TwentyMillisecondsWithoutAStepHold) {
+  auto session = activeSession();
+  session->spoil = [](pipeline::Inputs& in) { in.now += std::chrono::milliseconds(18); };
+  session->step();
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active) << "19 ms are borne";
+  session->spoil = [](pipeline::Inputs& in) { in.now += std::chrono::milliseconds(38); };
+  session->step();
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::held);
+  EXPECT_EQ(session->outputs().telemetry.lack, Lack::step_gap);
+}
+
+TEST(StepSession, MoreThanFivePercentMissedHolds) {
+  auto session = activeSession();
+  session->next.missed_cycles += 40;
+  session->run(0.5);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+  session->next.missed_cycles += 60;
+  session->run(0.01);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::held);
+  EXPECT_EQ(session->outputs().telemetry.lack, Lack::steps_missed);
+}
+
+TEST(StepSession, StopIsImmediateAndLatches) {
+  auto session = activeSession();
+  (void)session->next.commands.push({.action = OperatorAction::stop});
+  (void)session->next.commands.push({.action = OperatorAction::arm});  // stop wins over an arm of the same step
+  session->step();
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::stopped);
+  EXPECT_FALSE(session->outputs().motors.active);
+  session->run(2.0);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::stopped);
+}
+
+TEST(StepSession, APauseOfTheRobotIsNoFaultAndIsSilent) {
+  auto session = activeSession();
+  session->next.robot.phase = pipeline::LinkPhase::paused;
+  session->run(1.0, [](const pipeline::Outputs& outputs) { ASSERT_EQ(outputs.motors.vibration_duty_percent[0], 0.0); });
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+}
+
+TEST(StepSession, TheRobotsKeysChangeVibrationAndMethod) {
+  auto session = activeSession();
+  (void)session->next.robot.commands.push(pipeline::RobotCommand::vibration_up);
+  (void)session->next.robot.commands.push(pipeline::RobotCommand::use_soc);
+  session->step();
+  EXPECT_NEAR(session->pipeline().parameters().texture.k_vib, 1.1, 1e-12);
+  EXPECT_EQ(session->pipeline().parameters().texture.method, texture::MethodChoice::soc);
+  for (int i = 0; i < 40; ++i) {
+    (void)session->next.robot.commands.push(pipeline::RobotCommand::vibration_down);
+    session->step();
+  }
+  EXPECT_EQ(session->pipeline().parameters().texture.k_vib, 0.0);
+}
+
+TEST(StepSession, TheRobotMaySetTheMotorReferencesWithinTheLimits) {
+  auto session = activeSession();
+  (void)session->next.robot.commands.push(pipeline::RobotCommand::motor_reference_on);
+  session->next.robot.motor_reference.set({32000.0, -32000.0}, session->next.now);
+  session->run(2.0);
+  const auto& parameters = session->pipeline().parameters();
+  EXPECT_NEAR(session->outputs().telemetry.stretch_reference_deg, parameters.control.travel_maximum_deg, 1e-9);
+  (void)session->next.robot.commands.push(pipeline::RobotCommand::motor_reference_off);
+  session->run(2.0);
+  EXPECT_LT(session->outputs().telemetry.stretch_reference_deg, parameters.control.travel_maximum_deg);
+}
+
+TEST(StepSession, ATareRemovesAWrongZero) {
+  LockstepOptions options;
+  options.finger = sim::FingerPath::constant(0, 0, 0);
+  options.sim.cloth_height_mm = 97.0;
+  options.sim.bridge_offset_mV_per_V = 0.05;
+  Lockstep session{options};
+  session.run(0.5);
+  EXPECT_GT(std::abs(session.outputs().telemetry.force_N), 0.2);
+  (void)session.next.commands.push({.action = OperatorAction::tare});
+  bool done = false;
+  session.run(5.0, [&done](const pipeline::Outputs& outputs) {
+    for (const pipeline::Event& event : outputs.events) done = done || event.kind == pipeline::EventKind::tare_done;
+  });
+  ASSERT_TRUE(done);
+  EXPECT_NEAR(session.outputs().telemetry.force_N, 0.0, 0.05);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(session.pipeline().parameters().sensing.indentation.ir_offset_mm[i], 97.0, 0.5);
+  }
+}
+
+TEST(StepSession, ATareUnderAFingerIsRefused) {
+  auto session = activeSession();
+  (void)session->next.commands.push({.action = OperatorAction::tare});
+  bool failed = false;
+  session->run(1.0, [&failed](const pipeline::Outputs& outputs) {
+    for (const pipeline::Event& event : outputs.events)
+      failed = failed || event.kind == pipeline::EventKind::tare_failed;
+  });
+  EXPECT_TRUE(failed);
+}
+
+TEST(StepSession, WithoutARobotAStoredSurfaceIsFeltWhileTheFingerMoves) {
+  LockstepOptions options;
+  options.robot_stiffness_N_per_mm = std::numeric_limits<double>::quiet_NaN();
+  options.surface =
+      texture::SurfaceModel{.name = "test", .bands = {{.wavelength_mm = 0.3, .quality = 2.0, .rms_g = 2.0}}};
+  options.finger = sim::FingerPath::demonstration();
+  auto session = std::make_unique<Lockstep>(options);
+  session->run(0.5);
+  arm(*session);
+  double loudest = 0.0;
+  session->run(12.0, [&loudest](const pipeline::Outputs& outputs) {
+    loudest = std::max(loudest, std::abs(outputs.motors.vibration_duty_percent[0]));
+  });
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+  EXPECT_GT(loudest, 25.0);
+}
+
+TEST(StepSession, TwoSessionsOfOneSeedAreEqual) {
+  const auto run = [] {
+    LockstepOptions options;
+    options.finger = sim::FingerPath::demonstration();
+    auto session = activeSession(options);
+    session->run(3.0);
+    return session->outputs().telemetry;
+  };
+  const auto first = run();
+  const auto second = run();
+  for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
+    const double a = field.read(first);
+    const double b = field.read(second);
+    EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << field.name;
+  }
+}
+
+}  // namespace
+}  // namespace fyd

@@ -1,0 +1,116 @@
+#include "core/station/profile.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace fyd::station {
+namespace {
+
+class ProfileFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (std::filesystem::temp_directory_path() / "fyd-profile-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::string path(const std::string& name = "profile.toml") const { return (folder_ / name).string(); }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(ProfileFile, RoundTrips) {
+  Profile written;
+  written.step.control.kp = 0.123456789012345;
+  written.step.sensing.indentation.ir_offset_mm[1] = 99.5;
+  written.sim.seed = 42;
+  ASSERT_TRUE(saveProfile(written, path()));
+  const auto read = loadProfile(path());
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->step.control.kp, written.step.control.kp);
+  EXPECT_EQ(read->step.sensing.indentation.ir_offset_mm[1], 99.5);
+  EXPECT_EQ(read->sim.seed, 42);
+}
+
+TEST_F(ProfileFile, AMissingFileIsNamed) {
+  const auto read = loadProfile(path("none.toml"));
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, testing::HasSubstr("none.toml"));
+}
+
+TEST_F(ProfileFile, EveryHalfWrittenProfileIsRefusedOrWhole) {
+  ASSERT_TRUE(saveProfile(Profile{}, path()));
+  std::ifstream file(path());
+  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  int refused = 0;
+  for (std::size_t size = 0; size < whole.size(); size += 37) {
+    std::ofstream(path("half.toml"), std::ios::trunc) << whole.substr(0, size);
+    if (!loadProfile(path("half.toml"))) ++refused;  // what parses is a shorter, valid profile
+  }
+  EXPECT_GT(refused, 10);
+}
+
+TEST_F(ProfileFile, SavingReplacesWholeOrNotAtAll) {
+  ASSERT_TRUE(saveProfile(Profile{}, path()));
+  std::filesystem::create_directory(path("busy.toml"));  // cannot be replaced by a file
+  EXPECT_FALSE(saveProfile(Profile{}, path("busy.toml")));
+  EXPECT_FALSE(std::filesystem::exists(path("busy.toml.new")));
+  EXPECT_TRUE(loadProfile(path()));
+}
+
+TEST_F(ProfileFile, AReadOnlyFolderIsAClearErrorAndLeavesTheOldProfile) {
+  ASSERT_TRUE(saveProfile(Profile{}, path()));
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere; /proc stands for it below";
+  ::chmod(folder_.c_str(), 0555);
+  const auto saved = saveProfile(Profile{}, path());
+  ::chmod(folder_.c_str(), 0755);
+  EXPECT_FALSE(saved);
+  EXPECT_TRUE(loadProfile(path()));
+}
+
+TEST(Profile, AFolderThatTakesNoFilesIsAClearError) {
+  const auto saved = saveProfile(Profile{}, "/proc/profile.toml");
+  ASSERT_FALSE(saved);
+  EXPECT_THAT(saved.error().message, testing::HasSubstr("/proc/profile.toml.new: cannot be written"));
+}
+
+TEST_F(ProfileFile, AnEnormousFileIsRefusedUnread) {
+  std::ofstream(path()).close();
+  std::filesystem::resize_file(path(), 8ULL << 30);
+  const auto read = loadProfile(path());
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, testing::HasSubstr("a profile has at most"));
+}
+
+TEST(Profile, EveryParameterIsDescribedOnceAndItsDefaultIsAllowed) {
+  Profile profile;
+  std::set<std::string_view> seen;
+  for (const Parameter& parameter : bindParameters(profile)) {
+    EXPECT_TRUE(seen.insert(parameter.id).second) << parameter.id << " stands twice";
+    EXPECT_FALSE(parameter.info.help.empty()) << parameter.id;
+    EXPECT_NE(parameter.id.find('.'), std::string_view::npos) << parameter.id;
+    if (parameter.kind == ParameterKind::list) {
+      for (const double value : parameter.list()) EXPECT_TRUE(checkParameter(parameter, value)) << parameter.id;
+    } else {
+      EXPECT_TRUE(checkParameter(parameter, parameter.value())) << parameter.id;
+    }
+  }
+  EXPECT_GT(seen.size(), 50U);
+}
+
+TEST(Profile, AnIndexCountsTheSameInTheProfileAndInTheStep) {
+  Profile profile;
+  pipeline::Parameters step;
+  const auto of_profile = bindParameters(profile);
+  const auto of_step = bindParameters(step);
+  for (std::size_t i = 0; i < of_step.size(); ++i) EXPECT_EQ(of_profile[i].id, of_step[i].id);
+}
+
+}  // namespace
+}  // namespace fyd::station
