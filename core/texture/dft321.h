@@ -5,9 +5,9 @@
 //
 // Blocks (hop = N): rectangular frames, as the thesis has them. The energy of a block equals the three axes' exactly
 // (Parseval); the edges of blocks show.
-// Overlapped (hop = N/2 or N/4): √Hann before and after, scaled so that the overlapping windows add up to 1 everywhere.
-// Neighbouring frames disagree about phases and so cancel a little (2–15 % of the energy); a spectral equaliser behind
-// it gives that back (spectral_equaliser.h).
+// Overlapped (hop a smaller divisor of N, usually N/2): √Hann before and after, scaled so that the overlapping windows
+// add up to 1 everywhere. Neighbouring frames disagree about phases and so cancel a little (2–15 % of the energy); a
+// spectral equaliser behind it gives that back (spectral_equaliser.h).
 //
 // The delay is N − 1 samples, constant: the newest sample of a frame is the last that the frame's oldest output waits
 // for.
@@ -44,7 +44,7 @@ class Dft321Frame {
 
 class Dft321 final : public Method {
  public:
-  /// @param frame 2…kMaximumFrame; @param hop frame, frame/2 or frame/4, dividing it
+  /// @param frame 2…kMaximumFrame; @param hop frame or a divisor of it
   Dft321(int frame, int hop, double sample_rate_Hz);
 
   [[nodiscard]] double step(const Vec3& filtered_g) override;

@@ -10,12 +10,8 @@ Result<void> checkFrame(MethodChoice choice, int frame, int hop) {
   if (choice != MethodChoice::dft321 && choice != MethodChoice::dft321_thesis) return {};
   if (frame < 2 || frame > kMaximumFrame) return fail("frame = {}: expected 2 … {} samples", frame, kMaximumFrame);
   if (choice == MethodChoice::dft321_thesis) return {};
-  const bool blocks = hop == frame;
-  const bool half = 2 * hop == frame;
-  const bool quarter = 4 * hop == frame;
-  if (blocks || half || quarter) return {};
-  return fail("hop = {}: expected the frame ({}: blocks), its half or its quarter in whole samples (overlapped)", hop,
-              frame);
+  if (hop >= 1 && hop <= frame && frame % hop == 0) return {};
+  return fail("hop = {}: expected a divisor of the frame, {} (blocks) or less (overlapped)", hop, frame);
 }
 
 }  // namespace

@@ -29,9 +29,8 @@ class Method {
 inline constexpr int kMaximumFrame = 4096;
 
 /// Makes any method with any frame, for programs and tests; the renderer makes its own set.
-/// @param frame, hop  used by dft321 (and frame by dft321_thesis) only: frame 2…4096; hop equal to frame (blocks), or
-/// an even frame's half,
-///                    or its quarter (overlapped)
+/// @param frame  of dft321 and dft321_thesis: 2…4096 samples
+/// @param hop    of dft321: the frame (blocks) or a smaller divisor of it (overlapped)
 /// @return an error that says what of frame and hop was refused
 [[nodiscard]] Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame,
                                                          int hop);

@@ -3,11 +3,8 @@
 
 #include <array>
 #include <memory>
-#include <vector>
 
-#include "core/signal/high_pass.h"
-#include "core/texture/method.h"
-#include "core/texture/texture_parameters.h"
+#include "core/texture/chain.h"
 
 namespace fyd::texture {
 
@@ -22,33 +19,25 @@ struct ChainChoice {
   friend bool operator==(const ChainChoice&, const ChainChoice&) = default;
 };
 
-/// High-pass and method, one after the other.
 class MethodBank {
  public:
   explicit MethodBank(double sample_rate_Hz);
 
   /// Starts in silence with another choice; allocation-free.
   void select(const ChainChoice& choice);
-  void reset();
-
-  /// @param acceleration_g finite
-  /// @param resumed  first sample after a gap: the high-pass starts as if it had always stood there
-  [[nodiscard]] double step(const Vec3& acceleration_g, bool resumed);
-  /// One sample of a gap: silence into the method.
-  [[nodiscard]] double stepGap();
-
-  [[nodiscard]] const Vec3& filtered_g() const { return filtered_g_; }
-  [[nodiscard]] int delaySamples() const { return method_->delaySamples(); }
+  [[nodiscard]] Chain& chain() { return chain_; }
+  [[nodiscard]] const Chain& chain() const { return chain_; }
 
  private:
+  using MethodPointer = std::unique_ptr<Method>;
+
+  [[nodiscard]] Method& find(const ChainChoice& choice) const;
+
   double sample_rate_Hz_;
-  std::array<std::unique_ptr<Method>, kMethodNames.size()> simple_;
-  std::array<std::unique_ptr<Method>, kFrameNames.size()> thesis_;
-  std::array<std::array<std::unique_ptr<Method>, kHopNames.size()>, kFrameNames.size()> framed_;
-  Method* method_ = nullptr;
-  bool filtering_ = true;
-  signal::HighPass3 filter_;
-  Vec3 filtered_g_;
+  std::array<MethodPointer, kMethodNames.size()> simple_;
+  std::array<MethodPointer, kFrameNames.size()> thesis_;
+  std::array<std::array<MethodPointer, kHopNames.size()>, kFrameNames.size()> framed_;
+  Chain chain_;
 };
 
 }  // namespace fyd::texture

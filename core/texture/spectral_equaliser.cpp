@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kSpectrumTime_s = 0.3;
 constexpr double kTrimTime_s = 0.5;
+constexpr double kFewestSpectrum = 300.0;  // samples: at a low rate too, an average needs something to average
+constexpr double kFewestTrim = 500.0;
 constexpr double kFloor = 1e-4;  // of the strongest bin: nothing weaker is boosted
 const double kLargestLogGain = 18.0 / 20.0 * std::numbers::ln10;
 constexpr double kLargestTrim = 1.4142135623730951;  // 3 dB
@@ -25,8 +27,8 @@ double flushed(double power) { return power < kSilence ? 0.0 : power; }
 
 SpectralEqualiser::SpectralEqualiser(double sample_rate_Hz)
     : fft_(kFrame),
-      frame_share_(std::min(1.0, kHop / (kSpectrumTime_s * sample_rate_Hz))),
-      trim_share_(std::min(1.0, 1.0 / (kTrimTime_s * sample_rate_Hz))) {
+      frame_share_(std::min(1.0, kHop / std::max(kSpectrumTime_s * sample_rate_Hz, kFewestSpectrum))),
+      trim_share_(std::min(1.0, 1.0 / std::max(kTrimTime_s * sample_rate_Hz, kFewestTrim))) {
   for (std::size_t i = 0; i < kFrame; ++i) {
     window_[i] = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / kFrame);
   }

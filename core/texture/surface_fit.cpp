@@ -9,8 +9,17 @@ namespace {
 
 constexpr int kIterations = 400;
 constexpr double kThirdOctaveQuality = 4.318;  // 1 / (2^(1/6) − 2^(−1/6))
+constexpr double kFloor = 1e-6;                // of the strongest bin: weaker ones need not fit
 constexpr double kWeakest = 1e-5;              // of the strongest band's power
 constexpr std::size_t kShortest = 64;
+
+std::vector<double> withoutMean(std::span<const double> axis) {
+  double sum = 0.0;
+  for (const double v : axis) sum += v;
+  std::vector<double> out(axis.begin(), axis.end());
+  for (double& v : out) v -= sum / static_cast<double>(axis.size());
+  return out;
+}
 
 /// Column k: the power spectrum, per g² of the band's own mean square, at each bin.
 std::vector<std::vector<double>> bandShapes(const std::vector<double>& centres_Hz, const signal::Spectrum& target,
@@ -38,26 +47,20 @@ std::vector<double> mixed(const std::vector<std::vector<double>>& shapes, const 
   return out;
 }
 
-/// Non-negative powers by multiplicative updates; residuals weighted by 1/√target, so that amplitudes count and not
-/// powers.
+/// Powers of the bands, from the target's bin `from` on; see the header.
 std::vector<double> fitPowers(const std::vector<std::vector<double>>& shapes, const std::vector<double>& target,
                               std::size_t from) {
   const double strongest = *std::max_element(target.begin() + static_cast<std::ptrdiff_t>(from), target.end());
-  std::vector<double> weight(target.size(), 0.0);
-  double total = 0.0;
-  for (std::size_t i = from; i < target.size(); ++i) {
-    weight[i] = 1.0 / (target[i] + 1e-6 * strongest);
-    total += target[i];
-  }
-  std::vector<double> powers(shapes.size(), total / static_cast<double>(target.size()));
+  const double floor = kFloor * strongest;
+  std::vector<double> powers(shapes.size(), strongest);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const std::vector<double> model = mixed(shapes, powers, target.size());
     for (std::size_t b = 0; b < shapes.size(); ++b) {
       double wanted = 0.0;
       double have = 0.0;
       for (std::size_t i = from; i < target.size(); ++i) {
-        wanted += weight[i] * shapes[b][i] * target[i];
-        have += weight[i] * shapes[b][i] * model[i];
+        wanted += shapes[b][i] * (target[i] + floor) / (model[i] + floor);
+        have += shapes[b][i];
       }
       if (have > 0.0) powers[b] *= wanted / have;
     }
@@ -81,9 +84,9 @@ Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const doubl
   const double rate_Hz = conditions.sample_rate_Hz;
   const int segment = count >= 2048 ? 512 : static_cast<int>(kShortest);
   signal::Spectrum target;
-  for (const auto axis : {x_g, y_g, z_g}) add(target, signal::welch(axis.first(count), rate_Hz, segment));
+  for (const auto axis : {x_g, y_g, z_g}) add(target, signal::welch(withoutMean(axis.first(count)), rate_Hz, segment));
 
-  const double lowest_Hz = std::min(20.0, rate_Hz / 40.0);
+  const double lowest_Hz = std::min(20.0, rate_Hz / 10.0);
   std::vector<double> centres_Hz;
   for (double f = lowest_Hz; f < 0.4 * rate_Hz && centres_Hz.size() < kMaximumBands; f *= std::cbrt(2.0)) {
     centres_Hz.push_back(f);

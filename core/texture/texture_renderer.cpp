@@ -44,13 +44,13 @@ struct TextureRenderer::State {
     banks[active].select(playing);
   }
 
-  [[nodiscard]] MethodBank& current() { return banks[active]; }
-  [[nodiscard]] MethodBank& incoming() { return banks[1 - active]; }
+  [[nodiscard]] Chain& current() { return banks[active].chain(); }
+  [[nodiscard]] Chain& incoming() { return banks[1 - active].chain(); }
   [[nodiscard]] double fadeShare() const { return std::min(1.0, 1e3 / (parameters.crossfade_ms * sample_rate_Hz)); }
 
   void startSwitch() {
     coming = chainOf(parameters);
-    incoming().select(coming);
+    banks[1 - active].select(coming);
     incoming_resumes = true;
     until_audible = incoming().delaySamples() + kSettlingSamples;
     fade = 0.0;
@@ -166,10 +166,9 @@ TextureOutput TextureRenderer::stepVirtual(double signal_g, double position_shar
 void TextureRenderer::reset() {
   State& s = *state_;
   s.stream.reset();
-  s.current().reset();
   s.switching = false;
   s.playing = chainOf(s.parameters);
-  s.current().select(s.playing);
+  s.banks[s.active].select(s.playing);
   s.virtual_share = 0.0;
   s.pwm = settingsOf(s.parameters);
 }

@@ -1,0 +1,33 @@
+// High-pass and method, one after the other.
+#pragma once
+
+#include "core/signal/high_pass.h"
+#include "core/texture/method.h"
+#include "core/texture/texture_parameters.h"
+
+namespace fyd::texture {
+
+class Chain {
+ public:
+  /// Starts in silence with this filter and method, which must outlive the chain; allocation-free.
+  void select(FilterChoice filter, double corner_Hz, double sample_rate_Hz, Method& method);
+  void reset();
+
+  /// @param acceleration_g finite
+  /// @param resumed  first sample after a gap: the high-pass starts as if it had always stood there
+  [[nodiscard]] double step(const Vec3& acceleration_g, bool resumed);
+  /// One sample of a gap: silence into the method.
+  [[nodiscard]] double stepGap();
+
+  /// Behind the high-pass, newest; zero in a gap.
+  [[nodiscard]] const Vec3& filtered_g() const { return filtered_g_; }
+  [[nodiscard]] int delaySamples() const { return method_->delaySamples(); }
+
+ private:
+  Method* method_ = nullptr;
+  bool filtering_ = true;
+  signal::HighPass3 filter_;
+  Vec3 filtered_g_;
+};
+
+}  // namespace fyd::texture
