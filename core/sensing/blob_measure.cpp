@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kWidestRim = 8;  // px: 2.5 standard deviations of the blur where "blurred" begins
 constexpr int kNarrowestRim = 3;
+constexpr int kEdgeReach = 4;      // px outside the blob in which its edge is looked at
 constexpr int kEnoughInside = 12;  // px that give D
 constexpr int kSpeck = 12;         // px: smaller blobs are noise
 
@@ -118,7 +119,7 @@ BlobMeasure BlobMeter::weigh(const DarkBlob& blob) const {
   int between = 0;
   int border = 0;
   for (int y = top_; y < bottom_; ++y) {
-    const Span span = widened(y, 1);
+    const Span span = widened(y, kEdgeReach);
     const float* d = darkness(y) - left_;
     for (int x = span.begin; x < span.end; ++x) between += d[x] > low && d[x] < high ? 1 : 0;
     const Span own = extent_[static_cast<std::size_t>(y)];

@@ -58,8 +58,8 @@ void AdaptiveFinger::resize(const RegionOfInterest& region, int stride) {
   stride_ = stride;
   width_ = (region.width + stride - 1) / stride;
   height_ = (region.height + stride - 1) / stride;
-  cell_columns_ = std::clamp(width_ / kCell_px, 4, 24);
-  cell_rows_ = std::clamp(height_ / kCell_px, 4, 24);
+  cell_columns_ = std::clamp(width_ / kCell_px, 8, 24);
+  cell_rows_ = std::clamp(height_ / kCell_px, 6, 24);
   light_.setRegion(width_, height_);
   runs_.resize(width_, height_);
   meter_.resize(width_, height_);

@@ -111,8 +111,8 @@ IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts
   if (!touched_) {
     estimate_.indentation_mm = 0.0;
     estimate_.sigma_mm = 0.0;
-    estimate_.available = true;
-    estimate_.reason = IndentationReason::untouched;
+    estimate_.available = enoughSensors();
+    estimate_.reason = estimate_.available ? IndentationReason::untouched : IndentationReason::too_few_sensors;
     return estimate_;
   }
   if (new_touch) {
@@ -120,7 +120,13 @@ IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts
     smoother_.restart();
   }
   if (new_readings || new_touch) {
-    parameters_.mode == IndentationMode::thesis ? stepThesis(seen) : stepMembrane(new_touch ? 0.0 : dt_s, seen);
+    if (!enoughSensors()) {
+      estimate_.reason = IndentationReason::too_few_sensors;
+    } else if (parameters_.mode == IndentationMode::thesis) {
+      stepThesis(seen);
+    } else {
+      stepMembrane(new_touch ? 0.0 : dt_s, seen);
+    }
   } else {
     estimate_.available = was_available_;
     estimate_.reason = last_reason_;
@@ -170,12 +176,19 @@ std::uint32_t IndentationEstimator::usedMask() const {
   return mask;
 }
 
-void IndentationEstimator::stepMembrane(double dt_s, const FingerDetection& finger) {
+bool IndentationEstimator::enoughSensors() {
   const std::uint32_t mask = usedMask();
-  if (static_cast<std::uint32_t>(std::popcount(mask)) < kFewestForMembrane) {
-    estimate_.reason = IndentationReason::too_few_sensors;
-    return;
+  if (parameters_.mode == IndentationMode::membrane) {
+    return static_cast<std::uint32_t>(std::popcount(mask)) >= kFewestForMembrane;
   }
+  if (mask != plane_mask_) {
+    plane_.solve(std::span(positions_).first(sensor_count_), mask, parameters_.ir_condition_limit);
+    plane_mask_ = mask;
+  }
+  return plane_.usable();
+}
+
+void IndentationEstimator::stepMembrane(double dt_s, const FingerDetection& finger) {
   if (!shapes_known_ || finger.x_mm != shapes_x_mm_ || finger.y_mm != shapes_y_mm_) {
     for (std::size_t i = 0; i < sensor_count_; ++i) {
       shapes_[i] = membrane_.shape(positions_[i].x_mm, positions_[i].y_mm, finger.x_mm, finger.y_mm);
@@ -203,20 +216,12 @@ void IndentationEstimator::stepMembrane(double dt_s, const FingerDetection& fing
   } else if (excess > kInconsistent) {
     estimate_.reason = IndentationReason::inconsistent;
   } else {
-    estimate_.reason = mask == bitsBelow(sensor_count_) ? IndentationReason::measured : IndentationReason::some_invalid;
+    estimate_.reason =
+        usedMask() == bitsBelow(sensor_count_) ? IndentationReason::measured : IndentationReason::some_invalid;
   }
 }
 
 void IndentationEstimator::stepThesis(const FingerDetection& finger) {
-  const std::uint32_t mask = usedMask();
-  if (mask != plane_mask_) {
-    plane_.solve(std::span(positions_).first(sensor_count_), mask, parameters_.ir_condition_limit);
-    plane_mask_ = mask;
-  }
-  if (!plane_.usable()) {
-    estimate_.reason = IndentationReason::too_few_sensors;
-    return;
-  }
   const PlaneWeights weights = plane_.weightsAt(finger.x_mm, finger.y_mm);
   double z = 0.0;
   double variance = 0.0;
@@ -231,7 +236,8 @@ void IndentationEstimator::stepThesis(const FingerDetection& finger) {
   constexpr double kNew = 1.0 - ThesisSmoother::kOldShare;
   estimate_.sigma_mm = std::min(std::sqrt(variance * kNew / (2.0 - kNew)), 1e3);
   estimate_.available = true;
-  estimate_.reason = mask == bitsBelow(sensor_count_) ? IndentationReason::measured : IndentationReason::some_invalid;
+  estimate_.reason =
+      usedMask() == bitsBelow(sensor_count_) ? IndentationReason::measured : IndentationReason::some_invalid;
 }
 
 }  // namespace fyd::sensing

@@ -10,7 +10,7 @@
 //   needed.
 //
 // Sensors outside their span, or stuck while the others move, are left out while the rest suffice. A lifted
-// finger is no fault: available, 0 mm.
+// finger is no fault: available, 0 mm, as long as enough sensors are valid.
 #pragma once
 
 #include <array>
@@ -87,6 +87,7 @@ class IndentationEstimator {
   void stepMembrane(double dt_s, const FingerDetection& finger);
   void stepThesis(const FingerDetection& finger);
   [[nodiscard]] std::uint32_t usedMask() const;
+  [[nodiscard]] bool enoughSensors();
 
   IndentationParameters parameters_;
   Duration ir_maximum_age_ = std::chrono::milliseconds(100);

@@ -46,7 +46,9 @@ TareState Tare::step(Instant now, const IndentationEstimate& estimate, const Tim
   if (state_ != TareState::running) return state_;
   if (now > deadline_) return state_ = TareState::too_slow;
   if (estimate.touched) return state_ = TareState::touched;
-  if (estimate.reason != IndentationReason::untouched) return state_;  // wait for picture and readings
+  if (estimate.reason == IndentationReason::ir_stale || estimate.reason == IndentationReason::finger_stale) {
+    return state_;  // wait for picture and readings
+  }
 
   if (estimate.count != last_ir_) {
     last_ir_ = estimate.count;
