@@ -9,7 +9,8 @@ namespace {
 constexpr double kStart_N_per_mm = 0.6;  // middle of the device's range
 constexpr double kStartSigma_N_per_mm = 1.0;
 constexpr double kLongestStep_s = 1.0;
-constexpr double kHuber = 3.0;  // standard deviations beyond which a sample weighs less
+constexpr double kHuber = 3.0;             // standard deviations beyond which a sample weighs less
+constexpr double kLargestTareError = 4.0;  // standard deviations
 constexpr double kLargestForce_N = 1e3;
 constexpr double kLargestIndentation_mm = 1e3;
 
@@ -123,7 +124,8 @@ void StiffnessEstimator::learn(double dt_s, double force_N, double depth_mm, dou
   const double gain_slope = to_slope / total;
   const double gain_intercept = to_intercept / total;
   slope_ = std::clamp(slope_ + gain_slope * innovation, 0.0, kLargest_N_per_mm);
-  intercept_ += gain_intercept * innovation;
+  const double furthest = kLargestTareError * parameters_.tare_sigma_N;
+  intercept_ = std::clamp(intercept_ + gain_intercept * innovation, -furthest, furthest);
   slope_variance_ = std::max(slope_variance_ - gain_slope * to_slope, 1e-12);
   intercept_variance_ = std::max(intercept_variance_ - gain_intercept * to_intercept, 0.0);
   const double bound = std::sqrt(slope_variance_ * intercept_variance_);
