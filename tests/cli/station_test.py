@@ -1,0 +1,139 @@
+"""fyd station: whole sessions, and every bad input named."""
+import csv
+import os
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+import fyd
+
+SESSION = ("station", "--headless", "--simulate")
+
+
+class Sessions(fyd.Case):
+    def test_a_recorded_hand_drives_a_whole_session(self):
+        finger = os.path.join(fyd.DATA, "hand_motion", "index_tip.csv")
+        out = self.path("telemetry.csv")
+        result = self.json(*SESSION, "--duration", 5, "--finger", finger, "--telemetry", out, "--json")
+        self.assertIn(result["state"], ("Active", "Held"))  # a machine that stands still for 20 ms holds, rightly
+        self.assertGreater(result["steps"], 1000)
+        self.assertGreater(result["contact_fraction"], 0.2)
+        self.assertLess(result["contact_fraction"], 1.0)
+        self.assertLess(result["finger_error_mm_rms"], 0.5)
+        self.assertLess(result["indentation_error_mm_rms"], 3.0)
+        self.assertEqual(result["touch_messages_sent"], result["state_messages_received"])
+        self.assertGreater(result["state_messages_received"], 100)
+        self.assertLessEqual(result["pwm_abs_max"], 100)
+        self.assertAlmostEqual(result["stiffness_target_N_per_mm"], 0.62, delta=0.03)
+        for key in ("missed_cycles", "step_ns_p50", "step_ns_p99", "stiffness_measured_N_per_mm"):
+            self.assertIn(key, result)
+        with open(out, encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(len(rows), 1000)
+        times = [float(row["t_s"]) for row in rows]
+        self.assertEqual(times, sorted(times))
+
+    def test_without_a_robot_the_target_is_set_by_hand(self):
+        result = self.json(*SESSION, "--robot", "none", "--duration", 1, "--json", "--set", "pipeline.hand_target_N_per_mm=0.7")
+        self.assertEqual(result["stiffness_target_N_per_mm"], 0.7)
+        self.assertEqual(result["state_messages_received"], 0)
+
+    def test_a_missing_camera_is_shown_and_the_session_never_arms(self):
+        result = self.json(*SESSION, "--camera", "nowhere.avi", "--duration", 1, "--json")
+        self.assertEqual(result["state"], "Connected")
+        camera = next(part for part in result["parts"] if part["name"] == "Camera")
+        self.assertFalse(camera["ok"])
+        self.assertIn("nowhere.avi", camera["problem"])
+
+    def test_an_interrupt_ends_it_with_its_result(self):
+        process = subprocess.Popen([fyd.PROGRAM, *SESSION, "--json"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        time.sleep(1.0)
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 0)
+        self.assertIn('"steps"', out)
+
+
+class TwoProcesses(fyd.Case):
+    def test_a_robot_in_its_own_process_holds_a_session_without_a_missed_reply(self):
+        station = subprocess.Popen([fyd.PROGRAM, *SESSION, "--robot", "classic:127.0.0.1:34901", "--duration", "6", "--json"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.addCleanup(station.kill)
+        time.sleep(0.5)
+        robot = self.json("sim", "robot", "--connect", "127.0.0.1:34901", "--bind", "127.0.0.2:34901", "--duration", 4, "--json")
+        out, _ = station.communicate(timeout=30)
+        session = fyd.json.loads(out)
+        self.assertGreater(robot["states_sent"], 500)
+        self.assertEqual(robot["missed_replies"], 0)
+        self.assertEqual(session["touch_messages_sent"], session["state_messages_received"])
+        self.assertGreater(session["state_messages_received"], 500)
+        self.assertEqual(session["state"], "Held", "the robot went away while rendering: latched")
+
+    def test_a_taken_port_is_named(self):
+        first = subprocess.Popen([fyd.PROGRAM, *SESSION, "--robot", "classic:127.0.0.1:34902", "--duration", "5"],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(first.wait)
+        self.addCleanup(first.kill)
+        time.sleep(0.5)
+        self.assertIn("127.0.0.1:34902", self.refused(1, *SESSION, "--robot", "classic:127.0.0.1:34902", "--duration", 1))
+
+
+class BadInput(fyd.Case):
+    def finger(self, text):
+        return self.refused(1, *SESSION, "--duration", 1, "--finger", self.write("finger.csv", text))
+
+    def test_a_finger_recording_is_refused_with_file_and_line(self):
+        self.assertIn("no column 'z_mm'", self.finger("t_s,x_mm,y_mm\n0,1,2\n"))
+        self.assertIn("finger.csv:3: column x_mm: 'wide' is not a number", self.finger("t_s,x_mm,y_mm,z_mm\n0,1,2,3\n1,wide,2,3\n"))
+        self.assertIn("finger.csv:3", self.finger("t_s,x_mm,y_mm,z_mm\n0,1,2,3\n1,nan,2,3\n"))
+        self.assertIn("finger.csv:3", self.finger("t_s,x_mm,y_mm,z_mm\n1,1,2,3\n0,1,2,3\n"))
+        self.assertIn("no rows", self.finger("t_s,x_mm,y_mm,z_mm\n"))
+        self.assertIn("empty", self.finger(""))
+
+    def test_a_row_of_nan_is_a_lifted_finger(self):
+        path = self.write("finger.csv", "t_s,x_mm,y_mm,z_mm\n0,nan,nan,nan\n100,nan,nan,nan\n")
+        self.assertEqual(self.json(*SESSION, "--duration", 1, "--finger", path, "--json")["contact_fraction"], 0)
+
+    def test_a_million_rows_load(self):
+        rows = "".join(f"{i / 1000:.3f},{i % 40},{i % 25},{-(i % 8)}\n" for i in range(1_000_000))
+        path = self.write("finger.csv", "t_s,x_mm,y_mm,z_mm\n" + rows)
+        self.assertIn("steps", self.json(*SESSION, "--duration", 1, "--finger", path, "--json"))
+
+    def test_wrong_usage_exits_with_2(self):
+        self.refused(2, "station", "--duration", "soon")
+        self.refused(2, *SESSION, "--set", "control.kp")
+        self.refused(2, *SESSION, "--set", "control.nothing=1")
+        self.assertIn("control.kp", self.refused(2, *SESSION, "--set", "control.kp=nan"))
+        self.refused(2, "nothing")
+        self.refused(2)
+
+    def test_a_failed_operation_exits_with_1(self):
+        self.assertIn("robby", self.refused(1, *SESSION, "--robot", "robby"))
+        self.assertIn("nowhere.toml", self.refused(1, *SESSION, "--profile", "nowhere.toml"))
+        self.assertIn("/proc/nowhere.csv", self.refused(1, *SESSION, "--duration", 1, "--telemetry", "/proc/nowhere.csv"))
+
+
+class Parameters(fyd.Case):
+    def test_every_parameter_is_listed_with_unit_range_default_and_help(self):
+        for parameter in self.json("params", "--json"):
+            self.assertRegex(parameter["id"], r"^[a-z]+\.[a-zA-Z0-9_]+$")
+            self.assertTrue(parameter["help"])
+            self.assertTrue(parameter["unit"])
+
+    def test_a_profile_is_written_and_read_back(self):
+        path = self.path("mine.toml")
+        self.json("params", "--set", "control.kp=0.25", "--save", path, "--json")
+        kp = self.json("params", "control.kp", "--profile", path, "--json")
+        self.assertEqual(kp[0]["value"], "0.25")
+
+    def test_a_wrong_profile_is_refused_with_line_and_range(self):
+        path = self.write("wrong.toml", "[control]\nkp = -1.0\n")
+        self.assertRegex(self.refused(1, "params", "--profile", path), re.escape("wrong.toml:2: control.kp = -1: expected a number from 0"))
+        half = self.write("half.toml", "[control]\nkp = ")
+        self.assertIn("half.toml:2", self.refused(1, "params", "--profile", half))
+
+
+if __name__ == "__main__":
+    unittest.main()
