@@ -1,23 +1,23 @@
 #include "core/control/auto_tune.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace fyd::control {
 namespace {
 
-constexpr double kFastest_s = 0.35;
+constexpr double kFastest_s = 0.2;
 constexpr double kSlowest_s = 10.0;
 constexpr double kLeastGainMargin = 2.0;
 constexpr double kLeastPhaseMargin_deg = 60.0;
-constexpr double kNoiseAllowed = 0.01;
 
 ControlParameters tuned(const ControlParameters& present, const IdentifiedFabric& fabric, double lambda_s) {
   ControlParameters p = present;
-  p.ki_per_s = 1.0 / (fabric.shape_gain * lambda_s);
+  p.ki_per_s = 1.0 / (std::max(1.0, fabric.shape_gain) * lambda_s);
   p.kp = kMotorLag_s * p.ki_per_s;
   p.kd_s = 0.0;
   p.measurement_lag_s = fabric.lag_s;
   p.measurement_delay_s = fabric.delay_s;
+  p.noise_correlation_s = fabric.noise_correlation_s;
   return p;
 }
 
@@ -37,12 +37,6 @@ bool keepsMargins(const IdentifiedFabric& fabric, const ControlParameters& p) {
   return true;
 }
 
-/// RMS of the integrator's output for a measurement whose noise is correlated over its own lag.
-double noiseOfStretch(const IdentifiedFabric& fabric, double lambda_s) {
-  const double correlation_s = fabric.lag_s + 0.02;
-  return fabric.residual_rms_relative * std::sqrt(correlation_s / (correlation_s + lambda_s));
-}
-
 }  // namespace
 
 Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const ControlParameters& present) {
@@ -50,7 +44,7 @@ Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const C
   if (!fabric) return tl::unexpected(fabric.error());
   for (double lambda_s = kFastest_s; lambda_s <= kSlowest_s; lambda_s *= 1.05) {
     const ControlParameters proposed = tuned(present, *fabric, lambda_s);
-    if (noiseOfStretch(*fabric, lambda_s) > kNoiseAllowed || !keepsMargins(*fabric, proposed)) continue;
+    if (!keepsMargins(*fabric, proposed)) continue;
     return TuneProposal{*fabric, proposed, predictLoop(*fabric, present), predictLoop(*fabric, proposed)};
   }
   return fail(

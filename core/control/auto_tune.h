@@ -1,13 +1,12 @@
 // Proposes PID gains from a recorded safe excitation. Proposes only: applying them is the operator's own act.
 //
-// Identified model: fabric_identification.h. Gains by internal-model tuning (Rivera, Morari and Skogestad 1986): the
-// controller compensates the measurement's lag itself, so what is left for the PID is the motors' lag M and the gain g,
+// Identified model: fabric_identification.h. The controller takes the measurement's lag and noise off with its observer
+// (stiffness_controller.h), so what is left for the PID is the motors' lag M (Rivera, Morari and Skogestad 1986):
 //
-//   ki = 1/(g·λ),   kp = kMotorLag_s·ki,   kd = 0
+//   ki = 1/(max(1, g)·λ),   kp = kMotorLag_s·ki,   kd = 0
 //
-// with the closed loop's time constant λ ≥ 0.35 s the smallest for which the gain margin is ≥ 2 and the phase margin
-// ≥ 60° also with ±30 % of g, with ±30 % of the lag and with 50 ms more dead time, and for which the noise seen in the
-// recording moves the stiffness by less than 1 % RMS.
+// with the closed loop's time constant λ ≥ 0.2 s the smallest for which the gain margin is ≥ 2 and the phase margin
+// ≥ 60°, also with ±30 % of g, ±30 % of the lag and 50 ms more dead time.
 #pragma once
 
 #include <span>
@@ -18,9 +17,10 @@ namespace fyd::control {
 
 struct TuneProposal {
   IdentifiedFabric fabric;
-  ControlParameters proposed;  ///< the present parameters with kp, ki, kd, measurement lag and delay replaced
-  LoopPrediction before;       ///< with the present parameters
-  LoopPrediction after;        ///< with the proposed ones
+  ControlParameters
+      proposed;           ///< the present parameters with kp, ki, kd and what was identified of the sensors replaced
+  LoopPrediction before;  ///< with the present parameters
+  LoopPrediction after;   ///< with the proposed ones
 };
 
 /// @return the errors of identifyFabric, or that no λ up to 10 s keeps the margins

@@ -17,6 +17,7 @@ constexpr double kLeastExcitation = 0.05;  // relative change of the law's stiff
 constexpr double kLeastExplained = 0.5;    // share of the variance
 constexpr double kLongestDelay_s = 0.4;
 constexpr double kLongestLag_s = 2.0;
+constexpr double kShortestCorrelation_s = 0.02, kLongestCorrelation_s = 2.0;
 constexpr double kGridStep_s = 0.01;  // samples closer than this are thinned out
 
 struct Point {
@@ -78,6 +79,35 @@ Fit search(std::span<const Point> points) {
     lag_step_s /= 2;
   }
   return best;
+}
+
+/// Integral of the residual's autocorrelation, up to where it first falls below 5 %.
+double correlation_s(std::span<const Point> points, const Fit& fit) {
+  LagModel model;
+  model.configure(fit.delay_s, fit.lag_s);
+  model.reset(points.front().law_log);
+  std::vector<double> residual;
+  double length_s = 0.0;
+  for (const Point& point : points) {
+    const double x = model.step(point.law_log, point.dt_s);
+    if (std::isnan(point.measured_log)) continue;
+    residual.push_back(point.measured_log - fit.log_scale - fit.gain * x);
+    length_s += point.dt_s;
+  }
+  const double step_s = length_s / static_cast<double>(residual.size());
+  const auto covariance = [&residual](std::size_t lag) {
+    double sum = 0.0;
+    for (std::size_t i = lag; i < residual.size(); ++i) sum += residual[i] * residual[i - lag];
+    return sum / static_cast<double>(residual.size() - lag);
+  };
+  const double variance = covariance(0);
+  double correlation = 0.5 * step_s;
+  for (std::size_t lag = 1; lag < residual.size() / 4; ++lag) {
+    const double share = variance > 0 ? covariance(lag) / variance : 0.0;
+    if (share < 0.05) break;
+    correlation += share * step_s;
+  }
+  return std::clamp(correlation, kShortestCorrelation_s, kLongestCorrelation_s);
 }
 
 }  // namespace
@@ -145,6 +175,7 @@ Result<IdentifiedFabric> identifyFabric(std::span<const TuneSample> recording, c
   fabric.lag_s = fit.lag_s;
   fabric.slope_N_per_mm_deg = fabric.scale * fit.gain * (most_k - least_k) / (most_deg - least_deg);
   fabric.residual_rms_relative = std::sqrt(fit.residual);
+  fabric.noise_correlation_s = correlation_s(points, fit);
   return fabric;
 }
 

@@ -29,6 +29,7 @@ struct IdentifiedFabric {
   double lag_s = 0.0;                  ///< τ
   double slope_N_per_mm_deg = 0.0;     ///< dk/dθ, mean over the excited span
   double residual_rms_relative = 0.0;  ///< of the fit: the noise of k̂ when the model holds
+  double noise_correlation_s = 0.0;    ///< Tc: integral of the residual's autocorrelation
 };
 
 /// The safe excitation: a staircase of stretch through the middle half of the travel, at a third of the rate limit at

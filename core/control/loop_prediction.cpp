@@ -20,9 +20,11 @@ Complex measurement(Complex s, double delay_s, double lag_s) { return std::exp(-
 Complex loop(double omega, const IdentifiedFabric& fabric, const ControlParameters& p) {
   const Complex s(0.0, omega);
   const Complex pid = p.kp + p.ki_per_s / s + p.kd_s * s / (p.derivative_filter_s * s + 1.0);
-  const Complex seen = 1.0 + fabric.shape_gain * measurement(s, fabric.delay_s, fabric.lag_s) -
-                       measurement(s, p.measurement_delay_s, p.measurement_lag_s);
-  return pid * seen / (kMotorLag_s * s + 1.0);
+  const Complex error = fabric.shape_gain * measurement(s, fabric.delay_s, fabric.lag_s) -
+                        measurement(s, p.measurement_delay_s, p.measurement_lag_s);
+  const double learning_per_s = 1.0 / (2 * p.noise_correlation_s);
+  const Complex observed = learning_per_s / (s + learning_per_s);
+  return pid * (1.0 + error * observed) / (kMotorLag_s * s + 1.0);
 }
 
 struct Run {
@@ -51,14 +53,15 @@ Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& paramete
   for (int i = 0; i * kStep_s <= kLongest_s; ++i) {
     const double time_s = i * kStep_s;
     const double stiffness = stiffnessAt(angle_deg);
-    const ControlOutput output = controller.step({.now = instantAt(time_s),
-                                                  .target_N_per_mm = target,
-                                                  .measured_N_per_mm = sensor.step(stiffness, kStep_s),
-                                                  .measured_sigma_N_per_mm = fabric.residual_rms_relative * stiffness,
-                                                  .observable = true,
-                                                  .measured_angle_deg = angle_deg,
-                                                  .measured_angle_known = true,
-                                                  .enabled = true});
+    const ControlOutput output =
+        controller.step({.now = instantAt(time_s),
+                         .target_N_per_mm = target,
+                         .measured_N_per_mm = sensor.step(stiffness, kStep_s),
+                         .measured_sigma_N_per_mm = std::max(0.01, fabric.residual_rms_relative) * stiffness,
+                         .observable = true,
+                         .measured_angle_deg = angle_deg,
+                         .measured_angle_known = true,
+                         .enabled = true});
     const double reach_deg = p.rate_limit_deg_per_s * kStep_s;
     angle_deg +=
         std::clamp((output.stretch_angle_deg - angle_deg) * kStep_s / (kMotorLag_s + kStep_s), -reach_deg, reach_deg);

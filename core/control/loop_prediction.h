@@ -2,9 +2,11 @@
 //
 // Margins: of the loop in default mode, linear in logarithms,
 //
-//   L(s) = (kp + ki/s + kd·s/(Tf·s + 1))·M(s)·(1 + g·G(s) − Ĝ(s)),   G = e^(−Ts)/(τs + 1),   M = 1/(0.03 s + 1)
+//   L(s) = (kp + ki/s + kd·s/(Tf·s + 1))·M(s)·(1 + O(s)·(g·G(s) − Ĝ(s)))
+//   G = e^(−Ts)/(τs + 1),   M = 1/(0.03 s + 1),   O = K/(s + K),  K = 1/(2·Tc)
 //
-// with G the identified measurement, Ĝ the controller's own model of it (control.measurement_*), M the motors.
+// with G the identified measurement, Ĝ the controller's own model of it (control.measurement_*), M the motors and O
+// the observer of the fabric's scale at the quickest it learns once a touch has begun.
 // Overshoot and settling: the controller itself, run on the identified model with motors at the rate limit, on a cloth
 // 30 % softer than the law says: the case that the loop and not the feed-forward carries.
 #pragma once

@@ -15,9 +15,10 @@ constexpr double kMostSigma = 1.0;
 constexpr double kLeastShare = 0.25;  // of the variance the sensing reports, which includes what averaging cannot lose
 constexpr double kMeanTime_s = 0.3;
 constexpr double kVarianceTime_s = 0.4;
-constexpr double kMotionTime_s = 0.15;  // the sensors' lag is not known better than this
-constexpr double kMostLogScale = 1.5;   // 4.5 times off the calibration: no cloth, a broken sensor
-constexpr double kStandsOut = 2.0, kBelieved = 3.0;
+constexpr double kMotionTime_s = 0.15;                     // the sensors' lag is not known better than this
+constexpr double kMostLogScale = 1.5;                      // 4.5 times off the calibration: no cloth, a broken sensor
+constexpr double kBelieveFrom = 2.3, kBelieveUntil = 1.0;  // standard deviations
+constexpr double kFade_s = 0.15;
 
 }  // namespace
 
@@ -30,6 +31,8 @@ void ScaleObserver::reset() {
   variance_ = kPriorVariance;
   reading_variance_ = -1.0;
   slow_known_ = false;
+  believed_ = false;
+  belief_ = 0.0;
 }
 
 void ScaleObserver::beginTouch() {
@@ -64,13 +67,10 @@ void ScaleObserver::step(double z, double relative_sigma, double law_log, double
   const double share = variance_ * dt_s / (density + variance_ * dt_s);
   log_scale_ += share * (reading - log_scale_);
   variance_ = std::min((1 - share) * variance_ + kWanderPerSqrt_s * kWanderPerSqrt_s * dt_s, kPriorVariance);
+  believed_ = std::abs(log_scale_) > sigma() * (believed_ ? kBelieveUntil : kBelieveFrom);
+  belief_ = std::clamp(belief_ + (believed_ ? dt_s : -dt_s) / kFade_s, 0.0, 1.0);
 }
 
 double ScaleObserver::sigma() const { return std::sqrt(variance_); }
-
-double ScaleObserver::credible() const {
-  const double deviations = std::abs(log_scale_) / sigma();
-  return log_scale_ * std::clamp((deviations - kStandsOut) / (kBelieved - kStandsOut), 0.0, 1.0);
-}
 
 }  // namespace fyd::control

@@ -5,8 +5,9 @@
 // sensors. v, the reading's variance, starts from what the sensing says and is then learned from the readings'
 // own scatter about their running mean; while the stretch moves, the unknown part of the sensors' lag is added to it.
 //
-// credible(): 0 until |s| stands out of its own uncertainty by 2σ, all of s from 3σ on. So noise does not move a
-// cloth that is as calibrated, and one that is not is recognised within a second or two.
+// credible(): 0 until |s| stands out of its own uncertainty by 2.3σ, then all of s (faded in over 0.15 s) until it
+// falls below 1σ. So noise does not move a cloth that is as calibrated, one that is not is recognised within a second
+// or two, and nothing hops between the two beliefs.
 #pragma once
 
 namespace fyd::control {
@@ -26,12 +27,14 @@ class ScaleObserver {
 
   [[nodiscard]] double logScale() const { return log_scale_; }
   [[nodiscard]] double sigma() const;
-  [[nodiscard]] double credible() const;
+  [[nodiscard]] double credible() const { return belief_ * log_scale_; }
 
  private:
   double correlation_s_ = 0.35;
   double log_scale_ = 0.0;
-  double variance_ = 0.0625;       // P
+  double variance_ = 0.0625;  // P
+  bool believed_ = false;
+  double belief_ = 0.0;           // 0…1
   double mean_z_ = 0.0;           // over kMeanTime_s
   double reading_variance_ = -1;  // v; negative until the first reading
   double slow_law_log_ = 0.0;     // the law as it was a while ago

@@ -63,12 +63,14 @@ void StaticLaw::takeWholeDomain() {
   if (kind_ == StaticLawKind::interpolated) {
     minimum_k_ = k_[0];
     maximum_k_ = k_[count_ - 1];
+    minimum_deg_ = theta_[0];
+    maximum_deg_ = theta_[count_ - 1];
   } else {
     minimum_k_ = kPrintedMinimum_N_per_mm;
     maximum_k_ = kPrintedMaximum_N_per_mm;
+    minimum_deg_ = angleAt(minimum_k_);
+    maximum_deg_ = angleAt(maximum_k_);
   }
-  minimum_deg_ = angleAt(minimum_k_);
-  maximum_deg_ = angleAt(maximum_k_);
 }
 
 void StaticLaw::limitTravel(double minimum_deg, double maximum_deg) {
@@ -84,14 +86,14 @@ void StaticLaw::limitTravel(double minimum_deg, double maximum_deg) {
 }
 
 LawValue StaticLaw::angle_deg(double stiffness) const {
-  if (!(stiffness >= minimum_k_)) return {minimum_deg_, true};
-  if (stiffness > maximum_k_) return {maximum_deg_, true};
+  if (!(stiffness > minimum_k_)) return {minimum_deg_, stiffness != minimum_k_};
+  if (stiffness >= maximum_k_) return {maximum_deg_, stiffness != maximum_k_};
   return {std::clamp(angleAt(stiffness), minimum_deg_, maximum_deg_), false};
 }
 
 LawValue StaticLaw::stiffness_N_per_mm(double angle) const {
-  if (!(angle >= minimum_deg_)) return {minimum_k_, true};
-  if (angle > maximum_deg_) return {maximum_k_, true};
+  if (!(angle > minimum_deg_)) return {minimum_k_, angle != minimum_deg_};
+  if (angle >= maximum_deg_) return {maximum_k_, angle != maximum_deg_};
   return {std::clamp(stiffnessAt(angle), minimum_k_, maximum_k_), false};
 }
 

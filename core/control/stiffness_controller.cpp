@@ -12,6 +12,7 @@ constexpr double kLongestStep_s = 0.02;  // the station holds after 20 ms withou
 // travelling a moment longer, until the last degrees are done.
 constexpr double kTravelling_deg = 3.0;
 constexpr double kArriving_s = 0.15;
+constexpr double kAtLimit_deg = 0.05;       // half an encoder count
 constexpr double kClampHysteresis = 0.005;  // relative, so that noise does not make the notice flicker
 // The thesis' conditions (§4.1.4).
 constexpr double kThesisLeastStiffness_N_per_mm = 0.1;
@@ -108,7 +109,8 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
   }
   judgeReach(input.target_N_per_mm, output);
   output.stretch_angle_deg = reference_deg_;
-  output.at_limit = reference_deg_ <= law_.minimumAngle_deg() || reference_deg_ >= law_.maximumAngle_deg();
+  output.at_limit = reference_deg_ <= law_.minimumAngle_deg() + kAtLimit_deg ||
+                    reference_deg_ >= law_.maximumAngle_deg() - kAtLimit_deg;
   output.correction = parameters_.mode == ControlMode::thesis ? thesis_pid_.output() : pid_.output();
   output.fabric_scale = std::exp(scale_.credible());
   return output;

@@ -1,0 +1,155 @@
+#include "core/control/auto_tune.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "tests/unit/control/bench_plant.h"
+
+namespace fyd::control {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<TuneSample> excite(double scale, double delay_s, double lag_s, double noise, double rate_Hz = 200) {
+  const ControlParameters parameters;
+  BenchPlant plant;
+  plant.scale = scale;
+  plant.delay_s = delay_s;
+  plant.lag_s = lag_s;
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<TuneSample> recording;
+  const int every = static_cast<int>(1000 / rate_Hz);
+  for (int i = 0; i < 12000; ++i) {
+    const double time_s = 0.001 * i;
+    const double measured = plant.read(0).measured_N_per_mm;
+    if (i % every == 0) recording.push_back({time_s, plant.angle_deg, measured * (1 + noise * normal(random))});
+    plant.move(excitationAngle_deg(time_s, parameters));
+  }
+  return recording;
+}
+
+TEST(Excitation, StaysInTheMiddleOfTheTravelAndSlow) {
+  const ControlParameters parameters;
+  double last = excitationAngle_deg(0, parameters);
+  for (double t = 0; t < 2 * kExcitation_s; t += 0.001) {
+    const double angle = excitationAngle_deg(t, parameters);
+    EXPECT_GE(angle, 20 + 0.25 * 70 - 1e-9);
+    EXPECT_LE(angle, 20 + 0.75 * 70 + 1e-9);
+    EXPECT_LE(std::abs(angle - last), 0.0601) << t;
+    last = angle;
+  }
+  EXPECT_TRUE(std::isfinite(excitationAngle_deg(kNaN, parameters)));
+}
+
+TEST(AutoTune, FindsScaleDelayAndLag) {
+  const auto fabric = identifyFabric(excite(1.2, 0.08, 0.3, 0.0), {});
+  ASSERT_TRUE(fabric) << fabric.error().message;
+  EXPECT_NEAR(fabric->scale, 1.2, 0.02);
+  EXPECT_NEAR(fabric->shape_gain, 1.0, 0.03);
+  EXPECT_NEAR(fabric->delay_s, 0.08, 0.02);
+  EXPECT_NEAR(fabric->lag_s, 0.3, 0.03);
+  EXPECT_LT(fabric->residual_rms_relative, 0.01);
+}
+
+TEST(AutoTune, FindsThemThroughNoise) {
+  const auto fabric = identifyFabric(excite(0.75, 0.05, 0.2, 0.05), {});
+  ASSERT_TRUE(fabric) << fabric.error().message;
+  EXPECT_NEAR(fabric->scale, 0.75, 0.03);
+  EXPECT_NEAR(fabric->shape_gain, 1.0, 0.1);
+  EXPECT_NEAR(fabric->delay_s + fabric->lag_s, 0.25, 0.08);
+  EXPECT_NEAR(fabric->residual_rms_relative, 0.05, 0.01);
+}
+
+TEST(AutoTune, ProposesGainsThatKeepTheirMarginsAndSettle) {
+  const auto proposal = proposeGains(excite(1.1, 0.05, 0.2, 0.03), {});
+  ASSERT_TRUE(proposal) << proposal.error().message;
+  EXPECT_TRUE(proposal->after.stable);
+  EXPECT_GE(proposal->after.margins.gain_margin, 2.0);
+  EXPECT_GE(proposal->after.margins.phase_margin_deg, 60.0);
+  EXPECT_LE(proposal->after.settling_s, 3.0);
+  EXPECT_LE(proposal->after.overshoot_percent, 10.0);
+  EXPECT_NEAR(proposal->proposed.measurement_delay_s + proposal->proposed.measurement_lag_s, 0.25, 0.1);
+}
+
+TEST(AutoTune, FindsHowLongTheNoiseRepeatsItself) {
+  auto recording = excite(1.0, 0.05, 0.1, 0.0);
+  // First-order noise of 4 % with a time constant of 0.3 s.
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  const double keep = std::exp(-0.005 / 0.3);
+  double noise = 0.0;
+  for (TuneSample& sample : recording) {
+    noise = keep * noise + 0.04 * std::sqrt(1 - keep * keep) * normal(random);
+    sample.stiffness_N_per_mm *= std::exp(noise);
+  }
+  const auto fabric = identifyFabric(recording, {});
+  ASSERT_TRUE(fabric) << fabric.error().message;
+  EXPECT_GT(fabric->noise_correlation_s, 0.12);
+  EXPECT_LT(fabric->noise_correlation_s, 0.5);
+  EXPECT_NEAR(identifyFabric(excite(1, 0.05, 0.1, 0.04), {})->noise_correlation_s, 0.02, 0.01) << "white noise";
+}
+
+TEST(AutoTune, LateSensorsGetSlowerGains) {
+  const auto quick = proposeGains(excite(1.0, 0.02, 0.02, 0.01), {});
+  const auto late = proposeGains(excite(1.0, 0.35, 1.0, 0.01), {});
+  ASSERT_TRUE(quick && late);
+  EXPECT_LE(late->proposed.ki_per_s, quick->proposed.ki_per_s);
+}
+
+TEST(AutoTune, SaysWhatTheRecordingLacks) {
+  const auto problem = [](std::vector<TuneSample> recording) {
+    const auto proposal = proposeGains(recording, {});
+    return proposal ? std::string("none") : proposal.error().message;
+  };
+  const auto good = excite(1, 0.05, 0.1, 0.02);
+  EXPECT_EQ(problem(good), "none");
+  EXPECT_THAT(problem({}), testing::HasSubstr("0 samples"));
+  auto blind = good;
+  for (TuneSample& sample : blind) sample.stiffness_N_per_mm = kNaN;
+  EXPECT_THAT(problem(blind), testing::HasSubstr("observable in 0 samples"));
+  auto backwards = good;
+  backwards[500].time_s = 1.0;
+  EXPECT_THAT(problem(backwards), testing::HasSubstr("time to rise"));
+  auto still = good;
+  for (TuneSample& sample : still) sample.angle_deg = 40;
+  EXPECT_THAT(problem(still), testing::HasSubstr("moves the law by 0.0 %"));
+  auto unrelated = good;
+  for (std::size_t i = 0; i < unrelated.size(); ++i) unrelated[i].stiffness_N_per_mm = i % 2 == 0 ? 0.4 : 0.8;
+  EXPECT_THAT(problem(unrelated), testing::HasSubstr("explains"));
+  auto text = good;
+  text[3].angle_deg = kNaN;
+  EXPECT_THAT(problem(text), testing::HasSubstr("expected numbers"));
+}
+
+TEST(LoopPrediction, MarginsOfAKnownLoop) {
+  // The measurement is as modelled: L = ki/s·M, M = 1/(0.03 s + 1). With ki = 10: |L| = 1 at
+  // ω·√(1 + (0.03ω)²) = 10, ω = 9.599; phase margin 90° − atan(0.28797) = 73.93°. The phase never reaches −180°.
+  ControlParameters parameters;
+  parameters.kp = parameters.kd_s = 0;
+  parameters.ki_per_s = 10;
+  parameters.measurement_delay_s = parameters.measurement_lag_s = 0;
+  const LoopMargins margins = loopMargins({}, parameters);
+  EXPECT_NEAR(margins.phase_margin_deg, 73.93, 0.5);
+  EXPECT_TRUE(std::isinf(margins.gain_margin));
+}
+
+TEST(LoopPrediction, UnmodelledDeadTimeCostsMargin) {
+  ControlParameters parameters;
+  parameters.measurement_delay_s = 0;
+  parameters.measurement_lag_s = 0;
+  IdentifiedFabric late;
+  late.delay_s = 0.3;
+  EXPECT_LT(loopMargins(late, parameters).phase_margin_deg, loopMargins({}, parameters).phase_margin_deg);
+}
+
+TEST(LoopPrediction, NoGainsIsNoLoop) {
+  ControlParameters parameters;
+  parameters.kp = parameters.ki_per_s = parameters.kd_s = 0;
+  EXPECT_TRUE(std::isinf(loopMargins({}, parameters).gain_margin));
+}
+
+}  // namespace
+}  // namespace fyd::control

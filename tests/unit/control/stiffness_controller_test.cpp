@@ -1,0 +1,202 @@
+#include "core/control/stiffness_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/unit/control/bench_plant.h"
+
+namespace fyd::control {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+double settling_s(const std::vector<double>& course, double target) {
+  std::size_t last_outside = 0;
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    if (std::abs(course[i] / target - 1) > 0.05) last_outside = i + 1;
+  }
+  return 0.001 * static_cast<double>(last_outside);
+}
+
+TEST(StiffnessController, FeedForwardReachesNominalTargetsWithoutAMeasurement) {
+  for (const double target : {0.51, 0.55, 0.6, 0.65, 0.7}) {
+    StiffnessController controller;
+    BenchPlant plant;
+    for (int i = 0; i < 1500; ++i) {
+      ControlInput input = plant.read(target);
+      input.observable = false;
+      plant.move(controller.step(input).stretch_angle_deg);
+    }
+    EXPECT_NEAR(plant.stiffness(), target, 0.01 * target) << target;
+  }
+}
+
+TEST(StiffnessController, NominalFabricFastWithoutOvershoot) {
+  for (const double target : {0.51, 0.55, 0.6, 0.65, 0.7}) {
+    StiffnessController controller;
+    BenchPlant plant;
+    plant.ripple = 0.06;
+    const auto course = plant.run(controller, target, 6);
+    EXPECT_LE(settling_s(course, target), 0.6) << target;
+    EXPECT_LE(*std::max_element(course.begin(), course.end()), 1.1 * target) << target;
+    EXPECT_NEAR(course.back(), target, 0.02 * target) << target;
+  }
+}
+
+TEST(StiffnessController, LearnsAFabricOffItsCalibration) {
+  for (const auto& [scale, target] :
+       {std::pair{1.3, 0.75}, {1.3, 0.9}, {0.7, 0.4}, {0.7, 0.48}, {1.15, 0.65}, {0.85, 0.55}}) {
+    StiffnessController controller;
+    BenchPlant plant;
+    plant.scale = scale;
+    plant.ripple = 0.06;
+    ControlOutput last;
+    const auto course = plant.run(controller, target, 6, &last);
+    EXPECT_LE(settling_s(course, target), 3.0) << scale << ' ' << target;
+    EXPECT_NEAR(last.fabric_scale, scale, 0.03 * scale);
+    EXPECT_FALSE(last.target_clamped) << scale << ' ' << target;
+  }
+}
+
+TEST(StiffnessController, ATargetOutOfReachEndsAtTheLimitStillAndReported) {
+  struct Case {
+    double scale, target, angle_deg, reachable;
+  };
+  for (const Case& c :
+       {Case{1.0, 0.9, 90, 0.715}, {1.0, 0.3, 20, 0.501}, {0.7, 0.65, 90, 0.5005}, {1.3, 0.55, 20, 0.6513}}) {
+    StiffnessController controller;
+    BenchPlant plant;
+    plant.scale = c.scale;
+    ControlOutput last;
+    plant.run(controller, c.target, 5, &last);
+    const double before = last.stretch_angle_deg;
+    plant.run(controller, c.target, 1, &last);
+    EXPECT_EQ(last.stretch_angle_deg, before);
+    EXPECT_NEAR(last.stretch_angle_deg, c.angle_deg, 0.2) << c.target;
+    EXPECT_TRUE(last.target_clamped) << c.target;
+    EXPECT_TRUE(last.at_limit) << c.target;
+    EXPECT_NEAR(last.reachable_target_N_per_mm, c.reachable, 0.02) << c.target;
+  }
+}
+
+TEST(StiffnessController, ComesBackFromAnUnreachableTargetWithoutUnwinding) {
+  StiffnessController controller;
+  BenchPlant plant;
+  plant.run(controller, 0.95, 60);
+  const auto course = plant.run(controller, 0.6, 3);
+  EXPECT_LE(settling_s(course, 0.6), 0.6);
+}
+
+TEST(StiffnessController, ReferenceKeepsRateAndTravel) {
+  ControlParameters parameters;
+  parameters.rate_limit_deg_per_s = 50;
+  parameters.travel_minimum_deg = 30;
+  parameters.travel_maximum_deg = 80;
+  StiffnessController controller(parameters);
+  BenchPlant plant;
+  plant.angle_deg = 40;
+  double last = 40;
+  for (int i = 0; i < 4000; ++i) {
+    const double target = i % 1000 < 500 ? 5.0 : 0.01;
+    const double reference = controller.step(plant.read(target)).stretch_angle_deg;
+    EXPECT_LE(std::abs(reference - last), 0.05 + 1e-9);
+    EXPECT_GE(reference, 30);
+    EXPECT_LE(reference, 80);
+    last = reference;
+    plant.move(reference);
+  }
+}
+
+TEST(StiffnessController, NoTargetAndNotEnabledHoldTheReference) {
+  StiffnessController controller;
+  BenchPlant plant;
+  plant.run(controller, 0.65, 2);
+  const double held = controller.step(plant.read(0.65)).stretch_angle_deg;
+  for (const double none : {kNaN, 0.0, -1.0}) {
+    plant.now_s += 0.001;
+    const ControlOutput output = controller.step(plant.read(none));
+    EXPECT_EQ(output.stretch_angle_deg, held);
+    EXPECT_TRUE(output.holding);
+    EXPECT_FALSE(output.target_clamped);
+    EXPECT_TRUE(std::isnan(output.reachable_target_N_per_mm));
+  }
+  for (int i = 0; i < 100; ++i) {
+    ControlInput input = plant.read(0.51);
+    input.enabled = false;
+    plant.now_s += 0.001;
+    EXPECT_EQ(controller.step(input).stretch_angle_deg, held);
+  }
+}
+
+TEST(StiffnessController, EnablingStartsWhereTheRollersStand) {
+  StiffnessController controller;
+  BenchPlant plant;
+  plant.angle_deg = 70;
+  ControlInput input = plant.read(0.52);
+  input.enabled = false;
+  (void)controller.step(input);
+  plant.now_s += 0.001;
+  EXPECT_NEAR(controller.step(plant.read(0.52)).stretch_angle_deg, 70, 0.2);
+}
+
+TEST(StiffnessController, LiveGainChangesDoNotJumpTheReference) {
+  ControlParameters parameters;
+  StiffnessController controller(parameters);
+  BenchPlant plant;
+  plant.scale = 0.8;
+  ControlOutput last;
+  plant.run(controller, 0.5, 0.9, &last);
+  for (const double kp : {0.5, 0.0, 2.0, 0.05}) {
+    parameters.kp = kp;
+    parameters.ki_per_s *= 1.5;
+    controller.configure(parameters);
+    const double before = last.stretch_angle_deg;
+    last = controller.step(plant.read(0.5));
+    EXPECT_NEAR(last.stretch_angle_deg, before, 0.2) << kp;
+    plant.move(last.stretch_angle_deg);
+  }
+}
+
+TEST(StiffnessController, KeepsWhatItLearnedThroughALiftedFinger) {
+  StiffnessController controller;
+  BenchPlant plant;
+  plant.scale = 0.8;
+  plant.run(controller, 0.5, 4);
+  const double learned_deg = plant.angle_deg;
+  for (int i = 0; i < 2000; ++i) {
+    ControlInput input = plant.read(0.5);
+    input.observable = false;
+    input.measured_N_per_mm = 0.0;
+    plant.move(controller.step(input).stretch_angle_deg);
+  }
+  EXPECT_NEAR(plant.angle_deg, learned_deg, 1.0);
+}
+
+TEST(StiffnessController, ThesisModeByHand) {
+  ControlParameters parameters;
+  parameters.mode = ControlMode::thesis;
+  parameters.law = StaticLawKind::thesis;
+  parameters.thesis_kp = 50;
+  parameters.thesis_ki = 20;
+  StiffnessController controller(parameters);
+  ControlInput input{.target_N_per_mm = 0.6, .measured_N_per_mm = 0.55, .observable = true, .enabled = true};
+  const auto at = [&](double time_s) {
+    input.now = instantAt(time_s);
+    return controller.step(input).stretch_angle_deg;
+  };
+  at(10.000);
+  // rest = 314.5·0.36 − 107·0.6 − 0.3552 = 48.6648
+  EXPECT_NEAR(at(10.001), 48.6648, 1e-9);
+  // e = 0.05: 50·0.05 + 20·0.05·0.1 = 2.6, then the next after 100 ms: 2.7
+  EXPECT_NEAR(at(10.002), 51.2648, 1e-9);
+  EXPECT_NEAR(at(10.100), 51.2648, 1e-9) << "every 100 ms only";
+  EXPECT_NEAR(at(10.103), 51.3648, 1e-9);
+  input.measured_N_per_mm = 0.595;
+  EXPECT_NEAR(at(10.210), 51.3648, 1e-9) << "error of at most 0.01 is left alone";
+  input.measured_N_per_mm = 0.09;
+  EXPECT_NEAR(at(10.320), 51.3648, 1e-9) << "no stiffness below 0.1 is believed";
+}
+
+}  // namespace
+}  // namespace fyd::control
