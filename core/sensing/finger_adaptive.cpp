@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/sensing/row_loops.h"
+
 namespace fyd::sensing {
 namespace {
 
@@ -16,33 +18,6 @@ constexpr float kBlack = 12.0F;      // grey: no light
 constexpr float kSaturated = 253.5F;
 constexpr double kBlurred_px = 4.0;
 constexpr double kWorkingArea_px = 160.0 * 120.0;
-
-// The pass's inner loops. The rows never overlap; saying so lets the compiler take 16 pixels at a time.
-
-void gather(const std::uint8_t* __restrict__ grey, int count, std::uint16_t* __restrict__ sums,
-            std::uint8_t* __restrict__ least, std::uint8_t* __restrict__ most) {
-  for (int x = 0; x < count; ++x) {
-    sums[x] = static_cast<std::uint16_t>(sums[x] + grey[x]);
-    least[x] = std::min(least[x], grey[x]);
-    most[x] = std::max(most[x], grey[x]);
-  }
-}
-
-/// @return not 0 when a pixel is marked
-std::uint8_t mark(const std::uint8_t* __restrict__ grey, const std::uint8_t* __restrict__ limits, int count,
-                  std::uint8_t* __restrict__ marks) {
-  std::uint8_t any = 0;
-  for (int x = 0; x < count; ++x) {
-    const std::uint8_t dark = grey[x] < limits[x] ? 255 : 0;
-    marks[x] = dark;
-    any = static_cast<std::uint8_t>(any | dark);
-  }
-  return any;
-}
-
-void toLimits(const float* __restrict__ light, int count, std::uint8_t* __restrict__ limits) {
-  for (int x = 0; x < count; ++x) limits[x] = static_cast<std::uint8_t>(static_cast<int>(std::min(light[x], 255.0F)));
-}
 
 }  // namespace
 

@@ -189,14 +189,7 @@ bool IndentationEstimator::enoughSensors() {
 }
 
 void IndentationEstimator::stepMembrane(double dt_s, const FingerDetection& finger) {
-  if (!shapes_known_ || finger.x_mm != shapes_x_mm_ || finger.y_mm != shapes_y_mm_) {
-    for (std::size_t i = 0; i < sensor_count_; ++i) {
-      shapes_[i] = membrane_.shape(positions_[i].x_mm, positions_[i].y_mm, finger.x_mm, finger.y_mm);
-    }
-    shapes_x_mm_ = finger.x_mm;
-    shapes_y_mm_ = finger.y_mm;
-    shapes_known_ = true;
-  }
+  updateShapes(finger.x_mm, finger.y_mm);
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> measurements;
   std::size_t count = 0;
   for (std::size_t i = 0; i < sensor_count_; ++i) {
@@ -222,22 +215,80 @@ void IndentationEstimator::stepMembrane(double dt_s, const FingerDetection& fing
 }
 
 void IndentationEstimator::stepThesis(const FingerDetection& finger) {
-  const PlaneWeights weights = plane_.weightsAt(finger.x_mm, finger.y_mm);
-  double z = 0.0;
-  double variance = 0.0;
-  for (std::size_t i = 0; i < sensor_count_; ++i) {
-    const Reading& r = readings_[i];
-    if (!r.used) continue;
-    z += weights.weight[i] * r.z_mm;
-    variance += weights.weight[i] * weights.weight[i] * r.sigma_mm * r.sigma_mm;
-  }
-  estimate_.indentation_mm = std::clamp(smoother_.update(-z), kLowest_mm, kHighest_mm);
+  const PlaneReading plane = readPlane(finger.x_mm, finger.y_mm);
+  estimate_.indentation_mm = std::clamp(smoother_.update(plane.indentation_mm), kLowest_mm, kHighest_mm);
   // Variance that remains after old·0.8 + new·0.2 of independent readings: 0.2/(2 − 0.2) of one reading's.
   constexpr double kNew = 1.0 - ThesisSmoother::kOldShare;
-  estimate_.sigma_mm = std::min(std::sqrt(variance * kNew / (2.0 - kNew)), 1e3);
+  estimate_.sigma_mm = std::min(std::sqrt(plane.variance_mm2 * kNew / (2.0 - kNew)), 1e3);
   estimate_.available = true;
   estimate_.reason =
       usedMask() == bitsBelow(sensor_count_) ? IndentationReason::measured : IndentationReason::some_invalid;
+}
+
+void IndentationEstimator::updateShapes(double x_mm, double y_mm) {
+  if (shapes_known_ && x_mm == shapes_x_mm_ && y_mm == shapes_y_mm_) return;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    shapes_[i] = membrane_.shape(positions_[i].x_mm, positions_[i].y_mm, x_mm, y_mm);
+  }
+  shapes_x_mm_ = x_mm;
+  shapes_y_mm_ = y_mm;
+  shapes_known_ = true;
+}
+
+IndentationEstimator::PlaneReading IndentationEstimator::readPlane(double x_mm, double y_mm) const {
+  const PlaneWeights weights = plane_.weightsAt(x_mm, y_mm);
+  PlaneReading out;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const Reading& r = readings_[i];
+    if (!r.used) continue;
+    out.indentation_mm -= weights.weight[i] * r.z_mm;
+    out.variance_mm2 += weights.weight[i] * weights.weight[i] * r.sigma_mm * r.sigma_mm;
+  }
+  return out;
+}
+
+IndentationEstimate IndentationEstimator::once(const IrCounts& counts, double x_mm, double y_mm) {
+  reset();
+  estimate_.sensors = sensor_count_;
+  estimate_.touched = true;
+  readSensors(counts);
+  double value = 0.0;
+  double variance = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(x_mm) || !std::isfinite(y_mm)) {
+    estimate_.reason = IndentationReason::finger_stale;
+  } else if (!enoughSensors()) {
+    estimate_.reason = IndentationReason::too_few_sensors;
+  } else if (parameters_.mode == IndentationMode::thesis) {
+    const PlaneReading plane = readPlane(x_mm, y_mm);
+    value = plane.indentation_mm;
+    variance = plane.variance_mm2;
+  } else {
+    updateShapes(x_mm, y_mm);
+    double information = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sensor_count_; ++i) {
+      const Reading& r = readings_[i];
+      if (!r.used) continue;
+      const double weight = shapes_[i] / (r.sigma_mm * r.sigma_mm);
+      information += weight * shapes_[i];
+      sum -= weight * r.z_mm;
+    }
+    if (information > 0.0) {
+      value = sum / information;
+      variance = 1.0 / information + std::pow(kShapeError * value, 2);
+    }
+  }
+  if (std::isfinite(variance)) {
+    estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);
+    estimate_.sigma_mm = std::min(std::sqrt(variance), 1e3);
+    estimate_.available = estimate_.sigma_mm <= parameters_.sigma_limit_mm;
+    estimate_.reason = !estimate_.available                     ? IndentationReason::uncertain
+                       : usedMask() == bitsBelow(sensor_count_) ? IndentationReason::measured
+                                                                : IndentationReason::some_invalid;
+  }
+  const IndentationEstimate out = estimate_;
+  reset();
+  return out;
 }
 
 }  // namespace fyd::sensing

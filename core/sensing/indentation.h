@@ -65,6 +65,10 @@ class IndentationEstimator {
 
   [[nodiscard]] IndentationEstimate step(Instant now, const Timed<IrCounts>& ir, const Timed<FingerDetection>& finger);
 
+  /// One set of readings on its own, with the finger at (x, y): no filter, nothing kept for the next step.
+  /// membrane: least squares over the sensors' shares, weighted by their noise; thesis: the plane.
+  [[nodiscard]] IndentationEstimate once(const IrCounts& counts, double x_mm, double y_mm);
+
   /// New distances to the untouched cloth, one per sensor (see tare.h).
   void tare(std::span<const double> offset_mm);
   [[nodiscard]] std::span<const double> offsets_mm() const { return parameters_.ir_offset_mm.view(); }
@@ -86,6 +90,12 @@ class IndentationEstimator {
   void noticeStuck(const IrCounts& counts);
   void stepMembrane(double dt_s, const FingerDetection& finger);
   void stepThesis(const FingerDetection& finger);
+  void updateShapes(double x_mm, double y_mm);
+  struct PlaneReading {
+    double indentation_mm = 0.0;
+    double variance_mm2 = 0.0;
+  };
+  [[nodiscard]] PlaneReading readPlane(double x_mm, double y_mm) const;
   [[nodiscard]] std::uint32_t usedMask() const;
   [[nodiscard]] bool enoughSensors();
 

@@ -1,0 +1,87 @@
+// fyd finger IMAGE... [--profile P] [--set id=value] [--json]
+#include <cmath>
+#include <iostream>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/profile_options.h"
+#include "core/device/camera.h"
+#include "core/sensing/finger_detector.h"
+
+namespace fyd::cli {
+namespace {
+
+/// Empty when the file is no picture; the reason then stands in `problem`.
+cv::Mat read(const std::string& path, std::string& problem) {
+  try {
+    cv::Mat picture = cv::imread(path, cv::IMREAD_ANYCOLOR);  // 8 bit, as many channels as the file has
+    if (picture.empty()) problem = fmt::format("{}: not a picture that can be read (PNG, JPEG, PGM …)", path);
+    return picture;
+  } catch (const cv::Exception& error) {
+    problem = fmt::format("{}: cannot be decoded: {}", path, error.what());
+    return {};
+  }
+}
+
+nlohmann::ordered_json toJson(const std::string& path, const sensing::FingerDetection& found) {
+  const auto onlyInContact = [&](double value) { return jsonNumber(found.contact ? value : std::nan("")); };
+  return {{"image", path},
+          {"contact", found.contact},
+          {"area_px", jsonNumber(found.area_px)},
+          {"x_px", onlyInContact(found.x_px)},
+          {"y_px", onlyInContact(found.y_px)},
+          {"x_mm", onlyInContact(found.x_mm)},
+          {"y_mm", onlyInContact(found.y_mm)},
+          {"quality", jsonNumber(found.quality)},
+          {"reason", sensing::toString(found.reason)}};
+}
+
+void printText(const std::string& path, const sensing::FingerDetection& found) {
+  if (!found.contact) {
+    std::cout << fmt::format("{}: {} (area {:.0f} px)\n", path, sensing::toString(found.reason), found.area_px);
+    return;
+  }
+  std::cout << fmt::format("{}: finger at {:.2f} {:.2f} mm ({:.2f} {:.2f} px), area {:.0f} px, quality {:.2f}, {}\n",
+                           path, found.x_mm, found.y_mm, found.x_px, found.y_px, found.area_px, found.quality,
+                           sensing::toString(found.reason));
+}
+
+}  // namespace
+
+void add_finger(CLI::App& app) {
+  struct Options {
+    std::vector<std::string> images;
+    ProfileOptions profile;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("finger", "Find the finger in pictures of the cloth, each on its own");
+  command
+      ->add_option("image", options->images,
+                   "Picture as the camera delivers it; area_px counts pixels of the thesis' "
+                   "160 × 120 working picture")
+      ->required();
+  options->profile.addTo(*command);
+  command->add_flag("--json", options->json, "One JSON array, in the order given");
+  command->callback([options] {
+    const sensing::FingerParameters parameters = options->profile.load().step.sensing.finger;
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    std::string problem;
+    for (const std::string& path : options->images) {
+      std::string unread;
+      const cv::Mat picture = read(path, unread);
+      if (!unread.empty()) problem += (problem.empty() ? "" : "\n") + unread;
+      const sensing::FingerDetection found = sensing::FingerDetector(parameters).detect(device::viewOf(picture));
+      if (options->json) {
+        all.push_back(toJson(path, found));
+      } else {
+        printText(path, found);
+      }
+    }
+    if (options->json) printJson(all);
+    if (!problem.empty()) throw Failure(problem);  // the other pictures have their answer
+  });
+}
+
+}  // namespace fyd::cli
