@@ -11,7 +11,9 @@ constexpr double kSlow_s = 0.025;
 constexpr double kFloor_s = 1.0;
 constexpr double kLearn_s = 0.1;
 constexpr double kKnock_s = 0.025;  // the touch's own vibration
-constexpr double kTiny = 1e-24;     // g²
+constexpr double kPause_s = 0.01;
+constexpr double kSteady = 0.25;
+constexpr double kTiny = 1e-24;  // g²
 
 }  // namespace
 
@@ -24,7 +26,7 @@ ContactDetector::ContactDetector(const ContactParameters& parameters, double sam
 void ContactDetector::reset() {
   filter_.reset();
   fast_ = slow_ = floor_ = 0.0;
-  samples_ = since_touch_ = loud_ = quiet_ = 0;
+  samples_ = since_touch_ = loud_ = pause_ = quiet_ = 0;
   touching_ = slipping_ = false;
 }
 
@@ -62,7 +64,7 @@ ContactEvent ContactDetector::step(const Vec3& acceleration_g) {
     return ContactEvent::none;
   }
   ++since_touch_;
-  return during(loud, slow_ > threshold * threshold);
+  return during(loud, loud && fast_ > kSteady * slow_);
 }
 
 bool ContactDetector::after(std::int64_t samples, double time_s) const {
@@ -72,19 +74,24 @@ bool ContactDetector::after(std::int64_t samples, double time_s) const {
 ContactEvent ContactDetector::begin() {
   touching_ = true;
   slipping_ = false;
-  since_touch_ = loud_ = quiet_ = 0;
+  since_touch_ = loud_ = pause_ = quiet_ = 0;
   return ContactEvent::touch;
 }
 
 ContactEvent ContactDetector::during(bool loud, bool sustained) {
-  quiet_ = loud || sustained ? 0 : quiet_ + 1;
+  quiet_ = loud ? 0 : quiet_ + 1;
   if (after(quiet_, parameters_.release_ms * 1e-3)) {
     touching_ = slipping_ = false;
     return ContactEvent::release;
   }
   if (!after(since_touch_, kKnock_s)) return ContactEvent::none;
-  loud_ = sustained ? loud_ + 1 : 0;
-  if (!sustained) slipping_ = false;
+  pause_ = sustained ? 0 : pause_ + 1;
+  if (after(pause_, kPause_s)) {
+    loud_ = 0;
+    slipping_ = false;
+    return ContactEvent::none;
+  }
+  ++loud_;
   if (slipping_ || !after(loud_, parameters_.slip_ms * 1e-3)) return ContactEvent::none;
   slipping_ = true;
   return ContactEvent::slip;

@@ -6,8 +6,9 @@
 //   threshold = max(threshold_ratio · floor, minimum_g)
 //
 // Touch: fast rises above the threshold out of quiet.
-// Slip onset: after a touch, slow is above the threshold for `slip_ms` without a pause, the first 25 ms (the
-// knock itself) not counted. Acceleration does not tell a still contact from none: `release_ms` of quiet ends it.
+// Slip onset: after a touch, its first 25 ms (the knock itself) not counted, fast stays above the threshold for
+// `slip_ms` with no pause of 10 ms. A knock that rings out does not count: while it decays, fast² < slow²/4.
+// Acceleration does not tell a still contact from none: `release_ms` of quiet ends it.
 #pragma once
 
 #include <cstdint>
@@ -56,6 +57,7 @@ class ContactDetector {
   std::int64_t samples_ = 0;
   std::int64_t since_touch_ = 0;
   std::int64_t loud_ = 0;
+  std::int64_t pause_ = 0;
   std::int64_t quiet_ = 0;
   bool touching_ = false;
   bool slipping_ = false;

@@ -50,7 +50,7 @@ double medianSpacing(const std::vector<double>& times_s) {
     if (times_s[i] > times_s[i - 1]) spacings.push_back(times_s[i] - times_s[i - 1]);
   }
   if (spacings.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>((spacings.size() - 1) / 2);
   std::nth_element(spacings.begin(), middle, spacings.end());
   return *middle;
 }
@@ -102,7 +102,7 @@ Result<UniformRecording> makeUniform(const Recording& recording, double rate_Hz)
   UniformRecording out;
   if (recording.samples.empty()) return out;
   const double span_s = toSeconds(recording.samples.back().taken - recording.samples.front().taken);
-  const double count = std::floor(span_s * rate_Hz + 0.5) + 1.0;
+  const double count = std::ceil(span_s * rate_Hz - 0.5 - 1e-6) + 1.0;  // the last one's period holds the last sample
   if (!(count <= kMostSteps)) {
     return fail("{} s at {} Hz are {} samples: expected at most {}", span_s, rate_Hz, count, kMostSteps);
   }

@@ -18,6 +18,8 @@ constexpr double kFloor = 1e-4;  // of the strongest bin: nothing weaker is boos
 const double kLargestLogGain = 18.0 / 20.0 * std::numbers::ln10;
 constexpr double kLargestTrim = 1.4142135623730951;  // 3 dB
 constexpr double kSilence = 1e-30;                   // g²: below, smoothed powers become exactly zero
+// Frame power of about 1e-6 g RMS, far below any sensor's noise: spectra fainter than this teach nothing.
+constexpr double kFaint = 1e-10;
 
 using Taps = Eigen::Map<Eigen::ArrayXd>;
 
@@ -47,7 +49,7 @@ void SpectralEqualiser::reset() {
   newest_ = 0;
   filled_ = 0;
   frames_ = 0;
-  energy_in_ = energy_out_ = 0.0;
+  energy_in_ = energy_out_ = frame_energy_ = 0.0;
 }
 
 double SpectralEqualiser::step(double signal, const Vec3& axes) {
@@ -75,10 +77,15 @@ void SpectralEqualiser::measure() {
     auto& sum = axis < 3 ? reference : power;
     for (std::size_t k = 0; k < kBins; ++k) sum[k] += std::norm(fft_.bins()[k]);
   }
+  double energy = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double v : history_[axis]) energy += v * v;
+  }
   // The first frames are averaged plainly, so that a new signal is not compared with the silence before it.
   ++frames_;
   const double share = std::max(frame_share_, 1.0 / frames_);
   if (frames_ > 1000) frames_ = 1000;
+  frame_energy_ = flushed(frame_energy_ + share * (energy - frame_energy_));
   for (std::size_t k = 0; k < kBins; ++k) {
     reference_[k] = flushed(reference_[k] + share * (reference[k] - reference_[k]));
     power_[k] = flushed(power_[k] + share * (power[k] - power_[k]));
@@ -86,10 +93,11 @@ void SpectralEqualiser::measure() {
 }
 
 void SpectralEqualiser::design() {
-  const double strongest = *std::max_element(reference_.begin(), reference_.end());
+  // With the frame's energy before the window: an onset at the window's edge is loud, though its spectrum is faint.
+  const double strongest = std::max(*std::max_element(reference_.begin(), reference_.end()), frame_energy_);
   taps_ = next_taps_;
   tap_steps_.fill(0.0);
-  if (strongest <= kSilence) return;  // nothing to learn from: keep the last filter
+  if (strongest <= kFaint) return;  // nothing to learn from: keep the last filter
 
   const auto bins = fft_.bins();
   const auto cepstrum = fft_.time();

@@ -4,7 +4,7 @@
 // sides,
 //
 //   Pref(k) = smoothed Σ|Aᵢ(k)|²,   P(k) = smoothed |B(k)|²      (Hann frames of 128, every 32 samples, 0.3 s)
-//   G(k)    = √( (Pref(k) + ε) / (P(k) + ε) ),  held within ±18 dB,  ε = 10⁻⁴ · max Pref
+//   G(k)    = √( (Pref(k) + ε) / (P(k) + ε) ),  held within ±18 dB,  ε = 10⁻⁴ · max(Pref, energy of the frame)
 //
 // and filters B with the minimum-phase filter of magnitude G (real cepstrum folded to its causal half), 64 taps,
 // gliding from one set to the next. Minimum phase: the first tap answers at once, so an impulse is not delayed; what G
@@ -52,6 +52,7 @@ class SpectralEqualiser {
   std::array<double, kTaps> tap_steps_{};
   std::array<double, kTaps> next_taps_{};
   std::array<double, 2 * kTaps> recent_{};  // the signal, newest first from newest_
+  double frame_energy_ = 0.0;               // of the three axes, smoothed like their spectra
   int newest_ = 0;
   int filled_ = 0;
   int frames_ = 0;
