@@ -16,6 +16,8 @@ namespace {
 
 using Udp = asio::ip::udp;
 
+constexpr int kReceiveQueue = 4 * 1024 * 1024;  // bytes
+
 Udp::endpoint toAsio(const Endpoint& endpoint) {
   if (endpoint.v6) return {asio::ip::address_v6(endpoint.address, endpoint.scope), endpoint.port};
   asio::ip::address_v4::bytes_type bytes{};
@@ -59,6 +61,9 @@ Result<UdpSocket> UdpSocket::open(const Endpoint& local) {
   }
   impl->socket.non_blocking(true, problem);
   if (problem) return cannot("cannot be set to non-blocking");
+  // A burst of others' datagrams must not push the partner's out of the queue; the system gives what it allows.
+  std::error_code ignored;
+  impl->socket.set_option(asio::socket_base::receive_buffer_size(kReceiveQueue), ignored);
   const Udp::endpoint bound = impl->socket.local_endpoint(problem);
   if (problem) return cannot("cannot tell its own address");
   return UdpSocket(std::move(impl), fromAsio(bound));
