@@ -182,7 +182,7 @@ std::string_view toString(ClassicRefusal refusal) {
 }
 
 std::array<std::uint8_t, kClassicStateSize> encodeState(const ClassicState& state) {
-  std::array<std::uint8_t, kClassicStateSize> out;
+  std::array<std::uint8_t, kClassicStateSize> out{};
   Writer writer(out.data());
   writer.character('?');
   writer.character(static_cast<char>('0' + static_cast<int>(state.command)));
@@ -228,7 +228,7 @@ bool looksLikeState(Bytes packet) {
 }
 
 std::array<std::uint8_t, kClassicTouchSize> encodeTouch(const pipeline::TouchMessage& touch) {
-  std::array<std::uint8_t, kClassicTouchSize> out;
+  std::array<std::uint8_t, kClassicTouchSize> out{};
   Writer writer(out.data());
   Vec3 position_mm = touch.position_mm;
   if (!touch.in_contact && position_mm.finite()) position_mm.x = position_mm.y = 0.0;
@@ -267,7 +267,7 @@ bool isAck(Bytes packet) {
 }
 
 std::array<std::uint8_t, kClassicInfoLengthSize> encodeInfoLength(std::size_t length) {
-  std::array<std::uint8_t, kClassicInfoLengthSize> out;
+  std::array<std::uint8_t, kClassicInfoLengthSize> out{};
   Writer(out.data()).digits(static_cast<int>(std::min(length, kClassicMaximumBoardText)), kClassicInfoLengthSize);
   return out;
 }
@@ -277,7 +277,7 @@ Decoded<std::size_t> decodeInfoLength(Bytes packet) {
 }
 
 std::array<std::uint8_t, kClassicInfoValuesSize> encodeInfoValues(const ClassicInfo& info) {
-  std::array<std::uint8_t, kClassicInfoValuesSize> out;
+  std::array<std::uint8_t, kClassicInfoValuesSize> out{};
   Writer writer(out.data());
   writer.character('^');
   writer.digits(std::clamp(rounded(10.0 * info.k_vib), 0, 999), 3);
@@ -304,7 +304,7 @@ Decoded<ClassicInfo> decodeInfoValues(Bytes packet) {
 
 std::array<std::uint8_t, kClassicMotorReferenceSize> encodeMotorReference(
     const pipeline::RobotMotorReference& reference) {
-  std::array<std::uint8_t, kClassicMotorReferenceSize> out;
+  std::array<std::uint8_t, kClassicMotorReferenceSize> out{};
   Writer writer(out.data());
   writer.field(rounded(reference.first_ticks));
   writer.character(':');
@@ -325,7 +325,7 @@ Decoded<pipeline::RobotMotorReference> decodeMotorReference(Bytes packet) {
 }
 
 std::array<std::uint8_t, kClassicImageLengthSize> encodeImageLength(std::size_t length) {
-  std::array<std::uint8_t, kClassicImageLengthSize> out;
+  std::array<std::uint8_t, kClassicImageLengthSize> out{};
   Writer(out.data()).digits(static_cast<int>(std::min(length, kClassicMaximumImage)), kClassicImageLengthSize);
   return out;
 }

@@ -10,7 +10,6 @@ namespace {
 constexpr Duration kVirtualStep = std::chrono::milliseconds(1);
 constexpr int kRestReadings = 200;
 constexpr Duration kPublishEvery = std::chrono::milliseconds(50);
-constexpr Duration kFarewell = std::chrono::milliseconds(100);
 
 }  // namespace
 
@@ -96,7 +95,7 @@ void SimulatedRobot::run(const std::stop_token& stop, Duration limit) {
     }
     receiveUntil(due);
   }
-  if (options_.farewell_on_stop) sayFarewell();
+  if (options_.farewell > Duration::zero()) sayFarewell();
   publish(Clock::now());
 }
 
@@ -158,7 +157,7 @@ void SimulatedRobot::receiveUntil(Instant deadline) {
 void SimulatedRobot::sayFarewell() {
   if (end_.phase() != protocol::RobotPhase::running && end_.phase() != protocol::RobotPhase::paused) return;
   if (!end_.command(pipeline::RobotCommand::disconnect)) return;
-  const Instant give_up = Clock::now() + kFarewell;
+  const Instant give_up = Clock::now() + options_.farewell;
   for (Instant now = Clock::now(); now < give_up; now = Clock::now()) {
     if (end_.phase() != protocol::RobotPhase::closing) {
       sendDue(now);

@@ -33,7 +33,8 @@ struct SimulatedRobotOptions {
   device::ProbeSettings probe;
   pipeline::RobotMotorReference motor_reference;  ///< sent after command 10
   std::vector<TimedCommand> commands;             ///< in the order of their times
-  bool farewell_on_stop = true;                   ///< say goodbye when stopped, and wait up to 100 ms for its reply
+  /// Longest wait for the reply to the goodbye that a stop says; zero: stops without a word.
+  Duration farewell = std::chrono::milliseconds(100);
 };
 
 struct SimulatedRobotStatus {

@@ -73,6 +73,7 @@ std::unique_ptr<SimulatedRobot> makeRobot(const protocol::Endpoint& touchpad, Si
   options.touchpad = touchpad;
   options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
   options.link.reply_timeout = std::chrono::seconds(5);  // a busy machine's pauses are no missed replies here
+  options.farewell = std::chrono::seconds(5);
   return SimulatedRobot::open(options, std::make_unique<RobotArm>(parameters)).value();
 }
 

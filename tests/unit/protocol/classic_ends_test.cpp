@@ -358,6 +358,29 @@ TEST(ClassicTouchpad, JitterOf5msAnd1PercentLossIsNoLossInAnHour) {
   EXPECT_EQ(pad.end.counters().lost, 0U);
 }
 
+TEST(ClassicTouchpad, SilenceAtAThousandRandomMomentsIsLostWithinTheStatedLimit) {
+  std::mt19937_64 random(17);
+  std::exponential_distribution<double> extra_ms(0.5);
+  for (int i = 0; i < 1'000; ++i) {
+    Touchpad pad;
+    static_cast<void>(pad.ack());
+    const double period_ms = 0.4 + 0.02 * static_cast<double>(random() % 1'000);
+    for (std::uint64_t n = 2 + random() % 200; n > 0; --n) {
+      pad.now += fromSeconds(1e-3 * (period_ms + extra_ms(random)));
+      static_cast<void>(pad.take(encodeState({})));
+    }
+    const Duration limit = pad.end.lostLimit();
+    ASSERT_GE(toMilliseconds(limit), std::max(20.0, 3.0 * pad.end.periodMs()) - 1e-6);
+    ASSERT_LE(toMilliseconds(limit), 100.0);
+    pad.wait(toMilliseconds(limit) - 0.01);
+    ASSERT_EQ(pad.end.phase(), LinkPhase::running);
+    pad.wait(0.02);
+    ASSERT_EQ(pad.end.phase(), LinkPhase::lost);
+    pad.wait(5'000);
+    ASSERT_EQ(pad.end.phase(), LinkPhase::lost);  // stays so until the robot speaks again
+  }
+}
+
 TEST(ClassicTouchpad, NegotiatedPauseIsNoLoss) {
   Touchpad pad;
   pad.connect();
