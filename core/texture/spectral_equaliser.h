@@ -11,11 +11,10 @@
 // adds is ringing of at most 63 samples. A slow gain (0.5 s, within ±3 dB) on top takes out the bias that a ratio of
 // two noisy estimates has. With axes that need no correction G is 1 and the filter a plain wire.
 //
-// Costs about 0.15 µs a sample; the work of a frame is divided over two steps. Allocation-free after construction.
+// Costs about 0.1 µs a sample; the work of a frame is divided over two steps. Allocation-free after construction.
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "core/base/vec3.h"
 #include "core/signal/fft.h"

@@ -20,7 +20,8 @@ using namespace texture;
 
 constexpr std::size_t kSamples = 32768;
 constexpr double kRate_Hz = 1000.0;
-constexpr const char* kRecording = "tests/data/texture_100hz/wood.csv";
+constexpr std::array<const char*, 2> kRecordings = {"fabric", "wood"};
+constexpr const char* kFolder = "tests/data/texture_100hz";
 
 struct Signal {
   std::string name;
@@ -42,19 +43,24 @@ ThreeAxes highPassed(const ThreeAxes& in, double corner_Hz, double rate_Hz) {
   return out;
 }
 
-/// The recording at its own rate, or nothing when the program does not run from the project's folder.
+/// The recordings at their own rate, or nothing when the program does not run from the project's folder.
 std::vector<Signal> recorded() {
-  std::ifstream file(kRecording, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const auto recording = parseRecording(text, kRecording, 0.0);
-  if (!recording) return {};
-  ThreeAxes axes;
-  for (const AccelerationSample& s : recording->samples) {
-    axes.x.push_back(s.acceleration_g.x);
-    axes.y.push_back(s.acceleration_g.y);
-    axes.z.push_back(s.acceleration_g.z);
+  std::vector<Signal> out;
+  for (const std::string name : kRecordings) {
+    const std::string path = fmt::format("{}/{}.csv", kFolder, name);
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto recording = parseRecording(text, path, 0.0);
+    if (!recording) continue;
+    ThreeAxes axes;
+    for (const AccelerationSample& s : recording->samples) {
+      axes.x.push_back(s.acceleration_g.x);
+      axes.y.push_back(s.acceleration_g.y);
+      axes.z.push_back(s.acceleration_g.z);
+    }
+    out.push_back({name + ", recorded at 100 Hz", recording->rate_Hz, highPassed(axes, 10.0, recording->rate_Hz)});
   }
-  return {{"wood, recorded at 100 Hz", recording->rate_Hz, highPassed(axes, 10.0, recording->rate_Hz)}};
+  return out;
 }
 
 std::vector<Signal> signals() {
@@ -209,7 +215,7 @@ Table bench_texture() {
       "elsewhere; "
       "with overlapped frames the edges of hops."};
   if (!has_recording) {
-    table.notes.push_back(fmt::format("{}: not found; run from the project's folder to include it.", kRecording));
+    table.notes.push_back(fmt::format("{}: not found; run from the project's folder to include it.", kFolder));
   }
   return table;
 }

@@ -97,6 +97,23 @@ TEST(UniformStream, OneMissingSampleIsBridgedOnlyWhereTheLimitAllows) {
   EXPECT_EQ(run(in, 90, 0.5, 1.5).gaps, 1U);
 }
 
+TEST(UniformStream, ASensorMayChangeItsRate) {
+  std::vector<AccelerationSample> in;
+  double t_ms = 0.0;
+  while (t_ms < 600.0) {  // 1 kHz, 2.5 kHz, 500 Hz; the value is the time
+    in.push_back(sample(t_ms, t_ms));
+    t_ms += t_ms < 200.0 ? 1.0 : (t_ms < 400.0 ? 0.4 : 2.0);
+  }
+  const Streamed r = run(in, 590, 1.5, 2.5);
+  EXPECT_EQ(r.gaps, 0U);
+  EXPECT_EQ(r.refused, 0U);
+  for (std::size_t n = 10; n < r.values.size(); ++n) {
+    const double late = static_cast<double>(n) - r.values[n];
+    ASSERT_GT(late, 0.9) << n;
+    ASSERT_LT(late, 3.1) << n;
+  }
+}
+
 TEST(UniformStream, RefusesWhatCannotBeTrusted) {
   UniformStream stream(1000.0);
   stream.configure(0.5, 2.5);
