@@ -12,6 +12,7 @@ namespace {
 constexpr int kCell_px = 16;         // columns and rows of a cell, about
 constexpr int kLimitRows = 5;        // rows that share one row of limits: the light changes slowly
 constexpr float kJump = 0.06F;       // of the light: a change that calls for a second pass
+constexpr float kMarkStep = 0.05F;   // of the light: a wrong mark that calls for a second pass
 constexpr int kForget_pictures = 5;  // without a finger, after which its place no longer counts
 constexpr int kSpeck_px = 12;        // smaller blobs are noise
 constexpr float kBlack = 12.0F;      // grey: no light
@@ -173,12 +174,14 @@ FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfI
     chosen_ = -1;
     return out;
   }
-  if (!learnLight()) {
-    pass();
-    coverCells();
-    (void)light_.fit(cells_);
-  }
+  if (!learnLight()) passAgain();
+  const float marked_below = mark_below_;
   out = judge();
+  // Marks made for a darker finger miss parts of this one, or all of it.
+  if (mark_below_ > marked_below + kMarkStep) {
+    passAgain();
+    out = judge();
+  }
   ++since_last_;
   if (out.contact) {
     since_last_ = 0;
@@ -188,6 +191,12 @@ FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfI
   }
   picture_ = {};
   return out;
+}
+
+void AdaptiveFinger::passAgain() {
+  pass();
+  coverCells();
+  (void)light_.fit(cells_);  // too few bare cells: the light stands as it was
 }
 
 bool AdaptiveFinger::unusable(FingerDetection& out) const {

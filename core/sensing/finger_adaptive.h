@@ -1,6 +1,7 @@
 // The adaptive finger detector behind finger_detector.h: one pass over the region makes marks, runs, blobs and cell
 // means from the light learned so far; the light is then fitted to this picture's own cells, and the chosen blob
-// measured against that. When the light has jumped, or is not known yet, the pass is made again.
+// measured against that. When the light or the finger's darkness has jumped, or is not known yet, the pass is made
+// again.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +31,7 @@ class AdaptiveFinger {
   /// One row of the working grid as grey.
   [[nodiscard]] const std::uint8_t* greyRow(int y, std::uint8_t* buffer) const;
   void pass();
+  void passAgain();
   void closeCells(int row);
   void coverCells();
   [[nodiscard]] bool learnLight();

@@ -225,6 +225,19 @@ TEST(AdaptiveFinger, FollowsLightThatJumps) {
   }
 }
 
+TEST(AdaptiveFinger, FollowsAFingerWhoseDarknessJumps) {
+  FingerDetector detector;
+  for (const int grey : {40, 140, 60, 130}) {
+    Picture picture(200);
+    picture.disc(150, 120, 20, grey);
+    picture.noise(6);
+    const FingerDetection found = detector.detect(picture.view());
+    ASSERT_TRUE(found.contact) << grey;
+    EXPECT_NEAR(found.x_px, 150, 0.3) << grey;
+    EXPECT_NEAR(found.area_px, 1257 * (160.0 * 120) / (220 * 150), 22) << grey;  // 1257 px in the disc
+  }
+}
+
 TEST(AdaptiveFinger, ColourAndGreyAgree) {
   Picture grey(200);
   Picture colour(200, 320, 240, 3);
