@@ -157,7 +157,7 @@ void Pipeline::sense(const Inputs& inputs) {
                 .taken = inputs.bridge.taken,
                 .count = inputs.bridge.count};
   }
-  indent_ = indentation_.step(inputs.now, inputs.ir, inputs.finger);
+  indent_ = indentation_.step(inputs.now, inputs.ir, inputs.finger, force_N_);
   stiff_ = stiffness_.step(inputs.now, force_N_, indent_);
   rollers_ = inputs.motors.count == 0 ? control::RollerAngles{}
                                       : control::rollerAngles(inputs.motors.value, parameters_.control);

@@ -73,6 +73,7 @@ void IndentationEstimator::tare(std::span<const double> offset_mm) {
 
 void IndentationEstimator::reset() {
   filter_.restart();
+  fusion_.restart();
   smoother_.restart();
   touched_ = false;
   last_count_ = 0;
@@ -83,7 +84,8 @@ void IndentationEstimator::reset() {
 }
 
 IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts>& ir,
-                                               const Timed<FingerDetection>& finger) {
+                                               const Timed<FingerDetection>& finger, const Timed<double>& force_N) {
+  fusion_.takeForce(force_N);
   estimate_.sensors = sensor_count_;
   estimate_.available = false;
   if (ir.freshness(now, ir_maximum_age_) != Freshness::fresh) {
@@ -117,6 +119,7 @@ IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts
   }
   if (new_touch) {
     filter_.restart();
+    fusion_.restart();
     smoother_.restart();
   }
   if (new_readings || new_touch) {
@@ -125,13 +128,17 @@ IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts
     } else if (parameters_.mode == IndentationMode::thesis) {
       stepThesis(seen);
     } else {
-      stepMembrane(new_touch ? 0.0 : dt_s, seen);
+      updateMembrane(new_touch ? 0.0 : dt_s, ir.taken, seen);
+      readMembrane(now);
     }
+  } else if (parameters_.mode == IndentationMode::membrane && was_readable_) {
+    readMembrane(now);
   } else {
     estimate_.available = was_available_;
     estimate_.reason = last_reason_;
   }
   was_available_ = estimate_.available;
+  was_readable_ = estimate_.reason != IndentationReason::too_few_sensors;
   last_reason_ = estimate_.reason;
   return estimate_;
 }
@@ -188,7 +195,7 @@ bool IndentationEstimator::enoughSensors() {
   return plane_.usable();
 }
 
-void IndentationEstimator::stepMembrane(double dt_s, const FingerDetection& finger) {
+void IndentationEstimator::updateMembrane(double dt_s, Instant taken, const FingerDetection& finger) {
   updateShapes(finger.x_mm, finger.y_mm);
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> measurements;
   std::size_t count = 0;
@@ -196,13 +203,19 @@ void IndentationEstimator::stepMembrane(double dt_s, const FingerDetection& fing
     const Reading& r = readings_[i];
     if (r.used) measurements[count++] = {.z_mm = -r.z_mm, .h = shapes_[i], .sigma_mm = r.sigma_mm};
   }
+  fusion_.update(dt_s, taken, std::span(measurements).first(count));
   filter_.update(dt_s, std::span(measurements).first(count));
+  fusion_.compare(dt_s, filter_.value_mm(), filter_.sigma_mm());
+}
 
-  const double value = filter_.value_mm();
+void IndentationEstimator::readMembrane(Instant now) {
+  const bool fused = fusion_.usable(now);
+  const double value = fused ? fusion_.indentation_mm() : filter_.value_mm();
+  const double sigma = fused ? fusion_.sigma_mm() : filter_.sigma_mm();
   const double shape_error = kShapeError * value;
   const double excess = std::max(1.0, filter_.disagreement());
   estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);
-  estimate_.sigma_mm = std::sqrt(filter_.sigma_mm() * filter_.sigma_mm() * excess + shape_error * shape_error);
+  estimate_.sigma_mm = std::sqrt(sigma * sigma * excess + shape_error * shape_error);
   estimate_.available = estimate_.sigma_mm <= parameters_.sigma_limit_mm;
   if (!estimate_.available) {
     estimate_.reason = IndentationReason::uncertain;

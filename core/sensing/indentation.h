@@ -5,6 +5,8 @@
 //   membrane.h at the camera's (x, y). Two Kalman filters of δ, one for a finger that holds and one for a finger
 //   that moves, share their beliefs at each reading (interacting multiple models); readings far from what
 //   both expect are left out until they persist.
+//   While the load cell tells the force, the two filters only watch, and δ = c·F with the touch's compliance c learnt
+//   from the same readings (force_fusion.h).
 // thesis: plane through the sensors at (x, y), accepted when it moved < 2 mm, smoothed 0.8/0.2. As printed, the gate
 //   can shut for good; here it opens again after five readings that agree with each other. Three valid sensors are
 //   needed.
@@ -21,6 +23,7 @@
 #include "core/base/timed.h"
 #include "core/sensing/fabric_plane.h"
 #include "core/sensing/finger_types.h"
+#include "core/sensing/force_fusion.h"
 #include "core/sensing/indentation_filter.h"
 #include "core/sensing/indentation_parameters.h"
 #include "core/sensing/ir_distance.h"
@@ -63,7 +66,9 @@ class IndentationEstimator {
   /// Readings older than these are stale.
   void setMaximumAges(Duration ir, Duration finger);
 
-  [[nodiscard]] IndentationEstimate step(Instant now, const Timed<IrCounts>& ir, const Timed<FingerDetection>& finger);
+  /// @param force_N this step's force on the cloth, NaN when invalid; without one the distances are used alone
+  [[nodiscard]] IndentationEstimate step(Instant now, const Timed<IrCounts>& ir, const Timed<FingerDetection>& finger,
+                                         const Timed<double>& force_N = {});
 
   /// One set of readings on its own, with the finger at (x, y): no filter, nothing kept for the next step.
   /// membrane: least squares over the sensors' shares, weighted by their noise; thesis: the plane.
@@ -88,7 +93,8 @@ class IndentationEstimator {
 
   void readSensors(const IrCounts& counts);
   void noticeStuck(const IrCounts& counts);
-  void stepMembrane(double dt_s, const FingerDetection& finger);
+  void updateMembrane(double dt_s, Instant taken, const FingerDetection& finger);
+  void readMembrane(Instant now);
   void stepThesis(const FingerDetection& finger);
   void updateShapes(double x_mm, double y_mm);
   struct PlaneReading {
@@ -118,9 +124,11 @@ class IndentationEstimator {
   double shapes_y_mm_ = 0.0;
   bool shapes_known_ = false;
   IndentationFilter filter_;
+  ForceFusion fusion_;
   ThesisSmoother smoother_;
   bool touched_ = false;
   std::uint64_t last_count_ = 0;
+  bool was_readable_ = false;
   bool was_available_ = false;
   IndentationReason last_reason_ = IndentationReason::ir_stale;
   IndentationEstimate estimate_;

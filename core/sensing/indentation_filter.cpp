@@ -16,13 +16,16 @@ constexpr double kDisagreementShare = 0.05;
 
 }  // namespace
 
-void IndentationFilter::configure(double holding_mm_per_sqrt_s, double moving_mm_per_sqrt_s) {
+void IndentationFilter::configure(double holding_mm_per_sqrt_s, double moving_mm_per_sqrt_s, double start_mm,
+                                  double start_sigma_mm, double start_holding) {
+  start_holding_ = start_holding;
+  start_ = {.mean = start_mm, .variance = start_sigma_mm * start_sigma_mm};
   pace_squared_ = {holding_mm_per_sqrt_s * holding_mm_per_sqrt_s, moving_mm_per_sqrt_s * moving_mm_per_sqrt_s};
 }
 
 void IndentationFilter::restart() {
-  belief_ = {};
-  probability_ = {0.1, 0.9};  // a touch begins with a movement
+  belief_ = {start_, start_};
+  probability_ = {start_holding_, 1.0 - start_holding_};
   disagreement_ = 1.0;
   left_out_in_a_row_ = 0;
   combine();

@@ -17,7 +17,9 @@ class IndentationFilter {
     bool used = false;      ///< set by update: false when left out as an outlier
   };
 
-  void configure(double holding_mm_per_sqrt_s, double moving_mm_per_sqrt_s);
+  /// The start is what a new touch is believed to be before its first reading; it takes effect with `restart`.
+  void configure(double holding_mm_per_sqrt_s, double moving_mm_per_sqrt_s, double start_mm = 0.0,
+                 double start_sigma_mm = kStartSigma_mm, double start_holding = 0.1);
   void restart();
   /// @param dt_s time since the last update; not positive or not finite: no time passes; beyond 1 s: 1 s
   void update(double dt_s, std::span<Measurement> measurements);
@@ -40,6 +42,8 @@ class IndentationFilter {
   void mix(double dt_s);
   void combine();
 
+  Belief start_;
+  double start_holding_ = 0.1;                      // a touch begins with a movement
   std::array<double, 2> pace_squared_{1.0, 400.0};  // mm²/s: holding, moving
   std::array<Belief, 2> belief_{};
   std::array<double, 2> probability_{0.5, 0.5};

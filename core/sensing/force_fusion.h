@@ -1,0 +1,60 @@
+// Indentation through the force: δ = c·F, with the compliance c = 1/k of this touch learnt from the distance sensors.
+//
+// Whatever the finger does, force and indentation do it together; only c is unknown, and c changes no faster than the
+// motors stretch the cloth. So each distance reading z = s·δ + noise becomes one of c, z = (s·F)·c + noise, averaged
+// over the whole touch, and the load cell, quick and quiet, says at once how deep the finger is. Distance sensors alone
+// must choose between noise and lag (indentation_filter.h).
+//
+// When distance and force contradict each other for long (a dead load cell, a hand on the cover), the force is not
+// used for the rest of the touch.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "core/base/timed.h"
+#include "core/sensing/indentation_filter.h"
+
+namespace fyd::sensing {
+
+class ForceFusion {
+ public:
+  ForceFusion();
+
+  /// A new touch: the compliance is anything a fabric display has (0.3 to 0.9 N/mm, thesis §4.1.4, generously).
+  void restart();
+
+  /// The newest force, N; repeated counts are ignored, NaN makes the fusion unusable until the next number.
+  void takeForce(const Timed<double>& force_N);
+
+  /// Distance readings taken at `taken`: z = h·δ, as in IndentationFilter.
+  void update(double dt_s, Instant taken, std::span<const IndentationFilter::Measurement> measurements);
+
+  /// Compares with what the distance sensors alone say.
+  void compare(double dt_s, double indentation_mm, double sigma_mm);
+
+  /// A force is there, and nothing contradicts it.
+  [[nodiscard]] bool usable(Instant now) const;
+  [[nodiscard]] double indentation_mm() const;
+  [[nodiscard]] double sigma_mm() const;
+
+ private:
+  struct Force {
+    double value_N = 0.0;
+    Instant taken{};
+  };
+
+  [[nodiscard]] double forceAt(Instant when) const;
+
+  IndentationFilter compliance_;  // of c, mm/N, in place of δ
+  std::array<Force, 32> forces_{};
+  std::size_t written_ = 0;
+  std::uint64_t last_count_ = 0;
+  bool known_ = false;
+  bool learnt_ = false;
+  double contradiction_s_ = 0.0;
+  bool contradicted_ = false;
+};
+
+}  // namespace fyd::sensing
