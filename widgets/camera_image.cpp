@@ -89,9 +89,9 @@ void CameraImage::paintFinger(QPainter& painter, const QRectF& area) const {
     const QRectF region(area.left() + shown_.region.x() * s, area.top() + shown_.region.y() * s,
                         shown_.region.width() * s, shown_.region.height() * s);
     if (!tint_.isNull()) painter.drawImage(region, tint_);
-    painter.setPen(QPen(QColor(0, 0, 0, 140), 3));
+    painter.setPen(QPen(QColor(255, 255, 255, 150), 4));  // seen on dark pictures
     painter.drawRect(region);
-    painter.setPen(QPen(Qt::white, 1));
+    painter.setPen(QPen(QColor(20, 24, 28), 1.5));  // seen on light ones
     painter.drawRect(region);
   }
   if (!shown_.finger.contact) return;

@@ -35,6 +35,7 @@ class CameraImage : public QWidget {
   void showMask(bool on);
   /// Words in place of a picture: what was looked for, what to do.
   void setEmptyText(const QString& text);
+  [[nodiscard]] const QString& emptyText() const { return empty_text_; }
   /// Lets the mouse move the simulated finger; an empty function ends it.
   void setTouchable(PictureToTouchpad to_touchpad);
   [[nodiscard]] double depth_mm() const { return depth_mm_; }

@@ -11,35 +11,43 @@ namespace fyd::widgets {
 namespace {
 
 constexpr int kLeftMargin = 48;
-constexpr int kRightMargin = 8;
+constexpr int kRightMargin = 16;
 constexpr int kScaleHeight = 20;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// "−8" rather than "-8": the numbers beside the curves are typeset the same way.
-class TimeTicker : public QCPAxisTicker {
+class NumberTicker : public QCPAxisTicker {
+ public:
+  /// @param unit_at_zero written after the axis' zero; empty: none
+  explicit NumberTicker(QString unit_at_zero = {}) : unit_at_zero_(std::move(unit_at_zero)) {}
+
  protected:
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
     QString text = QCPAxisTicker::getTickLabel(tick, locale, format, precision);
     text.replace(QLatin1Char('-'), QChar(0x2212));
-    return tick == 0.0 ? QStringLiteral("0 s") : text;
+    return tick == 0.0 && !unit_at_zero_.isEmpty() ? text + QLatin1Char(' ') + unit_at_zero_ : text;
   }
+
+ private:
+  QString unit_at_zero_;
 };
 
 }  // namespace
 
-CurveStrip::CurveStrip(const QString& name, Range least, std::vector<Trace> traces, bool with_time_scale,
-                       QWidget* parent)
+CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, std::vector<Trace> traces,
+                       bool with_time_scale, QWidget* parent)
     : QWidget(parent),
       plot_(new QCustomPlot(this)),
       traces_(std::move(traces)),
       range_(least),
+      unit_(unit),
       with_time_scale_(with_time_scale),
       band_(new QRubberBand(QRubberBand::Rectangle, plot_)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
-  setAccessibleName(name);
-  plot_->setAccessibleName(name);
+  setAccessibleName(tr("%1 over time, %2").arg(name, unit));
+  plot_->setAccessibleName(accessibleName());
   plot_->setMinimumHeight(40);
   plot_->setPlottingHints(QCP::phFastPolylines);
   plot_->setNotAntialiasedElements(QCP::aeAll);
@@ -53,7 +61,8 @@ CurveStrip::CurveStrip(const QString& name, Range least, std::vector<Trace> trac
   rect->setAutoMargins(QCP::msNone);
   rect->setMargins(QMargins(kLeftMargin, 4, kRightMargin, with_time_scale_ ? kScaleHeight : 4));
   plot_->xAxis->setTickLabels(with_time_scale_);
-  plot_->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new TimeTicker));
+  plot_->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(tr("s"))));
+  plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
   plot_->yAxis->ticker()->setTickCount(3);
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
     axis->setSubTicks(false);
@@ -65,9 +74,25 @@ CurveStrip::CurveStrip(const QString& name, Range least, std::vector<Trace> trac
     QCPGraph* graph = plot_->addGraph();
     graph->setAdaptiveSampling(false);  // the columns already are what the pixels can show
   }
+  lanes_ = !traces_.front().lane.isEmpty();
+  if (lanes_) buildLanes();
   connect(&Look::instance(), &Look::changed, this, &CurveStrip::dress);
   dress();
 }
+
+void CurveStrip::buildLanes() {
+  // Three signals that swing about zero would hide each other in one picture.
+  const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
+  for (std::size_t i = 0; i < traces_.size(); ++i) names->addTick(laneCentre(i), traces_[i].lane);
+  plot_->yAxis->setTicker(names);
+  scale_text_ = new QCPItemText(plot_);
+  scale_text_->position->setType(QCPItemPosition::ptAxisRectRatio);
+  scale_text_->position->setCoords(0.0, 0.0);
+  scale_text_->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+  scale_text_->setPadding(QMargins(4, 0, 4, 0));
+}
+
+double CurveStrip::laneCentre(std::size_t trace) const { return static_cast<double>(traces_.size() - 1 - trace); }
 
 void CurveStrip::dress() {
   const Theme& t = theme();
@@ -81,6 +106,11 @@ void CurveStrip::dress() {
     grid.setAlphaF(0.6F);
     axis->grid()->setPen(QPen(grid, 1));
     axis->grid()->setZeroLinePen(QPen(t.line, 1));
+  }
+  if (scale_text_ != nullptr) {
+    scale_text_->setFont(textFont(TextSize::small));
+    scale_text_->setColor(t.muted);
+    scale_text_->setBrush(QBrush(t.panel));
   }
   for (std::size_t i = 0; i < traces_.size(); ++i) {
     plot_->graph(static_cast<int>(i))
@@ -130,7 +160,17 @@ void CurveStrip::draw(const CurveBuffer& buffer, const TimeWindow& window) {
   }
   for (std::size_t i = 0; i < traces_.size(); ++i) fill(plot_->graph(static_cast<int>(i)), traces_[i], buffer, window);
   if (drawn_.lower <= drawn_.upper) range_.fit(drawn_.lower, drawn_.upper);
-  const Range shown = shownRange();
+  Range shown = shownRange();
+  if (lanes_) {
+    const double full = std::max(std::abs(range_.shown().lower), std::abs(range_.shown().upper));
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+      for (QCPGraphData& point : *plot_->graph(static_cast<int>(i))->data()) {
+        point.value = laneCentre(i) + 0.5 * point.value / full;
+      }
+    }
+    scale_text_->setText(tr("each ±%1 %2").arg(full).arg(unit_));
+    if (!fixed_range_) shown = {-0.5, static_cast<double>(traces_.size()) - 0.5};
+  }
   const double margin = fixed_range_ ? 0.0 : 0.04 * (shown.upper - shown.lower);  // the line at the end stays visible
   plot_->xAxis->setRange(-window.span_s(), 0.0);
   plot_->yAxis->setRange(shown.lower - margin, shown.upper + margin);
@@ -174,7 +214,7 @@ bool CurveStrip::release(const QMouseEvent& event) {
 void CurveStrip::wheel(const QWheelEvent& event) {
   const double factor = std::pow(0.8, event.angleDelta().y() / 120.0);
   if (event.modifiers().testFlag(Qt::ControlModifier)) {
-    const Range shown = shownRange();
+    const Range shown{plot_->yAxis->range().lower, plot_->yAxis->range().upper};
     const double about = plot_->yAxis->pixelToCoord(event.position().y());
     fixRange({about + (shown.lower - about) * factor, about + (shown.upper - about) * factor});
     emit panned(0.0);

@@ -16,6 +16,7 @@
 
 class QCustomPlot;
 class QCPGraph;
+class QCPItemText;
 class QRubberBand;
 
 namespace fyd::widgets {
@@ -24,14 +25,15 @@ struct Trace {
   std::size_t channel = 0;  ///< of the buffer
   Quantity quantity = Quantity::none;
   bool dashed = false;
+  QString lane;  ///< not empty: the trace has a lane of its own, named so, and shares the others' scale
 };
 
 class CurveStrip : public QWidget {
   Q_OBJECT
  public:
-  /// @param name with unit, for screen readers
+  /// @param name for screen readers
   /// @param least range shown at least
-  CurveStrip(const QString& name, Range least, std::vector<Trace> traces, bool with_time_scale,
+  CurveStrip(const QString& name, const QString& unit, Range least, std::vector<Trace> traces, bool with_time_scale,
              QWidget* parent = nullptr);
 
   void draw(const CurveBuffer& buffer, const TimeWindow& window);
@@ -55,6 +57,8 @@ class CurveStrip : public QWidget {
  private:
   void dress();
   void fill(QCPGraph* graph, const Trace& trace, const CurveBuffer& buffer, const TimeWindow& window);
+  void buildLanes();
+  [[nodiscard]] double laneCentre(std::size_t trace) const;
   [[nodiscard]] double timeAt(double x_px) const;
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event);
@@ -65,6 +69,9 @@ class CurveStrip : public QWidget {
   std::vector<Trace> traces_;
   ValueRange range_;
   std::optional<Range> fixed_range_;
+  QString unit_;
+  bool lanes_ = false;
+  QCPItemText* scale_text_ = nullptr;  ///< what a lane's height means
   Range drawn_;
   std::vector<CurveColumn> columns_;
   bool with_time_scale_;

@@ -52,9 +52,9 @@ CurveView::CurveView(QWidget* parent) : QWidget(parent), buffer_(kChannelCount, 
   addStrip(tr("Vibration, peak"), tr("%"), {-100, 100}, {{kVibration, Quantity::vibration}},
            {{{}, Quantity::vibration, false, 0}}, true, false);
   addStrip(tr("Acceleration, peak"), tr("g"), {-1, 1},
-           {{kAccelerationX, Quantity::acceleration_x},
-            {kAccelerationY, Quantity::acceleration_y},
-            {kAccelerationZ, Quantity::acceleration_z}},
+           {{kAccelerationX, Quantity::acceleration_x, false, tr("x")},
+            {kAccelerationY, Quantity::acceleration_y, false, tr("y")},
+            {kAccelerationZ, Quantity::acceleration_z, false, tr("z")}},
            {{tr("x"), Quantity::acceleration_x, false, 2},
             {tr("y"), Quantity::acceleration_y, false, 2},
             {tr("z"), Quantity::acceleration_z, false, 2}},
@@ -97,7 +97,7 @@ void CurveView::addStrip(const QString& title, const QString& unit, Range least,
                          std::vector<Readout::Entry> entries, bool large, bool last) {
   auto* row = new QHBoxLayout;
   row->setSpacing(kGrid);
-  auto* strip = new CurveStrip(tr("%1 over time, %2").arg(title, unit), least, std::move(traces), last, this);
+  auto* strip = new CurveStrip(title, unit, least, std::move(traces), last, this);
   auto* readout = new Readout(title, unit, std::move(entries), large, this);
   row->addWidget(strip, 1);
   row->addWidget(readout);

@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPropertyAnimation>
 #include <QToolButton>
 
 #include "widgets/icon.h"
@@ -12,7 +11,7 @@
 namespace fyd::widgets {
 namespace {
 
-constexpr int kWidth = 360;
+constexpr int kWidth = 33 * kGrid;  // the left column's
 constexpr int kSlide_ms = 160;
 
 QColor colourOf(Severity severity) {
@@ -37,6 +36,8 @@ class NoticeCard : public QFrame {
     auto* close = new QToolButton(this);
     close->setIcon(icon(QStringLiteral("cross")));
     close->setIconSize({14, 14});
+    close->setProperty("flat", true);
+    close->setFixedSize(24, 24);
     close->setToolTip(NoticeStack::tr("Read"));
     close->setAccessibleName(NoticeStack::tr("Dismiss: %1").arg(text));
     close->setObjectName(QStringLiteral("notice_close"));
@@ -89,10 +90,12 @@ QString severityWord(Severity severity) {
   return {};
 }
 
-NoticeStack::NoticeStack(QWidget* over) : QWidget(over), layout_(new QVBoxLayout(this)) {
+NoticeStack::NoticeStack(QWidget* over)
+    : QWidget(over), layout_(new QVBoxLayout(this)), slide_(new QPropertyAnimation(this, "pos", this)) {
   setAccessibleName(tr("Notices"));
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(kGrid);
+  slide_->setDuration(kSlide_ms);
   over->installEventFilter(this);
   hide();
 }
@@ -116,12 +119,11 @@ void NoticeStack::post(Severity severity, const QString& text) {
   layout_->addWidget(card);
   card->show();
   place();
-  auto* slide = new QPropertyAnimation(this, "pos", this);
-  slide->setDuration(kSlide_ms);
-  slide->setStartValue(pos() + QPoint(3 * kGrid, 0));
-  slide->setEndValue(pos());
-  connect(slide, &QPropertyAnimation::finished, this, &NoticeStack::place);
-  slide->start(QAbstractAnimation::DeleteWhenStopped);
+  slide_->stop();
+  const QPoint home = pos();
+  slide_->setStartValue(home - QPoint(3 * kGrid, 0));
+  slide_->setEndValue(home);
+  slide_->start();
 }
 
 void NoticeStack::dismiss(QWidget* notice) {
@@ -136,6 +138,7 @@ void NoticeStack::dismissAll() {
 }
 
 void NoticeStack::place() {
+  slide_->stop();
   if (layout_->count() == 0) {
     hide();
     return;
@@ -146,7 +149,7 @@ void NoticeStack::place() {
     height += std::max(card->heightForWidth(kWidth), card->minimumSizeHint().height());
   }
   const QRect area = parentWidget()->rect();
-  setGeometry(area.right() - kWidth - 2 * kGrid, area.bottom() - height - 2 * kGrid, kWidth, height);
+  setGeometry(kGrid, area.bottom() - height - kGrid, kWidth, height);
   show();
   raise();
 }

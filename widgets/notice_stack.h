@@ -1,7 +1,9 @@
-// Notices slide in over the lower right of a window, disturb nothing and stay until they are read.
+// Notices slide in over the lower left of a window, below the readiness list, disturb nothing and stay until they are
+// read.
 #pragma once
 
 #include <QFrame>
+#include <QPropertyAnimation>
 #include <QString>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -14,7 +16,7 @@ enum class Severity { information, warning, error };
 class NoticeStack : public QWidget {
   Q_OBJECT
  public:
-  static constexpr int kMost = 4;  ///< shown at once; the rest is in the log
+  static constexpr int kMost = 3;  ///< shown at once; the rest is in the log
 
   explicit NoticeStack(QWidget* over);
   /// A notice with the same text as one still shown is counted there instead of shown again.
@@ -30,6 +32,7 @@ class NoticeStack : public QWidget {
   void place();
   void dismiss(QWidget* notice);
   QVBoxLayout* layout_;
+  QPropertyAnimation* slide_;
 };
 
 }  // namespace fyd::widgets

@@ -36,7 +36,7 @@ StateBar::StateBar(QWidget* parent)
       parts_(new PartList(this)),
       tare_(new QPushButton(tr("Tare"), this)),
       arm_(new HoldButton(tr("Hold to arm"), this)),
-      stop_(new QPushButton(tr("STOP   Esc"), this)) {
+      stop_(new QPushButton(tr(" STOP   Esc"), this)) {
   setProperty("surface", "panel");
   setAccessibleName(tr("State"));
   word_->setObjectName(QStringLiteral("state_word"));

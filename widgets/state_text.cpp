@@ -43,9 +43,10 @@ StateWords describeState(SafetyState state, Lack lack) {
     case SafetyState::active:
       return {word, tr("Rendering; motors on."), tr("Esc stops."), QStringLiteral("state-active")};
     case SafetyState::held:
-      return {word, reason.isEmpty() ? tr("Something needed went missing.") : reason,
-              (remedy.isEmpty() ? QString() : remedy + QLatin1Char(' ')) + tr("Then hold Re-arm."),
-              QStringLiteral("state-held")};
+      return {
+          word, reason.isEmpty() ? tr("Something needed went missing.") : reason,
+          remedy.isEmpty() ? tr("Hold Re-arm to start again.") : remedy + QLatin1Char(' ') + tr("Then hold Re-arm."),
+          QStringLiteral("state-held")};
     case SafetyState::stopped:
       return {word, tr("Stopped by the operator; motors off."), tr("Hold Re-arm to start again."),
               QStringLiteral("state-stopped")};

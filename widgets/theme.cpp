@@ -125,7 +125,7 @@ QFont textFont(TextSize size, bool strong) {
     case TextSize::small: font.setPointSizeF(base * 0.9); break;
     case TextSize::normal: break;
     case TextSize::title: font.setPointSizeF(base * 1.7); break;
-    case TextSize::number: font.setPointSizeF(base * 2.0); break;
+    case TextSize::number: font.setPointSizeF(base * 2.4); break;
   }
   font.setWeight(strong ? QFont::DemiBold : QFont::Normal);
   return font;

@@ -52,6 +52,10 @@ TuningRow::TuningRow(TuningModel& model, QString id, const QString& label, Quant
   reset_->setIcon(icon(QStringLiteral("reset")));
   reset_->setIconSize({14, 14});
   reset_->setFixedSize(26, 26);
+  reset_->setProperty("flat", true);
+  QSizePolicy keeps_its_place = reset_->sizePolicy();
+  keeps_its_place.setRetainSizeWhenHidden(true);
+  reset_->setSizePolicy(keeps_its_place);
   reset_->setAccessibleName(tr("Reset %1 to its default").arg(label));
   connect(reset_, &QToolButton::clicked, this, [this] { model_.resetToDefault(id_std_); });
   if (parameter().info.kind == ParameterKind::choice) {
@@ -170,7 +174,7 @@ void TuningRow::refresh() {
   mark_->setText(p.changed() ? QStringLiteral("•") : QString());
   mark_->setToolTip(p.changed() ? tr("Changed; the profile has %1").arg(plainNumber(p.saved)) : QString());
   mark_->setAccessibleName(p.changed() ? tr("Changed, not saved") : QString());
-  reset_->setEnabled(p.value != p.standard);
+  reset_->setVisible(p.value != p.standard);
   reset_->setToolTip(tr("Back to the default, %1")
                          .arg(p.info.kind == ParameterKind::choice
                                   ? fromView(p.info.choices[static_cast<std::size_t>(p.standard)])

@@ -6,9 +6,9 @@
 namespace fyd::widgets {
 namespace {
 
-/// 1, 2 or 5 times a power of ten: a quarter of `span` or the next above.
+/// 1, 2 or 5 times a power of ten: an eighth of `span` or the next above.
 double roundStep(double span) {
-  const double raw = span / 4.0;
+  const double raw = span / 8.0;
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (raw <= factor * power) return factor * power;

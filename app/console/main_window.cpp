@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QScreen>
 
 #include "app/console/views.h"
 #include "core/sensing/finger_detector.h"
@@ -38,10 +39,13 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       return QPointF(x_mm, y_mm);
     });
   }
-  resize(1280, 720);
+  resize(QSize(1280, 720).boundedTo(screen()->availableSize()));
 }
 
-MainWindow::~MainWindow() { session_->shutDown(); }
+MainWindow::~MainWindow() {
+  session_->shutDown();
+  delete page_;  // before the tuning it shows: a field that loses the focus still wants to hand over its entry
+}
 
 void MainWindow::start() {
   session_->start();

@@ -1,0 +1,362 @@
+// The whole window on a scripted session: what keys and clicks ask of it, what it shows of what it hears.
+#include "app/console/main_window.h"
+#include "app/console/options.h"
+#include "app/console/views.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+namespace {
+
+using pipeline::OperatorAction;
+using pipeline::SafetyState;
+
+class ScriptedSession : public console::Session {
+ public:
+  void start() override {}
+  void shutDown() override { ++shut_downs; }
+  bool command(const pipeline::OperatorCommand& command) override {
+    commands.push_back(command);
+    return takes_commands;
+  }
+  void requestStop() override { ++stops; }
+  Result<void> setParameter(std::string_view id, double value) override {
+    if (refuses) return fail("{}: refused by the script", id);
+    auto bound = bindParameters(profile);
+    findParameter(bound, id)->set(value);
+    changes.emplace_back(std::string(id), value);
+    return {};
+  }
+  station::Profile currentProfile() const override { return profile; }
+  std::size_t takeTelemetry(std::span<pipeline::TelemetrySample> out) override {
+    const std::size_t count = std::min(out.size(), telemetry.size());
+    std::copy_n(telemetry.begin(), count, out.begin());
+    telemetry.erase(telemetry.begin(), telemetry.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  std::uint64_t telemetryLost() const override { return 0; }
+  std::vector<station::Notice> takeNotices() override { return std::exchange(notices, {}); }
+  station::CameraView cameraView() const override { return view; }
+  station::StationStatus status() const override { return now; }
+  std::vector<station::ReadinessLine> readiness() const override { return {{"Motors answer", true, ""}}; }
+  void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
+    finger = {x_mm, y_mm, indentation_mm};
+  }
+  void releaseSimulatedFinger() override { finger.clear(); }
+  bool simulated() const override { return true; }
+
+  [[nodiscard]] int count(OperatorAction action) const {
+    return static_cast<int>(
+        std::count_if(commands.begin(), commands.end(), [&](const auto& c) { return c.action == action; }));
+  }
+  void say(SafetyState state) {
+    pipeline::TelemetrySample sample;
+    sample.now = instantAt(++seconds * 0.001);
+    sample.state = state;
+    telemetry.push_back(sample);
+  }
+
+  station::Profile profile;
+  std::vector<pipeline::OperatorCommand> commands;
+  std::vector<std::pair<std::string, double>> changes;
+  std::vector<pipeline::TelemetrySample> telemetry;
+  std::vector<station::Notice> notices;
+  station::CameraView view;
+  station::StationStatus now;
+  std::vector<double> finger;
+  int stops = 0;
+  int shut_downs = 0;
+  double seconds = 0;
+  bool takes_commands = true;
+  bool refuses = false;
+};
+
+struct Fixture {
+  Fixture() {
+    auto made = std::make_unique<ScriptedSession>();
+    session = made.get();
+    window = std::make_unique<console::MainWindow>(std::move(made), folder.filePath(QStringLiteral("profile.toml")));
+    window->show();
+    window->activateWindow();
+    (void)QTest::qWaitForWindowActive(window.get());
+  }
+  widgets::TuningRow* row(const char* id) const { return window->page()->tuning()->row(QLatin1String(id)); }
+  QTemporaryDir folder;
+  ScriptedSession* session;
+  std::unique_ptr<console::MainWindow> window;
+};
+
+int indexOf(station::Profile& profile, std::string_view id) {
+  const auto bound = bindParameters(profile);
+  return static_cast<int>(findParameter(bound, id) - bound.data());
+}
+
+}  // namespace
+
+class ConsoleTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void escStopsFromAFocusedFieldAListAMenuAndADialog() {
+    Fixture f;
+    QLineEdit* field = f.row("control.kp")->field();
+    field->setFocus();
+    QTest::keyClicks(field, QStringLiteral("12"));
+    QTest::keyClick(field, Qt::Key_Escape);
+    QVERIFY(f.session->stops >= 1);
+
+    int before = f.session->stops;
+    QComboBox* choice = f.row("texture.method")->choice();
+    choice->showPopup();
+    QTest::keyClick(choice->view(), Qt::Key_Escape);
+    QVERIFY(f.session->stops > before);
+
+    before = f.session->stops;
+    f.window->palette()->open();
+    QTest::keyClick(f.window->palette()->field(), Qt::Key_Escape);
+    QVERIFY(f.session->stops > before);
+    QVERIFY(!f.window->palette()->isVisible());
+
+    before = f.session->stops;
+    QDialog modal(f.window.get());
+    modal.setModal(true);
+    modal.show();
+    QTest::keyClick(&modal, Qt::Key_Escape);
+    QVERIFY(f.session->stops > before);
+
+    before = f.session->stops;
+    QMenu* menu = f.window->menuBar()->actions().first()->menu();
+    menu->popup(QPoint(10, 10));
+    QTest::keyClick(menu, Qt::Key_Escape);
+    QVERIFY(f.session->stops > before);
+  }
+
+  void stopButtonAndMenuStop() {
+    Fixture f;
+    QTest::mouseClick(f.window->page()->stateBar()->stopButton(), Qt::LeftButton);
+    QCOMPARE(f.session->stops, 1);
+    f.window->commands().action(QStringLiteral("session.stop"))->trigger();
+    QCOMPARE(f.session->stops, 2);
+  }
+
+  void armingTakesAHoldAndNothingElseArms() {
+    Fixture f;
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    widgets::HoldButton* arm = f.window->page()->stateBar()->armButton();
+    QVERIFY(arm->isEnabled());
+    QTest::mouseClick(arm, Qt::LeftButton);
+    for (QAction* action : f.window->commands().actions()) {
+      const QString id = action->objectName();
+      if (id != QLatin1String("session.quit") && id != QLatin1String("view.palette")) action->trigger();
+    }
+    QTest::qWait(widgets::HoldButton::kHold_ms + 100);
+    QCOMPARE(f.session->count(OperatorAction::arm), 0);
+    arm->setFocus();
+    QTest::keyPress(arm, Qt::Key_Space);  // the window's own use of the space bar stands back
+    QTRY_COMPARE(f.session->count(OperatorAction::arm), 1);
+    QTest::keyRelease(arm, Qt::Key_Space);
+  }
+
+  void spacePausesAndFFollowsButNotWhileTyping() {
+    Fixture f;
+    widgets::CurveView* curves = f.window->page()->curves();
+    f.window->setFocus();
+    QTest::keyClick(f.window.get(), Qt::Key_Space);
+    QVERIFY(!curves->following());
+    QTest::keyClick(f.window.get(), Qt::Key_F);
+    QVERIFY(curves->following());
+    QLineEdit* field = f.row("control.kp")->field();
+    field->setFocus();
+    curves->pause();
+    QTest::keyClick(field, Qt::Key_F);
+    QVERIFY(!curves->following());
+  }
+
+  void tareTargetAndHandValueReachTheSession() {
+    Fixture f;
+    QTest::mouseClick(f.window->page()->stateBar()->tareButton(), Qt::LeftButton);
+    QCOMPARE(f.session->count(OperatorAction::tare), 1);
+    QTest::mouseClick(f.window->page()->tuning()->byHandButton(), Qt::LeftButton, {}, QPoint(6, 10));
+    QCOMPARE(f.session->count(OperatorAction::target_by_hand), 1);
+    QCOMPARE(f.session->commands.back().value, f.session->profile.step.step.hand_target_N_per_mm);
+    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    QCOMPARE(f.session->count(OperatorAction::target_from_robot), 1);
+    QLineEdit* field = f.row("pipeline.hand_target_N_per_mm")->field();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("0.55"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(f.session->changes.back(), (std::pair<std::string, double>("pipeline.hand_target_N_per_mm", 0.55)));
+  }
+
+  void everyTunedParameterOfTheIssueIsThereAndLive() {
+    Fixture f;
+    station::Profile profile;
+    const auto bound = bindParameters(profile);
+    for (const char* id : {"pipeline.hand_target_N_per_mm", "control.kp", "control.ki", "control.kd", "texture.k_vib",
+                           "texture.method", "texture.dead_zone_percent", "texture.maximum_percent"}) {
+      QVERIFY2(f.row(id) != nullptr, id);
+      QVERIFY2(findParameter(bound, id)->info.live, id);
+    }
+  }
+
+  void aRefusalByTheSessionShowsTheRealValueAndSaysWhy() {
+    Fixture f;
+    f.session->refuses = true;
+    f.row("texture.k_vib")->slider()->setValue(200);
+    QCOMPARE(f.row("texture.k_vib")->field()->text(), QString::number(f.session->profile.step.texture.k_vib));
+    QVERIFY(f.window->notices()->count() >= 1);
+    QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("refused by the script")));
+  }
+
+  void theRobotsChangeIsShownAndAnEchoDoesNotPullTheSliderBack() {
+    Fixture f;
+    const auto index = static_cast<std::uint16_t>(indexOf(f.session->profile, "texture.k_vib"));
+    const auto changed = [&](double value) {
+      f.session->notices.push_back(
+          {.event = {.kind = pipeline::EventKind::parameter_changed, .index = index, .value = value},
+           .text = "texture.k_vib"});
+      f.window->feed().pump();
+    };
+    changed(1.1);
+    QCOMPARE(f.row("texture.k_vib")->field()->text(), QStringLiteral("1.1"));
+    f.row("texture.k_vib")->slider()->setValue(100);
+    f.row("texture.k_vib")->slider()->setValue(200);
+    const QString set = f.row("texture.k_vib")->field()->text();
+    changed(2.5);  // the first of the two, coming back
+    QCOMPARE(f.row("texture.k_vib")->field()->text(), set);
+    changed(5.0);
+    changed(1.2);  // and now the robot's again
+    QCOMPARE(f.row("texture.k_vib")->field()->text(), QStringLiteral("1.2"));
+  }
+
+  void aFullCommandQueueIsTold() {
+    Fixture f;
+    f.session->takes_commands = false;
+    QTest::mouseClick(f.window->page()->stateBar()->tareButton(), Qt::LeftButton);
+    QCOMPARE(f.window->notices()->count(), 1);
+  }
+
+  void saveWritesTheProfileAndAFailureSaysWhy() {
+    Fixture f;
+    f.row("texture.k_vib")->slider()->setValue(200);
+    QTest::mouseClick(f.window->page()->tuning()->saveButton(), Qt::LeftButton);
+    const auto loaded = station::loadProfile(f.folder.filePath(QStringLiteral("profile.toml")).toStdString());
+    QVERIFY(loaded.has_value());
+    QCOMPARE(loaded->step.texture.k_vib, f.session->profile.step.texture.k_vib);
+    // A file in the way of the folder: no right and no privilege gets around that.
+    QFile obstacle(f.folder.filePath(QStringLiteral("file")));
+    QVERIFY(obstacle.open(QIODevice::WriteOnly));
+    auto session = std::make_unique<ScriptedSession>();
+    console::MainWindow window(std::move(session), obstacle.fileName() + QStringLiteral("/profile.toml"));
+    window.commands().action(QStringLiteral("session.save_profile"))->trigger();
+    QVERIFY(window.notices()->text(0).startsWith(QStringLiteral("Profile not saved.")));
+  }
+
+  void telemetryNoticesAndSilenceReachTheScreen() {
+    Fixture f;
+    for (const auto& [state, word] :
+         {std::pair{SafetyState::connected, "Connected"}, std::pair{SafetyState::active, "Active"}}) {
+      f.session->say(state);
+      f.window->feed().pump();
+      QCOMPARE(f.window->page()->stateBar()->stateWord(), QLatin1String(word));
+    }
+    f.session->notices.push_back(
+        {.event = {.kind = pipeline::EventKind::tare_done, .value = 0.2}, .text = "Tare done."});
+    f.window->feed().pump();
+    QCOMPARE(f.window->notices()->count(), 1);
+    QCOMPARE(f.window->log()->lines(), 1);
+    f.window->start();
+    QTRY_COMPARE(f.window->page()->stateBar()->stateWord(), QStringLiteral("Unknown"));
+  }
+
+  void missingCameraTeaches() {
+    Fixture f;
+    f.session->now.parts = {{.name = "Camera", .description = "device 7", .ok = false, .problem = "no such device"}};
+    f.window->feed().pump();
+    QCOMPARE(f.window->page()->camera()->figure(0), QStringLiteral("—"));
+    QVERIFY(f.window->page()->camera()->image()->emptyText().contains(QStringLiteral("device 7")));
+  }
+
+  void picturesOfEveryKindAreShownOrLeftOut() {
+    for (const int type : {CV_8UC1, CV_8UC3}) {
+      const QImage image = console::toImage(cv::Mat(12, 17, type, cv::Scalar(10, 20, 30)));
+      QCOMPARE(image.size(), QSize(17, 12));
+      QCOMPARE(image.pixelColor(3, 3).blue(), 10);
+      QCOMPARE(image.pixelColor(3, 3).red(), type == CV_8UC3 ? 30 : 10);
+    }
+    QVERIFY(console::toImage(cv::Mat()).isNull());
+    QVERIFY(console::toImage(cv::Mat(3, 3, CV_32F)).isNull());
+    QVERIFY(console::toImage(cv::Mat(3, 3, CV_8UC2)).isNull());
+  }
+
+  void simulatedFingerFollowsTheMouse() {
+    Fixture f;
+    f.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
+    f.session->view.number = 1;
+    f.window->feed().pump();
+    QWidget* image = f.window->page()->camera()->image();
+    QTest::mousePress(image, Qt::LeftButton, {}, image->rect().center());
+    QCOMPARE(f.session->finger.size(), std::size_t{3});
+    QVERIFY(std::abs(f.session->finger[0]) < 10.0 && f.session->finger[2] == 4.0);
+    QTest::mouseRelease(image, Qt::LeftButton, {}, image->rect().center());
+    QVERIFY(f.session->finger.empty());
+  }
+
+  void everyCommandHasItsOwnKeysAndThePaletteRunsThem() {
+    Fixture f;
+    QSet<QString> keys;
+    for (const console::CommandInfo& info : console::commandTable()) {
+      if (*info.keys == '\0') continue;
+      QVERIFY2(!keys.contains(QLatin1String(info.keys)), info.id);
+      keys.insert(QLatin1String(info.keys));
+    }
+    f.window->palette()->open();
+    QTest::keyClicks(f.window->palette()->field(), QStringLiteral("tare"));
+    QTest::keyClick(f.window->palette()->field(), Qt::Key_Return);
+    QCOMPARE(f.session->count(OperatorAction::tare), 1);
+  }
+
+  void fitsASmallScreenInBothThemesAndEveryControlHasAName() {
+    Fixture f;
+    for (const auto choice : {widgets::ThemeChoice::light, widgets::ThemeChoice::dark}) {
+      widgets::Look::instance().apply(*qApp, choice);
+      QVERIFY2(f.window->minimumSizeHint().width() <= 1000,
+               qPrintable(QString::number(f.window->minimumSizeHint().width())));
+      QVERIFY2(f.window->minimumSizeHint().height() <= 640,
+               qPrintable(QString::number(f.window->minimumSizeHint().height())));
+    }
+    for (QAbstractButton* button : f.window->page()->findChildren<QAbstractButton*>()) {
+      QVERIFY2(!button->text().isEmpty() || !button->accessibleName().isEmpty(), qPrintable(button->objectName()));
+    }
+  }
+
+  void closingStopsTheMotorsFirst() {
+    Fixture f;
+    f.window->close();
+    QVERIFY(f.session->stops >= 1);
+    QVERIFY(f.session->shut_downs >= 1);
+  }
+
+  void wrongOptionsAreRefusedWithTheirName() {
+    const QString program = QStringLiteral("fyd-console");
+    for (const QStringList& wrong : {QStringList{QStringLiteral("--theme"), QStringLiteral("pink")},
+                                     QStringList{QStringLiteral("--after"), QStringLiteral("soon")},
+                                     QStringList{QStringLiteral("--after"), QStringLiteral("-1")},
+                                     QStringList{QStringLiteral("--finger"), QStringLiteral("no-such.csv")},
+                                     QStringList{QStringLiteral("--nonsense")}, QStringList{QStringLiteral("stray")}}) {
+      const auto options = console::readOptions(QStringList{program} + wrong);
+      QVERIFY(!options.has_value());
+      const QString name = wrong.first().mid(wrong.first().startsWith(QLatin1String("--")) ? 2 : 0);
+      QVERIFY(QString::fromStdString(options.error().message).contains(name));
+    }
+    const auto options = console::readOptions({program, QStringLiteral("--theme"), QStringLiteral("light")});
+    QVERIFY(options.has_value() && options->theme == widgets::ThemeChoice::light &&
+            options->robot == QLatin1String("simulated"));
+  }
+};
+
+std::unique_ptr<QObject> makeConsoleTest() { return std::make_unique<ConsoleTest>(); }
+
+}  // namespace fyd::tests
+
+#include "console_test.moc"

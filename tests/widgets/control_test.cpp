@@ -1,0 +1,195 @@
+// State bar, hold button, camera, readiness, notices and log, each alone.
+#include "tests/widgets/suite.h"
+#include "widgets/camera_panel.h"
+#include "widgets/icon.h"
+#include "widgets/log_view.h"
+#include "widgets/notice_stack.h"
+#include "widgets/readiness_list.h"
+#include "widgets/state_bar.h"
+#include "widgets/state_text.h"
+
+namespace fyd::tests {
+
+using pipeline::Lack;
+using pipeline::SafetyState;
+
+class ControlTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void armNeedsHoldingByMouse() {
+    widgets::HoldButton button(QStringLiteral("Hold to arm"));
+    button.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&button));
+    QSignalSpy held(&button, &widgets::HoldButton::held);
+    QTest::mouseClick(&button, Qt::LeftButton);
+    QTest::qWait(widgets::HoldButton::kHold_ms + 200);
+    QCOMPARE(held.count(), 0);
+    QTest::mousePress(&button, Qt::LeftButton);
+    QTest::qWait(widgets::HoldButton::kHold_ms / 2);
+    QVERIFY(button.progress() > 0.2);
+    QTRY_COMPARE(held.count(), 1);
+    QTest::qWait(widgets::HoldButton::kHold_ms);
+    QTest::mouseRelease(&button, Qt::LeftButton);
+    QCOMPARE(held.count(), 1);  // once for each hold
+  }
+
+  void armNeedsHoldingByKeyAndAutoRepeatIsNoHold() {
+    widgets::HoldButton button(QStringLiteral("Hold to arm"));
+    button.show();
+    button.setFocus();
+    QVERIFY(QTest::qWaitForWindowActive(&button));
+    QSignalSpy held(&button, &widgets::HoldButton::held);
+    QTest::keyClick(&button, Qt::Key_Space);
+    QTest::qWait(widgets::HoldButton::kHold_ms + 100);
+    QCOMPARE(held.count(), 0);
+    QTest::keyPress(&button, Qt::Key_Space);
+    QTest::qWait(50);
+    QKeyEvent repeat_up(QEvent::KeyRelease, Qt::Key_Space, Qt::NoModifier, QString(), true);
+    QKeyEvent repeat_down(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, QString(), true);
+    QApplication::sendEvent(&button, &repeat_up);
+    QApplication::sendEvent(&button, &repeat_down);
+    QTRY_COMPARE(held.count(), 1);
+    QTest::keyRelease(&button, Qt::Key_Space);
+  }
+
+  void holdIsTakenBackByLeavingAndByLosingTheFocus() {
+    widgets::HoldButton button(QStringLiteral("Hold to arm"));
+    button.resize(120, 40);
+    button.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&button));
+    QSignalSpy held(&button, &widgets::HoldButton::held);
+    QTest::mousePress(&button, Qt::LeftButton);
+    QTest::qWait(100);
+    QMouseEvent away(QEvent::MouseMove, QPointF(400, 400), button.mapToGlobal(QPointF(400, 400)), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&button, &away);
+    QCOMPARE(button.progress(), 0.0);
+    QTest::mouseRelease(&button, Qt::LeftButton, {}, QPoint(400, 400));
+    QTest::mousePress(&button, Qt::LeftButton);
+    QFocusEvent lost(QEvent::FocusOut);
+    QApplication::sendEvent(&button, &lost);
+    QTest::qWait(widgets::HoldButton::kHold_ms + 100);
+    QCOMPARE(held.count(), 0);
+  }
+
+  void everyStateSaysWhatWhyAndWhatToDo() {
+    for (std::size_t s = 0; s < pipeline::kSafetyStateCount; ++s) {
+      for (std::size_t l = 0; l < pipeline::kLackCount; ++l) {
+        const auto words = widgets::describeState(static_cast<SafetyState>(s), static_cast<Lack>(l));
+        QVERIFY(!words.word.isEmpty() && !words.why.isEmpty() && words.why.endsWith(QLatin1Char('.')));
+        QVERIFY(!widgets::icon(words.icon).isNull());
+        const bool latched =
+            s == static_cast<std::size_t>(SafetyState::held) || s == static_cast<std::size_t>(SafetyState::stopped);
+        if (latched) QVERIFY(words.to_do.contains(QStringLiteral("Re-arm")));
+      }
+    }
+  }
+
+  void stateBarFollowsTheStateAndOwnsUpToSilence() {
+    widgets::StateBar bar;
+    bar.show();
+    QCOMPARE(bar.stateWord(), QStringLiteral("Starting"));
+    QVERIFY(!bar.armButton()->isEnabled());
+    bar.showState(SafetyState::held, Lack::robot_lost);
+    QCOMPARE(bar.stateWord(), QStringLiteral("Held"));
+    QVERIFY(bar.stateReason().contains(QStringLiteral("robot is silent")));
+    QCOMPARE(bar.armButton()->text(), QStringLiteral("Hold to re-arm"));
+    bar.showState(SafetyState::active, Lack::none);
+    QVERIFY(!bar.armButton()->isEnabled());
+    bar.showSilence(true);
+    QCOMPARE(bar.stateWord(), QStringLiteral("Unknown"));
+    QVERIFY(bar.stopButton()->isEnabled());
+    QSignalSpy stop(&bar, &widgets::StateBar::stopAsked);
+    QTest::mousePress(bar.stopButton(), Qt::LeftButton);  // on the way down
+    QCOMPARE(stop.count(), 1);
+    QTest::mouseRelease(bar.stopButton(), Qt::LeftButton);
+  }
+
+  void readinessCountsAndTellsTheRemedy() {
+    widgets::ReadinessList list;
+    list.setRows({{QStringLiteral("Motors answer"), true, {}},
+                  {QStringLiteral("Camera sees"), false, QStringLiteral("Light.")}});
+    QCOMPARE(list.title(), QStringLiteral("Ready? 1/2"));
+    const auto labels = list.findChildren<QLabel*>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](QLabel* l) { return l->text() == QStringLiteral("Light."); }));
+  }
+
+  void mouseOnThePictureMovesTheSimulatedFinger() {
+    widgets::CameraPanel panel;
+    panel.resize(340, 420);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QSignalSpy moved(panel.image(), &widgets::CameraImage::fingerMoved);
+    QSignalSpy released(panel.image(), &widgets::CameraImage::fingerReleased);
+    QImage picture(320, 240, QImage::Format_Grayscale8);
+    picture.fill(200);
+    panel.setPicture({.picture = picture, .region = QRect(40, 45, 220, 150)});
+    const QPoint middle = panel.image()->rect().center();
+    QTest::mousePress(panel.image(), Qt::LeftButton, {}, middle);
+    QCOMPARE(moved.count(), 0);  // a real touchpad: the mouse does nothing
+    panel.setTouchable([](QPointF px) { return QPointF((px.x() - 160) * 0.5, (120 - px.y()) * 0.5); });
+    QTest::mousePress(panel.image(), Qt::LeftButton, {}, middle);
+    QCOMPARE(moved.count(), 1);
+    QVERIFY(std::abs(moved[0][0].toDouble()) < 1.0 && std::abs(moved[0][1].toDouble()) < 1.0);
+    QWheelEvent wheel(middle, panel.image()->mapToGlobal(middle), {}, QPoint(0, -120), Qt::LeftButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(panel.image(), &wheel);
+    QCOMPARE(moved.last()[2].toDouble(), 4.25);
+    QTest::mouseRelease(panel.image(), Qt::LeftButton, {}, middle);
+    QCOMPARE(released.count(), 1);
+    for (int i = 0; i < 100; ++i) QApplication::sendEvent(panel.image(), &wheel);
+    QCOMPARE(panel.image()->depth_mm(), widgets::CameraImage::kMaximumDepth_mm);
+  }
+
+  void fingerFiguresAreNoneWithoutContactAndWithoutPicture() {
+    widgets::CameraPanel panel;
+    QImage picture(32, 24, QImage::Format_Grayscale8);
+    picture.fill(10);
+    sensing::FingerDetection finger{.contact = true, .area_px = 412, .x_mm = 12.4, .y_mm = -3.14};
+    finger.reason = sensing::FingerReason::found;
+    panel.setPicture({.picture = picture, .finger = finger});
+    QCOMPARE(panel.figure(0), QStringLiteral("12.4 mm"));
+    QCOMPARE(panel.figure(1), QStringLiteral("−3.1 mm"));
+    QCOMPARE(panel.figure(2), QStringLiteral("412 px"));
+    finger.contact = false;
+    panel.setPicture({.picture = picture, .finger = finger});
+    QCOMPARE(panel.figure(0), QStringLiteral("—"));
+    panel.showMissing(QStringLiteral("Looked for: device 3"));
+    QCOMPARE(panel.figure(2), QStringLiteral("—"));
+  }
+
+  void noticesStayUntilReadAndRepeatsAreCounted() {
+    QWidget window;
+    window.resize(900, 600);
+    widgets::NoticeStack notices(&window);
+    window.show();
+    notices.post(widgets::Severity::warning, QStringLiteral("Tare failed."));
+    notices.post(widgets::Severity::warning, QStringLiteral("Tare failed."));
+    notices.post(widgets::Severity::information, QStringLiteral("Saved."));
+    QCOMPARE(notices.count(), 2);
+    QTest::qWait(400);
+    QCOMPARE(notices.count(), 2);
+    QTest::mouseClick(notices.findChild<QToolButton*>(QStringLiteral("notice_close")), Qt::LeftButton);
+    QCOMPARE(notices.count(), 1);
+    for (int i = 0; i < 20; ++i) notices.post(widgets::Severity::error, QString::number(i));
+    QCOMPARE(notices.count(), widgets::NoticeStack::kMost);
+    QTRY_VERIFY(window.rect().contains(notices.geometry()));
+  }
+
+  void logIsSearchedAndBounded() {
+    widgets::LogView log;
+    for (int i = 0; i < widgets::LogView::kMost + 10; ++i) {
+      log.add(QStringLiteral("12:00"), widgets::Severity::information,
+              i % 100 == 0 ? QStringLiteral("Held") : QStringLiteral("x"));
+    }
+    QCOMPARE(log.lines(), widgets::LogView::kMost);
+    QTest::keyClicks(log.searchField(), QStringLiteral("held"));
+    QCOMPARE(log.shownLines(), 50);
+  }
+};
+
+std::unique_ptr<QObject> makeControlTest() { return std::make_unique<ControlTest>(); }
+
+}  // namespace fyd::tests
+
+#include "control_test.moc"

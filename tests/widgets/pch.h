@@ -1,0 +1,8 @@
+// Precompiled for the window's tests.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QtTest>
+#include <QtWidgets>

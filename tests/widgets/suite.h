@@ -1,0 +1,14 @@
+// Each file of this folder is a suite: an object whose slots are its tests.
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+namespace fyd::tests {
+
+std::unique_ptr<QObject> makeCurveTest();
+std::unique_ptr<QObject> makeControlTest();
+std::unique_ptr<QObject> makeTuningTest();
+std::unique_ptr<QObject> makeConsoleTest();
+
+}  // namespace fyd::tests

@@ -1,0 +1,183 @@
+// The tuning panel: slider, field and parameter are one; bad entries change nothing; every change can be undone.
+#include "tests/widgets/suite.h"
+#include "widgets/tuning_panel.h"
+
+namespace fyd::tests {
+namespace {
+
+enum class Method { first, second, third };
+constexpr std::array<std::string_view, 3> kMethods = {"first", "second", "third"};
+
+struct Tuned {
+  double target = 0.6;
+  double gain = 0.1;
+  int count = 3;
+  double percent = 25;
+  Method method = Method::first;
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.real("a.target", target, {.unit = "N/mm", .minimum = 0.05, .maximum = 3, .help = "Target.", .live = true});
+    v.real("a.gain", gain, {.minimum = 0, .maximum = 1e12, .help = "Gain.", .live = true});
+    v.integer("a.count", count, {.minimum = 1, .maximum = 9, .help = "Count.", .live = true});
+    v.real("a.percent", percent, {.unit = "%", .minimum = 0, .maximum = 100, .help = "Share.", .live = true});
+    v.choice("a.method", method, kMethods, {.help = "Method.", .live = true});
+  }
+};
+
+struct Fixture {
+  Fixture() {
+    Tuned current;
+    Tuned standard;
+    current.percent = 30;
+    model.load(bindParameters(current), bindParameters(standard));
+    const std::vector<widgets::TuningSection> sections = {{QStringLiteral("Softness"),
+                                                           widgets::Quantity::stiffness,
+                                                           {{QStringLiteral("a.target"), QStringLiteral("Target")},
+                                                            {QStringLiteral("a.gain"), QStringLiteral("Kp")},
+                                                            {QStringLiteral("a.count"), QStringLiteral("Count")},
+                                                            {QStringLiteral("a.absent"), QStringLiteral("Absent")}}},
+                                                          {QStringLiteral("Texture"),
+                                                           widgets::Quantity::vibration,
+                                                           {{QStringLiteral("a.percent"), QStringLiteral("Dead zone")},
+                                                            {QStringLiteral("a.method"), QStringLiteral("Method")}}}};
+    panel = std::make_unique<widgets::TuningPanel>(model, sections, QStringLiteral("a.target"));
+    panel->resize(270, 600);
+    panel->show();
+    (void)QTest::qWaitForWindowActive(panel.get());
+  }
+  double value(const char* id) const { return model.find(id)->value; }
+  void type(const char* id, const QString& text) const {
+    QLineEdit* field = panel->row(QLatin1String(id))->field();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+  widgets::TuningModel model;
+  std::unique_ptr<widgets::TuningPanel> panel;
+};
+
+}  // namespace
+
+class TuningTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void sliderFieldAndParameterAreOne() {
+    Fixture f;
+    QSignalSpy asked(&f.model, &widgets::TuningModel::asked);
+    widgets::TuningRow* row = f.panel->row(QStringLiteral("a.percent"));
+    row->slider()->setValue(row->slider()->maximum() / 2);
+    QCOMPARE(f.value("a.percent"), 50.0);
+    QCOMPARE(row->field()->text(), QStringLiteral("50"));
+    QCOMPARE(asked.last()[0].toString(), QStringLiteral("a.percent"));
+    QCOMPARE(asked.last()[1].toDouble(), 50.0);
+    f.type("a.percent", QStringLiteral("12,5"));
+    QCOMPARE(f.value("a.percent"), 12.5);
+    QCOMPARE(row->slider()->value(), 50);  // an eighth of 400 steps
+    QCOMPARE(asked.count(), 2);            // setting the slider from the field asks for nothing
+    QTest::keyClick(row->slider(), Qt::Key_Right);
+    QVERIFY(f.value("a.percent") > 12.5);
+  }
+
+  void everyFieldRefusesWhatIsOutOfPlace() {
+    Fixture f;
+    QSignalSpy refused(f.panel.get(), &widgets::TuningPanel::refused);
+    int tried = 0;
+    for (widgets::TuningRow* row : f.panel->rows()) {
+      if (row->field() == nullptr) continue;
+      const std::string id = row->id().toStdString();
+      const double before = f.value(id.c_str());
+      for (const char* entry : {"", "abc", "nan", "inf", "-inf", "1e999", "-1", "1e13", "1.2.3", "0x10", "5 N"}) {
+        f.type(id.c_str(), QLatin1String(entry).isEmpty() ? QString() : QLatin1String(entry));
+        if (*entry == '\0') {
+          row->field()->clear();
+          row->field()->setModified(true);
+          QTest::keyClick(row->field(), Qt::Key_Return);
+        }
+        ++tried;
+        QCOMPARE(f.value(id.c_str()), before);
+        QCOMPARE(refused.count(), tried);
+        QVERIFY(refused.last()[0].toString().contains(QStringLiteral("Expected")));
+      }
+    }
+    QCOMPARE(tried, 4 * 11);
+    f.type("a.count", QStringLiteral("2.5"));
+    QCOMPARE(f.value("a.count"), 3.0);
+    f.type("a.count", QStringLiteral("7"));
+    QCOMPARE(f.value("a.count"), 7.0);
+  }
+
+  void refusedEntryIsReplacedByTheValueWhenTheFieldIsLeft() {
+    Fixture f;
+    f.type("a.target", QStringLiteral("99"));
+    QLineEdit* field = f.panel->row(QStringLiteral("a.target"))->field();
+    QVERIFY(field->property("refused").toBool());
+    f.panel->row(QStringLiteral("a.gain"))->field()->setFocus();
+    QCOMPARE(field->text(), QStringLiteral("0.6"));
+    QVERIFY(!field->property("refused").toBool());
+  }
+
+  void everyChangeIsUndoneAndADragIsOneChange() {
+    Fixture f;
+    widgets::TuningRow* row = f.panel->row(QStringLiteral("a.percent"));
+    for (int i = 130; i < 200; ++i) row->slider()->setValue(i);
+    f.type("a.gain", QStringLiteral("0.3"));
+    f.panel->row(QStringLiteral("a.method"))->choice()->setFocus();
+    QTest::keyClick(f.panel->row(QStringLiteral("a.method"))->choice(), Qt::Key_Down);
+    QCOMPARE(f.value("a.method"), 1.0);
+    QCOMPARE(f.model.undoStack()->count(), 3);
+    auto* undo = f.panel->findChild<QToolButton*>(QStringLiteral("undo_button"));
+    for (int i = 0; i < 3; ++i) QTest::mouseClick(undo, Qt::LeftButton);
+    QVERIFY(!undo->isEnabled());
+    QCOMPARE(f.value("a.percent"), 30.0);
+    QCOMPARE(f.value("a.gain"), 0.1);
+    QCOMPARE(f.value("a.method"), 0.0);
+    QTest::mouseClick(f.panel->findChild<QToolButton*>(QStringLiteral("redo_button")), Qt::LeftButton);
+    QVERIFY(f.value("a.percent") > 40.0);
+  }
+
+  void resetGoesToTheDefaultAndTheMarkTellsWhatIsNotSaved() {
+    Fixture f;
+    QVERIFY(!f.model.anyChanged());  // 30 is what the profile has, though not the default
+    widgets::TuningRow* row = f.panel->row(QStringLiteral("a.percent"));
+    QVERIFY(row->resetButton()->isVisible());
+    QTest::mouseClick(row->resetButton(), Qt::LeftButton);
+    QCOMPARE(f.value("a.percent"), 25.0);
+    QVERIFY(!row->resetButton()->isVisible());
+    QVERIFY(f.model.anyChanged());
+    f.model.markSaved();
+    QVERIFY(!f.model.anyChanged());
+  }
+
+  void changesFromElsewhereAreShownAndNotAskedForAgain() {
+    Fixture f;
+    QSignalSpy asked(&f.model, &widgets::TuningModel::asked);
+    f.model.accept("a.percent", 40.0);
+    QCOMPARE(f.panel->row(QStringLiteral("a.percent"))->field()->text(), QStringLiteral("40"));
+    QCOMPARE(asked.count(), 0);
+    QCOMPARE(f.model.undoStack()->count(), 0);
+  }
+
+  void wheelOverAnUnfocusedRowChangesNothing() {
+    Fixture f;
+    QSlider* slider = f.panel->row(QStringLiteral("a.percent"))->slider();
+    f.panel->row(QStringLiteral("a.gain"))->field()->setFocus();
+    const QPointF at = slider->rect().center();
+    QWheelEvent wheel(at, slider->mapToGlobal(at), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(slider, &wheel);
+    QCOMPARE(f.value("a.percent"), 30.0);
+  }
+
+  void everyEditorHasANameWithItsUnit() {
+    Fixture f;
+    QCOMPARE(f.panel->row(QStringLiteral("a.target"))->slider()->accessibleName(), QStringLiteral("Target in N/mm"));
+    for (widgets::TuningRow* row : f.panel->rows()) QVERIFY(!row->accessibleName().isEmpty());
+  }
+};
+
+std::unique_ptr<QObject> makeTuningTest() { return std::make_unique<TuningTest>(); }
+
+}  // namespace fyd::tests
+
+#include "tuning_test.moc"
