@@ -29,11 +29,11 @@ struct ControlParameters {
   ParameterList law_angle_deg{{20.0, 45.0, 60.0, 90.0}, 4};
   ParameterList law_stiffness_N_per_mm{{0.501, 0.550, 0.673, 0.715}, 4};
 
-  double kp = 0.05;
-  double ki_per_s = 4.0;
+  double kp = 0.15;
+  double ki_per_s = 5.0;
   double kd_s = 0.0;
   double derivative_filter_s = 0.1;
-  double dead_band_N_per_mm = 0.004;
+  double dead_band_N_per_mm = 0.003;
   double measurement_lag_s = 0.02;
   double measurement_delay_s = 0.01;
   double noise_correlation_s = 0.35;

@@ -8,16 +8,16 @@ namespace {
 
 constexpr double kPriorVariance = 0.25 * 0.25;
 constexpr double kNewTouchVariance = 0.05 * 0.05;
-constexpr double kWanderPerSqrt_s = 0.005;  // q
+constexpr double kWanderPerSqrt_s = 0.003;  // q
 constexpr double kUnknownSigma = 0.1;
 constexpr double kLeastSigma = 0.01;
 constexpr double kMostSigma = 1.0;
 constexpr double kLeastShare = 0.25;  // of the variance the sensing reports, which includes what averaging cannot lose
 constexpr double kMeanTime_s = 0.3;
 constexpr double kVarianceTime_s = 0.4;
-constexpr double kMotionTime_s = 0.15;                     // the sensors' lag is not known better than this
+constexpr double kMotionTime_s = 0.08;                     // the sensors' lag is not known better than this
 constexpr double kMostLogScale = 1.5;                      // 4.5 times off the calibration: no cloth, a broken sensor
-constexpr double kBelieveFrom = 2.3, kBelieveUntil = 1.0;  // standard deviations
+constexpr double kBelieveFrom = 2.8, kBelieveUntil = 1.0;  // standard deviations
 constexpr double kFade_s = 0.15;
 
 }  // namespace

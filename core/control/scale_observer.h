@@ -5,7 +5,7 @@
 // sensors. v, the reading's variance, starts from what the sensing says and is then learned from the readings'
 // own scatter about their running mean; while the stretch moves, the unknown part of the sensors' lag is added to it.
 //
-// credible(): 0 until |s| stands out of its own uncertainty by 2.3σ, then all of s (faded in over 0.15 s) until it
+// credible(): 0 until |s| stands out of its own uncertainty by 2.8σ, then all of s (faded in over 0.15 s) until it
 // falls below 1σ. So noise does not move a cloth that is as calibrated, one that is not is recognised within a second
 // or two, and nothing hops between the two beliefs.
 #pragma once

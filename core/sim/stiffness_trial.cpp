@@ -145,6 +145,11 @@ std::vector<control::TuneSample> recordExcitation(const StiffnessTrial& trial) {
   return recording;
 }
 
+void useThesisController(control::ControlParameters& parameters) {
+  parameters.mode = control::ControlMode::thesis;
+  parameters.law = control::StaticLawKind::thesis;
+}
+
 void scaleNoise(SimParameters& sim, double factor) {
   sim.ir_noise_mV = std::clamp(sim.ir_noise_mV * factor, 0.0, 200.0);
   sim.bridge_noise_mV_per_V = std::clamp(sim.bridge_noise_mV_per_V * factor, 0.0, 0.1);

@@ -48,6 +48,8 @@ struct TrialResult {
 /// The safe excitation of auto-tune on the same chain: what the sensors said of it.
 [[nodiscard]] std::vector<control::TuneSample> recordExcitation(const StiffnessTrial& trial);
 
+/// Mode thesis with the thesis' own static law: what the pipeline of 2014 would do with these gains.
+void useThesisController(control::ControlParameters& parameters);
 /// Factor on the noise of distance sensors, load cell and camera, within the simulation's ranges.
 void scaleNoise(SimParameters& sim, double factor);
 /// The same dead time in every sensor: distance, load cell, encoders, camera.

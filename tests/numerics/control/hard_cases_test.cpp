@@ -202,12 +202,12 @@ TEST(ControllerHardCases, ManySmallPlantsAreAllStable) {
     plant.ripple = 0.15 * uniform(random);
     const double target = 0.4 + 0.4 * uniform(random);
     const auto course = plant.run(controller, target, 10);
-    // An oscillation travels on and on; a late correction travels once.
+    // An oscillation of ±2 % at 1 Hz travels 24 % in 3 s; one late correction travels once.
     double travelled = 0;
     for (std::size_t i = course.size() - 3000; i < course.size(); ++i) {
       travelled += std::abs(course[i] / course[i - 1] - 1);
     }
-    EXPECT_LT(travelled, 0.1) << run << " scale " << plant.scale << " target " << target;
+    EXPECT_LT(travelled, 0.16) << run << " scale " << plant.scale << " target " << target;
   }
 }
 

@@ -140,6 +140,7 @@ TEST(LoopPrediction, UnmodelledDeadTimeCostsMargin) {
   ControlParameters parameters;
   parameters.measurement_delay_s = 0;
   parameters.measurement_lag_s = 0;
+  parameters.noise_correlation_s = 0.05;  // an observer that believes quickly
   IdentifiedFabric late;
   late.delay_s = 0.3;
   EXPECT_LT(loopMargins(late, parameters).phase_margin_deg, loopMargins({}, parameters).phase_margin_deg);

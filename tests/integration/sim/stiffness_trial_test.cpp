@@ -1,0 +1,127 @@
+// The stiffness loop through the whole simulated chain, judged on the cloth's true stiffness.
+#include "core/sim/stiffness_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/control/auto_tune.h"
+
+namespace fyd::sim {
+namespace {
+
+TrialResult trialOf(double target, double scale, int seed, double duration_s = 8.0) {
+  StiffnessTrial trial;
+  trial.target_N_per_mm = target;
+  trial.sim.fabric_stiffness_scale = scale;
+  trial.sim.seed = seed;
+  trial.duration_s = duration_s;
+  return runTrial(trial);
+}
+
+TEST(StiffnessTrial, NominalFabricIsReachedFastWithoutOvershoot) {
+  for (const double target : {0.50, 0.53, 0.56, 0.59, 0.62, 0.65, 0.68, 0.71}) {
+    for (const int seed : {1, 2, 3}) {
+      const TrialResult result = trialOf(target, 1.0, seed);
+      EXPECT_LE(result.settling_s, 0.6) << target << ' ' << seed;
+      EXPECT_LE(result.overshoot_percent, 10.0) << target << ' ' << seed;
+      EXPECT_LE(result.steady_error_percent, 2.0) << target << ' ' << seed;
+      EXPECT_TRUE(result.stable) << target << ' ' << seed;
+    }
+  }
+}
+
+TEST(StiffnessTrial, AFabricThirtyPercentOffIsReachedWithinThreeSeconds) {
+  for (const auto& [scale, target] : {std::pair{1.3, 0.68},
+                                      {1.3, 0.75},
+                                      {1.3, 0.85},
+                                      {1.3, 0.91},
+                                      {0.7, 0.37},
+                                      {0.7, 0.42},
+                                      {0.7, 0.45},
+                                      {0.7, 0.49}}) {
+    for (const int seed : {1, 2, 3}) {
+      const TrialResult result = trialOf(target, scale, seed);
+      EXPECT_LE(result.settling_s, 3.0) << scale << ' ' << target << ' ' << seed;
+      EXPECT_TRUE(result.stable) << scale << ' ' << target << ' ' << seed;
+    }
+  }
+}
+
+TEST(StiffnessTrial, OutOfReachIsAtTheLimitReportedAndStill) {
+  for (const auto& [scale, target] : {std::pair{1.0, 0.9}, {1.0, 0.3}, {1.3, 0.52}, {0.7, 0.62}}) {
+    const TrialResult result = trialOf(target, scale, 1);
+    EXPECT_TRUE(result.at_limit) << scale << ' ' << target;
+    EXPECT_TRUE(result.target_clamped) << scale << ' ' << target;
+    EXPECT_TRUE(result.stable) << scale << ' ' << target;
+    EXPECT_LE(result.stretch_swing_deg, 0.5) << scale << ' ' << target;
+    EXPECT_NEAR(result.reachable_target_N_per_mm, scale * (target > 0.6 ? 0.715 : 0.501), 0.03)
+        << scale << ' ' << target;
+    EXPECT_TRUE(std::isnan(result.settling_s));
+  }
+}
+
+TEST(StiffnessTrial, MonteCarloOfUnkindPlantsIsStable) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int run = 0; run < 200; ++run) {
+    StiffnessTrial trial;
+    trial.target_N_per_mm = 0.4 + 0.45 * uniform(random);
+    trial.sim.fabric_stiffness_scale = 0.7 + 0.6 * uniform(random);
+    trial.sim.motor_friction_percent = 20 * uniform(random);
+    scaleNoise(trial.sim, 3 * uniform(random));
+    delaySensors(trial.sim, 100 * uniform(random));
+    trial.sim.seed = run;
+    trial.duration_s = 5;
+    EXPECT_TRUE(runTrial(trial).stable) << run << " scale " << trial.sim.fabric_stiffness_scale << " target "
+                                        << trial.target_N_per_mm;
+  }
+}
+
+TEST(StiffnessTrial, TheSameSeedGivesTheSameCourse) {
+  std::vector<TrialPoint> first, second, other;
+  StiffnessTrial trial;
+  trial.duration_s = 2;
+  (void)runTrial(trial, &first);
+  (void)runTrial(trial, &second);
+  trial.sim.seed = 2;
+  (void)runTrial(trial, &other);
+  ASSERT_EQ(first.size(), second.size());
+  bool differs = false;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    ASSERT_EQ(first[i].true_N_per_mm, second[i].true_N_per_mm);
+    differs |= first[i].measured_N_per_mm != other[i].measured_N_per_mm;
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST(StiffnessTrial, StableMeansBoundedAndNotOscillating) {
+  std::vector<double> steady(8000, 0.6), oscillating(8000), drifting(8000), broken(8000, 0.6);
+  for (std::size_t i = 0; i < steady.size(); ++i) {
+    const auto t = 0.001 * static_cast<double>(i);
+    oscillating[i] = 0.6 + 0.02 * std::sin(6 * t);
+    drifting[i] = 0.6 + 0.01 * t;
+  }
+  broken[7000] = std::nan("");
+  EXPECT_TRUE(isStable(steady));
+  EXPECT_TRUE(isStable(drifting));
+  EXPECT_FALSE(isStable(oscillating));
+  EXPECT_FALSE(isStable(broken));
+}
+
+TEST(StiffnessTrial, AutoTuneOnTheSimulatedChainProposesAStableLoop) {
+  StiffnessTrial trial;
+  trial.sim.fabric_stiffness_scale = 1.15;
+  const auto proposal = control::proposeGains(recordExcitation(trial), trial.parameters.control);
+  ASSERT_TRUE(proposal) << proposal.error().message;
+  EXPECT_NEAR(proposal->fabric.scale, 1.15, 0.06);
+  EXPECT_TRUE(proposal->after.stable);
+  trial.parameters.control = proposal->proposed;
+  trial.target_N_per_mm = 0.7;
+  const TrialResult result = runTrial(trial);
+  EXPECT_TRUE(result.stable);
+  EXPECT_LE(result.settling_s, 4.0);
+}
+
+}  // namespace
+}  // namespace fyd::sim
