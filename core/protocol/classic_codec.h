@@ -19,6 +19,7 @@
 #include "core/control/motor_types.h"
 #include "core/pipeline/messages.h"
 #include "core/protocol/datagram.h"
+#include "core/protocol/touchpad_end.h"
 
 namespace fyd::protocol {
 
@@ -85,10 +86,7 @@ struct ClassicState {
 [[nodiscard]] bool isAck(Bytes packet);
 
 /// Touchpad → robot, after the handshake and after command 5: length, board text, these values.
-struct ClassicInfo {
-  double k_vib = 1.0;                                          ///< written as three digits of 10·k_vib, 0…99.9
-  std::array<double, control::kMotorCount> reference_ticks{};  ///< both motors
-};
+using ClassicInfo = TouchpadInfo;  ///< k_vib is written as three digits of 10·k_vib
 /// @param length at most kClassicMaximumBoardText; longer is written as that
 [[nodiscard]] std::array<std::uint8_t, kClassicInfoLengthSize> encodeInfoLength(std::size_t length);
 [[nodiscard]] Decoded<std::size_t> decodeInfoLength(Bytes packet);

@@ -12,17 +12,6 @@ constexpr int kPicturesMissedUntilOff = 3;
 
 }  // namespace
 
-std::string_view toString(RobotPhase phase) {
-  switch (phase) {
-    case RobotPhase::handshake: return "handshake";
-    case RobotPhase::running: return "running";
-    case RobotPhase::paused: return "paused";
-    case RobotPhase::closing: return "closing";
-    case RobotPhase::closed: return "closed";
-  }
-  return "unknown";
-}
-
 ClassicRobotEnd::ClassicRobotEnd(const ClassicRobotSettings& settings, const Endpoint& touchpad)
     : settings_(settings),
       configured_touchpad_(touchpad),

@@ -22,18 +22,9 @@
 #include "core/pipeline/messages.h"
 #include "core/protocol/classic_codec.h"
 #include "core/protocol/datagram.h"
+#include "core/protocol/robot_end.h"
 
 namespace fyd::protocol {
-
-enum class RobotPhase : std::uint8_t {
-  handshake,  ///< the touchpad has not answered yet (or went away)
-  running,
-  paused,   ///< after command 5, until 6; states and touches go on
-  closing,  ///< after command 9: states still go out for a while
-  closed,   ///< nothing more is sent
-};
-inline constexpr std::size_t kRobotPhaseCount = 5;
-[[nodiscard]] std::string_view toString(RobotPhase phase);
 
 struct ClassicRobotSettings {
   Duration reply_timeout = std::chrono::milliseconds(100);
@@ -49,59 +40,29 @@ struct ClassicRobotSettings {
   }
 };
 
-/// What the robot has to say at this moment.
-struct RobotReport {
-  Vec3 acceleration_g;  ///< rest removed
-  pipeline::RobotState robot;
-  pipeline::RobotMotorReference motor_reference;  ///< sent after command 10
-};
-
-/// What one datagram brought.
-struct RobotReception {
-  bool connected = false;  ///< the handshake is complete
-  std::optional<pipeline::TouchMessage> touch;
-  bool info = false;   ///< see ClassicRobotEnd::info, boardText
-  bool image = false;  ///< see ClassicRobotEnd::image
-};
-
-struct RobotCounters {
-  std::uint64_t acks = 0;
-  std::uint64_t states = 0;
-  std::uint64_t touches = 0;           ///< in turn
-  std::uint64_t missed_replies = 0;    ///< states whose touch did not come in time
-  std::uint64_t cycles_cut_short = 0;  ///< touch came, info or picture did not in time
-  std::uint64_t extra_touches = 0;     ///< when none was due; used all the same, the newest is the best
-  std::uint64_t infos = 0;
-  std::uint64_t images = 0;
-  std::uint64_t motor_references = 0;
-  std::uint64_t lost = 0;           ///< times the touchpad was given up
-  std::uint64_t wrong_peer = 0;     ///< not from the touchpad
-  std::uint64_t refused = 0;        ///< from the touchpad, not what was due or damaged
-  std::uint64_t waited_cycles = 0;  ///< ticks without a state because the last one's replies were still due
-};
-
-class ClassicRobotEnd {
+class ClassicRobotEnd final : public RobotEnd {
  public:
   /// @param touchpad where the ACK goes; who answers it completely is the touchpad from then on, as the authors do
   ClassicRobotEnd(const ClassicRobotSettings& settings, const Endpoint& touchpad);
 
-  /// One cycle of the robot's clock. The result points into this object until the next call.
-  [[nodiscard]] std::span<const Datagram> tick(Instant now, const RobotReport& report);
+  [[nodiscard]] std::span<const Datagram> tick(Instant now, const RobotReport& report) override;
 
-  /// Takes one datagram. Does not allocate, whatever arrives.
   [[nodiscard]] RobotReception handle(Bytes datagram, const Endpoint& from);
+  [[nodiscard]] RobotReception handle(Bytes datagram, const Endpoint& from, Instant /*now*/) override {
+    return handle(datagram, from);
+  }
 
-  /// Puts a command into one of the next states, one each. @return false when sixteen are waiting already
-  bool command(pipeline::RobotCommand command);
+  /// Puts a command into one of the next states, one each.
+  bool command(pipeline::RobotCommand command) override;
 
-  [[nodiscard]] RobotPhase phase() const { return phase_; }
-  [[nodiscard]] bool replyDue() const { return due_ != Due::nothing; }
+  [[nodiscard]] RobotPhase phase() const override { return phase_; }
+  [[nodiscard]] bool replyDue() const override { return due_ != Due::nothing; }
   [[nodiscard]] const Endpoint& touchpad() const { return touchpad_; }
   [[nodiscard]] const ClassicInfo& info() const { return info_; }
   [[nodiscard]] std::string_view boardText() const { return {board_text_.data(), board_size_}; }
   /// The last complete picture, encoded.
   [[nodiscard]] Bytes image() const { return Bytes(image_).first(image_size_); }
-  [[nodiscard]] const RobotCounters& counters() const { return counters_; }
+  [[nodiscard]] const RobotCounters& counters() const override { return counters_; }
 
  private:
   enum class Due : std::uint8_t { nothing, touch, info_length, info_text, info_values, image_length, image_bytes };

@@ -26,13 +26,8 @@ const TouchpadReception& ClassicTouchpadEnd::handle(Bytes datagram, const Endpoi
                                                     const TouchpadAnswer& answer) {
   const std::uint64_t lost_before = counters_.lost;
   advance(now);
-  reception_.replies.clear();
-  reception_.session_started = false;
+  reception_.clear();
   reception_.was_lost = counters_.lost != lost_before;
-  reception_.state.reset();
-  reception_.acceleration.reset();
-  reception_.command = RobotCommand::none;
-  reception_.motor_reference.reset();
 
   if (isAck(datagram)) {
     handleAck(from, now, answer);
@@ -56,6 +51,30 @@ Duration ClassicTouchpadEnd::lostLimit() const {
 }
 
 double ClassicTouchpadEnd::jitterMs() const { return kJitterDeviations * deviation_ms_; }
+
+LinkFigures ClassicTouchpadEnd::figures(Instant now) const {
+  LinkFigures out{.states = counters_.states,
+                  .touches = counters_.touches,
+                  .refused = counters_.refused(),
+                  .lost = counters_.lost,
+                  .lost_limit_ms = toMilliseconds(lostLimit())};
+  if (peer_) out.silence_ms = toMilliseconds(silence(now));
+  if (period_ms_ > 0.0) {
+    out.period_ms = period_ms_;
+    out.jitter_ms = jitterMs();
+  }
+  const auto add = [&out](std::string_view reason, std::uint64_t count) {
+    if (count > 0) static_cast<void>(out.refusals.push({.reason = reason, .count = count}));
+  };
+  add("other address", counters_.wrong_peer);
+  add("a second robot", counters_.second_robot);
+  add("before a handshake", counters_.before_handshake);
+  add("out of turn", counters_.out_of_turn);
+  for (std::size_t i = 1; i < kClassicRefusalCount; ++i) {
+    add(toString(static_cast<ClassicRefusal>(i)), counters_.refusals[i]);
+  }
+  return out;
+}
 
 Duration ClassicTouchpadEnd::silence(Instant now) const { return peer_ ? now - last_heard_ : Duration::zero(); }
 
@@ -137,7 +156,7 @@ void ClassicTouchpadEnd::useState(const ClassicState& state, Instant now) {
   robot_ = state.robot;
   if (!state.stiffness_known) robot_.stiffness_N_per_mm = last_stiffness;
   reception_.state = robot_;
-  reception_.acceleration = pipeline::AccelerationSample{.taken = now, .acceleration_g = state.acceleration_g};
+  static_cast<void>(reception_.accelerations.push({.taken = now, .acceleration_g = state.acceleration_g}));
   reception_.command = state.command;
   obey(state.command, now);
 }

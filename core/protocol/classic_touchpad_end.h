@@ -32,29 +32,9 @@
 #include "core/protocol/datagram.h"
 #include "core/protocol/link_parameters.h"
 #include "core/protocol/link_phase.h"
+#include "core/protocol/touchpad_end.h"
 
 namespace fyd::protocol {
-
-/// What the touchpad has to say at this moment. Text and image must outlive the sending of the replies.
-struct TouchpadAnswer {
-  pipeline::TouchMessage touch;
-  ClassicInfo info;
-  std::string_view board_text;  ///< cut at 1209 bytes; empty is sent as "-"
-  Bytes image;                  ///< an encoded picture; empty or too long is sent as length 0
-};
-
-/// What one datagram brought.
-struct TouchpadReception {
-  static constexpr std::size_t kMaximumReplies = 64;
-
-  bool session_started = false;  ///< a robot shook hands
-  bool was_lost = false;         ///< the silence before this datagram was a loss, though the phase may be running again
-  std::optional<pipeline::RobotState> state;                      ///< parts cut away keep their last value
-  std::optional<pipeline::AccelerationSample> acceleration;       ///< taken: the datagram's arrival
-  pipeline::RobotCommand command = pipeline::RobotCommand::none;  ///< for the pipeline to act upon
-  std::optional<pipeline::RobotMotorReference> motor_reference;
-  Batch<Datagram, kMaximumReplies> replies;  ///< send all, in this order
-};
 
 /// Everything that ever arrived is in exactly one of these, except that `states` counts damaged ones as well.
 struct TouchpadCounters {
@@ -80,22 +60,27 @@ struct TouchpadCounters {
   }
 };
 
-class ClassicTouchpadEnd {
+class ClassicTouchpadEnd final : public TouchpadEnd {
  public:
   explicit ClassicTouchpadEnd(const LinkParameters& parameters);
   void configure(const LinkParameters& parameters) { parameters_ = parameters; }
 
-  /// Takes one datagram. The result, and the bytes its replies point to, are valid until the next call.
-  /// Does not allocate, whatever arrives.
+  [[nodiscard]] std::string_view name() const override { return "classic, not secured"; }
   [[nodiscard]] const TouchpadReception& handle(Bytes datagram, const Endpoint& from, Instant now,
-                                                const TouchpadAnswer& answer);
-
-  /// Lets time pass: declares a silent peer lost. Call at least every few milliseconds.
+                                                const TouchpadAnswer& answer) override;
+  /// Lets time pass: declares a silent peer lost.
   void advance(Instant now);
+  [[nodiscard]] std::span<const Datagram> advance(Instant now, const TouchpadAnswer& /*answer*/) override {
+    advance(now);
+    return {};
+  }
+  /// The protocol has no word for it: the robot hears silence.
+  [[nodiscard]] std::span<const Datagram> farewell(Instant /*now*/) override { return {}; }
 
-  [[nodiscard]] pipeline::LinkPhase phase() const { return phase_; }
-  [[nodiscard]] const std::optional<Endpoint>& peer() const { return peer_; }
-  [[nodiscard]] bool imagesOn() const { return images_on_; }
+  [[nodiscard]] pipeline::LinkPhase phase() const override { return phase_; }
+  [[nodiscard]] const std::optional<Endpoint>& peer() const override { return peer_; }
+  [[nodiscard]] bool imagesOn() const override { return images_on_; }
+  [[nodiscard]] LinkFigures figures(Instant now) const override;
   [[nodiscard]] const TouchpadCounters& counters() const { return counters_; }
 
   [[nodiscard]] Duration lostLimit() const;

@@ -81,8 +81,9 @@ std::size_t touchMessageSize(unsigned bits_per_axis, const TouchFields& fields) 
 std::size_t encodeLink(const LinkTouch& touch, const PositionCode& code, LinkTime sent_us,
                        std::span<std::uint8_t> out) {
   ByteWriter writer(out);
-  const auto flags = static_cast<std::uint8_t>((touch.force_N ? kForce : 0) | (touch.indentation_mm ? kIndentation : 0) |
-                                               (touch.orientation ? kOrientation : 0));
+  const auto flags =
+      static_cast<std::uint8_t>((touch.force_N ? kForce : 0) | (touch.indentation_mm ? kIndentation : 0) |
+                                (touch.orientation ? kOrientation : 0));
   envelope(writer, LinkMessage::touch, flags, sent_us);
   writer.u16(touch.sequence);
   writer.u16(static_cast<std::uint16_t>(count(touch.age_s, kTouchAge_s, kMost16)));
@@ -111,8 +112,8 @@ LinkDecoded<LinkTouch> decodeTouch(const LinkEnvelope& message, const PositionCo
 std::size_t encodeLink(const LinkState& state, const PositionCode& code, LinkTime sent_us,
                        std::span<std::uint8_t> out) {
   ByteWriter writer(out);
-  const auto flags = static_cast<std::uint8_t>((state.motor_reference ? kMotorReference : 0) |
-                                               (state.orientation ? kOrientation : 0));
+  const auto flags =
+      static_cast<std::uint8_t>((state.motor_reference ? kMotorReference : 0) | (state.orientation ? kOrientation : 0));
   envelope(writer, LinkMessage::state, flags, sent_us);
   writer.u16(state.sequence);
   writer.f32(held(state.robot.stiffness_N_per_mm, 0.0, fields::kMaximumStiffness));
@@ -158,9 +159,9 @@ LinkDecoded<LinkState> decodeState(const LinkEnvelope& message, const PositionCo
     std::array<std::int16_t, 3> counts{};
     for (auto& c : counts) c = static_cast<std::int16_t>(in.u16());
     good = std::ranges::none_of(counts, [](std::int16_t c) { return c < -kMostCounts; }) && good;
-    good = state.accelerations.push({.age_s = age_s,
-                                     .acceleration_g = {counts[0] / kCountsPerG, counts[1] / kCountsPerG,
-                                                        counts[2] / kCountsPerG}}) &&
+    good = state.accelerations.push(
+               {.age_s = age_s,
+                .acceleration_g = {counts[0] / kCountsPerG, counts[1] / kCountsPerG, counts[2] / kCountsPerG}}) &&
            good;
   }
   return finished(in, state, good);

@@ -46,8 +46,7 @@ struct LinkDecoded {
 [[nodiscard]] std::size_t encodeLink(const LinkHeartbeat& beat, LinkTime sent_us, std::span<std::uint8_t> out);
 [[nodiscard]] std::size_t encodeLink(const LinkInfo& info, LinkTime sent_us, std::span<std::uint8_t> out);
 [[nodiscard]] std::size_t encodeLink(const LinkGoodbye& goodbye, LinkTime sent_us, std::span<std::uint8_t> out);
-[[nodiscard]] std::size_t encodeLink(const LinkImageFragment& fragment, LinkTime sent_us,
-                                     std::span<std::uint8_t> out);
+[[nodiscard]] std::size_t encodeLink(const LinkImageFragment& fragment, LinkTime sent_us, std::span<std::uint8_t> out);
 
 [[nodiscard]] LinkDecoded<LinkEnvelope> decodeEnvelope(Bytes message);
 [[nodiscard]] LinkDecoded<LinkTouch> decodeTouch(const LinkEnvelope& message, const PositionCode& code);

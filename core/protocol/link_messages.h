@@ -19,14 +19,14 @@ namespace fyd::protocol {
 using LinkTime = std::uint64_t;
 
 enum class LinkMessage : std::uint8_t {
-  touch = 1,       ///< touchpad → robot
-  state = 2,       ///< robot → touchpad
-  command = 3,     ///< robot → touchpad, repeated until acknowledged
-  command_ack = 4, ///< touchpad → robot
-  heartbeat = 5,   ///< both ways
-  info = 6,        ///< touchpad → robot, after command "send info and pause"
-  goodbye = 7,     ///< both ways, not acknowledged, sent three times
-  image = 8,       ///< touchpad → robot
+  touch = 1,        ///< touchpad → robot
+  state = 2,        ///< robot → touchpad
+  command = 3,      ///< robot → touchpad, repeated until acknowledged
+  command_ack = 4,  ///< touchpad → robot
+  heartbeat = 5,    ///< both ways
+  info = 6,         ///< touchpad → robot, after command "send info and pause"
+  goodbye = 7,      ///< both ways, not acknowledged, sent three times
+  image = 8,        ///< touchpad → robot
 };
 
 inline constexpr std::size_t kMaximumBoardText = 1'000;

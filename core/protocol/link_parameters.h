@@ -9,6 +9,10 @@ struct LinkParameters {
   double lost_cap_ms = 100.0;
   double closing_s = 3.0;
   double takeover_silence_s = 1.0;
+  double state_rate_Hz = 100.0;
+  double touch_rate_Hz = 100.0;
+  double freshness_ms = 300.0;
+  double flow_bit_per_s = 0.0;
   bool classic_images = false;
 
   template <class Visitor>
@@ -28,6 +32,27 @@ struct LinkParameters {
             .minimum = 0.1,
             .maximum = 600,
             .help = "Silence of a robot after which another one may take its place."});
+    v.real("link.state_rate_Hz", state_rate_Hz,
+           {.unit = "Hz",
+            .minimum = 1,
+            .maximum = 1000,
+            .help = "States a second that a robot on FYD Link is granted at most; each carries all accelerations "
+                    "since the last."});
+    v.real("link.touch_rate_Hz", touch_rate_Hz,
+           {.unit = "Hz",
+            .minimum = 1,
+            .maximum = 1000,
+            .help = "Touches a second that a robot on FYD Link is sent at most."});
+    v.real("link.freshness_ms", freshness_ms,
+           {.unit = "ms",
+            .minimum = 20,
+            .maximum = 5000,
+            .help = "Age from which a message of FYD Link is refused, however authentic it is."});
+    v.real("link.flow_bit_per_s", flow_bit_per_s,
+           {.unit = "bit/s",
+            .minimum = 0,
+            .maximum = 1e10,
+            .help = "Flow of the line to the robot, to which FYD Link fits its touches; 0: as much as they need."});
     v.boolean("link.classic_images", classic_images,
               {.help = "Send camera pictures when a classic robot asks for them; off, because the published robot "
                        "program asks and cannot read them."});

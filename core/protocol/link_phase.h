@@ -1,11 +1,16 @@
-// The phases of a session as one table, for the touchpad's side of every protocol.
+// The phases of a session as tables, one for each side.
 //
+// Touchpad (every protocol):
 //   waiting → running ⇄ paused,   goodbye → closed,   silence → lost (not while paused),   handshake → waiting
+// Robot:
+//   handshake → running ⇄ paused,   silence → lost (not while paused),   longer silence or goodbye → handshake,
+//   own goodbye → closing → closed
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "core/pipeline/messages.h"
 
@@ -33,6 +38,48 @@ inline constexpr std::size_t kLinkPhaseCount = 6;
       {waiting, paused, paused, running, closed, paused},    // paused
       {waiting, closed, closed, closed, closed, closed},     // closed
       {waiting, running, paused, running, closed, lost},     // lost
+  }};
+  return kTable[static_cast<std::size_t>(phase)][static_cast<std::size_t>(event)];
+}
+
+enum class RobotPhase : std::uint8_t {
+  handshake,  ///< the touchpad has not answered yet (or went away)
+  running,
+  paused,   ///< negotiated; states and touches go on
+  closing,  ///< after the own goodbye, which is still being said
+  closed,   ///< nothing more is sent
+  lost,     ///< silence longer than allowed; the robot holds still
+};
+inline constexpr std::size_t kRobotPhaseCount = 6;
+[[nodiscard]] constexpr std::string_view toString(RobotPhase phase) {
+  constexpr std::array<std::string_view, kRobotPhaseCount> kNames = {"handshake", "running", "paused",
+                                                                     "closing",   "closed",  "lost"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
+
+enum class RobotEvent : std::uint8_t {
+  answered,  ///< the handshake is complete
+  heard,     ///< anything good of the touchpad
+  pause,     ///< negotiated
+  resume,
+  leave,    ///< the robot's operator ends the session
+  said,     ///< the own goodbye is out
+  goodbye,  ///< the touchpad's
+  silence,  ///< longer than allowed
+  give_up,  ///< so long that only a new handshake helps
+};
+inline constexpr std::size_t kRobotEventCount = 9;
+
+[[nodiscard]] constexpr RobotPhase nextPhase(RobotPhase phase, RobotEvent event) {
+  using enum RobotPhase;
+  constexpr std::array<std::array<RobotPhase, kRobotEventCount>, kRobotPhaseCount> kTable = {{
+      // answered  heard      pause      resume     leave    said       goodbye    silence    give_up
+      {running, handshake, handshake, handshake, closed, handshake, handshake, handshake, handshake},  // handshake
+      {running, running, paused, running, closing, running, handshake, lost, handshake},               // running
+      {running, paused, paused, running, closing, paused, handshake, paused, handshake},               // paused
+      {closing, closing, closing, closing, closing, closed, closed, closing, closed},                  // closing
+      {closed, closed, closed, closed, closed, closed, closed, closed, closed},                        // closed
+      {running, running, paused, running, closing, lost, handshake, lost, handshake},                  // lost
   }};
   return kTable[static_cast<std::size_t>(phase)][static_cast<std::size_t>(event)];
 }

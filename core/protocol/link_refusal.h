@@ -9,24 +9,24 @@
 namespace fyd::protocol {
 
 enum class LinkRefusal : std::uint8_t {
-  none,            ///< it was taken
-  magic,           ///< not a datagram of FYD Link
-  version,         ///< of another version
-  kind,            ///< a kind of datagram nobody sends to this end
-  size,            ///< too short or too long for its kind
-  key,             ///< its proof does not come out right: another key, forged, or damaged
-  cookie,          ///< the call's cookie is too old or another address's
-  repeated,        ///< already taken once: a replay or a duplicate of the network
-  behind,          ///< so far behind the newest that whether it was taken is no longer known
-  session,         ///< of a session that is not this one
-  stale,           ///< sent longer ago than the freshness limit
-  future,          ///< stamped later than now
-  message,         ///< unknown type of message, or one this end does not take
-  field,           ///< a field out of its range
-  late,            ///< a newer one of its type was taken before
-  peer,            ///< not from the session's address
-  second_robot,    ///< a good call, while another robot is served
-  phase,           ///< out of turn in this phase
+  none,          ///< it was taken
+  magic,         ///< not a datagram of FYD Link
+  version,       ///< of another version
+  kind,          ///< a kind of datagram nobody sends to this end
+  size,          ///< too short or too long for its kind
+  key,           ///< its proof does not come out right: another key, forged, or damaged
+  cookie,        ///< the call's cookie is too old or another address's
+  repeated,      ///< already taken once: a replay or a duplicate of the network
+  behind,        ///< so far behind the newest that whether it was taken is no longer known
+  session,       ///< of a session that is not this one
+  stale,         ///< sent longer ago than the freshness limit
+  future,        ///< stamped later than now
+  message,       ///< unknown type of message, or one this end does not take
+  field,         ///< a field out of its range
+  late,          ///< a newer one of its type was taken before
+  peer,          ///< not from the session's address
+  second_robot,  ///< a good call, while another robot is served
+  phase,         ///< out of turn in this phase
 };
 inline constexpr std::size_t kLinkRefusalCount = 18;
 
@@ -34,9 +34,9 @@ using LinkRefusalCounters = std::array<std::uint64_t, kLinkRefusalCount>;
 
 [[nodiscard]] constexpr std::string_view toString(LinkRefusal refusal) {
   constexpr std::array<std::string_view, kLinkRefusalCount> kNames = {
-      "taken",   "not FYD Link", "other version", "unexpected kind", "wrong size",      "wrong key or damaged",
-      "cookie",  "repeated",     "too far behind", "other session",  "stale",           "from the future",
-      "message", "field",        "late",          "other address",   "a second robot", "out of turn"};
+      "taken",   "not FYD Link", "other version",  "unexpected kind", "wrong size",     "wrong key or damaged",
+      "cookie",  "repeated",     "too far behind", "other session",   "stale",          "from the future",
+      "message", "field",        "late",           "other address",   "a second robot", "out of turn"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

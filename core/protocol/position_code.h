@@ -1,9 +1,10 @@
 // Positions coded to a workspace and a precision (tele-gesture paper, Eq. 1):
 //   points per axis = extent / precision, rounded up;   bits per axis = ⌈log₂ points⌉ of the longest axis.
 //
-// The extent is cut into that many cells of equal length, step = extent / points ≤ precision (within a millionth); the code is the cell's
-// number and stands for its centre, so the error is at most half a step anywhere within the workspace, its borders
-// included. 160 mm at 0.02 mm: 8000 points, 13 bits. Outside, the position is held at the border.
+// The extent is cut into that many cells of equal length, step = extent / points ≤ precision (within a millionth); the
+// code is the cell's number and stands for its centre, so the error is at most half a step anywhere within the
+// workspace, its borders included. 160 mm at 0.02 mm: 8000 points, 13 bits. Outside, the position is held at the
+// border.
 #pragma once
 
 #include <array>

@@ -99,7 +99,7 @@ void LinkThread::take(const protocol::TouchpadReception& reception, Instant now)
     newest_.state.set(*reception.state, now);
     monitor_.succeeded(now);
   }
-  if (reception.acceleration && !accelerations.push(*reception.acceleration)) ++lost_samples_;
+  for (const auto& sample : reception.accelerations) lost_samples_ += accelerations.push(sample) ? 0 : 1;
   if (reception.command != pipeline::RobotCommand::none && !commands.push(reception.command)) ++lost_samples_;
   if (reception.motor_reference) newest_.motor_reference.set(*reception.motor_reference, now);
 }

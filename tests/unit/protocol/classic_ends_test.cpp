@@ -97,10 +97,10 @@ TEST(ClassicTouchpad, GivesWhatAStateSaysWithItsArrivalTime) {
   const auto& reception = pad.state(RobotCommand::vibration_up);
   EXPECT_THAT(sent(reception), ElementsAre(kTouch));
   EXPECT_EQ(reception.command, RobotCommand::vibration_up);
-  ASSERT_TRUE(reception.state && reception.acceleration);
+  ASSERT_TRUE(reception.state && reception.accelerations.size() == 1);
   EXPECT_NEAR(reception.state->stiffness_N_per_mm, 0.6, 1e-12);
-  EXPECT_EQ(reception.acceleration->taken, pad.now);
-  EXPECT_NEAR(reception.acceleration->acceleration_g.x, 0.5, 1.0 / 6553);
+  EXPECT_EQ(reception.accelerations[0].taken, pad.now);
+  EXPECT_NEAR(reception.accelerations[0].acceleration_g.x, 0.5, 1.0 / 6553);
 }
 
 TEST(ClassicTouchpad, EveryCommandInEveryPhaseGetsOneTouchAndTheTablesPhase) {
