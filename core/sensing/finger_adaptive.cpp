@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <opencv2/imgproc.hpp>
+
 #include "core/sensing/row_loops.h"
 
 namespace fyd::sensing {
@@ -59,20 +61,25 @@ void AdaptiveFinger::resize(const RegionOfInterest& region, int stride) {
   reset();
 }
 
+/// Colour is made grey once; the passes and the look at the blob then read grey rows in place.
+void AdaptiveFinger::takePicture(const ImageView& picture) {
+  if (picture.channels == 1) {
+    top_left_ = picture.row(region_.y) + region_.x;
+    pitch_ = picture.stride;
+    return;
+  }
+  const cv::Mat colour(region_.height, region_.width, CV_8UC3,
+                       const_cast<std::uint8_t*>(picture.row(region_.y) + 3 * region_.x),  // read only
+                       static_cast<std::size_t>(picture.stride));
+  cv::cvtColor(colour, luma_, cv::COLOR_BGR2GRAY);
+  top_left_ = luma_.data;
+  pitch_ = static_cast<std::ptrdiff_t>(luma_.step);
+}
+
 const std::uint8_t* AdaptiveFinger::greyRow(int y, std::uint8_t* buffer) const {
-  const std::uint8_t* row = picture_.row(region_.y + y * stride_);
-  if (picture_.channels == 1) {
-    row += region_.x;
-    if (stride_ == 1) return row;
-    for (int x = 0; x < width_; ++x) buffer[x] = row[x * stride_];
-    return buffer;
-  }
-  row += 3 * region_.x;
-  const int step = 3 * stride_;
-  // Rec. 601 luma in 1/256.
-  for (int x = 0; x < width_; ++x, row += step) {
-    buffer[x] = static_cast<std::uint8_t>((29 * row[0] + 150 * row[1] + 77 * row[2] + 128) >> 8);
-  }
+  const std::uint8_t* row = top_left_ + y * stride_ * pitch_;
+  if (stride_ == 1) return row;
+  for (int x = 0; x < width_; ++x) buffer[x] = row[x * stride_];
   return buffer;
 }
 
@@ -161,12 +168,12 @@ bool AdaptiveFinger::learnLight() {
 FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfInterest& region,
                                        const FingerParameters& parameters) {
   parameters_ = parameters;
-  picture_ = picture;
   const int stride = std::clamp(parameters.stride_px, 1, std::max(1, std::min(region.width, region.height) / 16));
   if (region.x != region_.x || region.y != region_.y || region.width != region_.width ||
       region.height != region_.height || stride != stride_) {
     resize(region, stride);
   }
+  takePicture(picture);
   pass();
   FingerDetection out;
   if (unusable(out)) {
@@ -189,7 +196,7 @@ FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfI
   } else if (since_last_ > kForget_pictures) {
     has_last_ = false;
   }
-  picture_ = {};
+  top_left_ = nullptr;  // the caller's pixels are not kept
   return out;
 }
 

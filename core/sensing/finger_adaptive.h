@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "core/base/image.h"
 #include "core/sensing/blob_measure.h"
 #include "core/sensing/dark_runs.h"
@@ -28,6 +30,7 @@ class AdaptiveFinger {
 
  private:
   void resize(const RegionOfInterest& region, int stride);
+  void takePicture(const ImageView& picture);
   /// One row of the working grid as grey.
   [[nodiscard]] const std::uint8_t* greyRow(int y, std::uint8_t* buffer) const;
   void pass();
@@ -40,8 +43,10 @@ class AdaptiveFinger {
   [[nodiscard]] bool unusable(FingerDetection& out) const;
 
   FingerParameters parameters_;
-  ImageView picture_;
   RegionOfInterest region_;
+  const std::uint8_t* top_left_ = nullptr;  // of the region, grey
+  std::ptrdiff_t pitch_ = 0;
+  cv::Mat luma_;  // of the region, when the picture has colours
   int stride_ = 0;
   int width_ = 0;  // of the working grid
   int height_ = 0;

@@ -9,6 +9,18 @@
 namespace fyd::bench {
 namespace {
 
+struct Method {
+  const char* name;
+  sensing::IndentationMode mode;
+  bool with_force;
+};
+
+constexpr Method kMethods[] = {
+    {"baseline: thesis plane, gate, 0.8/0.2", sensing::IndentationMode::thesis, false},
+    {"membrane and Kalman, distances alone", sensing::IndentationMode::membrane, false},
+    {"membrane, Kalman and force (default)", sensing::IndentationMode::membrane, true},
+};
+
 struct Score {
   double squares = 0.0;
   double worst = 0.0;
@@ -21,8 +33,8 @@ struct Score {
   std::vector<double> ns;
 };
 
-void press(const PressedClothOptions& options, const sensing::IndentationParameters& parameters, bool corner,
-           Score& score) {
+void press(const PressedClothOptions& options, const sensing::IndentationParameters& parameters, bool with_force,
+           bool corner, Score& score) {
   PressedCloth cloth(options);
   sensing::IndentationEstimator estimator(parameters);
   sensing::StiffnessParameters ratio;
@@ -32,7 +44,8 @@ void press(const PressedClothOptions& options, const sensing::IndentationParamet
   for (int i = 0; i < 2200; ++i) {
     cloth.step();
     const auto start = std::chrono::steady_clock::now();
-    const sensing::IndentationEstimate e = estimator.step(cloth.now, cloth.ir, cloth.finger);
+    const sensing::IndentationEstimate e =
+        estimator.step(cloth.now, cloth.ir, cloth.finger, with_force ? cloth.force_N : Timed<double>{});
     const sensing::StiffnessEstimate k = stiffness.step(cloth.now, cloth.force_N, e);
     score.ns.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
     if (cloth.sinceTouch_s() < 0.1 || !e.available) continue;
@@ -52,7 +65,7 @@ void press(const PressedClothOptions& options, const sensing::IndentationParamet
   }
 }
 
-Score wholeCloth(sensing::IndentationMode mode, double noise_mV, double finger_radius_mm) {
+Score wholeCloth(sensing::IndentationMode mode, bool with_force, double noise_mV, double finger_radius_mm) {
   Score score;
   sensing::IndentationParameters parameters;
   parameters.mode = mode;
@@ -67,7 +80,7 @@ Score wholeCloth(sensing::IndentationMode mode, double noise_mV, double finger_r
                .finger_radius_mm = finger_radius_mm,
                .ir_noise_mV = noise_mV,
                .seed = ++seed},
-              parameters, std::abs(x) > 40 && std::abs(y) > 25, score);
+              parameters, with_force, std::abs(x) > 40 && std::abs(y) > 25, score);
       }
     }
   }
@@ -86,15 +99,13 @@ Table bench_indentation() {
     for (const double radius_mm : {7.0, 6.0, 8.0}) {
       if (noise_mV > 10.0 && radius_mm != 7.0) continue;
       double thesis = 0.0;
-      for (const auto mode : {sensing::IndentationMode::thesis, sensing::IndentationMode::membrane}) {
-        Score s = wholeCloth(mode, noise_mV, radius_mm);
+      for (const Method& method : kMethods) {
+        Score s = wholeCloth(method.mode, method.with_force, noise_mV, radius_mm);
         const double rms = std::sqrt(s.squares / s.samples);
-        const bool baseline = mode == sensing::IndentationMode::thesis;
-        if (baseline) thesis = rms;
+        if (method.mode == sensing::IndentationMode::thesis) thesis = rms;
         const Quantiles t = quantiles(s.ns);
         table.rows.push_back(
-            {baseline ? "baseline: thesis plane, gate, 0.8/0.2" : "membrane and Kalman (default)", number(noise_mV),
-             number(radius_mm), number(rms), number(rms / thesis), number(s.worst),
+            {method.name, number(noise_mV), number(radius_mm), number(rms), number(rms / thesis), number(s.worst),
              number(std::sqrt(s.corner_squares / s.corner_samples)), number(std::sqrt(s.sigma_squares / s.samples)),
              number(100 * std::sqrt(s.stiffness_squares / s.stiffness_samples)), number(t.p50), number(t.p99)});
       }
@@ -104,7 +115,7 @@ Table bench_indentation() {
       "63 places over ±43 × ±28 mm (a disc of 7 mm fits on the cloth), depths 3, 6 and 10 mm, pressed in 0.2 s and "
       "held "
       "for 1.8 s with ±0.5 mm of slow wander; errors from 0.1 s after the touch, stiffness from 0.6 s. IR at 60 Hz and "
-      "12 bit, camera at 30 Hz with 0.1 mm of noise, force at 122 Hz.",
+      "12 bit, camera at 30 Hz with 0.1 mm of noise, force at 122 Hz, 0.6 N/mm.",
       "Truth is the same stretched membrane that the default assumes, with another finger radius where the column says "
       "so: the estimator always assumes 7 mm. A real cloth's own departure from the membrane is not in these figures."};
   return table;

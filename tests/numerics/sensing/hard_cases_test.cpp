@@ -85,6 +85,7 @@ TEST(HardCases, IndentationStaysFiniteForRandomCodesPlacesAndTimes) {
     IndentationEstimator estimator(p);
     Timed<IrCounts> ir;
     Timed<FingerDetection> finger;
+    Timed<double> force;
     for (int i = 0; i < 20000; ++i) {
       const auto pick = [&] { return kNasty[random() % std::size(kNasty)]; };
       const Instant now = instantAt(random() % 3 == 0 ? pick() : 1e-3 * i);
@@ -100,7 +101,8 @@ TEST(HardCases, IndentationStaysFiniteForRandomCodesPlacesAndTimes) {
       seen.x_mm = random() % 2 == 0 ? pick() : 10.0;
       seen.y_mm = random() % 2 == 0 ? pick() : 10.0;
       if (random() % 2 == 0) finger.set(seen, random() % 4 == 0 ? instantAt(pick()) : now);
-      const IndentationEstimate e = estimator.step(now, ir, finger);
+      if (random() % 2 == 0) force.set(random() % 2 == 0 ? pick() : 3.0, random() % 4 == 0 ? instantAt(pick()) : now);
+      const IndentationEstimate e = estimator.step(now, ir, finger, force);
       ASSERT_TRUE(sane(e)) << i << ": " << e.indentation_mm << " ± " << e.sigma_mm;
     }
   }
@@ -185,6 +187,26 @@ TEST(HardCases, LateReadingsBecomeUnavailable) {
   EXPECT_EQ(e.reason, IndentationReason::ir_stale);
 }
 
+TEST(HardCases, AForceThatHasNothingToDoWithTheClothIsNotBelieved) {
+  for (const double lie : {0.0, 0.3, -5.0, 9.0, std::nan(""), 1e300}) {
+    bench::PressedCloth cloth({});
+    IndentationEstimator estimator;
+    double squares = 0;
+    int samples = 0;
+    for (int i = 0; i < 3500; ++i) {
+      cloth.step();
+      Timed<double> force = cloth.force_N;
+      if (cloth.sinceTouch_s() > 1) force.value = lie;  // the load cell dies in mid-press
+      const IndentationEstimate e = estimator.step(cloth.now, cloth.ir, cloth.finger, force);
+      ASSERT_TRUE(sane(e));
+      if (cloth.sinceTouch_s() < 2) continue;
+      squares += std::pow(e.indentation_mm - cloth.depth_mm, 2);
+      ++samples;
+    }
+    EXPECT_LT(std::sqrt(squares / samples), 1.0) << lie;
+  }
+}
+
 TEST(HardCases, NearlyCollinearSensorsAreRefusedAndTheirConditionIsKnown) {
   IndentationParameters p;
   p.mode = IndentationMode::thesis;
@@ -213,7 +235,7 @@ TEST(HardCases, TheStepDoesNotAllocate) {
     const bench::AllocationCount counted;
     for (int i = 0; i < 1000; ++i) {
       cloth.step();
-      const IndentationEstimate e = indentation.step(cloth.now, cloth.ir, cloth.finger);
+      const IndentationEstimate e = indentation.step(cloth.now, cloth.ir, cloth.finger, cloth.force_N);
       (void)stiffness.step(cloth.now, cloth.force_N, e);
       (void)tare.step(cloth.now, e, cloth.force_N);
       if (i % 100 == 0) indentation.configure(p);
