@@ -27,7 +27,6 @@ ForceFusion::ForceFusion() {
 
 void ForceFusion::restart() {
   compliance_.restart();
-  learnt_ = false;
   contradiction_s_ = 0.0;
   contradicted_ = false;
 }
@@ -70,7 +69,6 @@ void ForceFusion::update(double dt_s, Instant taken, std::span<const Indentation
                         .sigma_mm = std::hypot(m.sigma_mm, m.h * compliance_.value_mm() * kForceSigma_N)};
   }
   compliance_.update(dt_s, std::span(of_compliance).first(count));
-  learnt_ = true;
 }
 
 void ForceFusion::compare(double dt_s, double indentation, double sigma) {
@@ -82,7 +80,7 @@ void ForceFusion::compare(double dt_s, double indentation, double sigma) {
 }
 
 bool ForceFusion::usable(Instant now) const {
-  if (!known_ || !learnt_ || contradicted_ || written_ == 0) return false;
+  if (!known_ || contradicted_ || written_ == 0) return false;
   const Duration age = now - forces_[(written_ - 1) % forces_.size()].taken;
   return age <= kOldestForce;
 }

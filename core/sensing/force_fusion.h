@@ -52,7 +52,6 @@ class ForceFusion {
   std::size_t written_ = 0;
   std::uint64_t last_count_ = 0;
   bool known_ = false;
-  bool learnt_ = false;
   double contradiction_s_ = 0.0;
   bool contradicted_ = false;
 };
