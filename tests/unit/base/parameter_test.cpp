@@ -66,7 +66,8 @@ TEST(Parameter, ARefusalNamesFileLineValueAndRange) {
   EXPECT_EQ(problem("[other]\ncolour = \"blue\"\n"), "p.toml:2: other.colour = \"blue\": expected one of red, green");
   EXPECT_EQ(problem("[other]\npoints = [1, 6]\n"),
             "p.toml:2: other.points = 6: expected a list of numbers, each from -5 to 5");
-  EXPECT_EQ(problem("[room]\nsize = 1\n"), "p.toml:2: unknown parameter 'room.size'; 'fyd params' lists those there are");
+  EXPECT_EQ(problem("[room]\nsize = 1\n"),
+            "p.toml:2: unknown parameter 'room.size'; 'fyd params' lists those there are");
   EXPECT_EQ(problem("gain = 1\n"), "p.toml:1: 'gain' stands outside a table; expected a table such as [control]");
 }
 
