@@ -64,6 +64,9 @@ struct LinkDecoded {
 [[nodiscard]] LinkDecoded<RobotHello> decodeRobotHello(Bytes payload);
 [[nodiscard]] LinkDecoded<TouchpadHello> decodeTouchpadHello(Bytes payload);
 
+/// The workspace as its 32-bit numbers say it on the wire: both ends must code positions by the same one.
+[[nodiscard]] Workspace asOnTheWire(const Workspace& workspace);
+
 /// Bytes of a touch message before sealing.
 [[nodiscard]] std::size_t touchMessageSize(unsigned bits_per_axis, const TouchFields& fields);
 

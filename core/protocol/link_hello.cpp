@@ -16,6 +16,15 @@ LinkDecoded<T> finished(const ByteReader& in, const T& value, bool in_range) {
 
 }  // namespace
 
+Workspace asOnTheWire(const Workspace& workspace) {
+  std::array<std::uint8_t, 28> bytes{};
+  ByteWriter writer(bytes);
+  fields::writeWorkspace(writer, workspace);
+  ByteReader reader(bytes);
+  Workspace out;
+  return fields::readWorkspace(reader, out) ? out : workspace;
+}
+
 std::size_t encodeHello(const RobotHello& hello, std::span<std::uint8_t> out) {
   ByteWriter writer(out);
   writer.u48(hello.sent_us);

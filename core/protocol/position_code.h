@@ -27,6 +27,8 @@ inline constexpr unsigned kMaximumBitsPerAxis = 20;  ///< three axes and a flag 
 
 class PositionCode {
  public:
+  PositionCode() = default;  ///< codes nothing; to be assigned
+
   /// @return nothing when a corner is not finite, an extent not positive, the precision not positive, or an axis
   /// would need more than kMaximumBitsPerAxis
   [[nodiscard]] static std::optional<PositionCode> make(const Workspace& workspace);

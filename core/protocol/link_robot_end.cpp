@@ -1,0 +1,362 @@
+#include "core/protocol/link_robot_end.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fyd::protocol {
+namespace {
+
+using pipeline::RobotCommand;
+
+constexpr int kFarewells = 3;
+constexpr LinkTime kBetweenFarewells_us = 5'000;
+constexpr LinkTime kShortestCommandRetry_us = 20'000;
+constexpr LinkTime kMostBehindPeriods = 2;
+
+LinkTime periodOf(double rate_Hz) { return static_cast<LinkTime>(std::lround(1e6 / rate_Hz)); }
+LinkTime microseconds(Duration duration) {
+  return static_cast<LinkTime>(std::chrono::duration_cast<std::chrono::microseconds>(duration).count());
+}
+
+}  // namespace
+
+LinkRobotEnd::LinkRobotEnd(const LinkRobotSettings& settings, const LinkKey& key, const Endpoint& touchpad,
+                           RandomSource random)
+    : settings_(settings), key_(key), touchpad_(touchpad), random_(random) {
+  prepareCryptography();
+  settings_.workspace = asOnTheWire(settings.workspace);
+  // A workspace that cannot be coded is replaced by the default; settings are the program's, not the network's.
+  if (!PositionCode::make(settings_.workspace)) settings_.workspace = asOnTheWire(RobotHello{}.workspace);
+  own_code_ = *PositionCode::make(settings_.workspace);
+}
+
+void LinkRobotEnd::refuse(LinkRefusal refusal) {
+  ++refusals_[static_cast<std::size_t>(refusal)];
+  ++counters_.refused;
+}
+
+bool LinkRobotEnd::command(RobotCommand command) { return command == RobotCommand::none || commands_.push(command); }
+
+void LinkRobotEnd::startOver() {
+  session_.reset();
+  caller_.reset();
+  greeted_ = false;
+  outstanding_ = RobotCommand::none;
+  samples_.clear();
+  motor_references_on_ = false;
+  farewells_left_ = 0;
+}
+
+void LinkRobotEnd::passTime(Instant now) {
+  now_us_ = time_.advance(now);
+  if (!session_) return;
+  const double silence_ms = session_->silence_ms(now_us_);
+  if (phase_ == RobotPhase::running && silence_ms > session_->lostLimit_ms(settings_.limits)) {
+    phase_ = nextPhase(phase_, RobotEvent::silence);
+    ++counters_.lost;
+  }
+  const Duration patience = phase_ == RobotPhase::paused ? settings_.give_up_paused : settings_.give_up;
+  if (silence_ms <= toMilliseconds(patience)) return;
+  phase_ = nextPhase(phase_, RobotEvent::give_up);
+  commands_.clear();  // what was meant for this session must not happen in the next
+  startOver();
+}
+
+std::span<const Datagram> LinkRobotEnd::tick(Instant now, const RobotReport& report) {
+  outbox_.clear();
+  passTime(now);
+  if (phase_ == RobotPhase::handshake) {
+    if (!commands_.empty() && commands_[0] == RobotCommand::disconnect) {
+      phase_ = nextPhase(phase_, RobotEvent::leave);
+      startOver();
+      return {};
+    }
+    tickHandshake();
+  } else if (phase_ == RobotPhase::closing) {
+    sendFarewell();
+  } else if (session_) {
+    collect(now, report);
+    sendCommand();
+    if (now_us_ >= next_state_us_) sendState(report);
+    if (now_us_ >= next_beat_us_) {
+      outbox_.seal(session_->sealer(), touchpad_,
+                   [&](auto out) { return encodeLink(session_->heartbeat(now_us_), now_us_, out); });
+      next_beat_us_ = next_state_us_ - periodOf(rates_.state_Hz) / 2;
+      if (next_beat_us_ <= now_us_) next_beat_us_ += periodOf(rates_.state_Hz);
+    }
+  }
+  return outbox_.view();
+}
+
+void LinkRobotEnd::tickHandshake() {
+  if (caller_ && now_us_ - called_us_ > microseconds(settings_.call_life)) startOver();
+  if (now_us_ < next_try_us_) return;
+  next_try_us_ = now_us_ + microseconds(settings_.retry);
+  if (caller_) {
+    outbox_.add(Bytes(call_).first(call_size_), touchpad_);
+    return;
+  }
+  if (!greeted_) random_(nonce_);
+  greeted_ = true;
+  ++counters_.acks;
+  outbox_.add(makeHello(key_, nonce_), touchpad_);
+}
+
+void LinkRobotEnd::collect(Instant now, const RobotReport& report) {
+  const Instant taken = std::min(now, report.acceleration_taken.value_or(now));
+  const LinkTime age_us = std::min(now_us_, microseconds(now - taken));
+  const LinkTime taken_us = now_us_ - age_us;
+  if (last_sample_us_ && taken_us <= *last_sample_us_) return;  // the sensor has nothing new
+  last_sample_us_ = taken_us;
+  if (samples_.full()) {
+    std::copy(samples_.begin() + 1, samples_.end(), samples_.items.begin());
+    --samples_.count;
+    ++link_counters_.samples_dropped;
+  }
+  static_cast<void>(samples_.push({.taken_us = taken_us, .acceleration_g = report.acceleration_g}));
+}
+
+void LinkRobotEnd::sendState(const RobotReport& report) {
+  LinkState state{.sequence = ++state_sequence_, .robot = report.robot, .force_N = report.force_N};
+  if (motor_references_on_) {
+    state.motor_reference = report.motor_reference;
+    ++counters_.motor_references;
+  }
+  for (const Sample& sample : samples_) {
+    static_cast<void>(state.accelerations.push(
+        {.age_s = 1e-6 * static_cast<double>(now_us_ - sample.taken_us), .acceleration_g = sample.acceleration_g}));
+  }
+  samples_.clear();
+  outbox_.seal(session_->sealer(), touchpad_, [&](auto out) { return encodeLink(state, own_code_, now_us_, out); });
+  ++counters_.states;
+  const LinkTime period_us = periodOf(rates_.state_Hz);
+  next_state_us_ += period_us;
+  if (now_us_ > next_state_us_ + kMostBehindPeriods * period_us) next_state_us_ = now_us_ + period_us;
+}
+
+void LinkRobotEnd::nextCommand() {
+  outstanding_ = commands_[0];
+  std::copy(commands_.begin() + 1, commands_.end(), commands_.items.begin());
+  --commands_.count;
+  next_command_us_ = now_us_;
+  if (outstanding_ != RobotCommand::disconnect) {
+    ++command_id_;
+    return;
+  }
+  outstanding_ = RobotCommand::none;
+  phase_ = nextPhase(phase_, RobotEvent::leave);
+  farewells_left_ = kFarewells;
+  next_farewell_us_ = now_us_;
+  sendFarewell();
+}
+
+void LinkRobotEnd::sendCommand() {
+  if (outstanding_ == RobotCommand::none && !commands_.empty()) nextCommand();
+  if (outstanding_ == RobotCommand::none || now_us_ < next_command_us_) return;
+  if (next_command_us_ != now_us_) ++link_counters_.command_repeats;
+  const auto round_trip_us = static_cast<LinkTime>(session_->clock().newestRoundTrip_us());
+  next_command_us_ = now_us_ + std::max(kShortestCommandRetry_us, 2 * round_trip_us);
+  outbox_.seal(session_->sealer(), touchpad_, [&](auto out) {
+    return encodeLink(LinkCommand{.id = command_id_, .command = outstanding_}, now_us_, out);
+  });
+}
+
+void LinkRobotEnd::sendFarewell() {
+  if (farewells_left_ > 0 && now_us_ >= next_farewell_us_) {
+    outbox_.seal(session_->sealer(), touchpad_, [&](auto out) {
+      return encodeLink(LinkGoodbye{.reason = GoodbyeReason::operator_left}, now_us_, out);
+    });
+    --farewells_left_;
+    next_farewell_us_ = now_us_ + kBetweenFarewells_us;
+  }
+  if (farewells_left_ == 0) phase_ = nextPhase(phase_, RobotEvent::said);
+}
+
+RobotReception LinkRobotEnd::handle(Bytes datagram, const Endpoint& from, Instant now) {
+  RobotReception out;
+  passTime(now);
+  if (from != touchpad_) {
+    ++counters_.wrong_peer;
+    return out;
+  }
+  const LinkSorted sorted = sortDatagram(datagram);
+  if (sorted.refusal != LinkRefusal::none) {
+    refuse(sorted.refusal);
+  } else if (sorted.kind == LinkKind::challenge) {
+    takeChallenge(datagram);
+  } else if (sorted.kind == LinkKind::answer) {
+    takeAnswer(datagram, out);
+  } else if (sorted.kind == LinkKind::sealed) {
+    takeSealed(datagram, out);
+  } else {
+    refuse(LinkRefusal::kind);
+  }
+  return out;
+}
+
+void LinkRobotEnd::takeChallenge(Bytes datagram) {
+  Cookie cookie{};
+  if (phase_ != RobotPhase::handshake || !greeted_ || caller_) {
+    refuse(LinkRefusal::phase);
+    return;
+  }
+  if (const LinkRefusal refusal = readChallenge(key_, datagram, nonce_, cookie); refusal != LinkRefusal::none) {
+    refuse(refusal);
+    return;
+  }
+  caller_.emplace(key_, cookie, random_);
+  const RobotHello hello{.sent_us = now_us_,
+                         .rates = settings_.rates,
+                         .workspace = settings_.workspace,
+                         .capabilities = static_cast<std::uint32_t>(Capability::images) |
+                                         static_cast<std::uint32_t>(Capability::motor_reference) |
+                                         static_cast<std::uint32_t>(Capability::force),
+                         .text = settings_.text};
+  std::array<std::uint8_t, kMaximumLinkMessage> payload{};
+  call_size_ = caller_->write(Bytes(payload).first(encodeHello(hello, payload)), call_);
+  called_us_ = now_us_;
+  next_try_us_ = now_us_;  // goes out with the next tick
+  ++link_counters_.calls;
+}
+
+void LinkRobotEnd::takeAnswer(Bytes datagram, RobotReception& out) {
+  if (phase_ != RobotPhase::handshake || !caller_) {
+    refuse(LinkRefusal::phase);
+    return;
+  }
+  std::array<std::uint8_t, kMaximumLinkDatagram> payload{};
+  const auto opened = caller_->read(datagram, payload);
+  if (!opened) {
+    refuse(LinkRefusal::key);
+    return;
+  }
+  const auto hello = decodeTouchpadHello(*opened);
+  if (!hello.ok()) {
+    refuse(hello.refusal);
+    return;
+  }
+  const TouchpadHello& touchpad = hello.value;
+  status_ = touchpad.status;
+  const SessionKeys keys = caller_->keys();
+  startOver();
+  if (status_ != CallStatus::accepted) {
+    next_try_us_ = now_us_ + microseconds(settings_.refused_pause);
+    return;
+  }
+  rates_ = touchpad.rates;
+  touch_code_ = *PositionCode::make(touchpad.workspace);
+  session_.emplace(keys.from_initiator, keys.from_responder, sessionOf(keys), 1e3 / rates_.touch_Hz, now_us_);
+  session_->learnClock(now_us_, touchpad.sent_us, touchpad.echo_us, touchpad.held_us);
+  takeInfo(touchpad.k_vib, touchpad.reference_ticks, touchpad.board_text);
+  images_.reset();
+  touch_.reset();
+  state_sequence_ = 0;
+  command_id_ = 0;
+  next_beat_us_ = now_us_;  // the confirmation
+  next_state_us_ = now_us_ + periodOf(rates_.state_Hz);
+  phase_ = nextPhase(phase_, RobotEvent::answered);
+  ++link_counters_.sessions;
+  out.connected = true;
+  out.info = true;
+}
+
+void LinkRobotEnd::takeInfo(double k_vib, const std::array<double, control::kMotorCount>& ticks,
+                            std::string_view text) {
+  info_ = {.k_vib = k_vib, .reference_ticks = ticks};
+  board_size_ = std::min(text.size(), board_text_.size());
+  std::copy_n(text.begin(), board_size_, board_text_.begin());
+  ++counters_.infos;
+}
+
+void LinkRobotEnd::acknowledged() {
+  ++link_counters_.commands;
+  switch (outstanding_) {
+    case RobotCommand::send_info_and_pause: phase_ = nextPhase(phase_, RobotEvent::pause); break;
+    case RobotCommand::resume: phase_ = nextPhase(phase_, RobotEvent::resume); break;
+    case RobotCommand::motor_reference_on: motor_references_on_ = true; break;
+    case RobotCommand::motor_reference_off: motor_references_on_ = false; break;
+    default: break;
+  }
+  outstanding_ = RobotCommand::none;
+}
+
+void LinkRobotEnd::takeSealed(Bytes datagram, RobotReception& out) {
+  if (!session_) {
+    refuse(LinkRefusal::phase);
+    return;
+  }
+  const LinkReceived received = session_->receive(datagram, now_us_, settings_.limits);
+  if (!received.ok()) {
+    refuse(received.refusal);
+    return;
+  }
+  phase_ = nextPhase(phase_, RobotEvent::heard);
+  const LinkEnvelope& message = received.message;
+  switch (message.type) {
+    case LinkMessage::heartbeat: ++link_counters_.heartbeats; break;
+    case LinkMessage::touch: takeTouch(received, out); break;
+    case LinkMessage::command_ack: {
+      const auto ack = decodeCommandAck(message);
+      if (!ack.ok()) {
+        refuse(ack.refusal);
+      } else if (outstanding_ == RobotCommand::none || ack.value.id != command_id_) {
+        refuse(LinkRefusal::late);
+      } else if (outstanding_ != RobotCommand::send_info_and_pause) {
+        acknowledged();
+      }
+      break;
+    }
+    case LinkMessage::info: {
+      const auto info = decodeInfo(message);
+      if (!info.ok()) {
+        refuse(info.refusal);
+        break;
+      }
+      takeInfo(info.value.k_vib, info.value.reference_ticks, info.value.board_text);
+      out.info = true;
+      if (outstanding_ == RobotCommand::send_info_and_pause) acknowledged();
+      break;
+    }
+    case LinkMessage::image: {
+      const auto fragment = decodeImageFragment(message);
+      if (!fragment.ok()) {
+        refuse(fragment.refusal);
+      } else if (images_.take(fragment.value)) {
+        out.image = true;
+        ++counters_.images;
+      }
+      break;
+    }
+    case LinkMessage::goodbye:
+      if (const auto goodbye = decodeGoodbye(message); goodbye.ok()) {
+        phase_ = nextPhase(phase_, RobotEvent::goodbye);
+        commands_.clear();
+        startOver();
+        next_try_us_ = now_us_ + microseconds(settings_.refused_pause);
+      } else {
+        refuse(goodbye.refusal);
+      }
+      break;
+    default: refuse(LinkRefusal::message);
+  }
+}
+
+void LinkRobotEnd::takeTouch(const LinkReceived& received, RobotReception& out) {
+  const auto decoded = decodeTouch(received.message, touch_code_);
+  if (!decoded.ok()) {
+    refuse(decoded.refusal);
+    return;
+  }
+  const LinkTouch& touch = decoded.value;
+  if (touch_ && static_cast<std::int16_t>(touch.sequence - touch_sequence_) <= 0) {
+    refuse(LinkRefusal::late);
+    return;
+  }
+  touch_ = touch;
+  touch_sequence_ = touch.sequence;
+  ++counters_.touches;
+  out.touch = {
+      .position_mm = touch.position_mm, .in_contact = touch.in_contact, .force_N = touch.force_N.value_or(0.0)};
+}
+
+}  // namespace fyd::protocol

@@ -1,0 +1,410 @@
+#include "core/protocol/link_touchpad_end.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/protocol/link_phase.h"
+#include "core/protocol/message_budget.h"
+
+namespace fyd::protocol {
+namespace {
+
+using pipeline::LinkPhase;
+using pipeline::RobotCommand;
+
+constexpr LinkTime kPendingLife_us = 2'000'000;
+constexpr LinkTime kSettling_us = 5'000;
+constexpr int kFragmentsAtOnce = 2;
+constexpr int kFarewells = 3;
+// Of these three periods lie within the cap, or a slow robot would count as lost between two of its states.
+constexpr double kPeriodsWithinCap = 3.0;
+constexpr LinkTime kMostBehindPeriods = 2;
+// A line that is told to be slow is not given a heartbeat with every touch.
+constexpr LinkTime kTouchesPerBeatOnSlowLine = 10;
+
+LinkTime periodOf(double rate_Hz) { return static_cast<LinkTime>(std::lround(1e6 / rate_Hz)); }
+
+const Workspace kTouchWorkspace = asOnTheWire(TouchpadHello{}.workspace);
+
+}  // namespace
+
+LinkTouchpadEnd::LinkTouchpadEnd(const LinkParameters& parameters, const LinkKey& key, RandomSource random)
+    : parameters_(parameters),
+      key_(key),
+      random_((prepareCryptography(), random)),
+      cookies_(random),
+      touch_code_(*PositionCode::make(kTouchWorkspace)) {}
+
+const TouchpadReception& LinkTouchpadEnd::handle(Bytes datagram, const Endpoint& from, Instant now,
+                                                 const TouchpadAnswer& answer) {
+  const std::uint64_t lost_before = counters_.lost;
+  passTime(now);
+  reception_.clear();
+  outbox_.clear();
+  reception_.was_lost = counters_.lost != lost_before;
+  const LinkSorted sorted = sortDatagram(datagram);
+  if (sorted.refusal != LinkRefusal::none) {
+    refuse(sorted.refusal);
+  } else if (sorted.kind == LinkKind::hello) {
+    takeHello(datagram, from);
+  } else if (sorted.kind == LinkKind::call) {
+    takeCall(datagram, from, answer);
+  } else if (sorted.kind == LinkKind::sealed) {
+    takeSealed(datagram, from, answer);
+  } else {
+    refuse(LinkRefusal::kind);
+  }
+  for (const Datagram& reply : outbox_.view()) static_cast<void>(reception_.replies.push(reply));
+  return reception_;
+}
+
+void LinkTouchpadEnd::passTime(Instant now) {
+  now_ = now;
+  now_us_ = time_.advance(now);
+  if (pending_ && now_us_ - pending_->since_us > kPendingLife_us) pending_.reset();
+  if (phase_ != LinkPhase::running || !session_) return;
+  const bool silent = session_->silence_ms(now_us_) > session_->lostLimit_ms(parameters_);
+  // Heartbeats keep a link alive, but a robot that sends nothing else is not there either.
+  const double stateless_ms = 1e-3 * static_cast<double>(now_us_ - last_state_us_);
+  if (!silent && stateless_ms <= std::max(parameters_.lost_cap_ms, kPeriodsWithinCap * session_->period_ms())) return;
+  phase_ = nextPhase(phase_, LinkEvent::silence);
+  ++counters_.lost;
+}
+
+void LinkTouchpadEnd::takeHello(Bytes datagram, const Endpoint& from) {
+  HelloNonce nonce{};
+  if (const LinkRefusal refusal = readHello(key_, datagram, nonce); refusal != LinkRefusal::none) {
+    refuse(refusal);
+    return;
+  }
+  ++counters_.hellos;
+  outbox_.add(makeChallenge(key_, nonce, cookies_.make(from, now_us_)), from);
+}
+
+bool LinkTouchpadEnd::seenBefore(const PublicKey& caller) const {
+  return std::ranges::find(callers_, caller) != callers_.end();
+}
+
+bool LinkTouchpadEnd::mayTakeOver(const Endpoint& from) const {
+  if (!session_ || peer_ == from || phase_ == LinkPhase::closed) return true;
+  return session_->silence_ms(now_us_) >= 1e3 * parameters_.takeover_silence_s;
+}
+
+void LinkTouchpadEnd::takeCall(Bytes datagram, const Endpoint& from, const TouchpadAnswer& answer) {
+  if (datagram.size() < kCallHeader + kNoiseOverhead || datagram.size() > kMaximumLinkDatagram) {
+    refuse(LinkRefusal::size);
+    return;
+  }
+  if (!cookies_.good(datagram.subspan(2, sizeof(Cookie)), from, now_us_)) {
+    refuse(LinkRefusal::cookie);
+    return;
+  }
+  PublicKey caller{};
+  std::ranges::copy(datagram.subspan(kCallHeader, caller.size()), caller.begin());
+  const bool repeated = seenBefore(caller);
+  if (repeated && !(pending_ && pending_->caller == caller && pending_->from == from)) {
+    refuse(LinkRefusal::repeated);
+    return;
+  }
+  Callee callee(key_, datagram);
+  std::array<std::uint8_t, kMaximumLinkDatagram> payload{};
+  const auto opened = callee.read(datagram, payload);
+  if (!opened) {
+    refuse(LinkRefusal::key);
+    return;
+  }
+  ++counters_.calls;
+  if (repeated) {
+    outbox_.add(Bytes(pending_->answer).first(pending_->answer_size), from);
+    return;
+  }
+  const auto hello = decodeRobotHello(*opened);
+  if (!hello.ok()) {
+    refuse(hello.refusal);
+    return;
+  }
+  callers_[next_caller_++ % callers_.size()] = caller;
+  answerCall(callee, hello.value, from, caller, answer);
+}
+
+Rates LinkTouchpadEnd::grant(const Rates& wished) const {
+  const double slowest_Hz = std::min(1e3 * kPeriodsWithinCap / parameters_.lost_cap_ms, 1e3);
+  const double state_Hz = std::max(slowest_Hz, std::min(wished.state_Hz, parameters_.state_rate_Hz));
+  double touch_Hz = std::min(wished.touch_Hz, parameters_.touch_rate_Hz);
+  if (parameters_.flow_bit_per_s > 0.0) {
+    const MessageBudget smallest = fitTouch(touch_code_, 0.0, 0.0, {});
+    touch_Hz = std::min(touch_Hz, parameters_.flow_bit_per_s / smallest.datagram_bits);
+  }
+  return {.state_Hz = std::ceil(state_Hz), .touch_Hz = std::max(1.0, std::floor(touch_Hz))};
+}
+
+void LinkTouchpadEnd::answerCall(Callee& callee, const RobotHello& hello, const Endpoint& from, const PublicKey& caller,
+                                 const TouchpadAnswer& answer) {
+  const bool accepted = mayTakeOver(from);
+  if (!accepted) refuse(LinkRefusal::second_robot);
+  const TouchpadHello own{.status = accepted ? CallStatus::accepted : CallStatus::second_robot,
+                          .sent_us = now_us_,
+                          .echo_us = hello.sent_us,
+                          .rates = grant(hello.rates),
+                          .workspace = kTouchWorkspace,
+                          .capabilities = static_cast<std::uint32_t>(Capability::images) |
+                                          static_cast<std::uint32_t>(Capability::motor_reference) |
+                                          static_cast<std::uint32_t>(Capability::force),
+                          .k_vib = answer.info.k_vib,
+                          .reference_ticks = answer.info.reference_ticks,
+                          .board_text = answer.board_text};
+  std::array<std::uint8_t, kMaximumLinkMessage> payload{};
+  const std::size_t size = encodeHello(own, payload);
+  const std::span<std::uint8_t> packet = outbox_.next();
+  const std::size_t whole = callee.write(Bytes(payload).first(size), random_, packet);
+  if (whole == 0) {
+    refuse(LinkRefusal::key);  // a public key that no honest robot makes
+    return;
+  }
+  if (accepted) {
+    const SessionKeys keys = callee.keys();
+    pending_.emplace(Pending{.session = LinkSession(keys.from_responder, keys.from_initiator, sessionOf(keys),
+                                                    1e3 / own.rates.state_Hz, now_us_),
+                             .from = from,
+                             .caller = caller,
+                             .rates = own.rates,
+                             .robot_code = *PositionCode::make(hello.workspace),
+                             .since_us = now_us_,
+                             .answer_size = whole});
+    std::copy_n(packet.begin(), whole, pending_->answer.begin());
+  }
+  outbox_.keep(whole, from);
+}
+
+void LinkTouchpadEnd::takeSealed(Bytes datagram, const Endpoint& from, const TouchpadAnswer& answer) {
+  if (datagram.size() <= kSealOverhead || datagram.size() > kMaximumLinkDatagram) {
+    refuse(LinkRefusal::size);
+    return;
+  }
+  const auto id = static_cast<std::uint16_t>(datagram[2] | (datagram[3] << 8));
+  const bool present = session_ && peer_ == from && session_->id() == id;
+  if (pending_ && pending_->from == from && pending_->session.id() == id && !present) {
+    takeConfirmation(datagram);
+    return;
+  }
+  if (!session_) {
+    refuse(LinkRefusal::phase);
+    return;
+  }
+  if (peer_ != from) {
+    refuse(LinkRefusal::peer);
+    return;
+  }
+  const LinkReceived received = session_->receive(datagram, now_us_, parameters_);
+  if (!received.ok()) {
+    refuse(received.refusal);
+    return;
+  }
+  takeMessage(received, answer);
+}
+
+void LinkTouchpadEnd::takeConfirmation(Bytes datagram) {
+  const LinkReceived received = pending_->session.receive(datagram, now_us_, parameters_);
+  if (!received.ok()) {
+    refuse(received.refusal);
+  } else if (!mayTakeOver(pending_->from)) {  // the other robot came back meanwhile
+    refuse(LinkRefusal::second_robot);
+  } else {
+    ++counters_.heartbeats;
+    establish();
+  }
+}
+
+void LinkTouchpadEnd::establish() {
+  session_ = pending_->session;
+  peer_ = pending_->from;
+  rates_ = pending_->rates;
+  robot_code_ = pending_->robot_code;
+  pending_.reset();
+  touch_fields_ = {};
+  if (parameters_.flow_bit_per_s > 0.0) {
+    touch_fields_ = fitTouch(touch_code_, parameters_.flow_bit_per_s, 1.0 / rates_.touch_Hz, {}).fields;
+  }
+  phase_ = nextPhase(phase_, LinkEvent::handshake);
+  established_us_ = now_us_;
+  last_state_us_ = now_us_;
+  next_touch_us_ = now_us_;
+  next_beat_us_ = now_us_;
+  touch_sequence_ = 0;
+  any_state_ = false;
+  command_id_ = 0;
+  images_on_ = false;
+  motor_references_on_ = false;
+  images_.stop();
+  ++counters_.sessions;
+  reception_.session_started = true;
+}
+
+void LinkTouchpadEnd::takeMessage(const LinkReceived& received, const TouchpadAnswer& answer) {
+  if (received.message.type == LinkMessage::heartbeat) {
+    ++counters_.heartbeats;
+    return;
+  }
+  if (phase_ == LinkPhase::closed) {
+    refuse(LinkRefusal::phase);
+    return;
+  }
+  switch (received.message.type) {
+    case LinkMessage::state: takeState(received); break;
+    case LinkMessage::command: takeCommand(received.message, answer); break;
+    case LinkMessage::goodbye:
+      if (const auto goodbye = decodeGoodbye(received.message); goodbye.ok()) {
+        phase_ = nextPhase(phase_, LinkEvent::goodbye);
+        images_.stop();
+      } else {
+        refuse(goodbye.refusal);
+      }
+      break;
+    default: refuse(LinkRefusal::message);
+  }
+}
+
+void LinkTouchpadEnd::takeState(const LinkReceived& received) {
+  const auto decoded = decodeState(received.message, robot_code_);
+  if (!decoded.ok()) {
+    refuse(decoded.refusal);
+    return;
+  }
+  const LinkState& state = decoded.value;
+  last_state_us_ = now_us_;
+  if (now_us_ - established_us_ < kSettling_us) {
+    refuse(LinkRefusal::phase);
+    return;
+  }
+  if (any_state_ && static_cast<std::int16_t>(state.sequence - state_sequence_) <= 0) {
+    refuse(LinkRefusal::late);
+    return;
+  }
+  any_state_ = true;
+  state_sequence_ = state.sequence;
+  phase_ = nextPhase(phase_, LinkEvent::state);
+  ++counters_.states;
+  reception_.state = state.robot;
+  const Instant sent = now_ - std::chrono::microseconds(received.age_us);
+  for (const LinkAcceleration& sample : state.accelerations) {
+    const Instant taken = std::min(now_, sent - fromSeconds(sample.age_s));
+    static_cast<void>(reception_.accelerations.push({.taken = taken, .acceleration_g = sample.acceleration_g}));
+    ++counters_.samples;
+  }
+  if (motor_references_on_ && state.motor_reference) reception_.motor_reference = state.motor_reference;
+}
+
+void LinkTouchpadEnd::takeCommand(const LinkEnvelope& message, const TouchpadAnswer& answer) {
+  const auto decoded = decodeCommand(message);
+  if (!decoded.ok()) {
+    refuse(decoded.refusal);
+    return;
+  }
+  const LinkCommand& command = decoded.value;
+  if (command.id == static_cast<std::uint16_t>(command_id_ + 1)) {
+    command_id_ = command.id;
+    ++counters_.commands;
+    reception_.command = command.command;
+    obey(command.command);
+  } else if (command.id == command_id_ && counters_.commands > 0) {
+    ++counters_.repeated_commands;
+  } else {
+    refuse(LinkRefusal::late);
+    return;
+  }
+  outbox_.seal(session_->sealer(), *peer_,
+               [&](auto out) { return encodeLink(LinkCommandAck{.id = command.id}, now_us_, out); });
+  if (command.command == RobotCommand::send_info_and_pause) sendInfo(answer);
+}
+
+void LinkTouchpadEnd::obey(RobotCommand command) {
+  switch (command) {
+    case RobotCommand::send_info_and_pause: phase_ = nextPhase(phase_, LinkEvent::pause); break;
+    case RobotCommand::resume: phase_ = nextPhase(phase_, LinkEvent::resume); break;
+    case RobotCommand::disconnect: phase_ = nextPhase(phase_, LinkEvent::goodbye); break;
+    case RobotCommand::images_on: images_on_ = true; break;
+    case RobotCommand::images_off:
+      images_on_ = false;
+      images_.stop();
+      break;
+    case RobotCommand::motor_reference_on: motor_references_on_ = true; break;
+    case RobotCommand::motor_reference_off: motor_references_on_ = false; break;
+    default: break;  // gains and algorithms are the pipeline's
+  }
+  last_state_us_ = now_us_;  // a pause ends with a full measure of patience
+}
+
+void LinkTouchpadEnd::sendInfo(const TouchpadAnswer& answer) {
+  outbox_.seal(session_->sealer(), *peer_, [&](auto out) {
+    return encodeLink(LinkInfo{.k_vib = answer.info.k_vib,
+                               .reference_ticks = answer.info.reference_ticks,
+                               .board_text = answer.board_text},
+                      now_us_, out);
+  });
+}
+
+void LinkTouchpadEnd::sendTouch(const TouchpadAnswer& answer) {
+  LinkTouch touch{.sequence = ++touch_sequence_,
+                  .age_s = toSeconds(now_ - std::min(now_, answer.taken)),
+                  .position_mm = answer.touch.position_mm,
+                  .in_contact = answer.touch.in_contact};
+  if (touch_fields_.force) touch.force_N = answer.touch.force_N;
+  if (touch_fields_.indentation) touch.indentation_mm = answer.touch.in_contact ? -answer.touch.position_mm.z : 0.0;
+  outbox_.seal(session_->sealer(), *peer_, [&](auto out) { return encodeLink(touch, touch_code_, now_us_, out); });
+  ++counters_.touches;
+}
+
+std::span<const Datagram> LinkTouchpadEnd::advance(Instant now, const TouchpadAnswer& answer) {
+  passTime(now);
+  outbox_.clear();
+  if (!session_ || phase_ == LinkPhase::closed) return {};
+  const LinkTime period_us = periodOf(rates_.touch_Hz);
+  if (now_us_ >= next_touch_us_) {
+    sendTouch(answer);
+    next_touch_us_ += period_us;
+    if (now_us_ > next_touch_us_ + kMostBehindPeriods * period_us) next_touch_us_ = now_us_ + period_us;
+    if (next_beat_us_ <= now_us_) next_beat_us_ = now_us_ + period_us / 2;
+  }
+  if (now_us_ >= next_beat_us_) {
+    outbox_.seal(session_->sealer(), *peer_,
+                 [&](auto out) { return encodeLink(session_->heartbeat(now_us_), now_us_, out); });
+    next_beat_us_ = next_touch_us_ + period_us / 2;
+    if (parameters_.flow_bit_per_s > 0.0) next_beat_us_ += (kTouchesPerBeatOnSlowLine - 1) * period_us;
+  }
+  if (images_on_ && !answer.image.empty() && images_.begin(answer.image)) ++counters_.images;
+  for (int i = 0; i < kFragmentsAtOnce && images_on_ && images_.busy(); ++i) {
+    outbox_.seal(session_->sealer(), *peer_, [&](auto out) { return encodeLink(images_.next(), now_us_, out); });
+  }
+  return outbox_.view();
+}
+
+std::span<const Datagram> LinkTouchpadEnd::farewell(Instant now) {
+  passTime(now);
+  outbox_.clear();
+  if (!session_ || phase_ == LinkPhase::closed) return {};
+  for (int i = 0; i < kFarewells; ++i) {
+    outbox_.seal(session_->sealer(), *peer_, [&](auto out) { return encodeLink(LinkGoodbye{}, now_us_, out); });
+  }
+  phase_ = nextPhase(phase_, LinkEvent::goodbye);
+  return outbox_.view();
+}
+
+LinkFigures LinkTouchpadEnd::figures(Instant /*now*/) const {
+  LinkFigures out{.states = counters_.states, .touches = counters_.touches, .lost = counters_.lost};
+  for (std::size_t i = 1; i < kLinkRefusalCount; ++i) {
+    if (refusals_[i] == 0) continue;
+    out.refused += refusals_[i];
+    static_cast<void>(out.refusals.push({.reason = toString(static_cast<LinkRefusal>(i)), .count = refusals_[i]}));
+  }
+  if (!session_) return out;
+  out.silence_ms = session_->silence_ms(now_us_);
+  out.period_ms = session_->period_ms();
+  out.jitter_ms = session_->jitter_ms();
+  out.lost_limit_ms = session_->lostLimit_ms(parameters_);
+  out.loss_percent = session_->loss_percent();
+  out.round_trip_ms = 1e-3 * static_cast<double>(session_->clock().newestRoundTrip_us());
+  out.clock_offset_ms = 1e-3 * static_cast<double>(session_->clock().offset_us());
+  return out;
+}
+
+}  // namespace fyd::protocol
