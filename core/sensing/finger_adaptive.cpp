@@ -184,8 +184,9 @@ FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfI
   if (!learnLight()) passAgain();
   const float marked_below = mark_below_;
   out = judge();
-  // Marks made for a darker finger miss parts of this one, or all of it.
-  if (mark_below_ > marked_below + kMarkStep) {
+  // Marks made for a darker finger miss parts of this one, or all of it; those made for a paler one take in its soft
+  // edge.
+  if (mark_below_ > marked_below + kMarkStep || mark_below_ < marked_below - 2.0F * kMarkStep) {
     passAgain();
     out = judge();
   }
