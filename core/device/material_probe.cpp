@@ -21,6 +21,7 @@ std::string_view toString(ProbeOutcome outcome) {
     case ProbeOutcome::bad_reading: return "reading not a number";
     case ProbeOutcome::timed_out: return "time limit reached";
     case ProbeOutcome::aborted: return "aborted";
+    case ProbeOutcome::skipped: return "skipped";
   }
   return "unknown";
 }

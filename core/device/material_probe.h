@@ -42,6 +42,7 @@ enum class ProbeOutcome : std::uint8_t {
   bad_reading,  ///< position or force not finite: stiffness 0
   timed_out,    ///< the arm did not get there in time: stiffness 0
   aborted,      ///< by the caller
+  skipped,      ///< not wanted: stiffness as the operator gave it
 };
 [[nodiscard]] std::string_view toString(ProbeOutcome outcome);
 

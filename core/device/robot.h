@@ -1,6 +1,7 @@
-// A robot arm as the robot end sees it: simulated, or a KUKA LWR behind FRI (a later issue).
+// A robot arm as the robot end sees it: simulated, or a KUKA LWR behind FRI (fri_robot.h).
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/error.h"
@@ -15,6 +16,7 @@ struct RobotReadings {
   double force_N = 0.0;  ///< normal contact force on the tool, ≥ 0
   Vec3 acceleration_g;   ///< as the sensor gives it, gravity included
   Instant taken{};
+  std::optional<Vec3> commanded_mm = std::nullopt;  ///< where it is told to be, of an arm that yields to a force
 };
 
 /// Used by one thread at a time.
@@ -22,9 +24,12 @@ class Robot {
  public:
   virtual ~Robot() = default;
   [[nodiscard]] virtual std::string description() const = 0;
+  /// The times handed to `exchange` are its only clock, so that it may be driven faster than time passes.
+  [[nodiscard]] virtual bool inVirtualTime() const { return false; }
 
   /// Sends the target and reads the state, as one exchange; the arm itself limits workspace and speed.
-  /// @return an error when the target is not finite or the arm did not answer
+  /// @return an error when the target is not finite or the arm did not answer or does not follow; the first exchange
+  /// that succeeds again holds the arm where it stands
   [[nodiscard]] virtual Result<RobotReadings> exchange(const Vec3& target_mm, Instant now) = 0;
 };
 

@@ -9,7 +9,7 @@
 #include <fcntl.h>
 #include <grp.h>
 #include <poll.h>
-#include <sys/ioctl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -114,9 +114,14 @@ Result<SerialPort> SerialPort::open(const std::string& path, int baud) {
   if (file < 0) return tl::unexpected(Error{explainPort(path, errno)});
   SerialPort port(path, file);
   if (auto configured = configure(file, baud, path); !configured) return tl::unexpected(configured.error());
-  if (::ioctl(file, TIOCEXCL) != 0) return tl::unexpected(Error{explainPort(path, errno)});
+  if (auto alone = claimPort(file, path); !alone) return tl::unexpected(alone.error());
   port.flush();
   return port;
+}
+
+Result<void> claimPort(int file, const std::string& path) {
+  if (::flock(file, LOCK_EX | LOCK_NB) == 0) return {};
+  return tl::unexpected(Error{explainPort(path, errno == EWOULDBLOCK ? EBUSY : errno)});
 }
 
 SerialPort::SerialPort(SerialPort&& other) noexcept
@@ -150,7 +155,7 @@ bool SerialPort::write(std::span<const std::uint8_t> bytes) {
 int SerialPort::read(std::span<std::uint8_t> buffer, Instant deadline) {
   if (!waitFor(file_, POLLIN, deadline)) return 0;
   const ssize_t got = ::read(file_, buffer.data(), buffer.size());
-  if (got > 0) return static_cast<int>(got);
+  if (got > 0) return static_cast<int>(got);  // 0 after a wake-up is a hang-up
   return got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1;
 }
 

@@ -19,6 +19,9 @@ namespace fyd::device {
 [[nodiscard]] int baudOf(speed_t constant);
 /// @return an error when the port runs at another speed than `baud`
 [[nodiscard]] Result<void> checkSpeed(int file, int baud, const std::string& path);
+/// Keeps other programs of this kind out until the file is closed, also by the process's death.
+/// @return an error when one of them holds the port
+[[nodiscard]] Result<void> claimPort(int file, const std::string& path);
 /// Why opening `path` failed with `problem` (an errno), and what to do about it.
 [[nodiscard]] std::string explainPort(const std::string& path, int problem);
 

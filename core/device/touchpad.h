@@ -1,6 +1,8 @@
 // The touchpad as everything above it sees it; simulated, Modbus and motor-board backends stand behind this.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 
 #include "core/base/error.h"
@@ -17,6 +19,9 @@ struct TouchpadReadings {
   Timed<control::MotorFeedback> motors;
 };
 
+/// Duties of the motors for one step of the haptic loop, percent.
+using VibrationDuty = std::array<double, control::kMotorCount>;
+
 /// Used by one thread at a time (the station's device thread).
 class Touchpad {
  public:
@@ -29,6 +34,13 @@ class Touchpad {
   /// @param now the station's clock
   /// @return an error when the device did not answer; the readings' ages then tell the rest
   [[nodiscard]] virtual Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) = 0;
+
+  /// The loop's duties since the last exchange, oldest first, one a millisecond; the next exchange carries them to
+  /// devices that play batches. Others take the duty in the command and need not know.
+  virtual void queueVibration(std::span<const VibrationDuty> duties) { static_cast<void>(duties); }
+
+  /// What the device complains of although it answers (motors switched off by itself, …), and the remedy; or empty.
+  [[nodiscard]] virtual std::string complaint() const { return {}; }
 
   /// The longest a caller should wait between two exchanges.
   [[nodiscard]] virtual Duration period() const = 0;

@@ -16,7 +16,8 @@ namespace fyd::protocol {
 
 namespace qbmove {
 inline constexpr std::uint8_t kPing = 0;
-inline constexpr std::uint8_t kActivate = 128;  ///< one byte: 3 on, 0 off
+inline constexpr std::uint8_t kActivate = 128;     ///< one byte: 3 on, 0 off
+inline constexpr std::uint8_t kGetActivate = 129;  ///< answered with one byte, as above
 inline constexpr std::uint8_t kSetInputs = 130;
 inline constexpr std::uint8_t kGetMeasurements = 132;  ///< not 134, which newer firmware packs wrongly
 inline constexpr std::uint8_t kGetCurrents = 133;

@@ -1,0 +1,224 @@
+#include "core/device/modbus_touchpad.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace fyd::device {
+namespace {
+
+using protocol::DriveState;
+
+constexpr int kAttempts = 4;            // at a block that is torn
+constexpr int kSwitchingOnCycles = 50;  // a healthy drive needs five
+constexpr std::uint16_t kLoopRate_Hz = 1000;
+
+}  // namespace
+
+bool deviceRestarted(std::uint32_t before_us, std::uint32_t now_us, Duration elapsed) {
+  const double counted_s = static_cast<double>(now_us - before_us) * 1e-6;  // modulo 2³², a wrap is no restart
+  const double expected_s = toSeconds(elapsed);
+  return std::abs(counted_s - expected_s) > std::max(1.0, 0.1 * expected_s);
+}
+
+ModbusTouchpad::ModbusTouchpad(const ModbusAddress& address, const DeviceParameters& parameters)
+    : parameters_(parameters),
+      link_(address, fromSeconds(parameters.response_timeout_ms / 1e3), fromSeconds(parameters.quiet_ms / 1e3)),
+      period_(fromSeconds(1.0 / parameters.cycle_rate_Hz)) {
+  // Another start of the program must not begin with the numbers that the last one ended with.
+  std::random_device seed;
+  command_.nonce = static_cast<std::uint16_t>(seed());
+  command_.vibration_batch = static_cast<std::uint16_t>(seed());
+  command_.vibration_rate_Hz = kLoopRate_Hz;
+}
+
+ModbusTouchpad::~ModbusTouchpad() = default;
+
+std::string ModbusTouchpad::description() const {
+  if (!identified_) return fmt::format("touchpad at {}", link_.name());
+  return fmt::format("touchpad {}, firmware {}.{}, at {}", identity_.serialText(), identity_.firmware >> 8U,
+                     identity_.firmware & 0xFFU, link_.name());
+}
+
+Result<void> ModbusTouchpad::checkIdentity() {
+  protocol::IdentityRegisters registers{};
+  if (auto read = link_.read(protocol::kIdentityAddress, registers); !read) return read;
+  identity_ = protocol::decodeIdentity(registers);
+  if (identity_.magic != protocol::kMapMagic) {
+    return fail("{}: not a touchpad: its first registers say 0x{:08X}, expected 0x{:08X}", link_.name(),
+                identity_.magic, protocol::kMapMagic);
+  }
+  if ((identity_.map_version >> 8U) != (protocol::kMapVersion >> 8U)) {
+    return fail("{}: register map {}.{}, this program knows {}.x; update the older of the two", link_.name(),
+                identity_.map_version >> 8U, identity_.map_version & 0xFFU, protocol::kMapVersion >> 8U);
+  }
+  if (identity_.ir_sensors != protocol::kMapIrSensors || identity_.motors != control::kMotorCount) {
+    return fail("{}: {} IR sensors and {} motors, expected {} and {}", link_.name(), identity_.ir_sensors,
+                identity_.motors, protocol::kMapIrSensors, control::kMotorCount);
+  }
+  return {};
+}
+
+Result<void> ModbusTouchpad::connect() {
+  if (auto opened = link_.open(); !opened) return opened;
+  if (auto known = checkIdentity(); !known) {
+    link_.close();
+    return known;
+  }
+  const std::array<std::uint16_t, protocol::kSettingsRegisters> settings = {
+      static_cast<std::uint16_t>(std::lround(parameters_.watchdog_ms)),
+      static_cast<std::uint16_t>(std::lround(parameters_.thermal_limit_degC * 10.0))};
+  if (auto set = link_.write(protocol::kSettingsAddress, settings); !set) {
+    link_.close();
+    return set;
+  }
+  identified_ = true;
+  ++counters_.connections;
+  last_uptime_us_.reset();
+  return {};
+}
+
+/// A device that comes back must not begin to move by that. One whose motors ran on through a short disturbance may go
+/// on: its own watchdog decides, and followDrive sees what it decided.
+tl::unexpected<Error> ModbusTouchpad::lost(Error error) {
+  if (arming_ == Arming::switching_on) {
+    arming_ = Arming::refused;
+    refusal_ = "the touchpad was lost while its motors were being switched on";
+  }
+  return tl::unexpected(std::move(error));
+}
+
+void ModbusTouchpad::followCommand(bool active) {
+  if (!active) {
+    arming_ = Arming::off;
+    refusal_.clear();
+  } else if (!was_active_) {
+    arming_ = Arming::switching_on;
+    acknowledge_fault_ = true;
+    cycles_switching_on_ = 0;
+  }
+  was_active_ = active;
+}
+
+void ModbusTouchpad::followDrive(DriveState state) {
+  drive_ = state;
+  const bool running = state == DriveState::operation_enabled;
+  const auto refuse = [&] {
+    arming_ = Arming::refused;
+    refusal_ = fmt::format("the touchpad's motors are in the state {}{}", toString(state),
+                           state_.fault_code == 0
+                               ? std::string()
+                               : fmt::format(" ({})", toString(static_cast<protocol::DriveFault>(state_.fault_code))));
+  };
+  if (arming_ == Arming::on && !running) refuse();
+  if (arming_ == Arming::switching_on) {
+    if (state != DriveState::fault) acknowledge_fault_ = false;
+    if (running)
+      arming_ = Arming::on;
+    else if (++cycles_switching_on_ > kSwitchingOnCycles)
+      refuse();
+  }
+}
+
+void ModbusTouchpad::queueVibration(std::span<const VibrationDuty> duties) {
+  for (const VibrationDuty& duty : duties) {
+    if (command_.duties.full()) {  // late: the newest matter
+      std::copy(command_.duties.begin() + 1, command_.duties.end(), command_.duties.items.begin());
+      --command_.duties.count;
+      ++counters_.duties_lost;
+    }
+    static_cast<void>(command_.duties.push(protocol::toDutyPair(duty)));
+  }
+}
+
+void ModbusTouchpad::prepare(const control::MotorCommand& command) {
+  const bool operate = arming_ == Arming::switching_on || arming_ == Arming::on;
+  command_.control_word = protocol::nextControlWord(drive_, operate, acknowledge_fault_);
+  command_.reference_ticks = command.reference_ticks;
+  if (!operate) {
+    command_.duties.clear();
+  } else if (command_.duties.empty()) {
+    static_cast<void>(command_.duties.push(protocol::toDutyPair(command.vibration_duty_percent)));
+  }
+  ++command_.vibration_batch;
+}
+
+Result<void> ModbusTouchpad::transact() {
+  protocol::CommandRegisters out{};
+  protocol::StateRegisters in{};
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    ++command_.nonce;
+    ++command_.heartbeat;
+    const std::size_t count = protocol::encode(command_, out);
+    if (auto done = link_.writeAndRead(protocol::kCommandAddress, {out.data(), count}, protocol::kStateAddress, in);
+        !done) {
+      return done;
+    }
+    ++counters_.transactions;
+    const protocol::StateProblem problem = protocol::decode(in, state_);
+    if (state_.nonce_echo != command_.nonce) {
+      ++counters_.stale_answers;
+      link_.recover();
+      return fail(
+          "{}: an answer to an earlier question was refused; does the touchpad need longer than "
+          "device.response_timeout_ms = {}?",
+          link_.name(), parameters_.response_timeout_ms);
+    }
+    if (problem == protocol::StateProblem::none) return {};
+    if (problem != protocol::StateProblem::torn) return fail("{}: {}", link_.name(), toString(problem));
+    ++counters_.torn_blocks;
+  }
+  return fail("{}: {}, {} times in a row", link_.name(), toString(protocol::StateProblem::torn), kAttempts);
+}
+
+void ModbusTouchpad::take(Instant now) {
+  const bool first = !last_uptime_us_.has_value();
+  if (!first && deviceRestarted(*last_uptime_us_, state_.uptime_us, now - last_answer_)) {
+    ++counters_.restarts;
+    if (arming_ != Arming::off) {
+      arming_ = Arming::refused;
+      refusal_ = "the touchpad restarted";
+    }
+  }
+  // Taken when the request went out, at the latest: never younger than the truth.
+  const bool ir_news = readings_.ir.count == 0 || state_.ir_count != last_ir_count_;
+  const bool bridge_news = readings_.bridge.count == 0 || state_.bridge_count != last_bridge_count_;
+  last_ir_count_ = state_.ir_count;
+  last_bridge_count_ = state_.bridge_count;
+  last_uptime_us_ = state_.uptime_us;
+  last_answer_ = now;
+  if (ir_news) {
+    sensing::IrCounts counts;
+    for (const std::uint16_t code : state_.ir) static_cast<void>(counts.push(code));
+    readings_.ir.set(counts, now - fromSeconds(state_.ir_age_ms / 1e3));
+  }
+  if (bridge_news && std::isfinite(state_.bridge_mV_per_V)) {
+    readings_.bridge.set({.value_mV_per_V = state_.bridge_mV_per_V}, now - fromSeconds(state_.bridge_age_ms / 1e3));
+  }
+  if (arming_ != Arming::refused) readings_.motors.set(state_.motors, now);
+}
+
+Result<TouchpadReadings> ModbusTouchpad::exchange(const control::MotorCommand& command, Instant now) {
+  followCommand(command.active);
+  if (!link_.isOpen()) {
+    if (auto connected = connect(); !connected) return lost(connected.error());
+  }
+  prepare(command);
+  const auto done = transact();
+  command_.duties.clear();
+  if (!done) return lost(done.error());
+  followDrive(protocol::driveStateOf(state_.status_word).value_or(DriveState::not_ready_to_switch_on));
+  take(now);
+  return readings_;
+}
+
+std::string ModbusTouchpad::complaint() const {
+  if (arming_ == Arming::refused) return refusal_ + ": stop, then arm again";
+  if ((state_.status_word & protocol::status_bit::kWarning) != 0) {
+    return fmt::format("motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool",
+                       state_.temperature_degC[0], state_.temperature_degC[1], parameters_.thermal_limit_degC);
+  }
+  return {};
+}
+
+}  // namespace fyd::device

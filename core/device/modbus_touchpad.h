@@ -1,0 +1,82 @@
+// The touchpad over Modbus: one transaction of function 0x17 a cycle writes the command and reads the state.
+//
+// Freshness: each cycle writes a new nonce and takes only an answer that echoes it. Arming: the motors are switched on
+// only by a command that turns active; when the device switches them off by itself, restarts or vanishes, they stay
+// off until the command has been inactive. Until then their readings are withheld, so that the step holds.
+#pragma once
+
+#include <optional>
+
+#include "core/device/device_parameters.h"
+#include "core/device/modbus_link.h"
+#include "core/device/touchpad.h"
+#include "core/protocol/drive_state.h"
+#include "core/protocol/register_codec.h"
+
+namespace fyd::device {
+
+/// Whether a device clock of microseconds that wraps at 32 bit started anew between two readings `elapsed` apart.
+[[nodiscard]] bool deviceRestarted(std::uint32_t before_us, std::uint32_t now_us, Duration elapsed);
+
+/// Counters since the start, for the window and the tests.
+struct ModbusTouchpadCounters {
+  std::uint64_t transactions = 0;
+  std::uint64_t stale_answers = 0;  ///< refused: they echoed another nonce
+  std::uint64_t torn_blocks = 0;    ///< read again
+  std::uint64_t connections = 0;
+  std::uint64_t restarts = 0;     ///< of the device, seen by its clock
+  std::uint64_t duties_lost = 0;  ///< older than one batch holds
+};
+
+class ModbusTouchpad final : public Touchpad {
+ public:
+  /// Opens nothing yet; the first exchange does.
+  ModbusTouchpad(const ModbusAddress& address, const DeviceParameters& parameters);
+  ~ModbusTouchpad() override;
+
+  [[nodiscard]] std::string description() const override;
+  /// Opens and identifies the device first when that is to be done. Blocks for the response time-out at most, twice
+  /// when it opens.
+  [[nodiscard]] Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
+  void queueVibration(std::span<const VibrationDuty> duties) override;
+  [[nodiscard]] std::string complaint() const override;
+  [[nodiscard]] Duration period() const override { return period_; }
+
+  [[nodiscard]] const ModbusTouchpadCounters& counters() const { return counters_; }
+  [[nodiscard]] const protocol::DeviceState& state() const { return state_; }
+  [[nodiscard]] const protocol::DeviceIdentity& identity() const { return identity_; }
+
+ private:
+  enum class Arming : std::uint8_t { off, switching_on, on, refused };
+
+  [[nodiscard]] Result<void> connect();
+  [[nodiscard]] Result<void> checkIdentity();
+  void followCommand(bool active);
+  void followDrive(protocol::DriveState state);
+  void prepare(const control::MotorCommand& command);
+  [[nodiscard]] Result<void> transact();
+  [[nodiscard]] tl::unexpected<Error> lost(Error error);
+  void take(Instant now);
+
+  DeviceParameters parameters_;
+  ModbusLink link_;
+  Duration period_;
+  protocol::DeviceIdentity identity_;
+  protocol::DeviceCommand command_;
+  protocol::DeviceState state_;
+  TouchpadReadings readings_;
+  ModbusTouchpadCounters counters_;
+  Arming arming_ = Arming::off;
+  bool was_active_ = false;
+  bool acknowledge_fault_ = false;
+  int cycles_switching_on_ = 0;
+  std::string refusal_;  // why the motors are off while the command wants them on
+  protocol::DriveState drive_ = protocol::DriveState::not_ready_to_switch_on;  // as it last said
+  std::optional<std::uint32_t> last_uptime_us_;
+  std::uint16_t last_ir_count_ = 0;
+  std::uint16_t last_bridge_count_ = 0;
+  Instant last_answer_{};
+  bool identified_ = false;
+};
+
+}  // namespace fyd::device

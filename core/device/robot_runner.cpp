@@ -1,0 +1,191 @@
+#include "core/device/robot_runner.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fyd::device {
+namespace {
+
+constexpr Duration kVirtualStep = std::chrono::milliseconds(1);
+constexpr Duration kPublishEvery = std::chrono::milliseconds(50);
+
+}  // namespace
+
+Result<std::unique_ptr<RobotRunner>> RobotRunner::open(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot,
+                                                       std::unique_ptr<protocol::RobotEnd> end) {
+  if (!(options.rate_Hz >= 1.0 && options.rate_Hz <= 10'000.0)) {
+    return fail("robot end: {} states a second; expected 1 to 10000", options.rate_Hz);
+  }
+  if (options.touchpad.port == 0) {
+    return fail("robot end: the touchpad's address {} has no port to call", protocol::toString(options.touchpad));
+  }
+  if (options.touchpad.v6 != options.bind.v6) {
+    return fail("robot end: {} cannot call {}: both must be IPv4 or both IPv6", protocol::toString(options.bind),
+                protocol::toString(options.touchpad));
+  }
+  if (auto limits = checkLimits(options.limits); !limits) return fail("robot end: {}", limits.error().message);
+  auto socket = protocol::UdpSocket::open(options.bind);
+  if (!socket) return tl::unexpected(socket.error());
+  if (!end) end = std::make_unique<protocol::ClassicRobotEnd>(options.link, options.touchpad);
+  std::unique_ptr<RobotRunner> made(new RobotRunner(options, std::move(robot), std::move(end), std::move(*socket)));
+  made->prepareAhead();
+  return made;
+}
+
+RobotRunner::RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot,
+                         std::unique_ptr<protocol::RobotEnd> end, protocol::UdpSocket socket)
+    : options_(options),
+      robot_(std::move(robot), options.limits),
+      end_(std::move(end)),
+      socket_(std::move(socket)),
+      preparation_(options.probe, options.probe_material, options.known_stiffness_N_per_mm),
+      mapping_(options.mapping),
+      buffer_(protocol::kMaximumDatagram) {
+  std::ranges::stable_sort(options_.commands, {}, &TimedCommand::at_s);
+  now_.description = robot_.description();
+  now_.local = socket_.local();
+}
+
+// The arm's time runs ahead of the clock here and has stopped short of it when `run` begins.
+void RobotRunner::prepareAhead() {
+  if (robot_.inVirtualTime()) {
+    constexpr double kSettling_s = 10.0;  // the way back, and the rest
+    const Instant end = Clock::now();
+    Instant virtual_now = end - fromSeconds(options_.probe.time_limit_s + kSettling_s);
+    for (; !now_.prepared && virtual_now < end; virtual_now += kVirtualStep) prepareStep(virtual_now);
+  }
+  shown_ = now_;
+}
+
+void RobotRunner::prepareStep(Instant now) {
+  exchangeWithRobot(preparation_.target(), now);
+  if (robot_.following()) {
+    preparation_.succeeded(now_.readings, now);
+  } else {
+    preparation_.failed(now);
+  }
+  now_.prepared = preparation_.finished();
+  now_.probe_outcome = preparation_.outcome();
+  now_.probed_stiffness_N_per_mm = preparation_.stiffness_N_per_mm();
+  mapping_.reset(preparation_.target());
+}
+
+void RobotRunner::run(const std::stop_token& stop, Duration limit) {
+  began_ = Clock::now();
+  const Duration period = fromSeconds(1.0 / options_.rate_Hz);
+  Instant due = began_;
+  for (Instant now = began_;; now = Clock::now()) {
+    if (stop.stop_requested() || now - began_ >= limit) {
+      if (now_.prepared) break;
+      preparation_.abort();
+    }
+    if (now_.prepared) {
+      exchangeWithRobot(mapping_.target(), now);
+      queueCommands(now);
+      sendDue(now);
+      if (end_->phase() == protocol::RobotPhase::closed) break;
+    } else {
+      prepareStep(now);
+    }
+    if (now - published_ >= kPublishEvery) publish(now);
+    due += period;
+    if (now > due) {
+      const auto behind = (now - due) / period;
+      now_.missed_cycles += static_cast<std::uint64_t>(behind + 1);
+      due += period * behind;
+    }
+    receiveUntil(due);
+  }
+  if (options_.farewell > Duration::zero()) sayFarewell();
+  publish(Clock::now());
+}
+
+bool RobotRunner::command(pipeline::RobotCommand command) { return asked_.push(command); }
+
+RobotRunnerStatus RobotRunner::status() const {
+  const std::lock_guard lock(mutex_);
+  return shown_;
+}
+
+void RobotRunner::exchangeWithRobot(const Vec3& target_mm, Instant now) {
+  auto readings = robot_.exchange(target_mm, now);
+  if (!readings) {
+    ++now_.robot_errors;
+    now_.robot_problem = std::move(readings.error().message);
+    return;
+  }
+  if (robot_.resumed() && now_.robot_errors > 0) {
+    ++now_.robot_resumed;
+    now_.robot_problem.clear();
+  }
+  now_.readings = *readings;
+  if (robot_.resumed()) mapping_.reset(robot_.limiter().position_mm());
+}
+
+void RobotRunner::queueCommands(Instant now) {
+  pipeline::RobotCommand asked{};
+  while (asked_.pop(asked)) now_.commands_lost += end_->command(asked) ? 0 : 1;
+  if (now_.connections == 0) return;
+  const double since_s = toSeconds(now - connected_);
+  for (; next_command_ < options_.commands.size(); ++next_command_) {
+    if (options_.commands[next_command_].at_s > since_s) break;
+    if (!end_->command(options_.commands[next_command_].command)) break;
+  }
+}
+
+void RobotRunner::sendDue(Instant now) {
+  const protocol::RobotReport report{
+      .acceleration_g = now_.readings.acceleration_g - preparation_.restAcceleration_g(),
+      .robot = {.stiffness_N_per_mm = now_.probed_stiffness_N_per_mm,
+                .position_mm = now_.readings.position_mm,
+                .button = false},
+      .motor_reference = options_.motor_reference,
+      .force_N = now_.readings.force_N,
+      .acceleration_taken = now_.readings.taken};
+  for (const protocol::Datagram& datagram : end_->tick(now, report)) {
+    if (socket_.send(datagram.bytes, datagram.to) != protocol::SendOutcome::sent) ++now_.send_failures;
+  }
+}
+
+void RobotRunner::receiveUntil(Instant deadline) {
+  for (;;) {
+    const auto received = socket_.receive(buffer_, std::max(deadline - Clock::now(), Duration::zero()));
+    if (!received) return;
+    const auto reception = end_->handle({buffer_.data(), received->size}, received->from, Clock::now());
+    if (reception.connected) {
+      if (now_.connections++ == 0) connected_ = Clock::now();
+      mapping_.reset(robot_.limiter().position_mm());
+    }
+    if (reception.touch) {
+      now_.touch = *reception.touch;
+      mapping_.apply(*reception.touch);
+    }
+    if (Clock::now() >= deadline) return;
+  }
+}
+
+void RobotRunner::sayFarewell() {
+  if (end_->phase() != protocol::RobotPhase::running && end_->phase() != protocol::RobotPhase::paused) return;
+  if (!end_->command(pipeline::RobotCommand::disconnect)) return;
+  const Instant give_up = Clock::now() + options_.farewell;
+  for (Instant now = Clock::now(); now < give_up; now = Clock::now()) {
+    if (end_->phase() != protocol::RobotPhase::closing) {
+      sendDue(now);
+    } else if (!end_->replyDue()) {
+      return;
+    }
+    receiveUntil(now + kVirtualStep);
+  }
+}
+
+void RobotRunner::publish(Instant now) {
+  published_ = now;
+  now_.phase = end_->phase();
+  now_.counters = end_->counters();
+  now_.seconds = toSeconds(now - began_);
+  now_.targets_refused = robot_.limiter().refused();
+  const std::lock_guard lock(mutex_);
+  shown_ = now_;
+}
+
+}  // namespace fyd::device
