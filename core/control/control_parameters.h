@@ -34,9 +34,9 @@ struct ControlParameters {
   double kd_s = 0.0;
   double derivative_filter_s = 0.1;
   double dead_band_N_per_mm = 0.003;
-  double measurement_lag_s = 0.02;
-  double measurement_delay_s = 0.01;
-  double noise_correlation_s = 0.35;
+  double measurement_lag_s = 0.25;
+  double measurement_delay_s = 0.05;
+  double noise_correlation_s = 0.4;
 
   double travel_minimum_deg = 20.0;
   double travel_maximum_deg = 90.0;

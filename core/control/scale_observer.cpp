@@ -9,10 +9,10 @@ namespace {
 constexpr double kPriorVariance = 0.25 * 0.25;
 constexpr double kNewTouchVariance = 0.05 * 0.05;
 constexpr double kWanderPerSqrt_s = 0.003;  // q
-constexpr double kUnknownSigma = 0.1;
+constexpr double kUnknownSigma = 0.07;
 constexpr double kLeastSigma = 0.01;
 constexpr double kMostSigma = 1.0;
-constexpr double kLeastShare = 0.25;  // of the variance the sensing reports, which includes what averaging cannot lose
+constexpr double kLeastShare = 0.35;  // of the variance the sensing reports, which includes what averaging cannot lose
 constexpr double kMeanTime_s = 0.3;
 constexpr double kVarianceTime_s = 0.4;
 constexpr double kMotionTime_s = 0.08;                     // the sensors' lag is not known better than this

@@ -21,7 +21,7 @@ class ScaleObserver {
   void beginTouch();
 
   /// One reading of z. Values that are not finite, and dt ≤ 0, change nothing.
-  /// @param relative_sigma of the reading, as the sensing says; not finite or ≤ 0 counts as 10 %
+  /// @param relative_sigma of the reading, as the sensing says; not finite or ≤ 0 counts as 7 %
   /// @param law_log ln law at the present stretch, to see it move
   void step(double z, double relative_sigma, double law_log, double dt_s);
 
@@ -30,7 +30,7 @@ class ScaleObserver {
   [[nodiscard]] double credible() const { return belief_ * log_scale_; }
 
  private:
-  double correlation_s_ = 0.35;
+  double correlation_s_ = 0.4;
   double log_scale_ = 0.0;
   double variance_ = 0.0625;  // P
   bool believed_ = false;
