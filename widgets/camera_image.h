@@ -38,6 +38,7 @@ class CameraImage : public QWidget {
   [[nodiscard]] const QString& emptyText() const { return empty_text_; }
   /// Lets the mouse move the simulated finger; an empty function ends it.
   void setTouchable(PictureToTouchpad to_touchpad);
+  [[nodiscard]] bool touchable() const { return static_cast<bool>(to_touchpad_); }
   [[nodiscard]] double depth_mm() const { return depth_mm_; }
   [[nodiscard]] QSize sizeHint() const override { return {280, 210}; }
   [[nodiscard]] bool hasHeightForWidth() const override { return true; }

@@ -67,6 +67,7 @@ CameraPanel::CameraPanel(QWidget* parent)
 }
 
 void CameraPanel::setPicture(const CameraPicture& picture) {
+  hint_->setVisible(image_->touchable());
   image_->setPicture(picture);
   const sensing::FingerDetection& finger = picture.finger;
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -84,11 +85,12 @@ void CameraPanel::showMissing(const QString& text) {
   image_->setEmptyText(text);
   for (QLabel* value : values_) value->setText(kNoValue);
   reason_->setText(tr("No picture"));
+  hint_->hide();
 }
 
 void CameraPanel::setTouchable(PictureToTouchpad to_touchpad) {
-  hint_->setVisible(static_cast<bool>(to_touchpad));
   image_->setTouchable(std::move(to_touchpad));
+  hint_->setVisible(image_->touchable());
   sayHint();
 }
 

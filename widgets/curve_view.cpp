@@ -192,7 +192,7 @@ void CurveView::sayFollowing() {
   const bool now = window_.following();
   follow_label_->setText(now ? tr("Following") : tr("Not following: press F to follow again"));
   follow_label_->setProperty("role", now ? "muted" : "warning");
-  follow_label_->setStyleSheet(QString());  // re-reads the role
+  restyle(*follow_label_);
   follow_button_->setText(now ? tr("Pause") : tr("Follow"));
   follow_button_->setIcon(icon(now ? QStringLiteral("pause") : QStringLiteral("follow")));
   follow_button_->setToolTip(now ? tr("Hold the picture still; measuring goes on (Space)")

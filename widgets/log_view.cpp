@@ -3,7 +3,6 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "widgets/icon.h"
 #include "widgets/theme.h"
 
 namespace fyd::widgets {
@@ -22,7 +21,6 @@ LogView::LogView(QWidget* parent)
   search_->setPlaceholderText(tr("Search the log"));
   search_->setAccessibleName(tr("Search the log"));
   search_->setClearButtonEnabled(true);
-  search_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   connect(search_, &QLineEdit::textChanged, filter_, &QSortFilterProxyModel::setFilterFixedString);
   table_->setModel(filter_);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -96,11 +96,14 @@ void Readout::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const int small = lineHeight(TextSize::small);
-  int y = std::max(0, (height() - contentHeight()) / 2);
+  // In a low strip the name moves into the number's line instead of pushing the last line out.
+  const bool low = height() < contentHeight();
+  int y = std::max(0, (height() - contentHeight() + (low ? small : 0)) / 2);
   painter.setFont(textFont(TextSize::small));
   painter.setPen(theme().muted);
-  painter.drawText(QRect(0, y, width(), small), Qt::AlignLeft | Qt::AlignTop, title_);
-  y += small;
+  painter.drawText(QRect(0, y, width(), small), Qt::AlignLeft | Qt::AlignTop,
+                   low ? title_.section(QLatin1Char(','), 0, 0) : title_);
+  if (!low) y += small;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const QFont font = large_ && i == 0 ? textFont(TextSize::number, true)
                                         : textFont(large_ ? TextSize::small : TextSize::normal, !large_);

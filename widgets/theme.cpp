@@ -2,7 +2,9 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QStyle>
 #include <QStyleFactory>
+#include <QWidget>
 
 namespace fyd::widgets {
 namespace {
@@ -129,6 +131,12 @@ QFont textFont(TextSize size, bool strong) {
   }
   font.setWeight(strong ? QFont::DemiBold : QFont::Normal);
   return font;
+}
+
+void restyle(QWidget& widget) {
+  widget.style()->unpolish(&widget);
+  widget.style()->polish(&widget);
+  widget.update();
 }
 
 Look& Look::instance() {

@@ -11,6 +11,7 @@
 #include <QString>
 
 class QApplication;
+class QWidget;
 
 namespace fyd::widgets {
 
@@ -63,6 +64,9 @@ class Look : public QObject {
   bool system_is_dark_ = false;
   bool system_asked_ = false;
 };
+
+/// After a property that the style sheet asks for has changed.
+void restyle(QWidget& widget);
 
 [[nodiscard]] inline const Theme& theme() { return Look::instance().theme(); }
 

@@ -90,10 +90,7 @@ QWidget* TuningPanel::buildFoot() {
   redo_ = button(QStringLiteral("redo"), tr("Redo"));
   undo_->setObjectName(QStringLiteral("undo_button"));
   redo_->setObjectName(QStringLiteral("redo_button"));
-  saved_ = new QLabel(foot);
-  saved_->setProperty("role", "muted");
-  saved_->setFont(textFont(TextSize::small));
-  layout->addWidget(saved_, 1);
+  layout->addStretch(1);
   save_ = new QPushButton(tr("Save profile"), foot);
   save_->setObjectName(QStringLiteral("save_button"));
   save_->setIcon(icon(QStringLiteral("save")));
@@ -111,7 +108,9 @@ void TuningPanel::refreshFoot() {
   redo_->setEnabled(stack->canRedo());
   undo_->setToolTip(stack->canUndo() ? tr("Undo %1 (Ctrl+Z)").arg(stack->undoText()) : tr("Nothing to undo"));
   redo_->setToolTip(stack->canRedo() ? tr("Redo %1 (Ctrl+Shift+Z)").arg(stack->redoText()) : tr("Nothing to redo"));
-  saved_->setText(model_.anyChanged() ? tr("• not saved") : QString());
+  save_->setText(model_.anyChanged() ? tr("• Save profile") : tr("Save profile"));
+  save_->setToolTip(model_.anyChanged() ? tr("Marked values differ from the profile (Ctrl+S)")
+                                        : tr("Nothing differs from the profile (Ctrl+S)"));
 }
 
 void TuningPanel::showTargetByHand(bool by_hand) { (by_hand ? by_hand_ : from_robot_)->setChecked(true); }

@@ -57,7 +57,6 @@ class TuningPanel : public QFrame {
   QToolButton* undo_ = nullptr;
   QToolButton* redo_ = nullptr;
   QPushButton* save_ = nullptr;
-  QLabel* saved_ = nullptr;
 };
 
 }  // namespace fyd::widgets

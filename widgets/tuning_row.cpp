@@ -156,7 +156,7 @@ void TuningRow::takeField() {
 void TuningRow::markRefused(bool refused) {
   if (field_ == nullptr || field_->property("refused").toBool() == refused) return;
   field_->setProperty("refused", refused);
-  field_->setStyleSheet(QString());  // re-reads the property
+  restyle(*field_);
 }
 
 void TuningRow::refresh() {

@@ -22,6 +22,7 @@ CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
   field_->setAccessibleName(windowTitle());
   list_->setAccessibleName(tr("Commands found"));
   list_->setFocusPolicy(Qt::NoFocus);
+  list_->setIconSize({2 * kGrid, 2 * kGrid});
   field_->installEventFilter(this);
   connect(field_, &QLineEdit::textChanged, this, &CommandPalette::filter);
   connect(field_, &QLineEdit::returnPressed, this, &CommandPalette::run);
@@ -44,7 +45,10 @@ void CommandPalette::filter(const QString& letters) {
     const QString name = action->text().section(QLatin1Char('\t'), 0, 0);
     if (!name.contains(letters, Qt::CaseInsensitive)) continue;
     const QString keys = action->property("keys").toString();
-    auto* item = new QListWidgetItem(action->icon(), keys.isEmpty() ? name : tr("%1   (%2)").arg(name, keys), list_);
+    QPixmap none(list_->iconSize());  // keeps the names in one column
+    none.fill(Qt::transparent);
+    auto* item = new QListWidgetItem(action->icon().isNull() ? QIcon(none) : action->icon(),
+                                     keys.isEmpty() ? name : tr("%1   (%2)").arg(name, keys), list_);
     item->setData(Qt::UserRole, action->objectName());
   }
   list_->setCurrentRow(0);

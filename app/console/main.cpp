@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
 
   fyd::widgets::Look::instance().apply(application, options->theme);
   fyd::console::MainWindow window(fyd::console::makeSession(std::move(*station)), profile_path);
+  window.page()->tuning()->showTargetByHand(options->robot == QLatin1String("none"));  // as the station starts then
   window.show();
   window.start();
   if (!options->screenshot.isEmpty()) takePictureAfter(window, *options);

@@ -60,7 +60,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::buildLog() {
   log_dock_ = new QDockWidget(tr("Log"), this);
-  log_dock_->setFeatures(QDockWidget::DockWidgetClosable);
+  log_dock_->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  log_dock_->setTitleBarWidget(new QWidget(log_dock_));  // the search field says what it is
   log_ = new widgets::LogView(log_dock_);
   log_dock_->setWidget(log_);
   addDockWidget(Qt::BottomDockWidgetArea, log_dock_);
@@ -117,7 +118,10 @@ void MainWindow::connectCommands() {
   QAction* mask_action = commands_->action(QStringLiteral("view.mask"));
   mask_action->setChecked(mask->isChecked());
   connect(mask, &QToolButton::toggled, mask_action, &QAction::setChecked);
-  on("view.log", [this](bool shown) { log_dock_->setVisible(shown); });
+  on("view.log", [this](bool shown) {
+    log_dock_->setVisible(shown);
+    resizeDocks({log_dock_}, {18 * widgets::kGrid}, Qt::Vertical);
+  });
   connect(log_dock_, &QDockWidget::visibilityChanged, commands_->action(QStringLiteral("view.log")),
           &QAction::setChecked);
   on("view.notices_read", [this](bool) { notices_->dismissAll(); });
