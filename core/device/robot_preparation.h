@@ -1,5 +1,6 @@
 // What a robot end does before it calls the touchpad: waits until the arm follows, probes the material, and takes the
-// mean acceleration at rest. Pure stepping, in real or virtual time: exchange `target` with the arm, report how it went.
+// mean acceleration at rest. Pure stepping, in real or virtual time: exchange `target` with the arm, report how it
+// went.
 #pragma once
 
 #include "core/device/material_probe.h"

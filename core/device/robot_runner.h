@@ -86,8 +86,8 @@ class RobotRunner {
   [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
 
  private:
-  RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot,
-              std::unique_ptr<protocol::RobotEnd> end, protocol::UdpSocket socket);
+  RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot, std::unique_ptr<protocol::RobotEnd> end,
+              protocol::UdpSocket socket);
   void prepareAhead();
   void prepareStep(Instant now);
   void exchangeWithRobot(const Vec3& target_mm, Instant now);

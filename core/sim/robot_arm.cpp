@@ -60,7 +60,8 @@ Result<device::RobotReadings> RobotArm::exchange(const Vec3& target_mm, Instant 
   return device::RobotReadings{.position_mm = {reference_mm_.x, reference_mm_.y, z_mm},
                                .force_N = force_N_,
                                .acceleration_g = senseAcceleration(),
-                               .taken = last_};
+                               .taken = last_,
+                               .commanded_mm = reference_mm_};
 }
 
 void RobotArm::step(double dt_s) {

@@ -24,6 +24,7 @@ class RobotArm final : public device::Robot {
   explicit RobotArm(const SimParameters& parameters);
 
   [[nodiscard]] std::string description() const override;
+  [[nodiscard]] bool inVirtualTime() const override { return true; }
 
   /// A target beyond the workspace is followed to its edge; time that stands still or goes back moves nothing.
   /// @return an error when the target is not finite; the arm then keeps its last target
