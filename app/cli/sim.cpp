@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/cli/command.h"
+#include "core/protocol/link_key_file.h"
 #include "core/sim/robot_arm.h"
 #include "core/sim/simulated_robot.h"
 
@@ -116,7 +117,8 @@ nlohmann::ordered_json toJson(const sim::SimulatedRobotStatus& s) {
           {"wrong_peer_datagrams", c.wrong_peer},
           {"missed_cycles", s.missed_cycles},
           {"send_failures", s.send_failures},
-          {"robot_errors", s.robot_errors}};
+          {"robot_errors", s.robot_errors},
+          {"problem", s.problem}};
 }
 
 struct RobotOptions {
@@ -130,6 +132,9 @@ struct RobotOptions {
   std::vector<std::string> commands;
   std::string motor_reference = "0,0";
   std::string waits = "modern";
+  bool link = false;
+  std::string key;
+  double state_rate_Hz = 100.0;
   bool json = false;
 };
 
@@ -141,6 +146,13 @@ void runRobot(const RobotOptions& given) {
   options.motor_reference = parseMotorReference(given.motor_reference);
   if (given.waits == "wired") options.link = protocol::ClassicRobotSettings::wired();
   if (given.waits == "wireless") options.link = protocol::ClassicRobotSettings::wireless();
+  if (given.link != !given.key.empty()) {
+    throw UsageError(given.link ? "--link: FYD Link needs --key FILE; fyd link keygen makes one"
+                                : "--key: only FYD Link takes a key; add --link");
+  }
+  if (given.link) options.key = valueOrFail(protocol::readKeyFile(given.key));
+  options.secure.rates.state_Hz = given.state_rate_Hz;
+  options.secure.text = "fyd sim robot " FYD_VERSION;
   for (const std::string& text : given.commands) options.commands.push_back(parseCommandAt(text));
 
   sim::SimParameters parameters;
@@ -167,13 +179,18 @@ void runRobot(const RobotOptions& given) {
   }
   if (status.connections == 0) {
     throw Failure(
-        fmt::format("{}: no touchpad answered in {:.1f} s", protocol::toString(options.touchpad), status.seconds));
+        fmt::format("{}: {} in {:.1f} s", protocol::toString(options.touchpad), status.problem, status.seconds));
   }
 }
 
 void addRobot(CLI::App& sim) {
   auto options = std::make_shared<RobotOptions>();
-  CLI::App* robot = sim.add_subcommand("robot", "The robot's end of the classic protocol with a simulated arm");
+  CLI::App* robot = sim.add_subcommand("robot", "The robot's end of either protocol with a simulated arm");
+  robot->add_flag("--link", options->link, "Speak FYD Link (secured) in place of the classic protocol; needs --key");
+  robot->add_option("--key", options->key, "Key file of FYD Link");
+  robot->add_option("--state-rate", options->state_rate_Hz, "States a second to ask for over FYD Link")
+      ->check(CLI::Range(1.0, 1'000.0))
+      ->capture_default_str();
   robot->add_option("--connect", options->connect, "Touchpad to call, HOST:PORT")->required();
   robot->add_option("--bind", options->bind, "Own address, HOST:PORT; port 0: any")->capture_default_str();
   robot->add_option("--material", options->material, "What lies under the tool")
@@ -184,7 +201,9 @@ void addRobot(CLI::App& sim) {
   robot->add_option("--seed", options->seed, "Seed of its noise")->check(CLI::Range(0, 1'000'000'000));
   robot->add_option("--duration", options->duration_s, "Seconds to run; 0: until Ctrl-C or command disconnect")
       ->check(CLI::Range(0.0, 1e9));
-  robot->add_option("--rate", options->rate_Hz, "States a second")
+  robot
+      ->add_option("--rate", options->rate_Hz,
+                   "Cycles a second; each sends a state (classic) or a sample in one (link)")
       ->check(CLI::Range(1.0, 10'000.0))
       ->capture_default_str();
   robot->add_option("--command-at", options->commands,

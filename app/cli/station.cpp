@@ -76,6 +76,11 @@ void report(const Options& options, const SessionFigures& figures, const station
   json["touch_messages_sent"] = status.link.touches_sent;
   json["state_messages_received"] = status.link.states_received;
   json["refused_datagrams"] = status.link.refused;
+  json["link_protocol"] = status.link.protocol;
+  json["link_round_trip_ms"] = jsonNumber(status.link.figures.round_trip_ms);
+  json["link_jitter_ms"] = jsonNumber(status.link.figures.jitter_ms);
+  json["link_loss_percent"] = jsonNumber(status.link.figures.loss_percent);
+  json["link_lost"] = status.link.figures.lost;
   json["pwm_abs_max"] = figures.pwm_abs_max;
   json["telemetry_lost"] = station.telemetryLost();
   for (const station::PartStatus& part : status.parts) {
@@ -155,7 +160,9 @@ void add_station(CLI::App& app) {
                       "Recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)");
   command->add_option("--camera", options->station.camera,
                       "Device index, video file, folder of pictures or stream URL; simulated when left out");
-  command->add_option("--robot", options->station.robot, "simulated, none, or classic:HOST:PORT to listen there");
+  command->add_option("--robot", options->station.robot,
+                      "simulated, none, or link:HOST:PORT or classic:HOST:PORT to listen there");
+  command->add_option("--key", options->station.key_file, "Key file of FYD Link, for --robot link:HOST:PORT");
   command->add_option("--surface", options->station.surface, "Stored surface to feel with --robot none (TOML)");
   options->profile.addTo(*command);
   command->add_option("--telemetry", options->telemetry, "Write every step's sample to this CSV file");

@@ -63,6 +63,9 @@ class ClassicRobotEnd final : public RobotEnd {
   /// The last complete picture, encoded.
   [[nodiscard]] Bytes image() const { return Bytes(image_).first(image_size_); }
   [[nodiscard]] const RobotCounters& counters() const override { return counters_; }
+  [[nodiscard]] std::string_view problem() const override {
+    return phase_ == RobotPhase::handshake ? "no touchpad answered" : "";
+  }
 
  private:
   enum class Due : std::uint8_t { nothing, touch, info_length, info_text, info_values, image_length, image_bytes };

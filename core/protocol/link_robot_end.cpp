@@ -37,6 +37,12 @@ void LinkRobotEnd::refuse(LinkRefusal refusal) {
 
 bool LinkRobotEnd::command(RobotCommand command) { return command == RobotCommand::none || commands_.push(command); }
 
+std::string_view LinkRobotEnd::problem() const {
+  if (phase_ != RobotPhase::handshake) return "";
+  if (status_ != CallStatus::accepted) return toString(status_);
+  return caller_ ? "the touchpad does not answer the call" : "no touchpad with this key answered";
+}
+
 void LinkRobotEnd::startOver() {
   session_.reset();
   caller_.reset();

@@ -59,13 +59,12 @@ class LinkRobotEnd final : public RobotEnd {
   [[nodiscard]] RobotPhase phase() const override { return phase_; }
   [[nodiscard]] bool replyDue() const override { return farewells_left_ > 0; }
   [[nodiscard]] const RobotCounters& counters() const override { return counters_; }
+  [[nodiscard]] std::string_view problem() const override;
 
   [[nodiscard]] const LinkRobotCounters& linkCounters() const { return link_counters_; }
   [[nodiscard]] const LinkRefusalCounters& refusals() const { return refusals_; }
   /// Why the last call was not accepted.
   [[nodiscard]] CallStatus lastStatus() const { return status_; }
-  /// The touchpad is there and has the hello's key, though it did not answer the call yet.
-  [[nodiscard]] bool challenged() const { return caller_.has_value(); }
   [[nodiscard]] const Rates& rates() const { return rates_; }
   [[nodiscard]] const TouchpadInfo& info() const { return info_; }
   [[nodiscard]] std::string_view boardText() const { return {board_text_.data(), board_size_}; }

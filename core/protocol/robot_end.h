@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "core/base/time.h"
 #include "core/pipeline/messages.h"
@@ -60,6 +61,8 @@ class RobotEnd {
   /// Something of this cycle is still to come; after the farewell: it was not yet said.
   [[nodiscard]] virtual bool replyDue() const = 0;
   [[nodiscard]] virtual const RobotCounters& counters() const = 0;
+  /// Why there is no session yet, for the robot's operator; empty when there is one.
+  [[nodiscard]] virtual std::string_view problem() const = 0;
 };
 
 }  // namespace fyd::protocol

@@ -11,6 +11,11 @@ constexpr Duration kVirtualStep = std::chrono::milliseconds(1);
 constexpr int kRestReadings = 200;
 constexpr Duration kPublishEvery = std::chrono::milliseconds(50);
 
+std::unique_ptr<protocol::RobotEnd> makeEnd(const SimulatedRobotOptions& options) {
+  if (options.key) return std::make_unique<protocol::LinkRobotEnd>(options.secure, *options.key, options.touchpad);
+  return std::make_unique<protocol::ClassicRobotEnd>(options.link, options.touchpad);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<SimulatedRobot>> SimulatedRobot::open(const SimulatedRobotOptions& options,
@@ -37,7 +42,7 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options, std::unique
     : options_(options),
       robot_(std::move(robot)),
       socket_(std::move(socket)),
-      end_(options.link, options.touchpad),
+      end_(makeEnd(options)),
       mapping_(options.mapping),
       buffer_(protocol::kMaximumDatagram) {
   std::ranges::stable_sort(options_.commands, {}, &TimedCommand::at_s);
@@ -85,7 +90,7 @@ void SimulatedRobot::run(const std::stop_token& stop, Duration limit) {
     exchangeWithRobot(now);
     queueCommands(now);
     sendDue(now);
-    if (end_.phase() == protocol::RobotPhase::closed) break;
+    if (end_->phase() == protocol::RobotPhase::closed) break;
     if (now - published_ >= kPublishEvery) publish(now);
     due += period;
     if (now > due) {
@@ -117,12 +122,12 @@ void SimulatedRobot::exchangeWithRobot(Instant now) {
 
 void SimulatedRobot::queueCommands(Instant now) {
   pipeline::RobotCommand asked{};
-  while (asked_.pop(asked)) now_.commands_lost += end_.command(asked) ? 0 : 1;
+  while (asked_.pop(asked)) now_.commands_lost += end_->command(asked) ? 0 : 1;
   if (now_.connections == 0) return;
   const double since_s = toSeconds(now - connected_);
   for (; next_command_ < options_.commands.size(); ++next_command_) {
     if (options_.commands[next_command_].at_s > since_s) break;
-    if (!end_.command(options_.commands[next_command_].command)) break;
+    if (!end_->command(options_.commands[next_command_].command)) break;
   }
 }
 
@@ -131,8 +136,10 @@ void SimulatedRobot::sendDue(Instant now) {
                                      .robot = {.stiffness_N_per_mm = now_.probed_stiffness_N_per_mm,
                                                .position_mm = now_.readings.position_mm,
                                                .button = false},
-                                     .motor_reference = options_.motor_reference};
-  for (const protocol::Datagram& datagram : end_.tick(now, report)) {
+                                     .motor_reference = options_.motor_reference,
+                                     .force_N = now_.readings.force_N,
+                                     .acceleration_taken = now_.readings.taken};
+  for (const protocol::Datagram& datagram : end_->tick(now, report)) {
     if (socket_.send(datagram.bytes, datagram.to) != protocol::SendOutcome::sent) ++now_.send_failures;
   }
 }
@@ -141,7 +148,7 @@ void SimulatedRobot::receiveUntil(Instant deadline) {
   for (;;) {
     const auto received = socket_.receive(buffer_, std::max(deadline - Clock::now(), Duration::zero()));
     if (!received) return;
-    const auto reception = end_.handle({buffer_.data(), received->size}, received->from);
+    const auto reception = end_->handle({buffer_.data(), received->size}, received->from, Clock::now());
     if (reception.connected) {
       if (now_.connections++ == 0) connected_ = Clock::now();
       mapping_.reset(now_.readings.position_mm);
@@ -155,23 +162,22 @@ void SimulatedRobot::receiveUntil(Instant deadline) {
 }
 
 void SimulatedRobot::sayFarewell() {
-  if (end_.phase() != protocol::RobotPhase::running && end_.phase() != protocol::RobotPhase::paused) return;
-  if (!end_.command(pipeline::RobotCommand::disconnect)) return;
+  if (end_->phase() != protocol::RobotPhase::running && end_->phase() != protocol::RobotPhase::paused) return;
+  if (!end_->command(pipeline::RobotCommand::disconnect)) return;
   const Instant give_up = Clock::now() + options_.farewell;
   for (Instant now = Clock::now(); now < give_up; now = Clock::now()) {
-    if (end_.phase() != protocol::RobotPhase::closing) {
-      sendDue(now);
-    } else if (!end_.replyDue()) {
-      return;
-    }
+    if (end_->phase() == protocol::RobotPhase::closed) return;
+    if (end_->phase() == protocol::RobotPhase::closing && !end_->replyDue()) return;
+    if (end_->phase() != protocol::RobotPhase::closing || options_.key) sendDue(now);
     receiveUntil(now + kVirtualStep);
   }
 }
 
 void SimulatedRobot::publish(Instant now) {
   published_ = now;
-  now_.phase = end_.phase();
-  now_.counters = end_.counters();
+  now_.phase = end_->phase();
+  now_.counters = end_->counters();
+  now_.problem = end_->problem();
   now_.seconds = toSeconds(now - began_);
   const std::lock_guard lock(mutex_);
   shown_ = now_;

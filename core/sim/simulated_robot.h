@@ -1,4 +1,4 @@
-// The robot end as a runnable: a robot, its stiffness probe, the classic protocol and a UDP socket, in one loop.
+// The robot end as a runnable: a robot, its stiffness probe, a protocol and a UDP socket, in one loop.
 // The console runs it in a thread over loopback; `fyd sim robot` runs it as its own process.
 #pragma once
 
@@ -14,6 +14,7 @@
 #include "core/device/material_probe.h"
 #include "core/device/robot.h"
 #include "core/protocol/classic_robot_end.h"
+#include "core/protocol/link_robot_end.h"
 #include "core/protocol/touch_mapping.h"
 #include "core/protocol/udp_socket.h"
 
@@ -27,8 +28,10 @@ struct TimedCommand {
 struct SimulatedRobotOptions {
   protocol::Endpoint touchpad;  ///< who is called
   protocol::Endpoint bind;      ///< own address; port 0: any
-  double rate_Hz = 1000.0;      ///< states a second, 1…10 000
+  double rate_Hz = 1000.0;      ///< cycles (classic: states) a second, 1…10 000
   protocol::ClassicRobotSettings link;
+  std::optional<protocol::LinkKey> key;  ///< nothing: the classic protocol
+  protocol::LinkRobotSettings secure;    ///< with a key: `rate_Hz` is then the accelerometer's
   protocol::TouchMappingSettings mapping;
   device::ProbeSettings probe;
   pipeline::RobotMotorReference motor_reference;  ///< sent after command 10
@@ -42,6 +45,7 @@ struct SimulatedRobotStatus {
   protocol::Endpoint local;
   protocol::RobotPhase phase = protocol::RobotPhase::handshake;
   protocol::RobotCounters counters;
+  std::string_view problem;  ///< why there is no session
   device::ProbeOutcome probe_outcome = device::ProbeOutcome::aborted;
   double probed_stiffness_N_per_mm = 0.0;
   device::RobotReadings readings;
@@ -85,7 +89,7 @@ class SimulatedRobot {
   SimulatedRobotOptions options_;
   std::unique_ptr<device::Robot> robot_;
   protocol::UdpSocket socket_;
-  protocol::ClassicRobotEnd end_;
+  std::unique_ptr<protocol::RobotEnd> end_;
   protocol::TouchMapping mapping_;
   std::vector<std::uint8_t> buffer_;
   Ring<pipeline::RobotCommand> asked_{16};

@@ -2,17 +2,20 @@
 
 #include <spdlog/spdlog.h>
 
+#include "core/protocol/classic_touchpad_end.h"
+#include "core/protocol/link_touchpad_end.h"
 #include "core/station/real_time.h"
 
 namespace fyd::station {
 namespace {
 
-constexpr Duration kPatience = std::chrono::milliseconds(2);  // also how late a lost link may be noticed
+constexpr Duration kPatience = std::chrono::milliseconds(1);  // also how late a lost link may be noticed
 constexpr Duration kStatusPeriod = std::chrono::milliseconds(50);
 constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
 
 protocol::TouchpadAnswer answerFrom(const Announcement& said, std::span<const std::uint8_t> image) {
   return {.touch = said.touch,
+          .taken = said.taken,
           .info = {.k_vib = said.k_vib,
                    .reference_ticks = {static_cast<double>(said.motors.reference_ticks[0]),
                                        static_cast<double>(said.motors.reference_ticks[1])}},
@@ -23,17 +26,26 @@ protocol::TouchpadAnswer answerFrom(const Announcement& said, std::span<const st
 }  // namespace
 
 Result<std::unique_ptr<LinkThread>> LinkThread::open(const protocol::Endpoint& local,
-                                                     const protocol::LinkParameters& parameters) {
+                                                     const protocol::LinkParameters& parameters,
+                                                     const std::optional<protocol::LinkKey>& key) {
   auto socket = protocol::UdpSocket::open(local);
   if (!socket) return tl::unexpected(socket.error());
-  return std::unique_ptr<LinkThread>(new LinkThread(std::move(*socket), parameters));
+  std::unique_ptr<protocol::TouchpadEnd> end;
+  if (key) {
+    end = std::make_unique<protocol::LinkTouchpadEnd>(parameters, *key);
+  } else {
+    end = std::make_unique<protocol::ClassicTouchpadEnd>(parameters);
+  }
+  return std::unique_ptr<LinkThread>(new LinkThread(std::move(*socket), std::move(end), key.has_value()));
 }
 
-LinkThread::LinkThread(protocol::UdpSocket socket, const protocol::LinkParameters& parameters)
+LinkThread::LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured)
     : socket_(std::move(socket)),
-      end_(parameters),
-      monitor_("Robot", fmt::format("classic robot, listening on {}", protocol::toString(socket_.local()))) {
-  status_.protocol = "classic, not secured";
+      end_(std::move(end)),
+      monitor_("Robot", fmt::format("{} robot, listening on {}", secured ? "FYD Link" : "classic",
+                                    protocol::toString(socket_.local()))) {
+  status_.protocol = end_->name();
+  status_.secured = secured;
   status_.local = protocol::toString(socket_.local());
 }
 
@@ -61,32 +73,34 @@ void LinkThread::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const auto received = socket_.receive(buffer, kPatience);
     const Instant now = Clock::now();
+    const Announcement& said = announcement.read();
     if (received) {
-      if (end_.imagesOn()) {
+      if (end_->imagesOn()) {
         const std::lock_guard lock(image_mutex_);
         image_.swap(offered_image_);
         offered_image_.clear();
       }
       const auto& reception =
-          end_.handle({buffer.data(), received->size}, received->from, now, answerFrom(announcement.read(), image_));
-      send(reception);
+          end_->handle({buffer.data(), received->size}, received->from, now, answerFrom(said, image_));
+      send(reception.replies.view());
       take(reception, now);
     }
-    end_.advance(now);
-    newest_.phase = end_.phase();
+    send(end_->advance(now, answerFrom(said, image_)));
+    newest_.phase = end_->phase();
     snapshot.write(newest_);
-    wants_images_.store(end_.imagesOn(), std::memory_order_relaxed);
+    wants_images_.store(end_->imagesOn(), std::memory_order_relaxed);
     if (now - published > kStatusPeriod) {
-      publish();
+      publish(now);
       published = now;
     }
   }
-  publish();
+  send(end_->farewell(Clock::now()));
+  publish(Clock::now());
 }
 
-void LinkThread::send(const protocol::TouchpadReception& reception) {
-  for (const protocol::Datagram& reply : reception.replies) {
-    if (socket_.send(reply.bytes, reply.to) != protocol::SendOutcome::sent) ++send_failures_;
+void LinkThread::send(std::span<const protocol::Datagram> datagrams) {
+  for (const protocol::Datagram& datagram : datagrams) {
+    if (socket_.send(datagram.bytes, datagram.to) != protocol::SendOutcome::sent) ++send_failures_;
   }
 }
 
@@ -104,16 +118,17 @@ void LinkThread::take(const protocol::TouchpadReception& reception, Instant now)
   if (reception.motor_reference) newest_.motor_reference.set(*reception.motor_reference, now);
 }
 
-void LinkThread::publish() {
-  const protocol::TouchpadCounters& counters = end_.counters();
+void LinkThread::publish(Instant now) {
+  const protocol::LinkFigures figures = end_->figures(now);
   const std::lock_guard lock(status_mutex_);
-  status_.peer = end_.peer() ? protocol::toString(*end_.peer()) : "";
-  status_.states_received = counters.states;
-  status_.touches_sent = counters.touches;
-  status_.refused = counters.refused();
+  status_.peer = end_->peer() ? protocol::toString(*end_->peer()) : "";
+  status_.states_received = figures.states;
+  status_.touches_sent = figures.touches;
+  status_.refused = figures.refused;
   status_.send_failures = send_failures_;
   status_.samples_lost = lost_samples_;
-  status_.phase = end_.phase();
+  status_.phase = end_->phase();
+  status_.figures = figures;
 }
 
 LinkStatus LinkThread::status() const {

@@ -10,7 +10,9 @@
 #include "core/base/latest_value.h"
 #include "core/base/ring.h"
 #include "core/pipeline/inputs.h"
-#include "core/protocol/classic_touchpad_end.h"
+#include "core/protocol/link_keys.h"
+#include "core/protocol/link_parameters.h"
+#include "core/protocol/touchpad_end.h"
 #include "core/protocol/udp_socket.h"
 #include "core/station/part_monitor.h"
 
@@ -19,6 +21,7 @@ namespace fyd::station {
 /// What the loop has to say to the robot.
 struct Announcement {
   pipeline::TouchMessage touch;
+  Instant taken{};
   double k_vib = 0.0;
   control::MotorCommand motors;
 };
@@ -32,9 +35,11 @@ struct LinkSnapshot {
 
 class LinkThread {
  public:
+  /// @param key of FYD Link; nothing: the classic protocol, not secured
   /// @return an error when the address is taken or not there
-  [[nodiscard]] static Result<std::unique_ptr<LinkThread>> open(const protocol::Endpoint& local,
-                                                                const protocol::LinkParameters& parameters);
+  [[nodiscard]] static Result<std::unique_ptr<LinkThread>> open(
+      const protocol::Endpoint& local, const protocol::LinkParameters& parameters,
+      const std::optional<protocol::LinkKey>& key = std::nullopt);
   ~LinkThread();
   void start();
   void shutDown();
@@ -53,14 +58,14 @@ class LinkThread {
   [[nodiscard]] PartStatus part(Instant now) const;
 
  private:
-  LinkThread(protocol::UdpSocket socket, const protocol::LinkParameters& parameters);
+  LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured);
   void run(const std::stop_token& stop);
   void take(const protocol::TouchpadReception& reception, Instant now);
-  void send(const protocol::TouchpadReception& reception);
-  void publish();
+  void send(std::span<const protocol::Datagram> datagrams);
+  void publish(Instant now);
 
   protocol::UdpSocket socket_;
-  protocol::ClassicTouchpadEnd end_;
+  std::unique_ptr<protocol::TouchpadEnd> end_;
   LinkSnapshot newest_;
   std::atomic<bool> wants_images_{false};
   std::mutex image_mutex_;

@@ -10,6 +10,7 @@
 #include "core/base/ring.h"
 #include "core/device/camera_source.h"
 #include "core/pipeline/pipeline.h"
+#include "core/protocol/link_key_file.h"
 #include "core/sim/simulated_camera.h"
 #include "core/sim/simulated_touchpad.h"
 #include "core/station/camera_thread.h"
@@ -24,6 +25,7 @@ namespace {
 
 constexpr std::size_t kTelemetryCapacity = 30'000;  // 30 s for a window that is busy
 constexpr std::string_view kClassicPrefix = "classic:";
+constexpr std::string_view kLinkPrefix = "link:";
 constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
 
 struct TimedEvent {
@@ -163,7 +165,7 @@ void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
   touchpad.command.write({.command = outputs.motors, .given = now});
   if (link) {
     link->announcement.write(
-        {.touch = outputs.touch, .k_vib = pipeline.parameters().texture.k_vib, .motors = outputs.motors});
+        {.touch = outputs.touch, .taken = now, .k_vib = pipeline.parameters().texture.k_vib, .motors = outputs.motors});
   }
   if (!telemetry.push(outputs.telemetry)) telemetry_lost.fetch_add(1, std::memory_order_relaxed);
   for (const pipeline::Event& event : outputs.events) {
@@ -215,14 +217,27 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& options) {
   auto impl = std::make_unique<Impl>(options, *surface, std::move(*finger));
   const bool in_process = options.robot == "simulated";
   const bool classic = options.robot.starts_with(kClassicPrefix);
-  if (!in_process && !classic && options.robot != "none") {
-    return fail("robot '{}': expected simulated, none or classic:HOST:PORT", options.robot);
+  const bool secured = options.robot.starts_with(kLinkPrefix);
+  if (!in_process && !classic && !secured && options.robot != "none") {
+    return fail("robot '{}': expected simulated, none, link:HOST:PORT or classic:HOST:PORT", options.robot);
   }
-  if (in_process || classic) {
-    auto endpoint = protocol::parseEndpoint(in_process ? kSimulatedRobotEndpoint
-                                                       : std::string_view(options.robot).substr(kClassicPrefix.size()));
+  if (secured != !options.key_file.empty()) {
+    return secured ? fail("robot '{}': FYD Link needs a key file; fyd link keygen makes one", options.robot)
+                   : fail("robot '{}': takes no key file; only link:HOST:PORT does", options.robot);
+  }
+  std::optional<protocol::LinkKey> link_key;
+  if (secured) {
+    auto key = protocol::readKeyFile(options.key_file);
+    if (!key) return tl::unexpected(key.error());
+    link_key = *key;
+  }
+  if (in_process || classic || secured) {
+    std::string_view address = kSimulatedRobotEndpoint;
+    if (classic) address = std::string_view(options.robot).substr(kClassicPrefix.size());
+    if (secured) address = std::string_view(options.robot).substr(kLinkPrefix.size());
+    auto endpoint = protocol::parseEndpoint(address);
     if (!endpoint) return tl::unexpected(endpoint.error());
-    auto link = LinkThread::open(*endpoint, options.profile.link);
+    auto link = LinkThread::open(*endpoint, options.profile.link, link_key);
     if (!link) return tl::unexpected(link.error());
     impl->link = std::move(*link);
   } else {

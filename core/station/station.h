@@ -18,6 +18,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/inputs.h"
 #include "core/pipeline/outputs.h"
+#include "core/protocol/touchpad_end.h"
 #include "core/sensing/finger_types.h"
 #include "core/station/profile.h"
 
@@ -27,7 +28,8 @@ struct StationOptions {
   Profile profile;
   std::string finger_csv;           ///< recording the simulated finger follows; empty: the built-in gesture
   std::string camera;               ///< device index, file, folder, URL; empty: simulated
-  std::string robot = "simulated";  ///< "simulated", "none" or "classic:HOST:PORT" (listens there)
+  std::string robot = "simulated";  ///< "simulated", "none", "link:HOST:PORT" or "classic:HOST:PORT" (listens there)
+  std::string key_file;             ///< of FYD Link; "link:" needs one, the others take none
   std::string surface;              ///< file of a stored surface, felt while robot is "none"; empty: none
 };
 
@@ -51,7 +53,8 @@ struct LoopStatus {
 };
 
 struct LinkStatus {
-  std::string protocol;  ///< "classic (not secured)", "none"
+  std::string protocol;  ///< "FYD Link, sealed", "classic, not secured", "none"
+  bool secured = false;  ///< authenticated and encrypted
   std::string local;     ///< address this end listens on
   std::string peer;      ///< empty before the first
   std::uint64_t states_received = 0;
@@ -60,6 +63,7 @@ struct LinkStatus {
   std::uint64_t send_failures = 0;  ///< replies the network did not take
   std::uint64_t samples_lost = 0;   ///< accelerations and commands the loop did not take in time
   pipeline::LinkPhase phase = pipeline::LinkPhase::none;
+  protocol::LinkFigures figures;  ///< round trip, jitter, loss, refusals by reason
 };
 
 struct StationStatus {
