@@ -120,8 +120,10 @@ void CurveStrip::dress() {
 }
 
 void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveBuffer& buffer, const TimeWindow& window) {
-  const int width = std::max(1, plot_->axisRect()->width());
-  buffer.decimate(trace.channel, window.from_s(), window.to_s(), static_cast<std::size_t>(width), columns_);
+  // A column for each pixel of the screen, of which a scaled display has more than the layout.
+  const auto width =
+      std::max<std::size_t>(1, static_cast<std::size_t>(plot_->axisRect()->width() * plot_->devicePixelRatioF()));
+  buffer.decimate(trace.channel, window.from_s(), window.to_s(), width, columns_);
   QVector<QCPGraphData> points;
   points.reserve(static_cast<qsizetype>(columns_.size()) * 2);
   double last = kNaN;

@@ -105,7 +105,7 @@ void Readout::paintEvent(QPaintEvent*) {
                    low ? title_.section(QLatin1Char(','), 0, 0) : title_);
   if (!low) y += small;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const QFont font = large_ && i == 0 ? textFont(TextSize::number, true)
+    const QFont font = large_ && i == 0 ? textFont(low ? TextSize::title : TextSize::number, true)
                                         : textFont(large_ ? TextSize::small : TextSize::normal, !large_);
     paintEntry(painter, i, y, font);
     y += QFontMetrics(font).height();

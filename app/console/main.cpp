@@ -62,7 +62,6 @@ int main(int argc, char** argv) {
     std::fputs(qPrintable(options->help), stdout);
     return 0;
   }
-  QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("fyd-console"));
   QApplication::setApplicationVersion(QStringLiteral(FYD_VERSION));
   const QString profile_path = options->profile.isEmpty() ? ownProfile() : options->profile;
@@ -71,6 +70,7 @@ int main(int argc, char** argv) {
   auto station = fyd::station::Station::open(*wanted);
   if (!station) return complain(station.error().message, 1);
 
+  QApplication application(argc, argv);
   fyd::widgets::Look::instance().apply(application, options->theme);
   fyd::console::MainWindow window(fyd::console::makeSession(std::move(*station)), profile_path);
   window.page()->tuning()->showTargetByHand(options->robot == QLatin1String("none"));  // as the station starts then
