@@ -1,0 +1,73 @@
+"""fyd stiffness and fyd tune: figures, and every wrong value named."""
+import unittest
+
+import fyd
+
+
+class Stiffness(fyd.Case):
+    def test_a_nominal_target_is_reached_fast(self):
+        for target in (0.50, 0.60, 0.71):
+            result = self.json("stiffness", "--target", target, "--json")
+            self.assertLessEqual(result["settling_s"], 0.6)
+            self.assertLessEqual(result["overshoot_pct"], 10)
+            self.assertLessEqual(result["steady_error_pct"], 2)
+            self.assertIs(result["stable"], True)
+
+    def test_a_softer_cloth_is_learned(self):
+        result = self.json("stiffness", "--target", 0.45, "--plant-scale", 0.7, "--json")
+        self.assertLessEqual(result["settling_s"], 3)
+
+    def test_out_of_reach_is_null_stable_and_told(self):
+        result = self.json("stiffness", "--target", 0.9, "--json")
+        self.assertIsNone(result["settling_s"])
+        self.assertTrue(result["stable"])
+        self.assertTrue(result["target_clamped"])
+        self.assertAlmostEqual(result["reachable_target_N_per_mm"], 0.715, places=3)
+
+    def test_the_same_seed_gives_the_same_figures_and_the_thesis_others(self):
+        unkind = ("--target", 0.6, "--noise", 2, "--delay", 60, "--seed", 5, "--json")
+        first = self.json("stiffness", *unkind)
+        self.assertEqual(first, self.json("stiffness", *unkind))
+        self.assertNotEqual(first, self.json("stiffness", "--controller", "thesis", *unkind))
+
+    def test_the_course_has_a_row_per_millisecond(self):
+        self.json("stiffness", "--target", 0.6, "--course", self.path("course.csv"), "--json")
+        with open(self.path("course.csv"), encoding="utf-8") as file:
+            rows = file.read().splitlines()
+        self.assertEqual(rows[0], "time_s,true_N_per_mm,measured_N_per_mm,stretch_deg")
+        self.assertEqual(len(rows), 8002)
+
+    def test_wrong_values_are_named(self):
+        self.assertIn("--target", self.refused(2, "stiffness"))
+        for option, value in (("--target", "nan"), ("--target", "0"), ("--target", "inf")):
+            self.assertIn(f"{option} {value}", self.refused(2, "stiffness", option, value))
+        for option, value in (("--noise", "-1"), ("--delay", "501"), ("--plant-scale", "9"), ("--seed", "-1")):
+            self.assertIn(f"{option} {value}", self.refused(2, "stiffness", "--target", "0.6", f"{option}={value}"))
+        self.refused(2, "stiffness", "--target", "0.6", "--controller", "fuzzy")
+        profile = self.write("p.toml", "[control]\nkp = -1\n")
+        self.assertIn("p.toml:2", self.refused(1, "stiffness", "--target", "0.6", "--profile", profile))
+        profile = self.write("q.toml", "[control]\nlaw_angle_deg = [20, 45, 45, 90]\n")
+        self.assertIn("control.law_angle_deg", self.refused(1, "stiffness", "--target", "0.6", "--profile", profile))
+
+
+class Tune(fyd.Case):
+    def test_proposes_and_changes_nothing(self):
+        proposal = self.json("tune", "--plant-scale", 1.2, "--json")
+        self.assertAlmostEqual(proposal["fabric"]["scale"], 1.2, delta=0.08)
+        self.assertIs(proposal["applied"], False)
+        for side in ("before", "after"):
+            self.assertGreater(proposal[side]["ki"], 0)
+            self.assertGreaterEqual(proposal[side]["predicted"]["phase_margin_deg"], 60)
+            self.assertIs(proposal[side]["simulated"]["stable"], True)
+
+    def test_a_recording_that_says_too_little_is_refused(self):
+        rows = "".join(f"{0.01 * i:.2f},40,0.6,1\n" for i in range(500))
+        still = self.write("still.csv", "t_s,stretch_measured_deg,stiffness_N_per_mm,stiffness_observable\n" + rows)
+        self.assertIn("moves the law by 0.0 %", self.refused(1, "tune", "--recording", still))
+        self.assertIn("nothing.csv", self.refused(1, "tune", "--recording", self.path("nothing.csv")))
+        wrong = self.write("wrong.csv", "t_s,stretch_measured_deg\n1,2\n")
+        self.assertIn("stiffness_N_per_mm", self.refused(1, "tune", "--recording", wrong))
+
+
+if __name__ == "__main__":
+    unittest.main()
