@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/control/lag_model.h"
 #include "core/control/static_law.h"
