@@ -59,7 +59,7 @@ void add_finger(CLI::App& app) {
   CLI::App* command = app.add_subcommand("finger", "Find the finger in pictures of the cloth, each on its own");
   command
       ->add_option("image", options->images,
-                   "Picture as the camera delivers it; area_px counts pixels of the thesis' "
+                   "Picture as the camera delivers it; area_px counts its pixels, in thesis mode those of the "
                    "160 × 120 working picture")
       ->required();
   options->profile.addTo(*command);

@@ -267,10 +267,11 @@ FingerDetection AdaptiveFinger::judge() {
   }
   const BlobMeasure m =
       meter_.measure(runs_, chosen_, light_, [this](int y, std::uint8_t* b) { return greyRow(y, b); });
-  const double scale = kWorkingArea_px / (static_cast<double>(width_) * height_);
-  out.area_px = std::min(m.area_px * scale, kWorkingArea_px);
+  const double pixels = static_cast<double>(width_) * height_;
+  const double area = std::min(m.area_px, pixels);
+  out.area_px = area * stride_ * stride_;
   const bool dark_enough = m.contrast >= parameters_.minimum_contrast;
-  if (!dark_enough || !(out.area_px > parameters_.minimum_area_px)) {
+  if (!dark_enough || !(area * kWorkingArea_px / pixels > parameters_.minimum_area_px)) {
     out.reason = dark_enough ? FingerReason::too_small : FingerReason::no_finger;
     chosen_ = -1;
     mark_below_ = widest;

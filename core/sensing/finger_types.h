@@ -24,7 +24,8 @@ enum class FingerReason : std::uint8_t {
 
 struct FingerDetection {
   bool contact = false;  ///< a finger presses the cloth; position below is meaningful only then
-  double area_px = 0.0;  ///< px of the 160 × 120 working picture (thesis), also when no contact
+  double area_px =
+      0.0;  ///< px of the camera's picture; thesis mode: of its 160 × 120 picture, as printed; also without contact
   double x_px = 0.0;     ///< centroid, px in the camera's full picture, x right
   double y_px = 0.0;     ///< centroid, px in the camera's full picture, y down
   double x_mm = 0.0;     ///< touchpad frame: x right

@@ -4,8 +4,8 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include "app/cli/bench/labelled_frames.h"
 #include "app/cli/bench/detector_opencv.h"
+#include "app/cli/bench/labelled_frames.h"
 #include "app/cli/bench/table.h"
 #include "core/sensing/finger_detector.h"
 
@@ -21,6 +21,7 @@ struct Contestant {
   std::vector<double> ns;
   double squares = 0.0;
   double worst = 0.0;
+  double area_scale = 1.0;  // to pixels of the camera
   double area_squares = 0.0;
   double area_worst = 0.0;
   int found = 0;
@@ -35,7 +36,7 @@ struct Contestant {
     const sensing::FingerParameters p;
     const double error =
         std::hypot((seen.x_px - truth.x_px) * p.scale_x_mm_per_px, (seen.y_px - truth.y_px) * p.scale_y_mm_per_px);
-    const double area = seen.area_px * (220.0 * 150.0) / (160.0 * 120.0) / truth.area_px - 1.0;
+    const double area = seen.area_px * area_scale / truth.area_px - 1.0;
     squares += error * error;
     worst = std::max(worst, error);
     area_squares += area * area;
@@ -61,6 +62,7 @@ Table bench_detector() {
   sensing::FingerParameters parameters;
   parameters.mode = sensing::FingerMode::thesis;
   all.push_back(fyd("thesis", "160 × 120", parameters));
+  all.back().area_scale = 220.0 * 150.0 / (160.0 * 120.0);
   parameters.mode = sensing::FingerMode::adaptive;
   for (const int stride : {1, 2, 3, 4}) {
     parameters.stride_px = stride;

@@ -117,8 +117,8 @@ sensing::FingerDetection OpenCvFinger::detect(const ImageView& picture) {
   if (!(sums.m00 > 0.0) || !(contrast >= parameters_.minimum_contrast)) return out;
   mark_below_ = static_cast<float>(1.0 - 0.5 * contrast);
 
-  out.area_px = sums.m00 / contrast * (160.0 * 120.0) / (grey.cols * static_cast<double>(grey.rows));
-  out.contact = out.area_px > parameters_.minimum_area_px;
+  out.area_px = sums.m00 / contrast;
+  out.contact = out.area_px * (160.0 * 120.0) / static_cast<double>(grey.total()) > parameters_.minimum_area_px;
   out.x_px = parameters_.roi_x_px + sums.m10 / sums.m00;
   out.y_px = parameters_.roi_y_px + sums.m01 / sums.m00;
   sensing::toMillimetres(parameters_, out.x_px, out.y_px, out.x_mm, out.y_mm);

@@ -287,7 +287,7 @@ TEST(HardCases, TheDetectorSurvivesAnyPicture) {
     const FingerDetection found = detector.detect(
         {.data = pixels.data(), .width = width, .height = height, .stride = width * channels, .channels = channels});
     ASSERT_TRUE(std::isfinite(found.x_mm) && std::isfinite(found.y_mm) && std::isfinite(found.quality));
-    ASSERT_TRUE(found.area_px >= 0 && found.area_px <= 160 * 120) << found.area_px;
+    ASSERT_TRUE(found.area_px >= 0 && found.area_px <= 320 * 240) << found.area_px;
     ASSERT_TRUE(found.quality >= 0 && found.quality <= 1);
     if (!found.contact) continue;
     ASSERT_TRUE(found.x_px >= 0 && found.x_px < width && found.y_px >= 0 && found.y_px < height);
