@@ -1,6 +1,7 @@
 #include "core/protocol/udp_socket.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <ctime>
 #include <utility>
@@ -36,6 +37,11 @@ Endpoint fromAsio(const Udp::endpoint& from) {
     std::ranges::copy(from.address().to_v4().to_bytes(), endpoint.address.begin());
   }
   return endpoint;
+}
+
+timespec toTimespec(Duration duration) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(duration);
+  return {.tv_sec = static_cast<time_t>(seconds.count()), .tv_nsec = static_cast<long>((duration - seconds).count())};
 }
 
 }  // namespace
@@ -93,12 +99,20 @@ std::optional<UdpSocket::Received> UdpSocket::receive(std::span<std::uint8_t> bu
     const Duration left = deadline - Clock::now();
     if (left <= Duration::zero()) return std::nullopt;
     if (problem != asio::error::would_block) continue;  // an earlier send's ICMP error: reported once, then gone
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
-    const timespec wait{.tv_sec = static_cast<time_t>(seconds.count()),
-                        .tv_nsec = static_cast<long>((left - seconds).count())};
+    const timespec wait = toTimespec(left);
     pollfd ready{.fd = impl_->socket.native_handle(), .events = POLLIN, .revents = 0};
     if (::ppoll(&ready, 1, &wait, nullptr) == 0) return std::nullopt;
   }
+}
+
+bool waitForAny(std::span<const UdpSocket* const> sockets, Duration timeout) {
+  std::array<pollfd, 32> ready{};
+  const std::size_t count = std::min(sockets.size(), ready.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    ready[i] = {.fd = sockets[i]->impl_->socket.native_handle(), .events = POLLIN, .revents = 0};
+  }
+  const timespec wait = toTimespec(std::clamp<Duration>(timeout, Duration::zero(), std::chrono::hours(1)));
+  return ::ppoll(ready.data(), count, &wait, nullptr) > 0;
 }
 
 }  // namespace fyd::protocol

@@ -49,8 +49,12 @@ class UdpSocket {
  private:
   struct Impl;
   UdpSocket(std::unique_ptr<Impl> impl, const Endpoint& local);
+  friend bool waitForAny(std::span<const UdpSocket* const> sockets, Duration timeout);
   std::unique_ptr<Impl> impl_;
   Endpoint local_;
 };
+
+/// Waits at most `timeout` until one of at most 32 sockets has something to receive. @return whether one has
+bool waitForAny(std::span<const UdpSocket* const> sockets, Duration timeout);
 
 }  // namespace fyd::protocol
