@@ -109,6 +109,7 @@ void LinkThread::take(const protocol::TouchpadReception& reception, Instant now)
     newest_.state = {};
     newest_.motor_reference = {};
   }
+  if (reception.was_lost) ++newest_.losses;
   if (reception.state) {
     newest_.state.set(*reception.state, now);
     monitor_.succeeded(now);

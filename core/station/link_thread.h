@@ -29,6 +29,7 @@ struct Announcement {
 /// State-like part of what the robot said; the streams go through the rings.
 struct LinkSnapshot {
   pipeline::LinkPhase phase = pipeline::LinkPhase::waiting;
+  std::uint64_t losses = 0;  ///< grows with each loss, also one that was over before the loop looked
   Timed<pipeline::RobotState> state;
   Timed<pipeline::RobotMotorReference> motor_reference;
 };

@@ -94,6 +94,7 @@ struct Station::Impl {
   // the haptic loop's
   pipeline::Pipeline pipeline;
   pipeline::Inputs inputs;
+  std::uint64_t losses_seen = 0;
   HapticLoop loop;
   std::jthread loop_thread;
 
@@ -126,7 +127,8 @@ void Station::Impl::takeLink() {
   inputs.robot.commands.clear();
   if (!link) return;
   const LinkSnapshot& snapshot = link->snapshot.read();
-  inputs.robot.phase = snapshot.phase;
+  inputs.robot.phase = snapshot.losses == losses_seen ? snapshot.phase : pipeline::LinkPhase::lost;
+  losses_seen = snapshot.losses;
   inputs.robot.state = snapshot.state;
   inputs.robot.motor_reference = snapshot.motor_reference;
   pipeline::AccelerationSample sample;
