@@ -94,7 +94,7 @@ bool PartList::event(QEvent* event) {
 
 QString rateAndAge(double rate_hz, double age_ms) {
   QStringList words;
-  if (std::isfinite(rate_hz)) words << PartList::tr("%1 Hz").arg(rate_hz, 0, 'f', 0);
+  if (rate_hz >= 0.5) words << PartList::tr("%1 Hz").arg(rate_hz, 0, 'f', 0);
   if (std::isfinite(age_ms)) words << ageText(age_ms);
   return words.isEmpty() ? kNoValue : words.join(QStringLiteral(" · "));
 }

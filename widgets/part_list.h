@@ -34,7 +34,7 @@ class PartList : public QWidget {
   std::vector<PartView> parts_;
 };
 
-/// "30 Hz · 12 ms" from a rate and an age; either may be NaN or 0.
+/// "30 Hz · 12 ms" from a rate and an age; a rate below 0.5 Hz, as in the first second, and a NaN age are left out.
 [[nodiscard]] QString rateAndAge(double rate_hz, double age_ms);
 
 }  // namespace fyd::widgets
