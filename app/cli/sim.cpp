@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/cli/command.h"
+#include "app/cli/sim_touchpad.h"
 #include "core/protocol/link_key_file.h"
 #include "core/sim/robot_arm.h"
 #include "core/sim/simulated_robot.h"
@@ -226,6 +227,7 @@ void add_sim(CLI::App& app) {
   CLI::App* sim = app.add_subcommand("sim", "Simulated partners that speak the real protocols");
   sim->require_subcommand(1);
   addRobot(*sim);
+  addSimTouchpad(*sim);
 }
 
 }  // namespace fyd::cli

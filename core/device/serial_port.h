@@ -36,6 +36,7 @@ class SerialPort {
   ~SerialPort();
 
   [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] int file() const { return file_; }
   /// @return false when the port is gone or took nothing for 50 ms
   [[nodiscard]] bool write(std::span<const std::uint8_t> bytes);
   /// Waits until something came or `deadline` has passed. @return bytes read; 0 when none came; −1 when the port is

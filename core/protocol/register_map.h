@@ -98,7 +98,7 @@ inline constexpr std::array kRegisters = {
     RegisterInfo{"reference_2", 132, 1, RegisterType::i16, "tick", 1, RegisterAccess::write, "Position reference of motor 2."},
     RegisterInfo{"vibration_rate", 133, 1, RegisterType::u16, "Hz", 1, RegisterAccess::write, "Duties of a batch in a second, 1 to 2000."},
     RegisterInfo{"vibration_batch", 134, 1, RegisterType::u16, "", 1, RegisterAccess::write, "Number of the batch; a batch with the number of the last one is not played again."},
-    RegisterInfo{"vibration_count", 135, 1, RegisterType::u16, "", 1, RegisterAccess::write, "Duties that follow, 0 to 32; none: the last one fades to zero after 10 ms."},
+    RegisterInfo{"vibration_count", 135, 1, RegisterType::u16, "", 1, RegisterAccess::write, "Duties that follow, 0 to 32; none: the last one is held for 10 ms, then zero."},
     RegisterInfo{"vibration_duties", 136, 32, RegisterType::duty_pair, "%", 1, RegisterAccess::write, "One register for each moment: signed duty of motor 1 in the high byte, of motor 2 in the low byte, -100 to 100."},
 };
 // clang-format on

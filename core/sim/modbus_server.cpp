@@ -1,0 +1,257 @@
+#include "core/sim/modbus_server.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <modbus/modbus.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace fyd::sim {
+namespace {
+
+constexpr int kWake_ms = 10;
+constexpr Duration kRestOfRequest = std::chrono::milliseconds(50);
+constexpr std::uint8_t kReadHolding = 0x03;
+constexpr std::uint8_t kWriteSingle = 0x06;
+constexpr std::uint8_t kWriteMultiple = 0x10;
+constexpr std::uint8_t kWriteAndRead = 0x17;
+
+std::atomic<int> next_master{1};
+
+int word(const std::uint8_t* bytes) { return (bytes[0] << 8) | bytes[1]; }
+
+bool readable(int file) {
+  pollfd ready{.fd = file, .events = POLLIN, .revents = 0};
+  return ::poll(&ready, 1, kWake_ms) > 0;
+}
+
+Result<int> listenOn(const protocol::Endpoint& local) {
+  const int file = ::socket(local.v6 ? AF_INET6 : AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (file < 0) return fail("Modbus TCP: no socket: {}", std::strerror(errno));
+  const int yes = 1;
+  ::setsockopt(file, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  sockaddr_storage address{};
+  socklen_t size = 0;
+  if (local.v6) {
+    auto& v6 = reinterpret_cast<sockaddr_in6&>(address);
+    v6.sin6_family = AF_INET6;
+    v6.sin6_port = htons(local.port);
+    v6.sin6_scope_id = local.scope;
+    std::memcpy(&v6.sin6_addr, local.address.data(), sizeof v6.sin6_addr);
+    size = sizeof v6;
+  } else {
+    auto& v4 = reinterpret_cast<sockaddr_in&>(address);
+    v4.sin_family = AF_INET;
+    v4.sin_port = htons(local.port);
+    std::memcpy(&v4.sin_addr, local.address.data(), sizeof v4.sin_addr);
+    size = sizeof v4;
+  }
+  if (::bind(file, reinterpret_cast<sockaddr*>(&address), size) == 0 && ::listen(file, 8) == 0) return file;
+  const int problem = errno;
+  ::close(file);
+  return fail("Modbus TCP {}: cannot listen: {}", protocol::toString(local), std::strerror(problem));
+}
+
+std::uint16_t portOf(int file) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  ::getsockname(file, reinterpret_cast<sockaddr*>(&address), &size);
+  return ntohs(address.ss_family == AF_INET6 ? reinterpret_cast<sockaddr_in6&>(address).sin6_port
+                                             : reinterpret_cast<sockaddr_in&>(address).sin_port);
+}
+
+}  // namespace
+
+ModbusResponder::ModbusResponder(std::shared_ptr<TouchpadElectronics> electronics, modbus_t* context, bool tcp)
+    : electronics_(std::move(electronics)),
+      context_(context),
+      mapping_(modbus_mapping_new_start_address(0, 0, 0, 0, 0, RegisterBank::kSize, 0, 0)),
+      tcp_(tcp),
+      master_(next_master++) {
+  const auto rest_us = static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(kRestOfRequest).count());
+  modbus_set_byte_timeout(context_, 0, rest_us);
+  modbus_set_indication_timeout(context_, 0, rest_us);
+}
+
+ModbusResponder::~ModbusResponder() {
+  electronics_->forget(master_);
+  modbus_mapping_free(mapping_);
+  modbus_free(context_);
+}
+
+bool ModbusResponder::serve() {
+  std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> request{};
+  const int length = modbus_receive(context_, request.data());
+  if (length > 0) {
+    answer(request.data(), length);
+    return true;
+  }
+  if (length == 0) return true;  // for another unit
+  if (tcp_) return false;        // a stream that lost its frame is of no more use
+  modbus_flush(context_);
+  return true;
+}
+
+ModbusException ModbusResponder::obey(const std::uint8_t* pdu, int length, Instant now) {
+  const std::uint8_t function = pdu[0];
+  int read_at = -1;
+  int read_count = 0;
+  int write_at = -1;
+  int write_count = 0;
+  const std::uint8_t* values = nullptr;
+  switch (function) {
+    case kReadHolding:
+      read_at = word(pdu + 1);
+      read_count = word(pdu + 3);
+      break;
+    case kWriteSingle:
+      write_at = word(pdu + 1);
+      write_count = 1;
+      values = pdu + 3;
+      break;
+    case kWriteMultiple:
+      write_at = word(pdu + 1);
+      write_count = word(pdu + 3);
+      values = pdu + 6;
+      break;
+    case kWriteAndRead:
+      read_at = word(pdu + 1);
+      read_count = word(pdu + 3);
+      write_at = word(pdu + 5);
+      write_count = word(pdu + 7);
+      values = pdu + 10;
+      break;
+    default: return ModbusException::illegal_function;
+  }
+  if (read_at >= 0) {
+    if (read_count < 1 || read_count > MODBUS_MAX_READ_REGISTERS) return ModbusException::illegal_value;
+    if (!RegisterBank::readable(read_at, read_count)) return ModbusException::illegal_address;
+  }
+  if (write_at < 0) return ModbusException::none;
+  const bool whole =
+      values + 2 * write_count <= pdu + length && (function == kWriteSingle || values[-1] == 2 * write_count);
+  if (write_count < 1 || write_count > MODBUS_MAX_WRITE_REGISTERS || !whole) return ModbusException::illegal_value;
+  std::array<std::uint16_t, MODBUS_MAX_WRITE_REGISTERS> words{};
+  for (int i = 0; i < write_count; ++i)
+    words[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(word(values + 2 * i));
+  return electronics_->write(master_, write_at, {words.data(), static_cast<std::size_t>(write_count)}, now);
+}
+
+void ModbusResponder::answer(const std::uint8_t* request, int length) {
+  const Instant now = Clock::now();
+  const FaultPlan& faults = electronics_->faults();
+  electronics_->advanceTo(now);
+  if (!electronics_->powered(now) || faults.active(TouchpadFault::silence, now)) return;
+  const int head = modbus_get_header_length(context_);
+  const int tail = tcp_ ? 0 : 2;  // checksum
+  const ModbusException exception = obey(request + head, length - head - tail, now);
+  const bool late = faults.active(TouchpadFault::late_reply, now);
+  if (const int begun = faults.begun(TouchpadFault::late_reply, now); late || begun > late_replies_) {
+    late_replies_ = begun;
+    std::this_thread::sleep_for(kLateBy);
+  }
+  if (faults.active(TouchpadFault::garbage, now)) {
+    sendGarbage();
+    return;
+  }
+  if (exception != ModbusException::none) {
+    modbus_reply_exception(context_, request, static_cast<unsigned int>(exception));
+    return;
+  }
+  RegisterBank::Image image{};
+  electronics_->fill(image, master_, now);
+  std::ranges::copy(image, mapping_->tab_registers);
+  modbus_reply(context_, request, length, mapping_);
+}
+
+void ModbusResponder::sendGarbage() {
+  std::array<std::uint8_t, 40> waste{};
+  for (std::uint8_t& byte : waste) byte = static_cast<std::uint8_t>(random_());
+  const std::size_t size = 1 + random_() % waste.size();
+  [[maybe_unused]] const ssize_t ignored = tcp_ ? ::send(modbus_get_socket(context_), waste.data(), size, MSG_NOSIGNAL)
+                                                : ::write(modbus_get_socket(context_), waste.data(), size);
+}
+
+Result<std::unique_ptr<ModbusTcpServer>> ModbusTcpServer::start(const protocol::Endpoint& local,
+                                                                std::shared_ptr<TouchpadElectronics> electronics) {
+  auto listener = listenOn(local);
+  if (!listener) return tl::unexpected(listener.error());
+  protocol::Endpoint bound = local;
+  bound.port = portOf(*listener);
+  return std::unique_ptr<ModbusTcpServer>(new ModbusTcpServer(*listener, bound, std::move(electronics)));
+}
+
+ModbusTcpServer::ModbusTcpServer(int listener, protocol::Endpoint local,
+                                 std::shared_ptr<TouchpadElectronics> electronics)
+    : listener_(listener), local_(local), electronics_(std::move(electronics)) {
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+ModbusTcpServer::~ModbusTcpServer() {
+  thread_.request_stop();
+  thread_.join();
+  ::close(listener_);
+  for (const Client& client : clients_) ::close(client.file);
+}
+
+void ModbusTcpServer::accept() {
+  const int file = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+  if (file < 0) return;
+  const int yes = 1;
+  ::setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+  modbus_t* context = modbus_new_tcp(nullptr, local_.port);
+  if (context == nullptr) {
+    ::close(file);
+    return;
+  }
+  modbus_set_socket(context, file);
+  clients_.push_back({.file = file, .responder = std::make_unique<ModbusResponder>(electronics_, context, true)});
+}
+
+void ModbusTcpServer::run(const std::stop_token& stop) {
+  std::vector<pollfd> files;
+  while (!stop.stop_requested()) {
+    files.clear();
+    const bool room = clients_.size() < kMaximumClients;
+    files.push_back({.fd = room ? listener_ : -1, .events = POLLIN, .revents = 0});
+    for (const Client& client : clients_) files.push_back({.fd = client.file, .events = POLLIN, .revents = 0});
+    if (::poll(files.data(), files.size(), kWake_ms) <= 0) continue;
+    for (std::size_t i = clients_.size(); i-- > 0;) {
+      if (files[i + 1].revents == 0 || clients_[i].responder->serve()) continue;
+      ::close(clients_[i].file);
+      clients_.erase(clients_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    if (files[0].revents != 0) accept();
+  }
+}
+
+Result<std::unique_ptr<ModbusRtuServer>> ModbusRtuServer::start(const std::string& path, int baud,
+                                                                std::shared_ptr<TouchpadElectronics> electronics) {
+  auto line = SerialEnd::open(path, baud);
+  if (!line) return tl::unexpected(line.error());
+  return std::unique_ptr<ModbusRtuServer>(new ModbusRtuServer(std::move(*line), path, baud, std::move(electronics)));
+}
+
+ModbusRtuServer::ModbusRtuServer(SerialEnd line, const std::string& path, int baud,
+                                 std::shared_ptr<TouchpadElectronics> electronics)
+    : line_(std::move(line)) {
+  modbus_t* context = modbus_new_rtu(path.c_str(), baud, 'N', 8, 1);
+  modbus_set_slave(context, protocol::kModbusUnit);
+  modbus_set_socket(context, line_.file());
+  responder_ = std::make_unique<ModbusResponder>(std::move(electronics), context, false);
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void ModbusRtuServer::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    if (readable(line_.file())) static_cast<void>(responder_->serve());
+  }
+}
+
+}  // namespace fyd::sim
