@@ -9,10 +9,15 @@ namespace {
 constexpr Duration kVirtualStep = std::chrono::milliseconds(1);
 constexpr Duration kPublishEvery = std::chrono::milliseconds(50);
 
+std::unique_ptr<protocol::RobotEnd> makeEnd(const RobotRunnerOptions& options) {
+  if (options.key) return std::make_unique<protocol::LinkRobotEnd>(options.secure, *options.key, options.touchpad);
+  return std::make_unique<protocol::ClassicRobotEnd>(options.link, options.touchpad);
+}
+
 }  // namespace
 
-Result<std::unique_ptr<RobotRunner>> RobotRunner::open(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot,
-                                                       std::unique_ptr<protocol::RobotEnd> end) {
+Result<std::unique_ptr<RobotRunner>> RobotRunner::open(const RobotRunnerOptions& options,
+                                                       std::unique_ptr<Robot> robot) {
   if (!(options.rate_Hz >= 1.0 && options.rate_Hz <= 10'000.0)) {
     return fail("robot end: {} states a second; expected 1 to 10000", options.rate_Hz);
   }
@@ -26,17 +31,15 @@ Result<std::unique_ptr<RobotRunner>> RobotRunner::open(const RobotRunnerOptions&
   if (auto limits = checkLimits(options.limits); !limits) return fail("robot end: {}", limits.error().message);
   auto socket = protocol::UdpSocket::open(options.bind);
   if (!socket) return tl::unexpected(socket.error());
-  if (!end) end = std::make_unique<protocol::ClassicRobotEnd>(options.link, options.touchpad);
-  std::unique_ptr<RobotRunner> made(new RobotRunner(options, std::move(robot), std::move(end), std::move(*socket)));
+  std::unique_ptr<RobotRunner> made(new RobotRunner(options, std::move(robot), std::move(*socket)));
   made->prepareAhead();
   return made;
 }
 
-RobotRunner::RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot,
-                         std::unique_ptr<protocol::RobotEnd> end, protocol::UdpSocket socket)
+RobotRunner::RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot, protocol::UdpSocket socket)
     : options_(options),
       robot_(std::move(robot), options.limits),
-      end_(std::move(end)),
+      end_(makeEnd(options)),
       socket_(std::move(socket)),
       preparation_(options.probe, options.probe_material, options.known_stiffness_N_per_mm),
       mapping_(options.mapping),
@@ -168,11 +171,9 @@ void RobotRunner::sayFarewell() {
   if (!end_->command(pipeline::RobotCommand::disconnect)) return;
   const Instant give_up = Clock::now() + options_.farewell;
   for (Instant now = Clock::now(); now < give_up; now = Clock::now()) {
-    if (end_->phase() != protocol::RobotPhase::closing) {
-      sendDue(now);
-    } else if (!end_->replyDue()) {
-      return;
-    }
+    if (end_->phase() == protocol::RobotPhase::closed) return;
+    if (end_->phase() == protocol::RobotPhase::closing && !end_->replyDue()) return;
+    if (end_->phase() != protocol::RobotPhase::closing || options_.key) sendDue(now);
     receiveUntil(now + kVirtualStep);
   }
 }
@@ -181,6 +182,7 @@ void RobotRunner::publish(Instant now) {
   published_ = now;
   now_.phase = end_->phase();
   now_.counters = end_->counters();
+  now_.problem = end_->problem();
   now_.seconds = toSeconds(now - began_);
   now_.targets_refused = robot_.limiter().refused();
   const std::lock_guard lock(mutex_);

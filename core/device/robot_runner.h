@@ -1,14 +1,16 @@
 // The robot end as a runnable (thesis §4.2): an arm behind the motion limits, its preparation (material probe, rest
 // acceleration), the touch's mapping to motion, one end of a protocol and a UDP socket, in one loop. Any arm, real or
-// simulated; classic protocol, or whatever protocol::RobotEnd is handed in.
+// simulated; the classic protocol, or FYD Link with a key.
 // The console runs it in a thread over loopback; `fyd robot` and `fyd sim robot` run it as their own process.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -18,6 +20,7 @@
 #include "core/device/robot.h"
 #include "core/device/robot_preparation.h"
 #include "core/protocol/classic_robot_end.h"
+#include "core/protocol/link_robot_end.h"
 #include "core/protocol/touch_mapping.h"
 #include "core/protocol/udp_socket.h"
 
@@ -29,10 +32,12 @@ struct TimedCommand {
 };
 
 struct RobotRunnerOptions {
-  protocol::Endpoint touchpad;          ///< who is called
-  protocol::Endpoint bind;              ///< own address; port 0: any
-  double rate_Hz = 1000.0;              ///< states a second, 1…10 000
-  protocol::ClassicRobotSettings link;  ///< of the classic protocol
+  protocol::Endpoint touchpad;           ///< who is called
+  protocol::Endpoint bind;               ///< own address; port 0: any
+  double rate_Hz = 1000.0;               ///< cycles (classic: states) a second, 1…10 000
+  protocol::ClassicRobotSettings link;   ///< of the classic protocol
+  std::optional<protocol::LinkKey> key;  ///< nothing: the classic protocol
+  protocol::LinkRobotSettings secure;    ///< with a key: `rate_Hz` is then the accelerometer's
   protocol::TouchMappingSettings mapping;
   ProbeSettings probe;
   pipeline::RobotMotorReference motor_reference;  ///< sent after command 10
@@ -49,7 +54,8 @@ struct RobotRunnerStatus {
   protocol::Endpoint local;
   protocol::RobotPhase phase = protocol::RobotPhase::handshake;
   protocol::RobotCounters counters;
-  bool prepared = false;  ///< what was probed is known
+  std::string_view problem;  ///< why there is no session
+  bool prepared = false;     ///< what was probed is known
   ProbeOutcome probe_outcome = ProbeOutcome::skipped;
   double probed_stiffness_N_per_mm = 0.0;
   RobotReadings readings;
@@ -68,11 +74,9 @@ struct RobotRunnerStatus {
 class RobotRunner {
  public:
   /// Binds the socket. An arm in virtual time is prepared at once, any other one when `run` begins.
-  /// @param end of the touchpad's protocol; nullptr: classic, as `options.link` says
   /// @return an error when the address is taken or an option is out of its range
   [[nodiscard]] static Result<std::unique_ptr<RobotRunner>> open(const RobotRunnerOptions& options,
-                                                                 std::unique_ptr<Robot> robot,
-                                                                 std::unique_ptr<protocol::RobotEnd> end = nullptr);
+                                                                 std::unique_ptr<Robot> robot);
 
   /// Prepares, connects, exchanges, reconnects when the touchpad went away and returns; until stopped, until `limit`
   /// has passed, or until a command 9 of the robot's own has closed the session. A probe that a stop meets goes back to
@@ -86,8 +90,7 @@ class RobotRunner {
   [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
 
  private:
-  RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot, std::unique_ptr<protocol::RobotEnd> end,
-              protocol::UdpSocket socket);
+  RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot, protocol::UdpSocket socket);
   void prepareAhead();
   void prepareStep(Instant now);
   void exchangeWithRobot(const Vec3& target_mm, Instant now);

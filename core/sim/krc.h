@@ -3,11 +3,12 @@
 //
 // Link quality, from the last 100 measurements' answers (an answer is in time when it reflects the newest measurement
 // before the next one is due): perfect from 98 %, good from 90 %, bad from 50 %, else unacceptable. Our own figures:
-// the real controller's are not documented. Modes: monitor at first; command after `monitor_for` of good quality; back
-// to monitor when the quality falls below good, when a frame leaps (more than `leap_mm` from one answer to the next) or
-// does not carry the flags of Cartesian impedance control; then command again after another `monitor_for`. Timed
-// changes of mode override this. Outside command mode the answer's joints must mirror the commanded ones plus their
-// offsets; others are counted.
+// the real controller's are not documented.
+//
+// Modes: monitor at first; command after `monitor_for` of good quality; back to monitor when the quality falls below
+// good or when a frame leaps (faster than `leap_mm_s`, and more than 1 mm at once); then command again after another
+// `monitor_for`. Timed changes of mode override this. In command mode an answer without the flags of Cartesian
+// impedance control moves nothing; outside it the joints must mirror the commanded ones plus their offsets.
 //
 // Geometry: the tool stands at (0.5, 0, 0.3) m of the base and points down; base X = −y, Y = −x, Z = z of the arm
 // (the authors' axes). Joints have no kinematics here: their angles are fixed. KRL reals 1…3: accelerometer, g.

@@ -128,8 +128,8 @@ TEST(MaterialProbe, ForceThatFallsWithDepthIsNoNegativeStiffness) {
 }
 
 TEST(MaterialProbe, ReadingThatIsNoNumberSendsItBack) {
-  for (const RobotReadings bad : {RobotReadings{.position_mm = {0, 0, kNaN}}, RobotReadings{.force_N = kNaN},
-                                  RobotReadings{.force_N = std::numeric_limits<double>::infinity()}}) {
+  for (const RobotReadings& bad : {RobotReadings{.position_mm = {0, 0, kNaN}}, RobotReadings{.force_N = kNaN},
+                                   RobotReadings{.force_N = std::numeric_limits<double>::infinity()}}) {
     MaterialProbe probe({}, {0, 0, 5.0});
     for (int i = 0; i < 700; ++i) probe.step({.position_mm = {0, 0, 4.0}}, instantAt(0.001 * i));
     EXPECT_EQ(probe.target().z, 4.0);
