@@ -24,6 +24,7 @@ struct Options {
   ProfileOptions profile;
   double duration_s = 0.0;
   std::string telemetry;
+  std::string touchpad;
   bool headless = false;
   bool simulate = false;
   bool json = false;
@@ -153,7 +154,10 @@ void add_station(CLI::App& app) {
   CLI::App* command = app.add_subcommand("station", "Run a session: touchpad, camera, haptic loop and robot link");
   command->add_flag("--headless", options->headless,
                     "Without a window (the only way of this program; fyd-console opens one)");
-  command->add_flag("--simulate", options->simulate, "On the simulated touchpad (the only one this version drives)");
+  command->add_flag("--simulate", options->simulate, "The same as --touchpad simulated");
+  command->add_option("--touchpad", options->touchpad, "simulated, modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]");
+  command->add_option("--motors", options->station.motors,
+                      "qbmove:TTY, the original motor board in place of the touchpad's own motors");
   command->add_option("--duration", options->duration_s, "Seconds; 0 runs until interrupted")
       ->check(CLI::Range(0.0, 1e7));
   command->add_option("--finger", options->station.finger_csv,
@@ -168,9 +172,13 @@ void add_station(CLI::App& app) {
   command->add_option("--telemetry", options->telemetry, "Write every step's sample to this CSV file");
   command->add_flag("--json", options->json, "Result as JSON");
   command->callback([options] {
-    if (!options->simulate) {
-      throw UsageError("station: this version drives the simulated touchpad only; add --simulate");
+    if (options->simulate && !options->touchpad.empty() && options->touchpad != "simulated") {
+      throw UsageError("station: --simulate contradicts --touchpad " + options->touchpad);
     }
+    if (!options->simulate && options->touchpad.empty()) {
+      throw UsageError("station: which touchpad? Add --simulate or --touchpad");
+    }
+    if (!options->touchpad.empty()) options->station.touchpad = options->touchpad;
     options->station.profile = options->profile.load();
     run(*options);
   });

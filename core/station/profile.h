@@ -1,10 +1,11 @@
 // Everything a laboratory keeps of a touchpad between sessions: the step's parameters (calibration among them),
-// the link's and the simulation's. One TOML file.
+// the link's, the simulation's and the devices'. One TOML file.
 #pragma once
 
 #include <string>
 
 #include "core/base/error.h"
+#include "core/device/device_parameters.h"
 #include "core/pipeline/parameters.h"
 #include "core/protocol/link_parameters.h"
 #include "core/sim/sim_parameters.h"
@@ -15,6 +16,7 @@ struct Profile {
   pipeline::Parameters step;
   protocol::LinkParameters link;
   sim::SimParameters sim;
+  device::DeviceParameters device;
 
   /// The step's parameters come first, so that an index counts the same here and in the step.
   template <class Visitor>
@@ -22,6 +24,7 @@ struct Profile {
     step.describe(v);
     link.describe(v);
     sim.describe(v);
+    device.describe(v);
   }
 };
 

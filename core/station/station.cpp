@@ -9,6 +9,7 @@
 
 #include "core/base/ring.h"
 #include "core/device/camera_source.h"
+#include "core/device/touchpad_source.h"
 #include "core/pipeline/pipeline.h"
 #include "core/protocol/link_key_file.h"
 #include "core/sim/simulated_camera.h"
@@ -26,6 +27,7 @@ namespace {
 constexpr std::size_t kTelemetryCapacity = 30'000;  // 30 s for a window that is busy
 constexpr std::string_view kClassicPrefix = "classic:";
 constexpr std::string_view kLinkPrefix = "link:";
+constexpr std::string_view kSimulated = "simulated";
 constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
 
 struct TimedEvent {
@@ -48,6 +50,19 @@ Result<sim::FingerPath> readFinger(const std::string& path) {
   return sim::FingerPath::fromCsv(path);
 }
 
+Result<std::unique_ptr<device::Touchpad>> makeTouchpad(const StationOptions& options,
+                                                       const std::shared_ptr<sim::TouchpadWorld>& world) {
+  if (world)
+    return device::withMotors(std::make_unique<sim::SimulatedTouchpad>(world), options.motors, options.profile.device);
+  if (options.camera.empty()) return fail("camera: none given; only the simulated touchpad has a simulated camera");
+  if (!options.finger_csv.empty()) {
+    return fail("finger '{}': only the simulated touchpad has a simulated finger", options.finger_csv);
+  }
+  auto touchpad = device::openTouchpad(options.touchpad, options.profile.device);
+  if (!touchpad) return touchpad;
+  return device::withMotors(std::move(*touchpad), options.motors, options.profile.device);
+}
+
 /// Sum of squares of an error, as it grows.
 struct ErrorSum {
   double squares = 0.0;
@@ -64,12 +79,13 @@ struct ErrorSum {
 }  // namespace
 
 struct Station::Impl {
-  Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface, sim::FingerPath finger)
+  Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
+       std::shared_ptr<sim::TouchpadWorld> simulated_world, std::unique_ptr<device::Touchpad> opened_touchpad)
       : profile(options.profile),
         bound(bindParameters(profile)),
         pipeline(options.profile.step, surface),
-        world(std::make_shared<sim::TouchpadWorld>(options.profile.sim, std::move(finger), Clock::now())),
-        touchpad(std::make_unique<sim::SimulatedTouchpad>(world)),
+        world(std::move(simulated_world)),
+        touchpad(std::move(opened_touchpad)),
         camera(
             options.camera.empty() ? "simulated camera" : options.camera,
             [source = options.camera, shared = world]() -> Result<std::unique_ptr<device::Camera>> {
@@ -99,7 +115,7 @@ struct Station::Impl {
   std::jthread loop_thread;
 
   // parts
-  std::shared_ptr<sim::TouchpadWorld> world;
+  std::shared_ptr<sim::TouchpadWorld> world;  // none with a real touchpad
   TouchpadThread touchpad;
   CameraThread camera;
   std::unique_ptr<LinkThread> link;  // none without a robot
@@ -165,6 +181,7 @@ void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
   const pipeline::Outputs& outputs = pipeline.step(inputs);
 
   touchpad.command.write({.command = outputs.motors, .given = now});
+  (void)touchpad.duties.push(outputs.motors.vibration_duty_percent);  // full only while the device is silent
   if (link) {
     link->announcement.write(
         {.touch = outputs.touch, .taken = now, .k_vib = pipeline.parameters().texture.k_vib, .motors = outputs.motors});
@@ -185,7 +202,7 @@ void Station::Impl::onPicture(const CameraView& view) {
     cv::imencode(".jpg", view.picture, encoded);
     link->offerImage(std::move(encoded));
   }
-  if (!simulated_camera || !view.finger.contact) return;
+  if (!world || !simulated_camera || !view.finger.contact) return;
   const sim::FingerState finger = world->truthAt(view.taken).finger;
   if (finger.lifted) return;
   const double dx = view.finger.x_mm - finger.x_mm;
@@ -195,7 +212,7 @@ void Station::Impl::onPicture(const CameraView& view) {
 }
 
 void Station::Impl::compareWithTruth(const pipeline::TelemetrySample& sample) {
-  if (!sample.contact || !std::isfinite(sample.indentation_mm)) return;
+  if (!world || !sample.contact || !std::isfinite(sample.indentation_mm)) return;
   const sim::FingerState finger = world->truthAt(sample.now).finger;
   if (finger.lifted) return;
   const double error = sample.indentation_mm - finger.indentation_mm;
@@ -216,7 +233,14 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& options) {
   auto checked = control::checkControlParameters(options.profile.step.control);
   if (!checked) return tl::unexpected(checked.error());
 
-  auto impl = std::make_unique<Impl>(options, *surface, std::move(*finger));
+  std::shared_ptr<sim::TouchpadWorld> world;
+  if (options.touchpad == kSimulated) {
+    world = std::make_shared<sim::TouchpadWorld>(options.profile.sim, std::move(*finger), Clock::now());
+  }
+  auto touchpad = makeTouchpad(options, world);
+  if (!touchpad) return tl::unexpected(touchpad.error());
+
+  auto impl = std::make_unique<Impl>(options, *surface, std::move(world), std::move(*touchpad));
   const bool in_process = options.robot == "simulated";
   const bool classic = options.robot.starts_with(kClassicPrefix);
   const bool secured = options.robot.starts_with(kLinkPrefix);
@@ -373,18 +397,21 @@ std::vector<ReadinessLine> Station::readiness() const {
 
 SimulationTruth Station::simulationTruth() const {
   const std::lock_guard lock(impl_->truth_mutex);
-  return {.available = true,
+  return {.available = impl_->world != nullptr,
           .finger_error_mm_rms = impl_->finger_error.rms(),
           .indentation_error_mm_rms = impl_->indentation_error.rms()};
 }
 
 void Station::moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) {
+  if (!impl_->world) return;
   impl_->world->setFingerOverride(
       sim::FingerState{.x_mm = x_mm, .y_mm = y_mm, .indentation_mm = indentation_mm, .lifted = indentation_mm <= 0.0});
 }
 
-void Station::releaseSimulatedFinger() { impl_->world->setFingerOverride(std::nullopt); }
+void Station::releaseSimulatedFinger() {
+  if (impl_->world) impl_->world->setFingerOverride(std::nullopt);
+}
 
-bool Station::simulated() const { return true; }
+bool Station::simulated() const { return impl_->world != nullptr; }
 
 }  // namespace fyd::station

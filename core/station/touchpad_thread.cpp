@@ -33,6 +33,25 @@ void TouchpadThread::shutDown() {
   thread_.join();
 }
 
+// Duties that waited while the device did not answer are of no more use.
+void TouchpadThread::takeDuties() {
+  std::array<device::VibrationDuty, 64> batch;
+  while (const std::size_t taken = duties.pop(batch.data(), batch.size())) {
+    if (answering_) touchpad_->queueVibration({batch.data(), taken});
+  }
+}
+
+void TouchpadThread::report(Instant now) {
+  if (!answering_) monitor_.describe(touchpad_->description());
+  answering_ = true;
+  const std::string complaint = touchpad_->complaint();
+  if (complaint.empty()) {
+    monitor_.succeeded(now);
+  } else if (monitor_.failed(complaint)) {
+    spdlog::warn("Touchpad: {}", complaint);
+  }
+}
+
 void TouchpadThread::run(const std::stop_token& stop) {
   askForRealTime(Urgency::device);
   Duration retry = kFirstRetry;
@@ -41,19 +60,22 @@ void TouchpadThread::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const Instant now = Clock::now();
     last = guardedCommand(command.read(), now);
+    takeDuties();
     const auto exchanged = touchpad_->exchange(last, now);
     if (exchanged) {
       readings.write(*exchanged);
-      monitor_.succeeded(now);
+      report(now);
       retry = kFirstRetry;
       due = std::max(due + touchpad_->period(), Clock::now());
     } else {
+      answering_ = false;
       if (monitor_.failed(exchanged.error().message)) spdlog::warn("Touchpad: {}", exchanged.error().message);
       due = Clock::now() + retry;
       retry = std::min(2 * retry, kLongestRetry);
     }
     std::this_thread::sleep_until(due);
   }
+  takeDuties();
   last.active = false;
   last.vibration_duty_percent = {};
   (void)touchpad_->exchange(last, Clock::now());

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/base/latest_value.h"
+#include "core/base/ring.h"
 #include "core/control/motor_types.h"
 #include "core/device/touchpad.h"
 #include "core/station/part_monitor.h"
@@ -33,14 +34,18 @@ class TouchpadThread {
   void shutDown();
 
   LatestValue<StampedMotorCommand> command;        ///< written by the haptic loop
+  Ring<device::VibrationDuty> duties{256};         ///< written by the haptic loop, one a step
   LatestValue<device::TouchpadReadings> readings;  ///< read by the haptic loop
   [[nodiscard]] PartStatus status(Instant now) const { return monitor_.status(now); }
 
  private:
   void run(const std::stop_token& stop);
+  void takeDuties();
+  void report(Instant now);
 
   std::unique_ptr<device::Touchpad> touchpad_;
   PartMonitor monitor_;
+  bool answering_ = false;
   std::jthread thread_;
 };
 

@@ -1,0 +1,138 @@
+// fyd devices: what is plugged in, what answers, and why something does not.
+#include <iostream>
+#include <thread>
+
+#include "app/cli/command.h"
+#include "app/cli/profile_options.h"
+#include "core/device/device_list.h"
+#include "core/device/modbus_touchpad.h"
+#include "core/device/qbmove_motors.h"
+#include "core/protocol/register_map.h"
+
+namespace fyd::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> touchpads;
+  std::vector<std::string> motors;
+  ProfileOptions profile;
+  bool map = false;
+  bool json = false;
+};
+
+struct Answer {
+  std::string address;
+  std::string description;
+  std::string problem;  ///< empty: it answers
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+};
+
+/// One exchange with the motors off.
+Answer askTouchpad(const std::string& text, const device::DeviceParameters& parameters) {
+  const auto address = device::parseModbusAddress(text);
+  if (!address) throw UsageError("--touchpad " + address.error().message);
+  device::ModbusTouchpad touchpad(*address, parameters);
+  Answer out{.address = text};
+  const auto readings = touchpad.exchange({}, Clock::now());
+  out.description = touchpad.description();
+  if (!readings) {
+    out.problem = readings.error().message;
+    return out;
+  }
+  const protocol::DeviceState& state = touchpad.state();
+  out.problem = touchpad.complaint();
+  out.values["ir_counts"] = state.ir;
+  out.values["bridge_mV_per_V"] = jsonNumber(state.bridge_mV_per_V);
+  out.values["encoder_counts"] = state.motors.encoder_counts;
+  out.values["motor_temperature_degC"] = state.temperature_degC;
+  const auto drive = protocol::driveStateOf(state.status_word);
+  out.values["motors"] = drive ? toString(*drive) : "?";
+  return out;
+}
+
+Answer askMotors(const std::string& text, const device::DeviceParameters& parameters) {
+  constexpr std::string_view kPrefix = "qbmove:";
+  if (!text.starts_with(kPrefix)) throw UsageError(fmt::format("--motors '{}': expected qbmove:TTY", text));
+  device::QbmoveMotors motors(text.substr(kPrefix.size()), parameters);
+  Answer out{.address = text, .description = motors.description()};
+  const auto feedback = motors.exchange({});
+  if (!feedback) {
+    out.problem = feedback.error().message;
+    return out;
+  }
+  out.values["encoder_counts"] = feedback->encoder_counts;
+  out.values["current_mA"] = feedback->current_mA;
+  return out;
+}
+
+nlohmann::ordered_json toJson(const std::vector<device::FoundDevice>& found) {
+  auto out = nlohmann::ordered_json::array();
+  for (const device::FoundDevice& device : found) {
+    out.push_back({{"path", device.path}, {"node", device.node}, {"name", device.name}, {"problem", device.problem}});
+  }
+  return out;
+}
+
+void print(const char* what, const std::vector<device::FoundDevice>& found) {
+  if (found.empty()) std::cout << fmt::format("{:<16} none\n", what);
+  for (const device::FoundDevice& device : found) {
+    std::cout << fmt::format("{:<16} {}{}{}\n", what, device.path, device.name.empty() ? "" : "  " + device.name,
+                             device.problem.empty() ? "" : "\n                 " + device.problem);
+  }
+}
+
+void run(Options& options) {
+  if (options.map) {
+    std::cout << protocol::registerMapMarkdown();
+    return;
+  }
+  const device::DeviceParameters parameters = options.profile.load().device;
+  const auto ports = device::findSerialPorts();
+  const auto cameras = device::findCaptureDevices();
+  std::vector<Answer> answers;
+  for (const std::string& text : options.touchpads) answers.push_back(askTouchpad(text, parameters));
+  for (const std::string& text : options.motors) answers.push_back(askMotors(text, parameters));
+
+  nlohmann::ordered_json json = {
+      {"serial_ports", toJson(ports)}, {"cameras", toJson(cameras)}, {"asked", nlohmann::ordered_json::array()}};
+  bool all_answer = true;
+  for (const Answer& answer : answers) {
+    all_answer = all_answer && answer.problem.empty();
+    json["asked"].push_back({{"address", answer.address},
+                             {"answers", answer.problem.empty()},
+                             {"description", answer.description},
+                             {"problem", answer.problem},
+                             {"values", answer.values}});
+  }
+  if (options.json) {
+    printJson(json);
+  } else {
+    print("serial port", ports);
+    print("camera", cameras);
+    for (const Answer& answer : answers) {
+      std::cout << fmt::format("{:<16} {}  {}\n", "asked", answer.address,
+                               answer.problem.empty() ? answer.description : "no: " + answer.problem);
+      for (const auto& [key, value] : answer.values.items()) {
+        std::cout << fmt::format("                 {:<24} {}\n", key,
+                                 value.is_string() ? value.get<std::string>() : value.dump());
+      }
+    }
+  }
+  if (!all_answer) throw Failure("not every device that was asked answers");
+}
+
+}  // namespace
+
+void add_devices(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("devices", "Serial ports, cameras and touchpads: what answers and what not");
+  command->add_option("--touchpad", options->touchpads,
+                      "Ask this one, modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]; its motors stay off; repeatable");
+  command->add_option("--motors", options->motors, "Ask this motor board, qbmove:TTY; likewise");
+  command->add_flag("--map", options->map, "Print the touchpad's register map as Markdown and end");
+  options->profile.addTo(*command);
+  command->add_flag("--json", options->json, "Result as JSON");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace fyd::cli
