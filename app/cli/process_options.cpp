@@ -1,0 +1,107 @@
+#include "app/cli/process_options.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <iostream>
+#include <thread>
+
+namespace fyd::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+void onInterrupt(int) { interrupted = 1; }
+
+void printLines(const nlohmann::ordered_json& object, const std::string& prefix) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      printLines(value, prefix + key + ".");
+    } else {
+      std::cout << fmt::format("{:<32}{}\n", prefix + key, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+}
+
+}  // namespace
+
+protocol::Endpoint endpointOrUsageError(const std::string& option, const std::string& text) {
+  auto endpoint = protocol::parseEndpoint(text);
+  if (!endpoint) throw UsageError(fmt::format("{}: {}", option, endpoint.error().message));
+  return *endpoint;
+}
+
+double numberOrUsageError(const std::string& option, std::string_view text) {
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw UsageError(fmt::format("{}: \"{}\" is not a number", option, text));
+  }
+  return value;
+}
+
+std::vector<double> numbersOrUsageError(const std::string& option, std::string_view text, std::size_t count) {
+  std::vector<double> numbers;
+  for (std::string_view rest = text;;) {
+    const std::size_t comma = rest.find(',');
+    numbers.push_back(numberOrUsageError(option, rest.substr(0, comma)));
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (numbers.size() != count) {
+    throw UsageError(fmt::format("{} \"{}\": expected {} numbers separated by commas", option, text, count));
+  }
+  return numbers;
+}
+
+void addMaterialOptions(CLI::App& command, MaterialOptions& options) {
+  command.add_option("--material", options.material, "What lies under the simulated tool")
+      ->check(CLI::IsMember(std::vector<std::string>(sim::kMaterialNames.begin(), sim::kMaterialNames.end())))
+      ->capture_default_str();
+  command.add_option("--stiffness", options.stiffness, "N/mm in place of the material's own; 0 keeps that")
+      ->check(CLI::Range(0.0, 1000.0));
+  command.add_option("--seed", options.seed, "Seed of the simulation's noise")->check(CLI::Range(0, 1'000'000'000));
+}
+
+sim::SimParameters simParameters(const MaterialOptions& options) {
+  sim::SimParameters parameters;
+  parameters.seed = options.seed;
+  parameters.material_stiffness_N_per_mm = options.stiffness;
+  parameters.material = static_cast<sim::Material>(std::ranges::find(sim::kMaterialNames, options.material) -
+                                                   sim::kMaterialNames.begin());
+  return parameters;
+}
+
+void addRunOptions(CLI::App& command, double& duration_s, bool& json, const std::string& until) {
+  command.add_option("--duration", duration_s, "Seconds to run; 0: until " + until)->check(CLI::Range(0.0, 1e9));
+  command.add_flag("--json", json, "Summary as JSON");
+}
+
+void runUntilInterrupted(const std::function<void(const std::stop_token&)>& run, const std::function<void()>& look) {
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
+  std::stop_source source;
+  std::atomic<bool> finished = false;
+  std::jthread watcher([&] {
+    while (!finished && interrupted == 0) {
+      if (look) look();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    source.request_stop();
+  });
+  run(source.get_token());
+  finished = true;
+}
+
+Duration runLimit(double duration_s) { return duration_s > 0.0 ? fromSeconds(duration_s) : Duration::max(); }
+
+void printSummary(const nlohmann::ordered_json& summary, bool json) {
+  if (json) {
+    printJson(summary);
+  } else {
+    printLines(summary, "");
+  }
+}
+
+}  // namespace fyd::cli

@@ -1,0 +1,128 @@
+// fyd robot: the robot end of a session (thesis §4.2), with a simulated arm or a KUKA LWR.
+#include <algorithm>
+
+#include "app/cli/end_options.h"
+#include "app/cli/process_options.h"
+#include "core/device/fri_robot.h"
+#include "core/sim/robot_arm.h"
+
+namespace fyd::cli {
+namespace {
+
+constexpr std::string_view kKuka = "kuka:";
+
+struct RobotCliOptions {
+  EndOptions end;
+  MaterialOptions material;
+  std::string arm = "simulated";
+  std::string axes = "-y,-x,z";
+  std::string krc;
+  bool no_probe = false;
+  double known_stiffness = 0.0;
+  std::string probe_estimate = "slope";
+  device::ProbeSettings probe;
+  std::string scale = "1,3";
+  std::string smoothing = "0.8,0.9";
+  std::string workspace = "35,25,70";
+  device::MotionLimits limits;
+};
+
+protocol::TouchMappingSettings mappingOf(const RobotCliOptions& given) {
+  const auto scale = numbersOrUsageError("--scale", given.scale, 2);
+  const auto keep = numbersOrUsageError("--smoothing", given.smoothing, 2);
+  if (std::ranges::min(scale) < 0.0 || std::ranges::max(scale) > 20.0) {
+    throw UsageError(fmt::format("--scale {}: expected two factors of 0 to 20", given.scale));
+  }
+  if (std::ranges::min(keep) < 0.0 || std::ranges::max(keep) >= 1.0) {
+    throw UsageError(fmt::format("--smoothing {}: expected two shares of 0 to below 1", given.smoothing));
+  }
+  return {.scale_xy = scale[0], .scale_z = scale[1], .keep_xy = keep[0], .keep_z = keep[1]};
+}
+
+nlohmann::ordered_json toJson(const device::FriRobot& robot) {
+  const device::FriCounters& c = robot.counters();
+  const protocol::FriMeasurement* newest = robot.measurement();
+  std::uint64_t refused = 0;
+  for (const std::uint64_t count : c.refused) refused += count;
+  return {{"mode", newest != nullptr ? protocol::toString(newest->state) : "unknown"},
+          {"quality", newest != nullptr ? protocol::toString(newest->quality) : "unknown"},
+          {"measurements", c.measurements},
+          {"answers", c.answers},
+          {"out_of_order", c.out_of_order},
+          {"refused_datagrams", refused},
+          {"wrong_peer_datagrams", c.wrong_peer},
+          {"send_failures", c.send_failures},
+          {"command_entries", c.command_entries}};
+}
+
+void runRobot(const RobotCliOptions& given) {
+  device::RobotRunnerOptions options = runnerOptions(given.end, "fyd robot " FYD_VERSION);
+  options.mapping = mappingOf(given);
+  options.limits = given.limits;
+  const auto workspace = numbersOrUsageError("--workspace", given.workspace, 3);
+  options.limits.workspace_mm = {workspace[0], workspace[1], workspace[2]};
+  if (auto good = device::checkLimits(options.limits); !good) throw UsageError(good.error().message);
+  options.probe = given.probe;
+  options.probe.estimate = given.probe_estimate == "slope"  ? device::ProbeEstimate::slope
+                           : given.probe_estimate == "mean" ? device::ProbeEstimate::mean
+                                                            : device::ProbeEstimate::thesis;
+  options.probe_material = !given.no_probe;
+  options.known_stiffness_N_per_mm = given.known_stiffness;
+
+  if (given.arm == "simulated") {
+    runRobotEnd(given.end, options, std::make_unique<sim::RobotArm>(simParameters(given.material)), {});
+    return;
+  }
+  if (!given.arm.starts_with(kKuka)) {
+    throw UsageError(fmt::format("--arm \"{}\": expected simulated or kuka:HOST:PORT", given.arm));
+  }
+  device::FriSettings settings;
+  settings.bind = endpointOrUsageError("--arm", given.arm.substr(kKuka.size()));
+  if (!given.krc.empty()) settings.krc = endpointOrUsageError("--krc", given.krc + ":0");
+  const auto axes = device::parseAxisMap(given.axes);
+  if (!axes) throw UsageError("--" + axes.error().message);
+  settings.axes = *axes;
+  auto arm = valueOrFail(device::FriRobot::open(settings));
+  // The runner owns it from here on and is alive when the summary is made.
+  runRobotEnd(given.end, options, std::move(arm), [fri = arm.get()] { return toJson(*fri); });
+}
+
+}  // namespace
+
+void add_robot(CLI::App& app) {
+  auto options = std::make_shared<RobotCliOptions>();
+  CLI::App* robot =
+      app.add_subcommand("robot", "The robot end: probes the material, calls the touchpad, moves the arm");
+  addEndOptions(*robot, options->end);
+  robot
+      ->add_option("--arm", options->arm,
+                   "simulated, or kuka:HOST:PORT, the own address to which the LWR's controller sends (port 49938)")
+      ->capture_default_str();
+  robot->add_option("--krc", options->krc, "Accept this host as the controller only");
+  robot->add_option("--axes", options->axes, "Our axes along the LWR's base X, Y, Z")->capture_default_str();
+  addMaterialOptions(*robot, options->material);
+  robot->add_flag("--no-probe", options->no_probe, "Do not probe the material");
+  robot->add_option("--known-stiffness", options->known_stiffness, "N/mm to tell the touchpad with --no-probe")
+      ->check(CLI::Range(0.0, 1000.0));
+  robot->add_option("--probe-travel", options->probe.travel_limit_mm, "Deepest the probe goes, mm")
+      ->check(CLI::Range(1.0, 70.0))
+      ->capture_default_str();
+  robot->add_option("--probe-force", options->probe.force_limit_N, "Force at which the probe goes back, N")
+      ->check(CLI::Range(1.0, 50.0))
+      ->capture_default_str();
+  robot->add_option("--probe-dwell", options->probe.dwell_s, "Wait at each step of the probe, s")
+      ->check(CLI::Range(0.02, 5.0))
+      ->capture_default_str();
+  robot->add_option("--probe-estimate", options->probe_estimate, "Stiffness from the samples")
+      ->check(CLI::IsMember({"slope", "mean", "thesis"}))
+      ->capture_default_str();
+  robot->add_option("--scale", options->scale, "XY,Z: robot's way for the finger's")->capture_default_str();
+  robot->add_option("--smoothing", options->smoothing, "XY,Z: share of the old target kept at each touch")
+      ->capture_default_str();
+  robot->add_option("--workspace", options->workspace, "X,Y,Z: farthest from the start, mm")->capture_default_str();
+  robot->add_option("--speed-limit", options->limits.speed_mm_s, "mm/s")->capture_default_str();
+  robot->add_option("--acceleration-limit", options->limits.acceleration_mm_s2, "mm/s²")->capture_default_str();
+  robot->callback([options] { runRobot(*options); });
+}
+
+}  // namespace fyd::cli
