@@ -21,11 +21,12 @@ namespace fyd::protocol {
   return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
 }
 
-/// The caller's instants as a session's microseconds: when they go back, this stands still and goes on from there.
+/// The caller's instants as a session's microseconds: when they go back, this stands still and goes on from there; a
+/// leap counts as an hour, which every time-out notices and 48 bits have room for.
 class SteadyTime {
  public:
   LinkTime advance(Instant now) {
-    if (started_ && now > last_) elapsed_ += now - last_;
+    if (started_ && now > last_) elapsed_ += std::min<Duration>(now - last_, kLongestStep);
     started_ = true;
     last_ = now;
     return microseconds();
@@ -36,6 +37,7 @@ class SteadyTime {
 
  private:
   static constexpr LinkTime kOrigin_us = 1'000'000;  // what was taken shortly before the start has a time as well
+  static constexpr Duration kLongestStep = std::chrono::hours(1);
   bool started_ = false;
   Instant last_{};
   Duration elapsed_{};

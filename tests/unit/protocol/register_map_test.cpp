@@ -1,0 +1,209 @@
+// The register map: its own consistency, blocks written and read by hand-made registers, the motors' state machine.
+#include "core/protocol/register_codec.h"
+
+#include <bit>
+#include <limits>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/protocol/drive_state.h"
+
+namespace fyd::protocol {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(RegisterMap, NoAddressOrNameIsUsedTwiceAndThirtyTwoBitsLieOnEvenOnes) {
+  std::set<int> used;
+  std::set<std::string_view> names;
+  for (const RegisterInfo& info : kRegisters) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    for (int i = 0; i < info.registers; ++i) EXPECT_TRUE(used.insert(info.address + i).second) << info.name;
+    const bool wide = info.type == RegisterType::u32 || info.type == RegisterType::f32;
+    if (wide) EXPECT_EQ(info.address % 2, 0) << info.name;
+    if (wide) EXPECT_EQ(info.registers, 2) << info.name;
+    EXPECT_FALSE(info.help.empty()) << info.name;
+  }
+}
+
+TEST(RegisterMap, TheCyclicBlocksHaveNoHolesAndTheStateIsBracketed) {
+  for (int i = 0; i < kStateRegisters; ++i) {
+    const RegisterInfo* info = registerAt(static_cast<std::uint16_t>(kStateAddress + i));
+    ASSERT_NE(info, nullptr) << i;
+    EXPECT_EQ(info->access, RegisterAccess::read);
+  }
+  for (int i = 0; i < kCommandRegisters; ++i) {
+    const RegisterInfo* info = registerAt(static_cast<std::uint16_t>(kCommandAddress + i));
+    ASSERT_NE(info, nullptr) << i;
+    EXPECT_EQ(info->access, RegisterAccess::write);
+  }
+  EXPECT_EQ(addressOf("sequence_begin"), kStateAddress);
+  EXPECT_EQ(addressOf("sequence_end"), kStateAddress + kStateRegisters - 1);
+  EXPECT_EQ(registerAt(50), nullptr);
+  EXPECT_LE(kStateRegisters, 125);    // what one transaction of function 0x17 reads
+  EXPECT_LE(kCommandRegisters, 121);  // and writes
+}
+
+TEST(RegisterMap, ThePrintedTableNamesEveryRegisterAndState) {
+  const std::string table = registerMapMarkdown();
+  for (const RegisterInfo& info : kRegisters) EXPECT_NE(table.find(fmt::format("`{}`", info.name)), std::string::npos);
+  EXPECT_NE(table.find("| 4 | operation enabled | 0x27 |"), std::string::npos);
+}
+
+TEST(RegisterCodec, ReadsABlockWrittenByHand) {
+  // In the order of the map: 7, nonce 0x1234, 65537 µs, operation enabled with voltage, no fault, 1.5 mV/V as ABCD …
+  const StateRegisters registers = {7,  0x1234, 1,    1, 0x0037, 0,  0x3FC0, 0,      12,  300, 0, 4095, 2048,
+                                    81, 5,      4095, 0, 0xFFEA, 11, 9950,   0xD8F0, 850, 230, 3, 1,    7};
+  DeviceState state;
+  ASSERT_EQ(decode(registers, state), StateProblem::none);
+  EXPECT_EQ(state.sequence, 7);
+  EXPECT_EQ(state.nonce_echo, 0x1234);
+  EXPECT_EQ(state.uptime_us, 65537U);
+  EXPECT_EQ(driveStateOf(state.status_word), DriveState::operation_enabled);
+  EXPECT_EQ(state.bridge_mV_per_V, 1.5F);
+  EXPECT_DOUBLE_EQ(state.bridge_age_ms, 1.2);
+  EXPECT_EQ(state.bridge_count, 300);
+  EXPECT_EQ(state.ir, (std::array<std::uint16_t, 3>{0, 4095, 2048}));
+  EXPECT_DOUBLE_EQ(state.ir_age_ms, 8.1);
+  EXPECT_EQ(state.motors.encoder_counts[0], 4095);
+  EXPECT_EQ(state.motors.current_mA[0], -22.0);
+  EXPECT_EQ(state.motors.current_mA[1], 11.0);
+  EXPECT_TRUE(state.motors.position_duty_known);
+  EXPECT_DOUBLE_EQ(state.motors.position_duty_percent[0], 99.5);
+  EXPECT_DOUBLE_EQ(state.motors.position_duty_percent[1], -100.0);
+  EXPECT_DOUBLE_EQ(state.temperature_degC[0], 85.0);
+  EXPECT_EQ(encode(state), registers);
+}
+
+TEST(RegisterCodec, NamesWhatIsWrongWithABlock) {
+  DeviceState good;
+  good.status_word = statusBits(DriveState::switched_on);
+  const StateRegisters registers = encode(good);
+  const auto with = [&](std::string_view name, std::uint16_t value) {
+    StateRegisters changed = registers;
+    for (const RegisterInfo& info : kRegisters) {
+      if (info.name == name) changed.at(info.address - kStateAddress) = value;
+    }
+    DeviceState state;
+    return decode(changed, state);
+  };
+  EXPECT_EQ(with("sequence_begin", 0), StateProblem::none);
+  EXPECT_EQ(with("sequence_begin", 1), StateProblem::torn);
+  EXPECT_EQ(with("sequence_end", 65535), StateProblem::torn);
+  EXPECT_EQ(with("status_word", 0x000B), StateProblem::bad_status);
+  EXPECT_EQ(with("ir_2", 4096), StateProblem::bad_ir);
+  EXPECT_EQ(with("encoder_1", 0x8000), StateProblem::bad_encoder);
+}
+
+TEST(RegisterCodec, SaturatesWhatDoesNotFit) {
+  DeviceState state;
+  state.status_word = statusBits(DriveState::fault);
+  state.bridge_age_ms = 1e9;
+  state.ir_age_ms = -5.0;
+  state.motors.current_mA = {1e9, kNan};
+  state.motors.position_duty_known = false;
+  DeviceState back;
+  ASSERT_EQ(decode(encode(state), back), StateProblem::none);
+  EXPECT_DOUBLE_EQ(back.bridge_age_ms, 6553.5);
+  EXPECT_DOUBLE_EQ(back.ir_age_ms, 0.0);
+  EXPECT_EQ(back.motors.current_mA[0], 32767.0);
+  EXPECT_EQ(back.motors.current_mA[1], 0.0);
+  EXPECT_FALSE(back.motors.position_duty_known);
+}
+
+TEST(RegisterCodec, CommandCarriesABatchOfDuties) {
+  DeviceCommand command{.control_word = 0x0F, .heartbeat = 9, .nonce = 77, .reference_ticks = {4200, -4200}};
+  command.vibration_batch = 5;
+  ASSERT_TRUE(command.duties.push({100, -100}));
+  ASSERT_TRUE(command.duties.push({-1, 25}));
+  CommandRegisters registers{};
+  ASSERT_EQ(encode(command, registers), 10U);
+  EXPECT_EQ(registers[3], 4200);
+  EXPECT_EQ(registers[4], 0xEF98);
+  EXPECT_EQ(registers[7], 2);
+  EXPECT_EQ(registers[8], 0x649C);
+  EXPECT_EQ(registers[9], 0xFF19);
+  DeviceCommand back;
+  ASSERT_TRUE(decode({registers.data(), 10}, back));
+  EXPECT_EQ(back.reference_ticks, command.reference_ticks);
+  ASSERT_EQ(back.duties.size(), 2U);
+  EXPECT_EQ(back.duties[1], (DutyPair{-1, 25}));
+  EXPECT_FALSE(decode({registers.data(), 9}, back)) << "the count says two, one is there";
+  registers[7] = kVibrationBatch + 1;
+  EXPECT_FALSE(decode(registers, back));
+  registers[7] = 0;
+  registers[5] = 0;
+  EXPECT_FALSE(decode(registers, back)) << "no rate";
+}
+
+TEST(RegisterCodec, DutiesAreRoundedLimitedAndNeverNan) {
+  EXPECT_EQ(toDutyPair({kNan, 24.6}), (DutyPair{0, 25}));
+  EXPECT_EQ(toDutyPair({1e300, -std::numeric_limits<double>::infinity()}), (DutyPair{100, -100}));
+}
+
+TEST(RegisterCodec, IdentityKeepsItsSerialAndShowsOnlyPrintableCharacters) {
+  DeviceIdentity identity;
+  identity.setSerial("FYD-0042 too long for it");
+  EXPECT_EQ(decodeIdentity(encode(identity)).serialText(), "FYD-0042 too lon");
+  IdentityRegisters registers = encode(identity);
+  EXPECT_EQ(registers[0], 0x4659);
+  EXPECT_EQ(registers[1], 0x4454);
+  registers[6] = 0x4107;
+  EXPECT_EQ(decodeIdentity(registers).serialText(), "FYD-A");
+}
+
+TEST(DriveState, EveryStateIsReadBackFromItsBitsWhateverTheOthersSay) {
+  for (int i = 0; i < kDriveStates; ++i) {
+    const auto state = static_cast<DriveState>(i);
+    EXPECT_EQ(driveStateOf(statusBits(state)), state);
+    EXPECT_EQ(driveStateOf(statusBits(state) | 0xFF90), state);
+  }
+}
+
+TEST(DriveState, TheMasterLeadsItToOperationAndBack) {
+  Drive drive;
+  for (int i = 0; i < 3; ++i) drive.control(nextControlWord(drive.state(), true, false));
+  EXPECT_TRUE(drive.energised());
+  drive.control(nextControlWord(drive.state(), false, false));
+  EXPECT_EQ(drive.state(), DriveState::switch_on_disabled);
+}
+
+TEST(DriveState, AFaultIsLeftByARisingResetOnly) {
+  Drive drive;
+  drive.control(control_word::kFaultReset);
+  drive.fail(DriveFault::heartbeat);
+  drive.fail(DriveFault::over_temperature);
+  EXPECT_EQ(drive.fault(), DriveFault::heartbeat) << "the first cause stays";
+  drive.control(control_word::kFaultReset);
+  EXPECT_EQ(drive.state(), DriveState::fault) << "the bit was up before";
+  drive.control(control_word::kEnableOperation);
+  drive.control(control_word::kFaultReset);
+  EXPECT_EQ(drive.state(), DriveState::switch_on_disabled);
+  EXPECT_EQ(nextControlWord(DriveState::fault, true, false), control_word::kDisableVoltage);
+}
+
+TEST(DriveState, AQuickStopIsLeftByTakingTheVoltageAwayOnly) {
+  Drive drive;
+  for (int i = 0; i < 3; ++i) drive.control(nextControlWord(drive.state(), true, false));
+  drive.control(control_word::kQuickStop);
+  EXPECT_EQ(drive.state(), DriveState::quick_stop_active);
+  EXPECT_FALSE(drive.energised());
+  drive.control(control_word::kEnableOperation);
+  EXPECT_FALSE(drive.energised());
+  drive.control(control_word::kDisableVoltage);
+  EXPECT_EQ(drive.state(), DriveState::switch_on_disabled);
+}
+
+TEST(DriveState, NoWordsWhateverLeadFromTheStartToOperationInFewerThanThreeSteps) {
+  for (std::uint32_t first = 0; first <= 0xFFFF; first += 7) {
+    Drive drive;
+    drive.control(static_cast<std::uint16_t>(first));
+    drive.control(control_word::kEnableOperation);
+    EXPECT_FALSE(drive.energised());
+  }
+}
+
+}  // namespace
+}  // namespace fyd::protocol
