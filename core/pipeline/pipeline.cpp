@@ -1,3 +1,4 @@
+// The step's first half: what comes in (time, changes, sensing, safety). The second half is pipeline_outputs.cpp.
 #include "core/pipeline/pipeline.h"
 
 #include <algorithm>
@@ -9,11 +10,6 @@ namespace {
 constexpr Duration kLongestGap = std::chrono::milliseconds(20);
 constexpr double kMostMissedPerSecond = 0.05 * 1000.0;
 constexpr double kVibrationStep = 0.1;  // of the robot operator's keys (fact sheet §3)
-
-template <class T>
-double ageMs(const Timed<T>& input, Instant now) {
-  return input.count == 0 ? kNone : toMilliseconds(input.age(now));
-}
 
 }  // namespace
 
@@ -248,139 +244,6 @@ void Pipeline::stepSafety(const Inputs& inputs) {
     controller_.reset(rollers_.valid ? rollers_.stretch_deg : kNone);
     robot_sets_reference_ = robot_sets_reference_ && inputs.robot.phase == LinkPhase::running;
   }
-}
-
-bool Pipeline::rendering(const Inputs& inputs) const {
-  return safety_.state() == SafetyState::active && inputs.robot.phase != LinkPhase::paused;
-}
-
-void Pipeline::stepControl(const Inputs& inputs) {
-  const bool enabled = rendering(inputs);
-  const bool robot_sets = enabled && robot_sets_reference_ && inputs.robot.motor_reference.count > 0;
-  control_ = controller_.step({.now = inputs.now,
-                               .target_N_per_mm = target(inputs),
-                               .measured_N_per_mm = stiff_.stiffness_N_per_mm,
-                               .measured_sigma_N_per_mm = stiff_.sigma_N_per_mm,
-                               .observable = stiff_.observable,
-                               .measured_angle_deg = rollers_.stretch_deg,
-                               .measured_angle_known = rollers_.valid,
-                               .enabled = enabled && !robot_sets});
-  if (robot_sets) {
-    followRobotReference(inputs.robot.motor_reference.value);
-  } else if (enabled) {
-    stretch_deg_ = control_.stretch_angle_deg;
-  }
-  if (control_.target_clamped && !target_was_clamped_) {
-    report({.kind = EventKind::target_clamped, .value = control_.reachable_target_N_per_mm});
-  }
-  target_was_clamped_ = control_.target_clamped;
-  outputs_.motors.active = safety_.state() == SafetyState::active || safety_.state() == SafetyState::held;
-  mixing_.mix(stretch_deg_, translation_deg_, outputs_.motors);
-}
-
-void Pipeline::followRobotReference(const RobotMotorReference& reference) {
-  if (!std::isfinite(reference.first_ticks) || !std::isfinite(reference.second_ticks)) return;
-  const control::ControlParameters& limits = parameters_.control;
-  const double stretch = 0.5 * (reference.first_ticks - reference.second_ticks) / control::kTicksPerDegree;
-  const double translation = 0.5 * (reference.first_ticks + reference.second_ticks) / control::kTicksPerDegree;
-  const double furthest = limits.rate_limit_deg_per_s * toSeconds(elapsed_);
-  const auto approach = [furthest](double from, double to) {
-    return from + std::clamp(to - from, -furthest, furthest);
-  };
-  stretch_deg_ = approach(stretch_deg_, std::clamp(stretch, limits.travel_minimum_deg, limits.travel_maximum_deg));
-  translation_deg_ =
-      approach(translation_deg_, std::clamp(translation, -limits.motor_limit_deg, limits.motor_limit_deg));
-}
-
-void Pipeline::stepTexture(const Inputs& inputs) {
-  const control::MotorFeedback& motors = inputs.motors.value;
-  const auto& shares = motors.position_duty_percent;
-  const double share = !motors.position_duty_known                 ? kNone
-                       : std::abs(shares[0]) > std::abs(shares[1]) ? shares[0]
-                                                                   : shares[1];
-  if (surface_ && inputs.robot.phase == LinkPhase::none) {
-    const double speed = indent_.touched ? finger_speed_.at(inputs.now) : 0.0;
-    texture_ = renderer_.stepVirtual(surface_->step(speed, force_N_.value), share);
-  } else {
-    texture_ = renderer_.step(inputs.now, inputs.robot.accelerations.view(), share);
-  }
-  const double duty = rendering(inputs) && std::isfinite(texture_.duty_percent) ? texture_.duty_percent : 0.0;
-  for (std::size_t i = 0; i < control::kMotorCount; ++i) {
-    const double used =
-        motors.position_duty_known && std::isfinite(shares[i]) ? std::clamp(shares[i], -100.0, 100.0) : 0.0;
-    outputs_.motors.vibration_duty_percent[i] = std::clamp(duty, -100.0 - used, 100.0 - used);
-  }
-}
-
-void Pipeline::stepMotion(const Inputs& inputs) {
-  const StepParameters& step = parameters_.step;
-  outputs_.touch = motion_.step({.elapsed = elapsed_,
-                                 .enabled = rendering(inputs),
-                                 .contact = indent_.touched,
-                                 .finger_x_mm = inputs.finger.value.x_mm,
-                                 .finger_y_mm = inputs.finger.value.y_mm,
-                                 .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
-                                 .force_N = force_N_.value,
-                                 .absolute = step.absolute_motion,
-                                 .scale = step.motion_scale,
-                                 .depth_scale = step.motion_depth_scale,
-                                 .speed_limit_mm_s = step.motion_speed_limit_mm_s});
-}
-
-void Pipeline::writeTelemetry(const Inputs& inputs) {
-  TelemetrySample& out = outputs_.telemetry;
-  out = {};
-  out.now = inputs.now;
-  out.step = steps_;
-  out.state = safety_.state();
-  out.lack = safety_.state() == SafetyState::held ? safety_.heldBecause() : InputHealth::first(lacks_);
-  out.link = inputs.robot.phase;
-  out.contact = indent_.touched;
-  if (indent_.touched) {
-    out.finger_x_mm = inputs.finger.value.x_mm;
-    out.finger_y_mm = inputs.finger.value.y_mm;
-  }
-  if (inputs.finger.count > 0) out.finger_area_px = inputs.finger.value.area_px;
-  if (indent_.available) {
-    out.indentation_mm = indent_.indentation_mm;
-    out.indentation_sigma_mm = indent_.sigma_mm;
-  }
-  out.force_N = force_N_.count > 0 ? force_N_.value : kNone;
-  out.stiffness_N_per_mm = stiff_.known ? stiff_.stiffness_N_per_mm : kNone;
-  out.stiffness_observable = stiff_.observable;
-  out.target_N_per_mm = target(inputs);
-  out.reachable_target_N_per_mm = control_.reachable_target_N_per_mm;
-  out.target_clamped = control_.target_clamped;
-  out.stretch_reference_deg = stretch_deg_;
-  if (rollers_.valid) {
-    out.stretch_measured_deg = rollers_.stretch_deg;
-    out.translation_measured_deg = rollers_.translation_deg;
-  }
-  if (!inputs.robot.accelerations.empty()) {
-    newest_acceleration_g_ = inputs.robot.accelerations[inputs.robot.accelerations.size() - 1].acceleration_g;
-  }
-  if (inputs.robot.phase == LinkPhase::running) {
-    out.acceleration_x_g = newest_acceleration_g_.x;
-    out.acceleration_y_g = newest_acceleration_g_.y;
-    out.acceleration_z_g = newest_acceleration_g_.z;
-  }
-  out.texture_signal_g = texture_.signal_g;
-  out.vibration_duty_percent = outputs_.motors.vibration_duty_percent[0];
-  out.vibration_clipped = static_cast<double>(texture_.clipped);
-  out.touch_x_mm = outputs_.touch.position_mm.x;
-  out.touch_y_mm = outputs_.touch.position_mm.y;
-  out.touch_z_mm = outputs_.touch.position_mm.z;
-  if (inputs.robot.state.count > 0) {
-    out.robot_x_mm = inputs.robot.state.value.position_mm.x;
-    out.robot_y_mm = inputs.robot.state.value.position_mm.y;
-    out.robot_z_mm = inputs.robot.state.value.position_mm.z;
-  }
-  out.finger_age_ms = ageMs(inputs.finger, inputs.now);
-  out.ir_age_ms = ageMs(inputs.ir, inputs.now);
-  out.bridge_age_ms = ageMs(inputs.bridge, inputs.now);
-  out.motors_age_ms = ageMs(inputs.motors, inputs.now);
-  out.robot_age_ms = ageMs(inputs.robot.state, inputs.now);
-  out.missed_cycles = static_cast<double>(inputs.missed_cycles);
 }
 
 }  // namespace fyd::pipeline

@@ -11,8 +11,7 @@ struct LackText {
 constexpr std::array<LackText, kLackCount> kLackTexts = {{
     {"nothing missing", ""},
     {"the haptic loop stood still for more than 20 ms", "Close other programs on this machine."},
-    {"more than 5 % of the haptic cycles of one second were missed",
-     "Close other programs on this machine."},
+    {"more than 5 % of the haptic cycles of one second were missed", "Close other programs on this machine."},
     {"the motor board is silent", "Check the touchpad's power and its serial cable."},
     {"the distance sensors are silent", "Check the touchpad's power and cables."},
     {"too few distance sensors read within their span", "Look for dirt or an object under the cloth; calibrate."},
