@@ -159,6 +159,6 @@ int SerialPort::read(std::span<std::uint8_t> buffer, Instant deadline) {
   return got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1;
 }
 
-void SerialPort::flush() { ::tcflush(file_, TCIOFLUSH); }
+void SerialPort::flush() { ::tcflush(file_, TCIFLUSH); }
 
 }  // namespace fyd::device

@@ -42,7 +42,7 @@ class SerialPort {
   /// Waits until something came or `deadline` has passed. @return bytes read; 0 when none came; −1 when the port is
   /// gone
   [[nodiscard]] int read(std::span<std::uint8_t> buffer, Instant deadline);
-  /// Forgets what has arrived.
+  /// Forgets what has arrived; what is being sent goes on.
   void flush();
 
  private:

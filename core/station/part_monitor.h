@@ -33,6 +33,18 @@ class PartMonitor {
     return is_new;
   }
 
+  /// It answers, and complains. @return true when this complaint is new
+  bool complained(const std::string& problem, Instant taken) {
+    rate_.count(taken);
+    const std::lock_guard lock(mutex_);
+    newest_ = taken;
+    seen_ = true;
+    const bool is_new = problem_ != problem;
+    if (is_new) ++errors_;
+    problem_ = problem;
+    return is_new;
+  }
+
   void describe(const std::string& description) {
     const std::lock_guard lock(mutex_);
     description_ = description;

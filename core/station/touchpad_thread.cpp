@@ -47,7 +47,7 @@ void TouchpadThread::report(Instant now) {
   const std::string complaint = touchpad_->complaint();
   if (complaint.empty()) {
     monitor_.succeeded(now);
-  } else if (monitor_.failed(complaint)) {
+  } else if (monitor_.complained(complaint, now)) {
     spdlog::warn("Touchpad: {}", complaint);
   }
 }
