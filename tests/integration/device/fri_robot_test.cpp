@@ -1,0 +1,251 @@
+// The remote side of FRI against a controller that the test plays by hand, over real sockets.
+#include "core/device/fri_robot.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace fyd::device {
+namespace {
+
+using protocol::FriControl;
+using protocol::FriQuality;
+using protocol::FriState;
+using ::testing::HasSubstr;
+
+constexpr std::uint32_t kImpedance = 0x3100;  // frame, Cartesian stiffness and damping
+
+protocol::Endpoint any(const char* host = "127.0.0.1:0") { return protocol::parseEndpoint(host).value(); }
+
+class Fri : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    measurement.control = FriControl::cartesian_impedance;
+    measurement.quality = FriQuality::good;
+    // Tool down, at (0.5, 0.1, 0.3) m.
+    measurement.commanded_frame = {1, 0, 0, 0.5F, 0, -1, 0, 0.1F, 0, 0, -1, 0.3F};
+    measurement.frame = measurement.commanded_frame;
+    for (std::size_t i = 0; i < 7; ++i) {
+      measurement.commanded_joints[i] = 0.25F * static_cast<float>(i);
+      measurement.joint_offsets[i] = 0.5F;
+    }
+  }
+  void open(FriSettings settings = {}) {
+    settings.bind = any();
+    robot = FriRobot::open(settings).value();
+  }
+  // One measurement, one exchange, one answer.
+  Result<RobotReadings> cycle(const Vec3& target = {}) {
+    ++measurement.header.sequence;
+    now += std::chrono::milliseconds(5);
+    send();
+    auto result = robot->exchange(target, now);
+    answered = take();
+    return result;
+  }
+  std::string reason(const Vec3& target = {}) {
+    const auto result = cycle(target);
+    return result ? std::string("follows") : result.error().message;
+  }
+  void send() {
+    ASSERT_EQ(krc.send(protocol::encodeFriMeasurement(measurement), robot->local()), protocol::SendOutcome::sent);
+    // Loopback delivers before send returns; nothing to wait for.
+  }
+  bool take() {
+    std::array<std::uint8_t, 1000> buffer{};
+    const auto received = krc.receive(buffer, Duration::zero());
+    return received && decodeFriCommand({buffer.data(), received->size}, command) == protocol::FriRefusal::none;
+  }
+
+  protocol::UdpSocket krc = protocol::UdpSocket::open(any()).value();
+  std::unique_ptr<FriRobot> robot;
+  protocol::FriMeasurement measurement;
+  protocol::FriCommand command;
+  bool answered = false;
+  Instant now = instantAt(100.0);
+};
+
+TEST_F(Fri, EchoesTheSequenceAndMirrorsJointsPlusOffsetsOutsideCommandMode) {
+  open();
+  for (const FriState state : {FriState::off, FriState::monitor}) {
+    measurement.state = state;
+    EXPECT_FALSE(cycle({10, 10, 10}));
+    ASSERT_TRUE(answered);
+    EXPECT_EQ(command.header.reflected, measurement.header.sequence);
+    EXPECT_EQ(command.flags, 0x1U);
+    EXPECT_FLOAT_EQ(command.joints[0], 0.5F);
+    EXPECT_FLOAT_EQ(command.joints[6], 2.0F);
+  }
+}
+
+TEST_F(Fri, CommandModeHoldsFirstThenCarriesTheTargetInMetresWithTheThesisImpedance) {
+  open();
+  measurement.state = FriState::command;
+  EXPECT_THAT(reason({10, 20, -30}), HasSubstr("just begun"));
+  EXPECT_EQ(command.flags, kImpedance);
+  EXPECT_EQ(command.frame, measurement.commanded_frame);  // held
+  EXPECT_EQ(reason({10, 20, -30}), "follows");
+  EXPECT_EQ(command.frame, measurement.commanded_frame);  // held once more, now that it succeeded
+  EXPECT_EQ(reason({10, 20, -30}), "follows");
+  // X = −y, Y = −x, Z = z, in m from the start.
+  EXPECT_NEAR(command.frame[3], 0.5 - 0.020, 1e-6);
+  EXPECT_NEAR(command.frame[7], 0.1 - 0.010, 1e-6);
+  EXPECT_NEAR(command.frame[11], 0.3 - 0.030, 1e-6);
+  for (const std::size_t i : {0, 1, 2, 4, 5, 6, 8, 9, 10}) EXPECT_EQ(command.frame[i], measurement.frame[i]);
+  for (const std::size_t i : {0, 1, 2}) EXPECT_EQ(command.cartesian_stiffness[i], 1000.0F);
+  for (const std::size_t i : {3, 4, 5}) EXPECT_EQ(command.cartesian_stiffness[i], 300.0F);
+  for (const float damping : command.cartesian_damping) EXPECT_EQ(damping, 0.3F);
+}
+
+TEST_F(Fri, ReadsPositionForceAndAccelerationInOurFrame) {
+  open();
+  measurement.force_torque[2] = 1.5F;  // the estimate's offset
+  measurement.state = FriState::monitor;
+  EXPECT_FALSE(cycle());
+  measurement.state = FriState::command;
+  EXPECT_FALSE(cycle());
+  measurement.frame[3] += 0.004F;   // X = −y
+  measurement.frame[7] -= 0.003F;   // Y = −x
+  measurement.frame[11] -= 0.002F;  // Z = z
+  measurement.force_torque[2] = 3.75F;
+  measurement.krl.reals[1] = -0.5F;
+  const auto readings = cycle({0, 0, -8});
+  ASSERT_TRUE(readings);
+  EXPECT_NEAR(readings->position_mm.x, 3.0, 1e-3);
+  EXPECT_NEAR(readings->position_mm.y, -4.0, 1e-3);
+  EXPECT_NEAR(readings->position_mm.z, -2.0, 1e-3);
+  EXPECT_NEAR(readings->force_N, 2.25, 1e-6);
+  EXPECT_EQ(readings->acceleration_g, (Vec3{0, -0.5, 0}));
+  EXPECT_EQ(readings->taken, now);
+  measurement.force_torque[2] = -5.0F;
+  EXPECT_EQ(cycle()->force_N, 0.0);
+}
+
+TEST_F(Fri, SaysInWordsWhyTheArmDoesNotFollow) {
+  open();
+  EXPECT_THAT(robot->exchange({}, now).error().message, HasSubstr("KRC: nothing heard on 127.0.0.1:"));
+  EXPECT_THAT(reason(), HasSubstr("KRC off"));
+  measurement.state = FriState::monitor;
+  EXPECT_THAT(reason(), HasSubstr("KRC in monitor mode"));
+  measurement.state = FriState::command;
+  measurement.quality = FriQuality::bad;
+  measurement.answer_rate = 0.42F;
+  EXPECT_THAT(reason(), HasSubstr("link quality bad: 42 % of its measurements answered"));
+  measurement.quality = FriQuality::perfect;
+  measurement.error = 0x08;
+  EXPECT_THAT(reason(), HasSubstr("drive errors 0x08"));
+  measurement.error = 0;
+  measurement.control = FriControl::joint_impedance;
+  EXPECT_THAT(reason(), HasSubstr("control strategy joint impedance: expected Cartesian"));
+  EXPECT_EQ(command.flags, 0x1U);  // holds by the mirrored joints
+  measurement.control = FriControl::cartesian_impedance;
+  EXPECT_THAT(reason(), HasSubstr("just begun"));
+  EXPECT_EQ(reason(), "follows");
+  now += std::chrono::milliseconds(300);
+  EXPECT_THAT(robot->exchange({}, now).error().message, HasSubstr("KRC silent for 300 ms"));
+}
+
+TEST_F(Fri, ATargetThatIsNoNumberIsRefusedAndTheLastFrameStands) {
+  open();
+  measurement.state = FriState::command;
+  EXPECT_FALSE(cycle());
+  EXPECT_TRUE(cycle());
+  EXPECT_TRUE(cycle({1, 2, 3}));
+  const auto before = command.frame;
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THAT(reason({0, bad, 0}), HasSubstr("expected three finite numbers"));
+    EXPECT_TRUE(answered);  // the controller is answered all the same
+    EXPECT_EQ(command.frame, before);
+  }
+}
+
+TEST_F(Fri, CommandModeThatBeginsAnewHoldsWhereTheControllerThenStands) {
+  open();
+  measurement.state = FriState::command;
+  EXPECT_FALSE(cycle());
+  EXPECT_TRUE(cycle());
+  EXPECT_TRUE(cycle({10, 0, 0}));
+  measurement.state = FriState::monitor;
+  EXPECT_FALSE(cycle({20, 0, 0}));
+  measurement.commanded_frame[11] += 0.05F;  // moved by hand meanwhile
+  measurement.frame = measurement.commanded_frame;
+  measurement.state = FriState::command;
+  EXPECT_FALSE(cycle({20, 0, 0}));
+  EXPECT_EQ(command.frame, measurement.commanded_frame);
+  const auto readings = cycle({20, 0, 0});
+  ASSERT_TRUE(readings);
+  EXPECT_EQ(command.frame, measurement.commanded_frame);
+  EXPECT_NEAR(readings->commanded_mm->z, 50.0, 1e-3);  // from where the limiter goes on
+  EXPECT_EQ(robot->counters().command_entries, 2U);
+}
+
+TEST_F(Fri, ACommandedFrameFarFromTheMeasuredOneIsNotTrusted) {
+  open();
+  measurement.state = FriState::command;
+  measurement.frame[3] += 0.04F;
+  EXPECT_FALSE(cycle());
+  EXPECT_EQ(command.frame, measurement.frame);
+}
+
+TEST_F(Fri, OldRepeatedForeignAndDamagedMeasurementsAreCountedAndNotAnswered) {
+  open();
+  measurement.state = FriState::monitor;
+  EXPECT_FALSE(cycle());
+  EXPECT_TRUE(answered);
+  send();  // repeated
+  static_cast<void>(robot->exchange({}, now));
+  EXPECT_FALSE(take());
+  EXPECT_EQ(robot->counters().out_of_order, 1U);
+
+  auto bytes = protocol::encodeFriMeasurement(measurement);
+  bytes[6] ^= 0xFF;
+  static_cast<void>(krc.send(bytes, robot->local()));
+  static_cast<void>(krc.send(std::span(bytes).first(915), robot->local()));
+  static_cast<void>(robot->exchange({}, now));
+  EXPECT_FALSE(take());
+  EXPECT_EQ(robot->counters().refused[static_cast<std::size_t>(protocol::FriRefusal::wrong_id)], 1U);
+  EXPECT_EQ(robot->counters().refused[static_cast<std::size_t>(protocol::FriRefusal::wrong_size)], 1U);
+
+  auto other = protocol::UdpSocket::open(any("127.0.0.2:0")).value();
+  ++measurement.header.sequence;
+  static_cast<void>(other.send(protocol::encodeFriMeasurement(measurement), robot->local()));
+  static_cast<void>(robot->exchange({}, now));
+  EXPECT_EQ(robot->counters().wrong_peer, 1U);
+  EXPECT_EQ(robot->counters().measurements, 1U);
+}
+
+TEST_F(Fri, SequenceNumbersWrap) {
+  open();
+  measurement.header.sequence = 0xFFFD;
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_FALSE(cycle());
+    EXPECT_TRUE(answered);
+    EXPECT_EQ(command.header.reflected, measurement.header.sequence);
+  }
+  EXPECT_EQ(robot->counters().answers, 5U);
+}
+
+TEST_F(Fri, OnlyTheNamedControllerIsHeard) {
+  FriSettings settings;
+  settings.krc = any("127.0.0.9:0");
+  open(settings);
+  EXPECT_THAT(reason(), HasSubstr("nothing heard"));
+  EXPECT_EQ(robot->counters().wrong_peer, 1U);
+}
+
+TEST(AxisMap, MapsThereAndBack) {
+  const Vec3 ours{1, 2, 3};
+  EXPECT_EQ(AxisMap{}.toBase(ours), (Vec3{-2, -1, 3}));
+  for (const char* text : {"x,y,z", "-y,x,z", "z,-x,-y", "-x,-z,y"}) {
+    const AxisMap map = parseAxisMap(text).value();
+    EXPECT_EQ(map.toOurs(map.toBase(ours)), ours) << text;
+  }
+  EXPECT_EQ(parseAxisMap("z,-x,y")->toBase(ours), (Vec3{3, -1, 2}));
+  for (const char* text : {"", "x,y", "x,x,z", "x,y,w", "x,y,z,", "x y z", "--x,y,z"}) {
+    EXPECT_FALSE(parseAxisMap(text)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace fyd::device
