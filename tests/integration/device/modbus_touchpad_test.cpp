@@ -1,0 +1,173 @@
+// The Modbus client against a device that does what it should not.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/device/modbus_touchpad.h"
+#include "tests/integration/device/scripted_modbus_device.h"
+
+namespace fyd::device {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr auto kGood = [](ScriptedModbusDevice&, int) { return 0; };
+
+DeviceParameters quick() {
+  DeviceParameters parameters;
+  parameters.response_timeout_ms = 60.0;
+  return parameters;
+}
+
+struct Client {
+  explicit Client(const ScriptedModbusDevice& device) : touchpad(*parseModbusAddress(device.address()), quick()) {}
+  Result<TouchpadReadings> operator()(bool active = false) {
+    return touchpad.exchange({.reference_ticks = {4200, -4200}, .active = active}, Clock::now());
+  }
+  ModbusTouchpad touchpad;
+};
+
+TEST(ModbusTouchpad, ReadsAHealthyDevice) {
+  ScriptedModbusDevice device(kGood);
+  device.state.ir = {1000, 2000, 3000};
+  device.state.ir_age_ms = 7.0;
+  device.state.bridge_mV_per_V = 0.25F;
+  Client ask(device);
+  const Instant before = Clock::now();
+  const auto readings = ask();
+  ASSERT_TRUE(readings) << readings.error().message;
+  EXPECT_EQ(readings->ir.value[1], 2000);
+  EXPECT_EQ(readings->bridge.value.value_mV_per_V, 0.25);
+  EXPECT_NEAR(toMilliseconds(readings->ir.taken - before), -7.0, 50.0);
+  EXPECT_LE(readings->ir.taken, Clock::now() - std::chrono::milliseconds(7));
+  EXPECT_THAT(ask.touchpad.description(), HasSubstr("SCRIPTED"));
+}
+
+TEST(ModbusTouchpad, WrongMagicVersionAndOutfitAreNamed) {
+  ScriptedModbusDevice device(kGood);
+  device.identity.magic = 0xDEADBEEF;
+  Client ask(device);
+  EXPECT_THAT(ask().error().message, HasSubstr("0xDEADBEEF"));
+  device.identity.magic = protocol::kMapMagic;
+  device.identity.map_version = 0x0203;
+  EXPECT_THAT(ask().error().message, HasSubstr("register map 2.3"));
+  device.identity.map_version = 0x0109;
+  EXPECT_TRUE(ask()) << "a newer minor version is read";
+}
+
+TEST(ModbusTouchpad, AnOutfitItDoesNotKnowIsNamed) {
+  ScriptedModbusDevice device(kGood);
+  device.identity.ir_sensors = 5;
+  Client ask(device);
+  EXPECT_THAT(ask().error().message, HasSubstr("5 IR sensors"));
+}
+
+TEST(ModbusTouchpad, EveryExceptionIsNamedAndTheNextCycleGoesOn) {
+  const std::vector<std::pair<int, std::string>> kExceptions = {{1, "exception 1"},     {2, "exception 2"},
+                                                                {3, "exception 3"},     {4, "exception 4"},
+                                                                {6, "another program"}, {11, "gateway"}};
+  for (const auto& [code, text] : kExceptions) {
+    ScriptedModbusDevice device([code = code](ScriptedModbusDevice&, int n) { return n == 2 ? code : 0; });
+    Client ask(device);
+    ASSERT_TRUE(ask());
+    const auto refused = ask();
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr(text));
+    EXPECT_TRUE(ask());
+    EXPECT_EQ(ask.touchpad.counters().connections, 1U);
+  }
+}
+
+TEST(ModbusTouchpad, ATornBlockIsReadAgain) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
+    d.sequence_end_ahead = n == 2 || n == 3 ? 1 : 0;
+    return 0;
+  });
+  Client ask(device);
+  ASSERT_TRUE(ask());
+  ASSERT_TRUE(ask());
+  EXPECT_EQ(ask.touchpad.counters().torn_blocks, 2U);
+  EXPECT_EQ(ask.touchpad.counters().transactions, 4U);
+}
+
+TEST(ModbusTouchpad, ABlockThatIsAlwaysTornIsAnError) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int) {
+    d.sequence_end_ahead = 1;
+    return 0;
+  });
+  Client ask(device);
+  EXPECT_THAT(ask().error().message, HasSubstr("sequence numbers"));
+}
+
+TEST(ModbusTouchpad, AStaleAnswerIsNeverTaken) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
+    d.echo_nonce = n % 2 == 0;  // an odd one repeats the nonce before
+    return 0;
+  });
+  Client ask(device);
+  for (int i = 0; i < 4; ++i) (void)ask();
+  EXPECT_EQ(ask.touchpad.counters().stale_answers, 2U);
+}
+
+TEST(ModbusTouchpad, ComesBackAfterEachOfTwoHundredBrokenTransactions) {
+  ScriptedModbusDevice device(
+      [](ScriptedModbusDevice&, int n) { return n % 2 == 0 ? ScriptedModbusDevice::kClose : 0; });
+  Client ask(device);
+  for (int i = 0; i < 200; ++i) {
+    const auto good = ask();
+    ASSERT_TRUE(good) << i << ": " << good.error().message;
+    ASSERT_FALSE(ask()) << i;
+  }
+  EXPECT_EQ(ask.touchpad.counters().connections, 200U);
+}
+
+TEST(ModbusTouchpad, ASilentDeviceIsNamedWithinTheTimeOutAndComesBack) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice&, int n) { return n == 2 ? ScriptedModbusDevice::kSilence : 0; });
+  Client ask(device);
+  ASSERT_TRUE(ask());
+  EXPECT_THAT(ask().error().message, HasSubstr("no answer in 60 ms"));
+  EXPECT_TRUE(ask());
+}
+
+TEST(ModbusTouchpad, MotorsAreSwitchedOnByARisingCommandOnly) {
+  ScriptedModbusDevice device(kGood);
+  Client ask(device);
+  ASSERT_TRUE(ask());
+  for (int i = 0; i < 6; ++i) ASSERT_TRUE(ask(true));
+  EXPECT_EQ(protocol::driveStateOf(ask.touchpad.state().status_word), protocol::DriveState::operation_enabled);
+  EXPECT_EQ(ask.touchpad.complaint(), "");
+}
+
+TEST(ModbusTouchpad, ADriveThatSwitchedItselfOffStaysOffUntilTheCommandHasBeenInactive) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
+    if (n == 8) d.drive.fail(protocol::DriveFault::over_temperature);
+    if (n == 8) d.state.status_word = statusBits(d.drive.state());
+    d.state.fault_code = static_cast<std::uint16_t>(d.drive.fault());
+    return 0;
+  });
+  Client ask(device);
+  for (int i = 0; i < 7; ++i) ASSERT_TRUE(ask(true));
+  const std::uint64_t before = ask(true)->motors.count;
+  const auto after = ask(true);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->motors.count, before) << "withheld, so that the step holds";
+  EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("over-temperature"));
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(ask(true));
+  EXPECT_EQ(device.drive.state(), protocol::DriveState::fault);
+  ASSERT_TRUE(ask(false));
+  EXPECT_EQ(ask.touchpad.complaint(), "");
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(ask(true));
+  EXPECT_EQ(device.drive.state(), protocol::DriveState::operation_enabled);
+}
+
+TEST(ModbusTouchpad, ACommandThatTurnedActiveWhileTheDeviceWasAwayNeverMovesIt) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice&, int n) { return n == 2 ? ScriptedModbusDevice::kClose : 0; });
+  Client ask(device);
+  ASSERT_TRUE(ask(false));
+  ASSERT_FALSE(ask(true));
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(ask(true));
+  EXPECT_EQ(device.drive.state(), protocol::DriveState::switch_on_disabled);
+  EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("stop, then arm again"));
+}
+
+}  // namespace
+}  // namespace fyd::device

@@ -1,0 +1,112 @@
+// A Modbus TCP device whose every answer a test decides; framing by libmodbus alone, none of the project's server.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <functional>
+#include <thread>
+
+#include <modbus/modbus.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "core/protocol/drive_state.h"
+#include "core/protocol/register_codec.h"
+
+namespace fyd::device {
+
+class ScriptedModbusDevice {
+ public:
+  static constexpr int kClose = -1;    ///< closes the connection in place of an answer
+  static constexpr int kSilence = -2;  ///< says nothing
+  /// Called for each transaction of function 0x17 with its number from 1, after the write took effect.
+  /// @return 0, or an exception code, or one of the above
+  using Script = std::function<int(ScriptedModbusDevice& device, int transaction)>;
+
+  explicit ScriptedModbusDevice(Script script) : script_(std::move(script)) {
+    identity.setSerial("SCRIPTED");
+    state.status_word = protocol::statusBits(protocol::DriveState::switch_on_disabled);
+    context_ = modbus_new_tcp("127.0.0.1", 0);
+    listener_ = modbus_tcp_listen(context_, 1);
+    sockaddr_in address{};
+    socklen_t size = sizeof address;
+    ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
+    port_ = ntohs(address.sin_port);
+    mapping_ = modbus_mapping_new(0, 0, 256, 0);
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  }
+  ~ScriptedModbusDevice() {
+    thread_.request_stop();
+    ::shutdown(listener_, SHUT_RDWR);
+    if (const int file = connection_.load(); file >= 0) ::shutdown(file, SHUT_RDWR);
+    thread_.join();
+    ::close(listener_);
+    modbus_mapping_free(mapping_);
+    modbus_free(context_);
+  }
+
+  [[nodiscard]] std::string address() const { return fmt::format("modbus-tcp:127.0.0.1:{}", port_); }
+  std::uint16_t* registers() { return mapping_->tab_registers; }
+
+  // What it says; the script may change it.
+  protocol::DeviceIdentity identity;
+  protocol::DeviceState state;
+  protocol::Drive drive;
+  bool echo_nonce = true;
+  int sequence_end_ahead = 0;
+
+ private:
+  void run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      int listener = listener_;
+      const int file = modbus_tcp_accept(context_, &listener);
+      if (file < 0) return;
+      connection_ = file;
+      std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> request{};
+      for (int length = 0; (length = modbus_receive(context_, request.data())) >= 0;) {
+        if (length > 0 && !answer(request.data(), length)) break;
+      }
+      connection_ = -1;
+      ::close(file);
+    }
+  }
+
+  bool answer(const std::uint8_t* request, int length) {
+    std::ranges::copy(encode(identity), registers());
+    int outcome = 0;
+    if (request[7] == 0x17) {
+      const std::uint8_t* values = request + 17;
+      const auto word = [&](std::uint16_t address) {
+        const int at = 2 * (address - protocol::kCommandAddress);
+        return static_cast<std::uint16_t>((values[at] << 8) | values[at + 1]);
+      };
+      drive.control(word(protocol::addressOf("control_word")));
+      state.status_word = statusBits(drive.state());
+      if (echo_nonce) state.nonce_echo = word(protocol::addressOf("nonce"));
+      ++state.ir_count;
+      ++state.bridge_count;
+      outcome = script_(*this, ++transactions_);
+      std::ranges::copy(encode(state), registers() + protocol::kStateAddress);
+      registers()[protocol::addressOf("sequence_end")] += static_cast<std::uint16_t>(sequence_end_ahead);
+    }
+    if (outcome == kClose) return false;
+    if (outcome == kSilence) return true;
+    if (outcome > 0)
+      modbus_reply_exception(context_, request, static_cast<unsigned int>(outcome));
+    else
+      modbus_reply(context_, request, length, mapping_);
+    return true;
+  }
+
+  Script script_;
+  modbus_t* context_ = nullptr;
+  modbus_mapping_t* mapping_ = nullptr;
+  int listener_ = -1;
+  std::uint16_t port_ = 0;
+  int transactions_ = 0;
+  std::atomic<int> connection_{-1};
+  std::jthread thread_;
+};
+
+}  // namespace fyd::device
