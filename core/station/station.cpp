@@ -11,7 +11,6 @@
 #include "core/device/camera_source.h"
 #include "core/device/touchpad_source.h"
 #include "core/pipeline/pipeline.h"
-#include "core/protocol/link_key_file.h"
 #include "core/sim/simulated_camera.h"
 #include "core/sim/simulated_touchpad.h"
 #include "core/station/camera_thread.h"
@@ -19,16 +18,14 @@
 #include "core/station/in_process_robot.h"
 #include "core/station/link_thread.h"
 #include "core/station/notice.h"
+#include "core/station/robot_choice.h"
 #include "core/station/touchpad_thread.h"
 
 namespace fyd::station {
 namespace {
 
 constexpr std::size_t kTelemetryCapacity = 30'000;  // 30 s for a window that is busy
-constexpr std::string_view kClassicPrefix = "classic:";
-constexpr std::string_view kLinkPrefix = "link:";
 constexpr std::string_view kSimulated = "simulated";
-constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
 
 struct TimedEvent {
   Instant when{};
@@ -232,6 +229,8 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& options) {
   if (!finger) return tl::unexpected(finger.error());
   auto checked = control::checkControlParameters(options.profile.step.control);
   if (!checked) return tl::unexpected(checked.error());
+  const auto choice = readRobotChoice(options.robot, options.key_file);
+  if (!choice) return tl::unexpected(choice.error());
 
   std::shared_ptr<sim::TouchpadWorld> world;
   if (options.touchpad == kSimulated) {
@@ -241,36 +240,15 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& options) {
   if (!touchpad) return tl::unexpected(touchpad.error());
 
   auto impl = std::make_unique<Impl>(options, *surface, std::move(world), std::move(*touchpad));
-  const bool in_process = options.robot == "simulated";
-  const bool classic = options.robot.starts_with(kClassicPrefix);
-  const bool secured = options.robot.starts_with(kLinkPrefix);
-  if (!in_process && !classic && !secured && options.robot != "none") {
-    return fail("robot '{}': expected simulated, none, link:HOST:PORT or classic:HOST:PORT", options.robot);
-  }
-  if (secured != !options.key_file.empty()) {
-    return secured ? fail("robot '{}': FYD Link needs a key file; fyd link keygen makes one", options.robot)
-                   : fail("robot '{}': takes no key file; only link:HOST:PORT does", options.robot);
-  }
-  std::optional<protocol::LinkKey> link_key;
-  if (secured) {
-    auto key = protocol::readKeyFile(options.key_file);
-    if (!key) return tl::unexpected(key.error());
-    link_key = *key;
-  }
-  if (in_process || classic || secured) {
-    std::string_view address = kSimulatedRobotEndpoint;
-    if (classic) address = std::string_view(options.robot).substr(kClassicPrefix.size());
-    if (secured) address = std::string_view(options.robot).substr(kLinkPrefix.size());
-    auto endpoint = protocol::parseEndpoint(address);
-    if (!endpoint) return tl::unexpected(endpoint.error());
-    auto link = LinkThread::open(*endpoint, options.profile.link, link_key);
+  if (choice->listen) {
+    auto link = LinkThread::open(*choice->listen, options.profile.link, choice->key);
     if (!link) return tl::unexpected(link.error());
     impl->link = std::move(*link);
   } else {
     (void)impl->commands.push(
         {.action = pipeline::OperatorAction::target_by_hand, .value = options.profile.step.step.hand_target_N_per_mm});
   }
-  if (in_process) {
+  if (choice->in_process) {
     auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim);
     if (!robot) return tl::unexpected(robot.error());
     impl->robot = std::move(*robot);
@@ -372,18 +350,20 @@ std::vector<ReadinessLine> Station::readiness() const {
   struct Line {
     const char* what;
     std::vector<Lack> lacks;
+    bool of_robot = false;  // left out when none is wanted
   };
   static const std::vector<Line> kLines = {
       {"Motors answer", {Lack::motors_stale}},
       {"Distance sensors measure", {Lack::ir_stale, Lack::ir_invalid}},
       {"Load cell measures", {Lack::bridge_stale, Lack::bridge_invalid}},
       {"Camera sees", {Lack::camera_stale, Lack::camera_blind}},
-      {"Robot connected", {Lack::robot_waiting, Lack::robot_lost, Lack::robot_closed, Lack::robot_frozen}},
+      {"Robot connected", {Lack::robot_waiting, Lack::robot_lost, Lack::robot_closed, Lack::robot_frozen}, true},
       {"Stiffness target known", {Lack::no_target}},
   };
   const pipeline::Lacks lacks(impl_->lacks.load(std::memory_order_relaxed));
   std::vector<ReadinessLine> out;
   for (const Line& line : kLines) {
+    if (line.of_robot && !impl_->link) continue;
     ReadinessLine shown{.what = line.what, .ok = true};
     for (const Lack lack : line.lacks) {
       if (!lacks.test(static_cast<std::size_t>(lack)) || !shown.ok) continue;
