@@ -77,7 +77,8 @@ inline void writeWorkspace(ByteWriter& out, const Workspace& w) {
   const auto inside = [](const Vec3& v) {
     return v.finite() && std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= kMaximumExtent_mm;
   };
-  return inside(w.minimum_mm) && inside(w.maximum_mm) && PositionCode::make(w).has_value();
+  return inside(w.minimum_mm) && inside(w.maximum_mm) && within(w.precision_mm, 0.0, kMaximumExtent_mm) &&
+         PositionCode::make(w).has_value();
 }
 
 inline void writeRates(ByteWriter& out, const Rates& rates) {
