@@ -168,8 +168,7 @@ TEST(Station, WrongOptionsAreClearErrors) {
     const auto station = Station::open(options);
     return station ? std::string("no error") : station.error().message;
   };
-  EXPECT_EQ(problem([](auto& o) { o.robot = "robby"; }),
-            "robot 'robby': expected simulated, none or classic:HOST:PORT");
+  EXPECT_THAT(problem([](auto& o) { o.robot = "robby"; }), testing::HasSubstr("robot 'robby': expected simulated, none"));
   EXPECT_THAT(problem([](auto& o) { o.robot = "classic:3490"; }), testing::HasSubstr("3490"));
   EXPECT_THAT(problem([](auto& o) { o.finger_csv = "nowhere.csv"; }), testing::HasSubstr("nowhere.csv"));
   EXPECT_THAT(problem([](auto& o) { o.surface = "nowhere.toml"; }), testing::HasSubstr("nowhere.toml"));
