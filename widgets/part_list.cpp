@@ -1,6 +1,7 @@
 #include "widgets/part_list.h"
 
 #include <QHelpEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 
@@ -27,6 +28,7 @@ QColor healthColour(PartView::Health health) {
 PartList::PartList(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   setAccessibleName(tr("Parts and link"));
+  setMouseTracking(true);
   connect(&Look::instance(), &Look::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -63,7 +65,9 @@ void PartList::paintEvent(QPaintEvent*) {
     paintIcon(painter, QRectF(rect.left(), middle - kIcon / 2 + 1, kIcon, kIcon),
               well ? part.icon : QStringLiteral("warning"), colour);
     int x = rect.left() + kIcon + kGrid / 2;
-    painter.setFont(textFont(TextSize::small, true));
+    QFont name_font = textFont(TextSize::small, true);
+    name_font.setUnderline(static_cast<int>(i) == hovered_);
+    painter.setFont(name_font);
     const QFontMetrics strong(painter.font());
     painter.setPen(theme().text);
     painter.drawText(QRect(x, rect.top(), rect.right() - x, rect.height()), Qt::AlignVCenter, part.name);
@@ -74,6 +78,38 @@ void PartList::paintEvent(QPaintEvent*) {
     painter.drawText(QRect(x, rect.top(), room, rect.height()), Qt::AlignVCenter,
                      QFontMetrics(painter.font()).elidedText(part.figures, Qt::ElideRight, room));
   }
+}
+
+QRect PartList::place(const QString& name) const {
+  const std::vector<QRect> where = places();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].name == name) return where[i];
+  }
+  return {};
+}
+
+int PartList::openingPartAt(const QPoint& where) const {
+  const std::vector<QRect> all = places();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].opens && all[i].contains(where)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void PartList::hover(int part) {
+  if (part == hovered_) return;
+  hovered_ = part;
+  setCursor(part >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  update();
+}
+
+void PartList::mouseMoveEvent(QMouseEvent* event) { hover(openingPartAt(event->position().toPoint())); }
+
+void PartList::leaveEvent(QEvent* /*event*/) { hover(-1); }
+
+void PartList::mouseReleaseEvent(QMouseEvent* event) {
+  const int part = openingPartAt(event->position().toPoint());
+  if (event->button() == Qt::LeftButton && part >= 0) emit opened(parts_[static_cast<std::size_t>(part)].name);
 }
 
 bool PartList::event(QEvent* event) {

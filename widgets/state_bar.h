@@ -25,6 +25,7 @@ class StateBar : public QFrame {
   void showSilence(bool silent);
   void showParts(const std::vector<PartView>& parts) { parts_->setParts(parts); }
 
+  [[nodiscard]] PartList* parts() const { return parts_; }
   [[nodiscard]] HoldButton* armButton() const { return arm_; }
   [[nodiscard]] QPushButton* stopButton() const { return stop_; }
   [[nodiscard]] QPushButton* tareButton() const { return tare_; }

@@ -27,6 +27,7 @@ const std::vector<CommandInfo>& commandTable() {
       {"view.mask", QT_TRANSLATE_NOOP("Commands", "View"), QT_TRANSLATE_NOOP("Commands", "Finger mask"), "mask", "M",
        true},
       {"view.log", "View", QT_TRANSLATE_NOOP("Commands", "Log"), "log", "Ctrl+L", true},
+      {"view.link", "View", QT_TRANSLATE_NOOP("Commands", "Link"), "link", "Ctrl+Shift+L", true},
       {"view.notices_read", "View", QT_TRANSLATE_NOOP("Commands", "Dismiss all notices"), "check", "Ctrl+D"},
       {"view.theme_dark", "View", QT_TRANSLATE_NOOP("Commands", "Dark theme"), "theme", ""},
       {"view.theme_light", "View", QT_TRANSLATE_NOOP("Commands", "Light theme"), "theme", ""},

@@ -34,6 +34,7 @@ fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options,
   out.finger_csv = options.finger_csv.toStdString();
   out.camera = options.camera.toStdString();
   out.robot = options.robot.toStdString();
+  out.key_file = options.key.toStdString();
   return out;
 }
 
@@ -67,13 +68,12 @@ int main(int argc, char** argv) {
   const QString profile_path = options->profile.isEmpty() ? ownProfile() : options->profile;
   const auto wanted = stationOptions(*options, profile_path);
   if (!wanted) return complain(wanted.error().message, 2);
-  auto station = fyd::station::Station::open(*wanted);
-  if (!station) return complain(station.error().message, 1);
+  auto session = fyd::console::openSession(*wanted);
+  if (!session) return complain(session.error().message, 1);
 
   QApplication application(argc, argv);
   fyd::widgets::Look::instance().apply(application, options->theme);
-  fyd::console::MainWindow window(fyd::console::makeSession(std::move(*station)), profile_path);
-  window.page()->tuning()->showTargetByHand(options->robot == QLatin1String("none"));  // as the station starts then
+  fyd::console::MainWindow window(std::move(*session), profile_path);
   window.show();
   window.start();
   if (!options->screenshot.isEmpty()) takePictureAfter(window, *options);

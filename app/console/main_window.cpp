@@ -21,12 +21,16 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       keys_(new KeyGuard(this)),
       page_(new OperatePage(tuning_.model(), this)),
       notices_(new widgets::NoticeStack(page_)),
+      link_(new LinkDock(this)),
       palette_(new CommandPalette(*commands_, this)) {
   setWindowTitle(tr("FYD Console"));
   setWindowIcon(widgets::icon(QStringLiteral("fyd-console")));
   setCentralWidget(page_);
   buildLog();
   commands_->fill(*menuBar());
+  addDockWidget(Qt::RightDockWidgetArea, link_);
+  link_->hide();
+  showRobot();
   connectFeed();
   connectPage();
   connectCommands();
@@ -75,6 +79,8 @@ void MainWindow::connectFeed() {
           [this](const station::CameraView& view) { page_->camera()->setPicture(toCameraPicture(view)); });
   connect(feed_, &SessionFeed::cameraMissing, page_->camera(), &widgets::CameraPanel::showMissing);
   connect(feed_, &SessionFeed::parts, page_->stateBar(), &widgets::StateBar::showParts);
+  connect(feed_, &SessionFeed::link, link_->panel(), &widgets::LinkPanel::setLink);
+  connect(feed_, &SessionFeed::silent, link_, &LinkDock::showSilence);
   connect(feed_, &SessionFeed::readiness, page_->readiness(), &widgets::ReadinessList::setRows);
   connect(feed_, &SessionFeed::notice, this, &MainWindow::takeNotice);
   connect(&tuning_, &TuningBridge::told, this,
@@ -86,6 +92,12 @@ void MainWindow::connectPage() {
   connect(page_->stateBar(), &widgets::StateBar::stopAsked, this, &MainWindow::stop);
   connect(page_->stateBar(), &widgets::StateBar::armAsked, this, [this] { ask(pipeline::OperatorAction::arm); });
   connect(page_->stateBar(), &widgets::StateBar::tareAsked, this, [this] { ask(pipeline::OperatorAction::tare); });
+  connect(page_->stateBar()->parts(), &widgets::PartList::opened, commands_->action(QStringLiteral("view.link")),
+          &QAction::trigger);
+  connect(link_->form(), &widgets::RobotForm::reconnectAsked, this,
+          [this](const QString& robot, const QString& key_file) {
+            reconnect({.robot = robot.toStdString(), .key_file = key_file.toStdString()});
+          });
   connect(page_->tuning(), &widgets::TuningPanel::targetByHandAsked, &tuning_, &TuningBridge::targetByHand);
   connect(page_->tuning(), &widgets::TuningPanel::targetFromRobotAsked, &tuning_, &TuningBridge::targetFromRobot);
   connect(page_->tuning(), &widgets::TuningPanel::saveAsked, &tuning_, &TuningBridge::save);
@@ -124,12 +136,40 @@ void MainWindow::connectCommands() {
   });
   connect(log_dock_, &QDockWidget::visibilityChanged, commands_->action(QStringLiteral("view.log")),
           &QAction::setChecked);
+  on("view.link", [this](bool shown) { link_->setVisible(shown); });
+  connect(link_, &QDockWidget::visibilityChanged, commands_->action(QStringLiteral("view.link")), &QAction::setChecked);
   on("view.notices_read", [this](bool) { notices_->dismissAll(); });
   const auto look = [](widgets::ThemeChoice choice) { widgets::Look::instance().apply(*qApp, choice); };
   on("view.theme_dark", [look](bool) { look(widgets::ThemeChoice::dark); });
   on("view.theme_light", [look](bool) { look(widgets::ThemeChoice::light); });
   on("view.theme_system", [look](bool) { look(widgets::ThemeChoice::system); });
   on("view.palette", [this](bool) { palette_->open(); });
+}
+
+void MainWindow::showRobot() {
+  const RobotWords now = session_->robot();
+  link_->form()->setRobot(QString::fromStdString(now.robot), QString::fromStdString(now.key_file));
+  page_->tuning()->showTargetByHand(now.robot == "none");  // as a station starts then
+}
+
+void MainWindow::reconnect(const RobotWords& wanted) {
+  feed_->pump();  // what the ending session still has to say, its state above all
+  if (!link_->mayReconnect()) return;
+  arm_once_ = false;
+  const auto done = session_->reconnect(wanted);
+  link_->restart(session_->isOpen());
+  feed_->restart();
+  tuning_.restart();
+  if (done) {
+    showRobot();
+    tell(Severity::information, tr("Robot is now: %1.").arg(QString::fromStdString(wanted.robot)));
+    return;
+  }
+  // The former robot's station is a new one as well, and starts with the robot's target.
+  if (session_->isOpen() && page_->tuning()->byHandButton()->isChecked()) tuning_.targetByHand();
+  const QString why = QString::fromStdString(done.error().message);
+  tell(Severity::error, session_->isOpen() ? tr("Robot not changed. %1.").arg(why)
+                                           : tr("The session is closed. %1. Choose another robot.").arg(why));
 }
 
 void MainWindow::stop() {
@@ -147,6 +187,7 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
   page_->curves()->append(samples);
   const pipeline::TelemetrySample& newest = samples.back();
   page_->stateBar()->showState(newest.state, newest.lack);
+  link_->showState(newest.state);
   if (arm_once_ && newest.state == pipeline::SafetyState::ready) {
     arm_once_ = false;
     ask(pipeline::OperatorAction::arm);

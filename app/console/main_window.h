@@ -9,6 +9,7 @@
 #include "app/console/command_palette.h"
 #include "app/console/command_registry.h"
 #include "app/console/key_guard.h"
+#include "app/console/link_dock.h"
 #include "app/console/operate_page.h"
 #include "app/console/session.h"
 #include "app/console/session_feed.h"
@@ -38,6 +39,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] widgets::NoticeStack* notices() const { return notices_; }
   [[nodiscard]] widgets::LogView* log() const { return log_; }
   [[nodiscard]] CommandRegistry& commands() { return *commands_; }
+  [[nodiscard]] LinkDock* link() const { return link_; }
   [[nodiscard]] CommandPalette* palette() const { return palette_; }
   void tell(widgets::Severity severity, const QString& text, bool slide_in = true);
 
@@ -49,6 +51,8 @@ class MainWindow : public QMainWindow {
   void connectFeed();
   void connectPage();
   void connectCommands();
+  void showRobot();
+  void reconnect(const RobotWords& wanted);
   void stop();
   void ask(pipeline::OperatorAction action);
   void takeSamples(std::span<const pipeline::TelemetrySample> samples);
@@ -63,6 +67,7 @@ class MainWindow : public QMainWindow {
   widgets::NoticeStack* notices_;
   widgets::LogView* log_ = nullptr;
   QDockWidget* log_dock_ = nullptr;
+  LinkDock* link_;
   CommandPalette* palette_;
   bool arm_once_ = false;
 };

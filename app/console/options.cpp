@@ -39,8 +39,11 @@ Result<Options> readOptions(const QStringList& arguments) {
                                   tr("Device index, video file, image folder or stream URL; "
                                      "default: simulated."),
                                   QStringLiteral("SOURCE"));
-  const QCommandLineOption robot(QStringLiteral("robot"), tr("simulated, none, or classic:HOST:PORT to listen there."),
-                                 QStringLiteral("ROBOT"), QStringLiteral("simulated"));
+  const QCommandLineOption robot(
+      QStringLiteral("robot"),
+      tr("simulated, none, or link:HOST:PORT or classic:HOST:PORT to listen there; classic is not secured."),
+      QStringLiteral("ROBOT"), QStringLiteral("simulated"));
+  const QCommandLineOption key(QStringLiteral("key"), tr("Key file of a link: robot."), QStringLiteral("FILE"));
   const QCommandLineOption profile(QStringLiteral("profile"), tr("Profile to load and to save to."),
                                    QStringLiteral("FILE"));
   const QCommandLineOption theme_name(QStringLiteral("theme"), tr("dark, light or system."), QStringLiteral("NAME"),
@@ -50,7 +53,7 @@ Result<Options> readOptions(const QStringList& arguments) {
                                       QStringLiteral("FILE"));
   const QCommandLineOption after(QStringLiteral("after"), tr("Seconds before the picture is taken; default: 5."),
                                  QStringLiteral("S"), QStringLiteral("5"));
-  parser.addOptions({help, version, simulate, finger, camera, robot, profile, theme_name, screenshot, after});
+  parser.addOptions({help, version, simulate, finger, camera, robot, key, profile, theme_name, screenshot, after});
   if (!parser.parse(arguments)) return fail("{}", parser.errorText().toStdString());
   Options options;
   if (parser.isSet(help)) {
@@ -68,6 +71,7 @@ Result<Options> readOptions(const QStringList& arguments) {
   options.finger_csv = parser.value(finger);
   options.camera = parser.value(camera);
   options.robot = parser.value(robot);
+  options.key = parser.value(key);
   options.profile = parser.value(profile);
   options.screenshot = parser.value(screenshot);
   options.screenshot_after_s = widgets::readNumber(parser.value(after));

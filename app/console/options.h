@@ -13,6 +13,7 @@ struct Options {
   QString finger_csv;                           ///< empty: the built-in gesture
   QString camera;                               ///< empty: simulated
   QString robot = QStringLiteral("simulated");  ///< as StationOptions::robot
+  QString key;                                  ///< key file of a "link:" robot
   QString profile;                              ///< empty: defaults
   widgets::ThemeChoice theme = widgets::ThemeChoice::system;
   QString screenshot;  ///< empty: none

@@ -1,38 +1,104 @@
 #include "app/console/session.h"
 
+#include "core/station/robot_choice.h"
+
 namespace fyd::console {
 namespace {
 
 class StationSession : public Session {
  public:
-  explicit StationSession(std::unique_ptr<station::Station> station) : station_(std::move(station)) {}
+  StationSession(station::StationOptions options, std::unique_ptr<station::Station> station)
+      : options_(std::move(options)), station_(std::move(station)) {}
 
-  void start() override { station_->start(); }
-  void shutDown() override { station_->shutDown(); }
-  bool command(const pipeline::OperatorCommand& command) override { return station_->command(command); }
-  void requestStop() override { station_->requestStop(); }
-  Result<void> setParameter(std::string_view id, double value) override { return station_->setParameter(id, value); }
-  station::Profile currentProfile() const override { return station_->currentProfile(); }
-  std::size_t takeTelemetry(std::span<pipeline::TelemetrySample> out) override { return station_->takeTelemetry(out); }
-  std::uint64_t telemetryLost() const override { return station_->telemetryLost(); }
-  std::vector<station::Notice> takeNotices() override { return station_->takeNotices(); }
-  station::CameraView cameraView() const override { return station_->cameraView(); }
-  station::StationStatus status() const override { return station_->status(); }
-  std::vector<station::ReadinessLine> readiness() const override { return station_->readiness(); }
-  void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
-    station_->moveSimulatedFinger(x_mm, y_mm, indentation_mm);
+  void start() override {
+    if (station_) station_->start();
   }
-  void releaseSimulatedFinger() override { station_->releaseSimulatedFinger(); }
-  bool simulated() const override { return station_->simulated(); }
+  void shutDown() override {
+    if (station_) station_->shutDown();
+  }
+  bool command(const pipeline::OperatorCommand& command) override { return station_ && station_->command(command); }
+  void requestStop() override {
+    if (station_) station_->requestStop();
+  }
+  Result<void> setParameter(std::string_view id, double value) override {
+    if (!station_) return fail("{}: the session is closed", id);
+    return station_->setParameter(id, value);
+  }
+  station::Profile currentProfile() const override { return station_ ? station_->currentProfile() : options_.profile; }
+  std::size_t takeTelemetry(std::span<pipeline::TelemetrySample> out) override {
+    return station_ ? station_->takeTelemetry(out) : 0;
+  }
+  std::uint64_t telemetryLost() const override { return station_ ? station_->telemetryLost() : 0; }
+  std::vector<station::Notice> takeNotices() override {
+    return station_ ? station_->takeNotices() : std::vector<station::Notice>{};
+  }
+  station::CameraView cameraView() const override { return station_ ? station_->cameraView() : station::CameraView{}; }
+  station::StationStatus status() const override { return station_ ? station_->status() : station::StationStatus{}; }
+  std::vector<station::ReadinessLine> readiness() const override {
+    return station_ ? station_->readiness() : std::vector<station::ReadinessLine>{};
+  }
+  void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
+    if (station_) station_->moveSimulatedFinger(x_mm, y_mm, indentation_mm);
+  }
+  void releaseSimulatedFinger() override {
+    if (station_) station_->releaseSimulatedFinger();
+  }
+  bool simulated() const override { return station_ && station_->simulated(); }
+
+  RobotWords robot() const override { return {.robot = options_.robot, .key_file = options_.key_file}; }
+  bool isOpen() const override { return station_ != nullptr; }
+  Result<void> reconnect(const RobotWords& wanted) override;
 
  private:
-  std::unique_ptr<station::Station> station_;
+  Result<void> open(const station::StationOptions& options);
+  void close();
+
+  station::StationOptions options_;
+  std::unique_ptr<station::Station> station_;  // none after a reconnect that failed twice
 };
+
+Result<void> StationSession::open(const station::StationOptions& options) {
+  auto opened = station::Station::open(options);
+  if (!opened) return tl::unexpected(opened.error());
+  options_ = options;
+  station_ = std::move(*opened);
+  station_->start();
+  return {};
+}
+
+void StationSession::close() {
+  if (!station_) return;
+  options_.profile = station_->currentProfile();
+  station_->requestStop();
+  station_->shutDown();
+  station_.reset();  // its port and devices are free now
+}
+
+Result<void> StationSession::reconnect(const RobotWords& wanted) {
+  // What can be seen to be wrong beforehand costs nothing.
+  if (const auto checked = station::readRobotChoice(wanted.robot, wanted.key_file); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  close();
+  station::StationOptions changed = options_;
+  changed.robot = wanted.robot;
+  changed.key_file = wanted.key_file;
+  const auto opened = open(changed);
+  if (opened) return {};
+  const std::string former = options_.robot;
+  if (const auto again = open(options_); !again) {
+    return fail("{}; robot {} could not be had again either: {}", opened.error().message, former,
+                again.error().message);
+  }
+  return opened;
+}
 
 }  // namespace
 
-std::unique_ptr<Session> makeSession(std::unique_ptr<station::Station> station) {
-  return std::make_unique<StationSession>(std::move(station));
+Result<std::unique_ptr<Session>> openSession(const station::StationOptions& options) {
+  auto station = station::Station::open(options);
+  if (!station) return tl::unexpected(station.error());
+  return std::make_unique<StationSession>(options, std::move(*station));
 }
 
 }  // namespace fyd::console

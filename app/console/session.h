@@ -3,12 +3,19 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/station/station.h"
 
 namespace fyd::console {
+
+/// Which robot a session has; words as in station::StationOptions.
+struct RobotWords {
+  std::string robot = "simulated";
+  std::string key_file;
+};
 
 /// All functions from the window's thread; meanings as in station::Station.
 class Session {
@@ -32,9 +39,16 @@ class Session {
   virtual void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) = 0;
   virtual void releaseSimulatedFinger() = 0;
   [[nodiscard]] virtual bool simulated() const = 0;
+
+  [[nodiscard]] virtual RobotWords robot() const = 0;
+  /// Ends the session and begins another with this robot and the present profile; motors are off then. For a time
+  /// when nothing can move. @return an error when that robot cannot be had: the former one is back then, if `isOpen`
+  [[nodiscard]] virtual Result<void> reconnect(const RobotWords& wanted) = 0;
+  /// False only after a `reconnect` whose former robot could not be had again either.
+  [[nodiscard]] virtual bool isOpen() const = 0;
 };
 
-/// The session of a station that was opened.
-[[nodiscard]] std::unique_ptr<Session> makeSession(std::unique_ptr<station::Station> station);
+/// A session on a station that is opened with these options.
+[[nodiscard]] Result<std::unique_ptr<Session>> openSession(const station::StationOptions& options);
 
 }  // namespace fyd::console

@@ -39,6 +39,14 @@ void SessionFeed::pump() {
   lookAtParts();
 }
 
+void SessionFeed::restart() {
+  since_sample_.start();
+  since_missed_.start();
+  last_picture_ = 0;
+  last_missed_ = 0;
+  missed_now_ = 0.0;
+}
+
 void SessionFeed::drainTelemetry() {
   const std::size_t taken = session_.takeTelemetry(samples_);
   if (taken > 0) {
@@ -64,6 +72,7 @@ void SessionFeed::lookAtParts() {
     since_missed_.start();
   }
   emit parts(toParts(status, missed_now_, session_.telemetryLost()));
+  emit link(toLink(status));
   emit readiness(toReadiness(session_.readiness()));
   for (const station::PartStatus& part : status.parts) {
     if (part.name != "Camera" || part.ok) continue;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/console/session.h"
+#include "widgets/link_panel.h"
 #include "widgets/part_list.h"
 #include "widgets/readiness_list.h"
 
@@ -20,12 +21,15 @@ class SessionFeed : public QObject {
   void start();
   /// One round of everything at once, without waiting for a timer.
   void pump();
+  /// The session began anew: nothing of the former one is compared with it.
+  void restart();
 
  signals:
   void telemetry(std::span<const pipeline::TelemetrySample> samples);
   void silent(bool silent);  ///< the haptic loop has said nothing for half a second
   void picture(const fyd::station::CameraView& view);
   void parts(const std::vector<widgets::PartView>& parts);
+  void link(const widgets::LinkView& view);
   void cameraMissing(const QString& why);
   void readiness(const std::vector<widgets::ReadinessRow>& rows);
   void notice(const fyd::station::Notice& notice);

@@ -23,6 +23,8 @@ class TuningBridge : public QObject {
   void targetByHand();
   void targetFromRobot();
   void save();
+  /// The session began anew with the present values: no echo of the former one comes any more.
+  void restart() { under_way_.clear(); }
 
  signals:
   void told(fyd::widgets::Severity severity, const QString& text);

@@ -47,9 +47,13 @@ PartView loopPart(const station::LoopStatus& loop, double missed_now, std::uint6
   return view;
 }
 
+bool hasLink(const station::LinkStatus& link) { return !link.local.empty(); }
+
 PartView linkPart(const station::LinkStatus& link) {
   PartView view{.icon = QStringLiteral("link"), .name = tr("Link")};
+  if (hasLink(link)) view.icon = link.secured ? QStringLiteral("lock") : QStringLiteral("lock-open");
   view.figures = text(link.protocol);
+  view.opens = true;
   view.health = PartView::Health::well;
   view.detail = tr("Here: %1\nRobot: %2\n%3 states received, %4 touches sent, %5 datagrams refused")
                     .arg(link.local.empty() ? widgets::kNoValue : text(link.local),
@@ -57,7 +61,28 @@ PartView linkPart(const station::LinkStatus& link) {
                     .arg(link.states_received)
                     .arg(link.touches_sent)
                     .arg(link.refused);
+  view.detail += QLatin1Char('\n') + tr("Click for more.");
   return view;
+}
+
+QString conditionOf(pipeline::LinkPhase phase) {
+  using enum pipeline::LinkPhase;
+  switch (phase) {
+    case waiting: return tr("Waiting for a robot");
+    case running: return tr("Running");
+    case paused: return tr("Paused by the robot");
+    case lost: return tr("Lost: the robot is silent");
+    case closed: return tr("Closed: the robot has said goodbye");
+    case none: break;
+  }
+  return {};
+}
+
+widgets::LinkView::Health healthOf(pipeline::LinkPhase phase) {
+  using Health = widgets::LinkView::Health;
+  if (phase == pipeline::LinkPhase::lost) return Health::lost;
+  const bool speaking = phase == pipeline::LinkPhase::running || phase == pipeline::LinkPhase::paused;
+  return speaking ? Health::well : Health::waiting;
 }
 
 }  // namespace
@@ -86,6 +111,33 @@ std::vector<PartView> toParts(const station::StationStatus& status, double misse
   for (const station::PartStatus& part : status.parts) out.push_back(toPart(part));
   out.push_back(linkPart(status.link));
   out.push_back(loopPart(status.loop, missed_now, telemetry_lost));
+  return out;
+}
+
+widgets::LinkView toLink(const station::StationStatus& status) {
+  const station::LinkStatus& link = status.link;
+  widgets::LinkView out{.protocol = text(link.protocol)};
+  if (!hasLink(link)) return out;
+  const protocol::LinkFigures& figures = link.figures;
+  out.condition = conditionOf(link.phase);
+  out.health = healthOf(link.phase);
+  out.security = link.secured ? widgets::LinkView::Security::sealed : widgets::LinkView::Security::open;
+  out.peer = text(link.peer);
+  out.local = text(link.local);
+  out.round_trip_ms = figures.round_trip_ms;
+  out.jitter_ms = figures.jitter_ms;
+  out.loss_percent = figures.loss_percent;
+  out.age_ms = figures.silence_ms;
+  out.received = link.states_received;
+  out.sent = link.touches_sent;
+  out.times_lost = figures.lost;
+  out.refused = link.refused;
+  for (const protocol::RefusalCount& each : figures.refusals) {
+    out.refusals.push_back({.reason = tr(std::string(each.reason).c_str()), .count = each.count});
+  }
+  for (const station::PartStatus& part : status.parts) {
+    if (part.name == "Robot" && link.states_received > 0) out.rate_hz = part.rate_hz;
+  }
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/station/station.h"
 #include "widgets/camera_image.h"
+#include "widgets/link_panel.h"
 #include "widgets/notice_stack.h"
 #include "widgets/part_list.h"
 #include "widgets/readiness_list.h"
@@ -19,6 +20,8 @@ namespace fyd::console {
 [[nodiscard]] std::vector<widgets::PartView> toParts(const station::StationStatus& status, double missed_now,
                                                      std::uint64_t telemetry_lost);
 [[nodiscard]] std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines);
+
+[[nodiscard]] widgets::LinkView toLink(const station::StationStatus& status);
 
 /// How loudly an event is told.
 struct Telling {

@@ -1,7 +1,7 @@
 // The whole window on a scripted session: what keys and clicks ask of it, what it shows of what it hears.
-#include "app/console/main_window.h"
 #include "app/console/options.h"
 #include "app/console/views.h"
+#include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
@@ -9,81 +9,6 @@ namespace {
 
 using pipeline::OperatorAction;
 using pipeline::SafetyState;
-
-class ScriptedSession : public console::Session {
- public:
-  void start() override {}
-  void shutDown() override { ++shut_downs; }
-  bool command(const pipeline::OperatorCommand& command) override {
-    commands.push_back(command);
-    return takes_commands;
-  }
-  void requestStop() override { ++stops; }
-  Result<void> setParameter(std::string_view id, double value) override {
-    if (refuses) return fail("{}: refused by the script", id);
-    auto bound = bindParameters(profile);
-    findParameter(bound, id)->set(value);
-    changes.emplace_back(std::string(id), value);
-    return {};
-  }
-  station::Profile currentProfile() const override { return profile; }
-  std::size_t takeTelemetry(std::span<pipeline::TelemetrySample> out) override {
-    const std::size_t count = std::min(out.size(), telemetry.size());
-    std::copy_n(telemetry.begin(), count, out.begin());
-    telemetry.erase(telemetry.begin(), telemetry.begin() + static_cast<std::ptrdiff_t>(count));
-    return count;
-  }
-  std::uint64_t telemetryLost() const override { return 0; }
-  std::vector<station::Notice> takeNotices() override { return std::exchange(notices, {}); }
-  station::CameraView cameraView() const override { return view; }
-  station::StationStatus status() const override { return now; }
-  std::vector<station::ReadinessLine> readiness() const override { return {{"Motors answer", true, ""}}; }
-  void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
-    finger = {x_mm, y_mm, indentation_mm};
-  }
-  void releaseSimulatedFinger() override { finger.clear(); }
-  bool simulated() const override { return true; }
-
-  [[nodiscard]] int count(OperatorAction action) const {
-    return static_cast<int>(
-        std::count_if(commands.begin(), commands.end(), [&](const auto& c) { return c.action == action; }));
-  }
-  void say(SafetyState state) {
-    pipeline::TelemetrySample sample;
-    sample.now = instantAt(++seconds * 0.001);
-    sample.state = state;
-    telemetry.push_back(sample);
-  }
-
-  station::Profile profile;
-  std::vector<pipeline::OperatorCommand> commands;
-  std::vector<std::pair<std::string, double>> changes;
-  std::vector<pipeline::TelemetrySample> telemetry;
-  std::vector<station::Notice> notices;
-  station::CameraView view;
-  station::StationStatus now;
-  std::vector<double> finger;
-  int stops = 0;
-  int shut_downs = 0;
-  double seconds = 0;
-  bool takes_commands = true;
-  bool refuses = false;
-};
-
-struct Fixture {
-  Fixture() {
-    auto made = std::make_unique<ScriptedSession>();
-    session = made.get();
-    window = std::make_unique<console::MainWindow>(std::move(made), folder.filePath(QStringLiteral("profile.toml")));
-    window->show();
-    window->activateWindow();
-    (void)QTest::qWaitForWindowActive(window.get());
-  }
-  widgets::TuningRow* row(const char* id) const { return window->page()->tuning()->row(QLatin1String(id)); }
-  QTemporaryDir folder;
-  ScriptedSession* session;
-  std::unique_ptr<console::MainWindow> window;
-};
 
 int indexOf(station::Profile& profile, std::string_view id) {
   const auto bound = bindParameters(profile);

@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
   int failed = 0;
   for (auto make : {fyd::tests::makeCurveTest, fyd::tests::makeControlTest, fyd::tests::makeTuningTest,
-                    fyd::tests::makeConsoleTest}) {
+                    fyd::tests::makeLinkTest, fyd::tests::makeConsoleTest}) {
     failed += QTest::qExec(make().get(), 1, argv);
   }
   return failed == 0 ? 0 : 1;

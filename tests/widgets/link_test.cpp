@@ -1,0 +1,279 @@
+// The link's panel: what it says of every protocol, where it opens, and when and how the robot is changed.
+#include "app/console/views.h"
+#include "core/protocol/endpoint.h"
+#include "core/protocol/link_key_file.h"
+#include "core/protocol/udp_socket.h"
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+
+using pipeline::LinkPhase;
+using pipeline::SafetyState;
+using widgets::LinkView;
+
+namespace {
+
+station::StationStatus classicStatus() {
+  station::StationStatus out;
+  out.parts = {{.name = "Robot", .ok = true, .rate_hz = 998.6, .age_ms = 1.0}};
+  out.link = {.protocol = "classic, not secured",
+              .secured = false,
+              .local = "127.0.0.1:3490",
+              .peer = "127.0.0.2:3490",
+              .states_received = 1234,
+              .touches_sent = 1233,
+              .refused = 9,
+              .phase = LinkPhase::running};
+  out.link.figures.jitter_ms = 0.44;
+  out.link.figures.silence_ms = 3.0;
+  out.link.figures.lost = 2;
+  (void)out.link.figures.refusals.push({.reason = "other address", .count = 7});
+  (void)out.link.figures.refusals.push({.reason = "out of turn", .count = 2});
+  return out;
+}
+
+station::StationStatus sealedStatus() {
+  station::StationStatus out = classicStatus();
+  out.link.protocol = "FYD Link 1, sealed";
+  out.link.secured = true;
+  out.link.figures.round_trip_ms = 3.14;
+  out.link.figures.loss_percent = 0.96;
+  out.link.figures.refusals.clear();
+  (void)out.link.figures.refusals.push({.reason = "wrong key or damaged", .count = 9});
+  return out;
+}
+
+QString valueOf(const widgets::LinkPanel& panel, const char* label) { return panel.value(QLatin1String(label)); }
+
+QRect linkPlace(const console::MainWindow& window) {
+  return window.page()->stateBar()->parts()->place(QStringLiteral("Link"));
+}
+
+}  // namespace
+
+class LinkTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void classicIsShownAsInsecureInWordsAndShape() {
+    widgets::LinkPanel panel;
+    panel.setLink(console::toLink(classicStatus()));
+    QCOMPARE(panel.securityWord(), QStringLiteral("Not secured"));
+    QCOMPARE(panel.securityShape(), QStringLiteral("lock-open"));
+    const auto parts = console::toParts(classicStatus(), 0.0, 0);
+    const auto part = std::ranges::find(parts, QStringLiteral("Link"), &widgets::PartView::name);
+    QVERIFY(part != parts.end());
+    QCOMPARE(part->icon, QStringLiteral("lock-open"));
+    QVERIFY(part->figures.contains(QStringLiteral("not secured")));
+    panel.setLink(console::toLink(sealedStatus()));
+    QCOMPARE(panel.securityWord(), QStringLiteral("Secured"));
+    QCOMPARE(panel.securityShape(), QStringLiteral("lock"));
+  }
+
+  void everyFigureIsShownAndWhatAProtocolCannotTellIsADash() {
+    widgets::LinkPanel panel;
+    panel.setLink(console::toLink(classicStatus()));
+    const QString none = QStringLiteral("—");
+    for (const auto& [label, text] : {std::pair{"State", "Running"},
+                                      {"Robot", "127.0.0.2:3490"},
+                                      {"Listening on", "127.0.0.1:3490"},
+                                      {"Protocol", "classic, not secured"},
+                                      {"Round trip", "—"},
+                                      {"Jitter", "0.4 ms"},
+                                      {"Loss", "—"},
+                                      {"Messages", "999 a second"},
+                                      {"Last message", "3 ms ago"},
+                                      {"Received", "1234"},
+                                      {"Sent", "1233"},
+                                      {"Times lost", "2"},
+                                      {"other address", "7"},
+                                      {"out of turn", "2"}}) {
+      QCOMPARE(valueOf(panel, label), QString::fromUtf8(text));
+    }
+    panel.setLink(console::toLink(sealedStatus()));
+    QCOMPARE(valueOf(panel, "Round trip"), QStringLiteral("3.1 ms"));
+    QCOMPARE(valueOf(panel, "Loss"), QStringLiteral("1.0 %"));
+    QCOMPARE(valueOf(panel, "wrong key or damaged"), QStringLiteral("9"));
+    QVERIFY(valueOf(panel, "out of turn").isEmpty());  // of the former link
+    station::StationStatus without;
+    without.link.protocol = "none";
+    panel.setLink(console::toLink(without));
+    QCOMPARE(panel.securityWord(), QStringLiteral("No link"));
+    for (const char* label : {"State", "Robot", "Round trip", "Loss", "Messages", "Last message", "Received"}) {
+      QCOMPARE(valueOf(panel, label), none);
+    }
+  }
+
+  void everyPhaseHasItsOwnWords() {
+    QSet<QString> words;
+    for (const LinkPhase phase :
+         {LinkPhase::waiting, LinkPhase::running, LinkPhase::paused, LinkPhase::lost, LinkPhase::closed}) {
+      station::StationStatus status = classicStatus();
+      status.link.phase = phase;
+      const LinkView view = console::toLink(status);
+      QVERIFY(!view.condition.isEmpty());
+      words.insert(view.condition);
+      QCOMPARE(view.health == LinkView::Health::lost, phase == LinkPhase::lost);
+    }
+    QCOMPARE(words.size(), 5);
+  }
+
+  void closedAtFirstAndOpensFromTheStateBarTheMenuAndTheKeys() {
+    Fixture f;
+    f.session->now = classicStatus();
+    f.window->feed().pump();
+    QVERIFY(!f.window->link()->isVisible());
+    widgets::PartList* parts = f.window->page()->stateBar()->parts();
+    QTest::mouseClick(parts, Qt::LeftButton, {}, linkPlace(*f.window).center());
+    QVERIFY(f.window->link()->isVisible());
+    QVERIFY(f.window->commands().action(QStringLiteral("view.link"))->isChecked());
+    QCOMPARE(valueOf(*f.window->link()->panel(), "Robot"), QStringLiteral("127.0.0.2:3490"));
+    QTest::keyClick(f.window.get(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(!f.window->link()->isVisible());
+    // The other parts open nothing.
+    QTest::mouseClick(parts, Qt::LeftButton, {}, parts->place(QStringLiteral("Robot")).center());
+    QVERIFY(!f.window->link()->isVisible());
+  }
+
+  void theRobotIsChangedOnlyWhileNothingCanMove() {
+    Fixture f;
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    widgets::RobotForm* form = f.window->link()->form();
+    QPushButton* button = form->reconnectButton();
+    QVERIFY(!button->isEnabled());  // no state known yet
+    for (const auto& [state, allowed] : {std::pair{SafetyState::ready, true},
+                                         {SafetyState::active, false},
+                                         {SafetyState::stopped, true},
+                                         {SafetyState::held, false},
+                                         {SafetyState::connected, true},
+                                         {SafetyState::disconnected, true}}) {
+      f.session->say(state);
+      f.window->feed().pump();
+      QCOMPARE(button->isEnabled(), allowed);
+    }
+    // Armed since the button was painted: the click looks at the newest state.
+    f.session->say(SafetyState::active);
+    QVERIFY(button->isEnabled());
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(f.session->asked.empty());
+    QVERIFY(!button->isEnabled());
+    QVERIFY(form->hint().contains(QStringLiteral("Esc")));
+  }
+
+  void whatIsChosenIsAskedForInTheStationsWords() {
+    Fixture f;
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    widgets::RobotForm* form = f.window->link()->form();
+    QCOMPARE(form->robot(), QStringLiteral("simulated"));
+    const auto choose = [&](int steps_down) {
+      form->kind()->setFocus();
+      QTest::keyClick(form->kind(), Qt::Key_Home);
+      for (int i = 0; i < steps_down; ++i) QTest::keyClick(form->kind(), Qt::Key_Down);
+    };
+    const auto press = [&] {
+      f.session->say(SafetyState::ready);
+      f.window->feed().pump();
+      QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    };
+    choose(1);
+    QVERIFY(!form->address()->isVisible());
+    press();
+    QCOMPARE(f.session->asked.back().robot, std::string("none"));
+    QVERIFY(f.window->page()->tuning()->byHandButton()->isChecked());
+
+    choose(2);
+    QVERIFY(form->address()->isVisible() && !form->key()->isVisible());
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    QVERIFY(!form->reconnectButton()->isEnabled());  // no address yet
+    form->address()->setFocus();
+    QTest::keyClicks(form->address(), QStringLiteral("127.0.0.1:3490"));
+    QVERIFY(form->reconnectButton()->isEnabled());
+    press();
+    QCOMPARE(f.session->asked.back().robot, std::string("classic:127.0.0.1:3490"));
+    QVERIFY(f.session->asked.back().key_file.empty());
+    QVERIFY(!f.window->page()->tuning()->byHandButton()->isChecked());
+
+    choose(3);
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    QVERIFY(!form->reconnectButton()->isEnabled());  // no key yet
+    form->key()->setFocus();
+    QTest::keyClicks(form->key(), QStringLiteral("robot.key"));
+    press();
+    QCOMPARE(f.session->asked.back().robot, std::string("link:127.0.0.1:3490"));
+    QCOMPARE(f.session->asked.back().key_file, std::string("robot.key"));
+
+    choose(2);  // a key that was entered is not handed to a protocol that takes none
+    press();
+    QVERIFY(f.session->asked.back().key_file.empty());
+    QCOMPARE(f.session->asked.size(), std::size_t{4});
+  }
+
+  void aRefusalIsANoticeAndAClosedSessionCanBeTriedAgain() {
+    Fixture f;
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    f.session->say(SafetyState::stopped);
+    f.window->feed().pump();
+    f.session->refuses = true;
+    QTest::mouseClick(f.window->link()->form()->reconnectButton(), Qt::LeftButton);
+    QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("refused by the script")));
+    f.session->say(SafetyState::stopped);
+    f.window->feed().pump();
+    f.session->open = false;
+    QTest::mouseClick(f.window->link()->form()->reconnectButton(), Qt::LeftButton);
+    f.window->link()->showSilence(true);
+    QVERIFY(f.window->link()->form()->reconnectButton()->isEnabled());
+    f.session->refuses = false;
+    QTest::mouseClick(f.window->link()->form()->reconnectButton(), Qt::LeftButton);
+    QCOMPARE(f.session->asked.size(), std::size_t{3});
+    QVERIFY(!f.window->link()->mayReconnect());  // not before the new session says how it is
+  }
+
+  void aRealSessionChangesItsRobotKeepsItsProfileAndComesBackFromAFailure() {
+    QTemporaryDir folder;
+    const std::string key_file = folder.filePath(QStringLiteral("link.key")).toStdString();
+    QVERIFY(protocol::writeKeyFile(protocol::LinkKey::generate(), key_file).has_value());
+    station::StationOptions options;
+    options.robot = "none";
+    auto opened = console::openSession(options);
+    QVERIFY(opened.has_value());
+    console::Session& session = **opened;
+    session.start();
+    for (const station::ReadinessLine& line : session.readiness()) QVERIFY(line.what != "Robot connected");
+    QVERIFY(session.setParameter("texture.k_vib", 1.75).has_value());
+
+    QVERIFY(session.reconnect({.robot = "classic:127.0.0.1:0"}).has_value());
+    const station::LinkStatus classic = session.status().link;
+    QVERIFY(!classic.secured && classic.protocol.starts_with("classic"));
+    QCOMPARE(session.currentProfile().step.texture.k_vib, 1.75);
+
+    // Wrong words, and a port somebody else has: both times the former robot is there afterwards.
+    QVERIFY(!session.reconnect({.robot = "classic:nonsense"}).has_value());
+    QCOMPARE(session.status().link.local, classic.local);
+    auto taken = protocol::UdpSocket::open(*protocol::parseEndpoint("127.0.0.1:0"));
+    QVERIFY(taken.has_value());
+    const std::string address = protocol::toString(taken->local());
+    const auto refused = session.reconnect({.robot = "link:" + address, .key_file = key_file});
+    QVERIFY(!refused.has_value());
+    QVERIFY(session.isOpen());
+    QCOMPARE(session.robot().robot, std::string("classic:127.0.0.1:0"));
+    QVERIFY(!session.status().link.local.empty());
+
+    QVERIFY(session.reconnect({.robot = "link:127.0.0.1:0", .key_file = key_file}).has_value());
+    QVERIFY(session.status().link.secured);
+    std::vector<pipeline::TelemetrySample> samples(64);
+    std::size_t heard = 0;
+    QTRY_VERIFY((heard += session.takeTelemetry(samples)) > 0);  // its loop runs
+    QCOMPARE(session.currentProfile().step.texture.k_vib, 1.75);
+    session.shutDown();
+  }
+};
+
+std::unique_ptr<QObject> makeLinkTest() { return std::make_unique<LinkTest>(); }
+
+}  // namespace fyd::tests
+
+#include "link_test.moc"

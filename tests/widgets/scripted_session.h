@@ -1,0 +1,94 @@
+// A session that plays what a test scripts and notes what it was asked, and a window on it.
+#pragma once
+
+#include "app/console/main_window.h"
+
+namespace fyd::tests {
+
+class ScriptedSession : public console::Session {
+ public:
+  void start() override {}
+  void shutDown() override { ++shut_downs; }
+  bool command(const pipeline::OperatorCommand& command) override {
+    commands.push_back(command);
+    return takes_commands;
+  }
+  void requestStop() override { ++stops; }
+  Result<void> setParameter(std::string_view id, double value) override {
+    if (refuses) return fail("{}: refused by the script", id);
+    auto bound = bindParameters(profile);
+    findParameter(bound, id)->set(value);
+    changes.emplace_back(std::string(id), value);
+    return {};
+  }
+  station::Profile currentProfile() const override { return profile; }
+  std::size_t takeTelemetry(std::span<pipeline::TelemetrySample> out) override {
+    const std::size_t count = std::min(out.size(), telemetry.size());
+    std::copy_n(telemetry.begin(), count, out.begin());
+    telemetry.erase(telemetry.begin(), telemetry.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  std::uint64_t telemetryLost() const override { return 0; }
+  std::vector<station::Notice> takeNotices() override { return std::exchange(notices, {}); }
+  station::CameraView cameraView() const override { return view; }
+  station::StationStatus status() const override { return now; }
+  std::vector<station::ReadinessLine> readiness() const override { return {{"Motors answer", true, ""}}; }
+  void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
+    finger = {x_mm, y_mm, indentation_mm};
+  }
+  void releaseSimulatedFinger() override { finger.clear(); }
+  bool simulated() const override { return true; }
+  console::RobotWords robot() const override { return present; }
+  bool isOpen() const override { return open; }
+  Result<void> reconnect(const console::RobotWords& wanted) override {
+    asked.push_back(wanted);
+    if (refuses) return fail("127.0.0.1:3490: refused by the script");
+    present = wanted;
+    open = true;
+    return {};
+  }
+
+  [[nodiscard]] int count(pipeline::OperatorAction action) const {
+    return static_cast<int>(std::ranges::count_if(commands, [&](const auto& c) { return c.action == action; }));
+  }
+  void say(pipeline::SafetyState state) {
+    pipeline::TelemetrySample sample;
+    sample.now = instantAt(++seconds * 0.001);
+    sample.state = state;
+    telemetry.push_back(sample);
+  }
+
+  station::Profile profile;
+  std::vector<pipeline::OperatorCommand> commands;
+  std::vector<std::pair<std::string, double>> changes;
+  std::vector<pipeline::TelemetrySample> telemetry;
+  std::vector<station::Notice> notices;
+  station::CameraView view;
+  station::StationStatus now;
+  std::vector<double> finger;
+  int stops = 0;
+  int shut_downs = 0;
+  double seconds = 0;
+  bool takes_commands = true;
+  bool refuses = false;
+  console::RobotWords present;
+  std::vector<console::RobotWords> asked;
+  bool open = true;
+};
+
+struct Fixture {
+  Fixture() {
+    auto made = std::make_unique<ScriptedSession>();
+    session = made.get();
+    window = std::make_unique<console::MainWindow>(std::move(made), folder.filePath(QStringLiteral("profile.toml")));
+    window->show();
+    window->activateWindow();
+    (void)QTest::qWaitForWindowActive(window.get());
+  }
+  widgets::TuningRow* row(const char* id) const { return window->page()->tuning()->row(QLatin1String(id)); }
+  QTemporaryDir folder;
+  ScriptedSession* session;
+  std::unique_ptr<console::MainWindow> window;
+};
+
+}  // namespace fyd::tests

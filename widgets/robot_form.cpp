@@ -1,0 +1,142 @@
+#include "widgets/robot_form.h"
+
+#include <QFileDialog>
+#include <QGridLayout>
+
+#include "widgets/icon.h"
+#include "widgets/theme.h"
+
+namespace fyd::widgets {
+namespace {
+
+enum Kind { simulated, none, classic, link };
+
+// In the order of Kind; those that end in a colon go on with the address.
+const QStringList& words() {
+  static const QStringList kWords = {QStringLiteral("simulated"), QStringLiteral("none"), QStringLiteral("classic:"),
+                                     QStringLiteral("link:")};
+  return kWords;
+}
+
+}  // namespace
+
+RobotForm::RobotForm(QWidget* parent)
+    : QFrame(parent),
+      kind_(new QComboBox(this)),
+      address_label_(new QLabel(tr("Listen on"), this)),
+      address_(new QLineEdit(this)),
+      key_label_(new QLabel(tr("Key file"), this)),
+      key_(new QLineEdit(this)),
+      browse_(new QToolButton(this)),
+      hint_(new QLabel(this)),
+      reconnect_(new QPushButton(tr("Reconnect"), this)) {
+  setProperty("surface", "panel");
+  setAccessibleName(tr("Robot"));
+  auto* title = new QLabel(tr("Change the robot"), this);
+  title->setFont(textFont(TextSize::normal, true));
+  kind_->setObjectName(QStringLiteral("robot_kind"));
+  kind_->setAccessibleName(tr("Robot"));
+  kind_->addItem(tr("Simulated"));
+  kind_->addItem(tr("None"));
+  kind_->addItem(tr("Classic (not secured)"));
+  kind_->addItem(tr("FYD Link with a key"));
+  kind_->setMinimumContentsLength(16);
+  kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  address_->setObjectName(QStringLiteral("robot_address"));
+  address_->setPlaceholderText(QStringLiteral("127.0.0.1:3490"));
+  address_->setAccessibleName(tr("Address and port to listen on"));
+  address_->setToolTip(
+      tr("This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network."));
+  key_->setObjectName(QStringLiteral("robot_key"));
+  key_->setAccessibleName(key_label_->text());
+  key_->setToolTip(tr("The robot must have the same key; \"fyd link keygen\" makes one."));
+  browse_->setText(tr("…"));
+  browse_->setAccessibleName(tr("Choose the key file"));
+  hint_->setFont(textFont(TextSize::small));
+  hint_->setProperty("role", "muted");
+  hint_->setWordWrap(true);
+  reconnect_->setObjectName(QStringLiteral("robot_reconnect"));
+  reconnect_->setAutoDefault(false);
+
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(2 * kGrid, kGrid, kGrid, kGrid);
+  grid->setHorizontalSpacing(kGrid);
+  grid->setVerticalSpacing(kGrid / 2);
+  grid->setColumnStretch(1, 1);
+  grid->addWidget(title, 0, 0, 1, 3);
+  grid->addWidget(kind_, 1, 0, 1, 3);
+  grid->addWidget(address_label_, 2, 0);
+  grid->addWidget(address_, 2, 1, 1, 2);
+  grid->addWidget(key_label_, 3, 0);
+  grid->addWidget(key_, 3, 1);
+  grid->addWidget(browse_, 3, 2);
+  grid->addWidget(hint_, 4, 0, 1, 3);
+  grid->addWidget(reconnect_, 5, 0, 1, 3);
+
+  connect(kind_, &QComboBox::currentIndexChanged, this, &RobotForm::refresh);
+  connect(address_, &QLineEdit::textChanged, this, &RobotForm::refresh);
+  connect(key_, &QLineEdit::textChanged, this, &RobotForm::refresh);
+  connect(browse_, &QToolButton::clicked, this, &RobotForm::chooseKeyFile);
+  connect(reconnect_, &QPushButton::clicked, this, [this] { emit reconnectAsked(robot(), keyFile()); });
+  refresh();
+}
+
+void RobotForm::setRobot(const QString& robot, const QString& key_file) {
+  for (int i = 0; i < words().size(); ++i) {
+    const QString& word = words()[i];
+    const bool with_address = word.endsWith(QLatin1Char(':'));
+    if (with_address ? !robot.startsWith(word) : robot != word) continue;
+    kind_->setCurrentIndex(i);
+    if (with_address) address_->setText(robot.mid(word.size()));
+  }
+  if (!key_file.isEmpty()) key_->setText(key_file);
+}
+
+void RobotForm::setAllowed(bool allowed) {
+  if (allowed == allowed_) return;
+  allowed_ = allowed;
+  refresh();
+}
+
+QString RobotForm::robot() const {
+  const QString& word = words()[std::max(0, kind_->currentIndex())];
+  return word.endsWith(QLatin1Char(':')) ? word + address_->text().trimmed() : word;
+}
+
+QString RobotForm::keyFile() const { return kind_->currentIndex() == link ? key_->text().trimmed() : QString(); }
+
+void RobotForm::refresh() {
+  const int kind = kind_->currentIndex();
+  const bool by_network = kind == classic || kind == link;
+  const bool by_key = kind == link;
+  for (QWidget* each : {static_cast<QWidget*>(address_label_), static_cast<QWidget*>(address_)}) {
+    each->setVisible(by_network);
+  }
+  for (QWidget* each :
+       {static_cast<QWidget*>(key_label_), static_cast<QWidget*>(key_), static_cast<QWidget*>(browse_)}) {
+    each->setVisible(by_key);
+  }
+  const bool address_missing = by_network && address_->text().trimmed().isEmpty();
+  const bool key_missing = by_key && keyFile().isEmpty();
+  if (!allowed_) {
+    hint_->setText(tr("The robot can be changed only while nothing can move. Press Esc first."));
+  } else if (address_missing) {
+    hint_->setText(tr("Enter the address and port to listen on, such as 127.0.0.1:3490."));
+  } else if (key_missing) {
+    hint_->setText(tr("Choose the key file that the robot has as well."));
+  } else {
+    hint_->setText(tr("The session starts anew; parameters and tare stay. Motors stay off until you arm."));
+  }
+  reconnect_->setEnabled(allowed_ && !address_missing && !key_missing);
+}
+
+void RobotForm::chooseKeyFile() {
+  auto* dialog = new QFileDialog(this, tr("Key file of FYD Link"), key_->text());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setModal(false);  // nothing is modal while a device can move
+  connect(dialog, &QFileDialog::fileSelected, key_, &QLineEdit::setText);
+  dialog->show();
+}
+
+}  // namespace fyd::widgets

@@ -1,0 +1,50 @@
+// Which robot the session is to have: the simulated one, none, one that speaks the classic protocol, or one that
+// speaks FYD Link with a key. Nothing changes before "Reconnect" is pressed, and only while nothing can move.
+#pragma once
+
+#include <QComboBox>
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace fyd::widgets {
+
+class RobotForm : public QFrame {
+  Q_OBJECT
+ public:
+  explicit RobotForm(QWidget* parent = nullptr);
+
+  /// @param robot "simulated", "none", "classic:HOST:PORT" or "link:HOST:PORT"; @param key_file of "link:"
+  void setRobot(const QString& robot, const QString& key_file);
+  /// Whether the robot may be changed now.
+  void setAllowed(bool allowed);
+
+  [[nodiscard]] QString robot() const;    ///< as entered, in the words of setRobot
+  [[nodiscard]] QString keyFile() const;  ///< empty unless FYD Link is chosen
+  [[nodiscard]] QComboBox* kind() const { return kind_; }
+  [[nodiscard]] QLineEdit* address() const { return address_; }
+  [[nodiscard]] QLineEdit* key() const { return key_; }
+  [[nodiscard]] QPushButton* reconnectButton() const { return reconnect_; }
+  [[nodiscard]] QString hint() const { return hint_->text(); }
+
+ signals:
+  void reconnectAsked(const QString& robot, const QString& key_file);
+
+ private:
+  void refresh();
+  void chooseKeyFile();
+
+  bool allowed_ = false;
+  QComboBox* kind_;
+  QLabel* address_label_;
+  QLineEdit* address_;
+  QLabel* key_label_;
+  QLineEdit* key_;
+  QToolButton* browse_;
+  QLabel* hint_;
+  QPushButton* reconnect_;
+};
+
+}  // namespace fyd::widgets
