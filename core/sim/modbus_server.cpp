@@ -151,11 +151,7 @@ void ModbusResponder::answer(const std::uint8_t* request, int length) {
   const int head = modbus_get_header_length(context_);
   const int tail = tcp_ ? 0 : 2;  // checksum
   const ModbusException exception = obey(request + head, length - head - tail, now);
-  const bool late = faults.active(TouchpadFault::late_reply, now);
-  if (const int begun = faults.begun(TouchpadFault::late_reply, now); late || begun > late_replies_) {
-    late_replies_ = begun;
-    std::this_thread::sleep_for(kLateBy);
-  }
+  if (electronics_->answersLate(now)) std::this_thread::sleep_for(kLateBy);
   if (faults.active(TouchpadFault::garbage, now)) {
     sendGarbage();
     return;

@@ -41,7 +41,6 @@ class ModbusResponder {
   _modbus_mapping_t* mapping_;
   bool tcp_;
   int master_;  // number of this connection
-  int late_replies_ = 0;
   std::mt19937 random_{1};
 };
 

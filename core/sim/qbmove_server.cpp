@@ -36,11 +36,7 @@ void QbmoveServer::answer(const protocol::QbmoveFrame& frame) {
   if (!electronics_->powered(now) || faults.active(TouchpadFault::silence, now)) return;
   const auto reply = electronics_->handle(frame, now);
   if (!reply) return;
-  const bool late = faults.active(TouchpadFault::late_reply, now);
-  if (const int begun = faults.begun(TouchpadFault::late_reply, now); late || begun > late_replies_) {
-    late_replies_ = begun;
-    std::this_thread::sleep_for(kLateBy);
-  }
+  if (electronics_->answersLate(now)) std::this_thread::sleep_for(kLateBy);
   if (!faults.active(TouchpadFault::garbage, now)) {
     const protocol::QbmoveBytes bytes = protocol::encode(*reply);
     send(bytes.view());

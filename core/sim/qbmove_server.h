@@ -25,7 +25,6 @@ class QbmoveServer {
 
   SerialEnd line_;
   std::shared_ptr<TouchpadElectronics> electronics_;
-  int late_replies_ = 0;
   std::mt19937 random_{1};
   std::jthread thread_;
 };

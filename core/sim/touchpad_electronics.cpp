@@ -78,6 +78,14 @@ device::TouchpadReadings TouchpadElectronics::sensed(Instant now) {
   return out;
 }
 
+bool TouchpadElectronics::answersLate(Instant now) {
+  const std::scoped_lock lock(mutex_);
+  const int begun = faults_.begun(TouchpadFault::late_reply, now);
+  const bool one_more = begun > late_replies_;
+  late_replies_ = begun;
+  return one_more || faults_.active(TouchpadFault::late_reply, now);
+}
+
 ModbusException TouchpadElectronics::write(int master, int address, std::span<const std::uint16_t> values,
                                            Instant now) {
   const std::scoped_lock lock(mutex_);

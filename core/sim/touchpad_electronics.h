@@ -25,6 +25,9 @@ class TouchpadElectronics {
   /// False while the supply is broken down: nothing answers.
   [[nodiscard]] bool powered(Instant now) const { return !faults_.active(TouchpadFault::brown_out, now); }
 
+  /// Whether the answer to a request heard now comes late.
+  [[nodiscard]] bool answersLate(Instant now);
+
   [[nodiscard]] ModbusException write(int master, int address, std::span<const std::uint16_t> values, Instant now);
   void fill(RegisterBank::Image& image, int master, Instant now);
   void forget(int master);
@@ -59,6 +62,7 @@ class TouchpadElectronics {
   MotorBoard board_;
   Instant now_;
   int brown_outs_ = 0;
+  int late_replies_ = 0;
   Figures figures_;
   std::optional<std::uint16_t> stuck_code_;
 };
