@@ -252,7 +252,7 @@ void LinkRobotEnd::takeAnswer(Bytes datagram, RobotReception& out) {
   rates_ = touchpad.rates;
   touch_code_ = *PositionCode::make(touchpad.workspace);
   session_.emplace(keys.from_initiator, keys.from_responder, sessionOf(keys), 1e3 / rates_.touch_Hz, now_us_);
-  session_->learnClock(now_us_, touchpad.sent_us, touchpad.echo_us, touchpad.held_us);
+  session_->learnClock(now_us_, touchpad.sent_us, touchpad.echo_us, touchpad.held_us, settings_.limits);
   takeInfo(touchpad.k_vib, touchpad.reference_ticks, touchpad.board_text);
   images_.reset();
   touch_.reset();

@@ -12,6 +12,11 @@ constexpr double kJitterDeviations = 4.0;
 constexpr LinkTime kLossWindow_us = 1'000'000;
 constexpr std::int64_t kFutureSlack_us = 1'000;  // clocks read a moment apart
 
+/// A heartbeat, or an answer, whose round trip is longer tells nothing of the clocks: it may have been held back.
+std::int64_t longestRoundTrip_us(const LinkParameters& parameters) {
+  return static_cast<std::int64_t>(2e3 * parameters.freshness_ms);
+}
+
 }  // namespace
 
 LinkReceived LinkSession::receive(Bytes datagram, LinkTime now_us, const LinkParameters& parameters) {
@@ -35,7 +40,7 @@ LinkRefusal LinkSession::judge(const LinkEnvelope& message, LinkTime now_us, con
     if (!beat.ok()) return beat.refusal;
     const std::int64_t round_trip =
         signedDifference(now_us, beat.value.echo_us) - static_cast<std::int64_t>(beat.value.held_us);
-    if (round_trip <= 2 * limit_us) {
+    if (round_trip <= longestRoundTrip_us(parameters)) {
       fresh_by_echo = clock_.sample(now_us, message.sent_us, beat.value.echo_us, beat.value.held_us) >= 0;
     }
   }
@@ -48,8 +53,11 @@ LinkRefusal LinkSession::judge(const LinkEnvelope& message, LinkTime now_us, con
   return LinkRefusal::none;
 }
 
-void LinkSession::learnClock(LinkTime now_us, LinkTime sent_us, LinkTime echo_us, std::uint32_t held_us) {
-  static_cast<void>(clock_.sample(now_us, sent_us, echo_us, held_us));
+void LinkSession::learnClock(LinkTime now_us, LinkTime sent_us, LinkTime echo_us, std::uint32_t held_us,
+                             const LinkParameters& parameters) {
+  if (signedDifference(now_us, echo_us) - std::int64_t{held_us} <= longestRoundTrip_us(parameters)) {
+    static_cast<void>(clock_.sample(now_us, sent_us, echo_us, held_us));
+  }
   newest_sent_us_ = sent_us;
   newest_heard_us_ = now_us;
 }

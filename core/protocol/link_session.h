@@ -40,8 +40,10 @@ class LinkSession {
 
   /// Opens a datagram and judges it. A heartbeat is taken in here as well.
   [[nodiscard]] LinkReceived receive(Bytes datagram, LinkTime now_us, const LinkParameters& parameters);
-  /// What the handshake tells of the other end's clock.
-  void learnClock(LinkTime now_us, LinkTime sent_us, LinkTime echo_us, std::uint32_t held_us);
+  /// What the handshake tells of the other end's clock; nothing when its round trip is longer than a heartbeat's may
+  /// be (the first heartbeat tells it then).
+  void learnClock(LinkTime now_us, LinkTime sent_us, LinkTime echo_us, std::uint32_t held_us,
+                  const LinkParameters& parameters);
   /// The next heartbeat to send.
   [[nodiscard]] LinkHeartbeat heartbeat(LinkTime now_us) const;
 

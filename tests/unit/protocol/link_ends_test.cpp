@@ -447,6 +447,17 @@ TEST(LinkEnds, DelayedMessagesAreStale) {
   EXPECT_GT(count(pair.touchpad.refusals(), LinkRefusal::stale), 60U);
 }
 
+// An attacker who holds the answer back must not make old touches look fresh.
+TEST(LinkEnds, HandshakeThatTookTooLongTellsNothingOfTheClocks) {
+  LinkPair pair;
+  pair.weather.delay_ms = 450.0;  // a round trip of 900 ms where 600 are allowed
+  ASSERT_TRUE(pair.runUntil([&] { return pair.robot.session() != nullptr; }, 5.0));
+  EXPECT_FALSE(pair.robot.session()->clock().known());
+  pair.run(0.9);
+  EXPECT_EQ(pair.touches, 0U);
+  EXPECT_EQ(pair.states, 0U);
+}
+
 TEST(LinkEnds, ClockJumpsOfEitherEndAreSurvivedWithoutUsingOldMessages) {
   for (const bool robot : {true, false}) {
     for (const double jump_s : {3'600.0, -3'600.0, 0.6, -0.6, 1e9}) {

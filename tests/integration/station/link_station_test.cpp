@@ -1,0 +1,100 @@
+// The station on FYD Link with the simulated robot, over real sockets.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+#include "core/protocol/link_key_file.h"
+#include "core/sim/robot_arm.h"
+#include "core/sim/simulated_robot.h"
+#include "core/station/station.h"
+
+namespace fyd::station {
+namespace {
+
+bool waitUntil(const std::function<bool()>& done) {
+  const Instant deadline = Clock::now() + std::chrono::seconds(30);
+  while (Clock::now() < deadline) {
+    if (done()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return done();
+}
+
+class LinkStation : public ::testing::Test {
+ protected:
+  LinkStation() {
+    std::string folder = ::testing::TempDir() + "fyd_link_XXXXXX";
+    EXPECT_NE(::mkdtemp(folder.data()), nullptr);
+    key_file_ = folder + "/key";
+    EXPECT_TRUE(protocol::writeKeyFile(key_, key_file_));
+  }
+  [[nodiscard]] StationOptions options() const { return {.robot = "link:127.0.0.1:0", .key_file = key_file_}; }
+  std::unique_ptr<sim::SimulatedRobot> robot(const Station& station, const protocol::LinkKey& key) {
+    sim::SimulatedRobotOptions out;
+    out.touchpad = *protocol::parseEndpoint(station.status().link.local);
+    out.bind = *protocol::parseEndpoint("127.0.0.2:0");
+    out.key = key;
+    return std::move(*sim::SimulatedRobot::open(out, std::make_unique<sim::RobotArm>(sim::SimParameters{})));
+  }
+  protocol::LinkKey key_ = protocol::LinkKey::generate();
+  std::string key_file_;
+};
+
+TEST_F(LinkStation, RunsWithARobotThatHasTheKeyAndHearsItsGoodbye) {
+  auto station = std::move(*Station::open(options()));
+  station->start();
+  auto arm = robot(*station, key_);
+  std::jthread thread([&](const std::stop_token& stop) { arm->run(stop); });
+  EXPECT_TRUE(waitUntil([&] { return station->status().link.phase == pipeline::LinkPhase::running; }));
+  EXPECT_TRUE(waitUntil([&] { return arm->status().counters.touches > 20; }));
+  EXPECT_TRUE(waitUntil([&] { return station->status().link.states_received > 20; }));
+  const LinkStatus link = station->status().link;
+  EXPECT_TRUE(link.secured);
+  EXPECT_THAT(link.protocol, ::testing::HasSubstr("FYD Link"));
+  EXPECT_EQ(link.peer, protocol::toString(arm->local()));
+  EXPECT_GE(link.figures.round_trip_ms, 0.0);
+  thread.request_stop();
+  thread.join();
+  EXPECT_TRUE(waitUntil([&] { return station->status().link.phase == pipeline::LinkPhase::closed; }));
+}
+
+TEST_F(LinkStation, RobotWithAnotherKeyIsNotAnswered) {
+  auto station = std::move(*Station::open(options()));
+  station->start();
+  auto arm = robot(*station, protocol::LinkKey::generate());
+  std::jthread thread([&](const std::stop_token& stop) { arm->run(stop); });
+  EXPECT_TRUE(waitUntil([&] { return station->status().link.refused > 2; }));
+  EXPECT_EQ(station->status().link.phase, pipeline::LinkPhase::waiting);
+  EXPECT_TRUE(station->status().link.peer.empty());
+  ASSERT_FALSE(station->status().link.figures.refusals.empty());
+  EXPECT_EQ(station->status().link.figures.refusals[0].reason, "wrong key or damaged");
+  thread.request_stop();
+  thread.join();
+  EXPECT_EQ(arm->status().connections, 0U);
+  EXPECT_EQ(arm->status().problem, "no touchpad with this key answered");
+}
+
+TEST_F(LinkStation, StationThatStopsTellsTheRobot) {
+  auto station = std::move(*Station::open(options()));
+  station->start();
+  auto arm = robot(*station, key_);
+  std::jthread thread([&](const std::stop_token& stop) { arm->run(stop); });
+  EXPECT_TRUE(waitUntil([&] { return arm->status().counters.touches > 5; }));
+  station->shutDown();
+  EXPECT_TRUE(waitUntil([&] { return arm->status().phase == protocol::RobotPhase::handshake; }));
+  thread.request_stop();
+}
+
+TEST_F(LinkStation, WrongOptionsAreNamed) {
+  const auto message = [](const StationOptions& options) { return Station::open(options).error().message; };
+  EXPECT_THAT(message({.robot = "link:127.0.0.1:0"}), ::testing::HasSubstr("needs a key file"));
+  EXPECT_THAT(message({.robot = "classic:127.0.0.1:0", .key_file = key_file_}), ::testing::HasSubstr("no key file"));
+  EXPECT_THAT(message({.robot = "link:127.0.0.1", .key_file = key_file_}), ::testing::HasSubstr("no port"));
+  EXPECT_THAT(message({.robot = "link:127.0.0.1:0", .key_file = key_file_ + "x"}),
+              ::testing::HasSubstr("No such file"));
+}
+
+}  // namespace
+}  // namespace fyd::station
