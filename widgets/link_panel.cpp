@@ -23,15 +23,16 @@ struct SecurityWords {
   QString explanation;
 };
 
-SecurityWords describe(LinkView::Security security) {
-  switch (security) {
+SecurityWords describe(const LinkView& view) {
+  switch (view.security) {
     case LinkView::Security::sealed:
       return {QStringLiteral("lock"), LinkPanel::tr("Secured"),
               LinkPanel::tr("Only a robot with the same key is heard; what is said cannot be read or changed.")};
     case LinkView::Security::open:
       return {QStringLiteral("lock-open"), LinkPanel::tr("Not secured"),
-              LinkPanel::tr("Nothing is checked or hidden: whoever reaches this address can pose as the robot. "
-                            "Use it on a line of its own.")};
+              view.local_only ? LinkPanel::tr("Nothing is checked or hidden; only programs on this computer reach it.")
+                              : LinkPanel::tr("Nothing is checked or hidden: whoever reaches this address can pose as "
+                                              "the robot. Use it on a line of its own.")};
     case LinkView::Security::no_link: break;
   }
   return {{}, LinkPanel::tr("No link"), LinkPanel::tr("The session has no robot; the target is set by hand.")};
@@ -135,7 +136,7 @@ void LinkPanel::setLink(const LinkView& view) {
 }
 
 void LinkPanel::showSecurity() {
-  const SecurityWords words = describe(view_.security);
+  const SecurityWords words = describe(view_);
   shape_name_ = words.shape;
   security_->setText(words.word);
   explanation_->setText(words.explanation);

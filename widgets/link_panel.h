@@ -27,8 +27,9 @@ struct LinkView {
   QString condition;  ///< "Running", "Lost: the robot is silent"
   Health health = Health::waiting;
   Security security = Security::no_link;
-  QString peer;   ///< address of the robot; empty before the first
-  QString local;  ///< address this end listens on; empty without a link
+  bool local_only = false;  ///< only this computer's own programs reach the address
+  QString peer;             ///< address of the robot; empty before the first
+  QString local;            ///< address this end listens on; empty without a link
   double round_trip_ms = kUnknown;
   double jitter_ms = kUnknown;
   double loss_percent = kUnknown;

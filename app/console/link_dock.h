@@ -27,6 +27,7 @@ class LinkDock : public QDockWidget {
   [[nodiscard]] widgets::RobotForm* form() const { return form_; }
 
  private:
+  QWidget* titleBar();
   void refresh() { form_->setAllowed(mayReconnect()); }
 
   bool can_move_ = true;  // until the first sample says otherwise

@@ -122,6 +122,7 @@ widgets::LinkView toLink(const station::StationStatus& status) {
   out.condition = conditionOf(link.phase);
   out.health = healthOf(link.phase);
   out.security = link.secured ? widgets::LinkView::Security::sealed : widgets::LinkView::Security::open;
+  out.local_only = link.local.starts_with("127.") || link.local.starts_with("[::1]");
   out.peer = text(link.peer);
   out.local = text(link.local);
   out.round_trip_ms = figures.round_trip_ms;

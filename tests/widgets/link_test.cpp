@@ -130,9 +130,25 @@ class LinkTest : public QObject {
     QCOMPARE(valueOf(*f.window->link()->panel(), "Robot"), QStringLiteral("127.0.0.2:3490"));
     QTest::keyClick(f.window.get(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(!f.window->link()->isVisible());
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    QTest::mouseClick(f.window->link()->findChild<QToolButton*>(QStringLiteral("link_close")), Qt::LeftButton);
+    QVERIFY(!f.window->link()->isVisible());
+    QVERIFY(!f.window->commands().action(QStringLiteral("view.link"))->isChecked());
     // The other parts open nothing.
     QTest::mouseClick(parts, Qt::LeftButton, {}, parts->place(QStringLiteral("Robot")).center());
     QVERIFY(!f.window->link()->isVisible());
+  }
+
+  void withThePanelOpenTheWindowStillFitsItsUsualSize() {
+    Fixture f;
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    QVERIFY2(f.window->minimumSizeHint().width() <= 1280,
+             qPrintable(QString::number(f.window->minimumSizeHint().width())));
+    QVERIFY2(f.window->minimumSizeHint().height() <= 640,
+             qPrintable(QString::number(f.window->minimumSizeHint().height())));
+    for (QAbstractButton* button : f.window->link()->findChildren<QAbstractButton*>()) {
+      QVERIFY2(!button->text().isEmpty() || !button->accessibleName().isEmpty(), qPrintable(button->objectName()));
+    }
   }
 
   void theRobotIsChangedOnlyWhileNothingCanMove() {
