@@ -1,0 +1,195 @@
+"""The touchpad's Modbus ends against independent programs (mbpoll, pymodbus), and whole sessions over real protocols."""
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+
+import fyd
+
+PEER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "pymodbus_peer.py")
+
+
+def peer_python():
+    """The interpreter that has Debian's pymodbus, which need not be the first in the path."""
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import pymodbus"], stderr=subprocess.DEVNULL, check=False).returncode == 0:
+            return python
+    raise RuntimeError("python3-pymodbus is not installed (installer/test.sh does)")
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def wait_for(condition, seconds=15):
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            raise TimeoutError
+        time.sleep(0.05)
+
+
+def listens(port):
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
+
+
+class Simulator:
+    """fyd sim touchpad; `stop` returns its summary."""
+
+    def __init__(self, case, *options, rtu=False, qbmove=False, camera=False):
+        self.port = free_port()
+        self.rtu, self.qbmove = case.path("rtu"), case.path("qbmove")
+        self.camera_port = free_port()
+        arguments = [fyd.PROGRAM, "sim", "touchpad", "--modbus-tcp", f"127.0.0.1:{self.port}", "--json", *options]
+        arguments += ["--modbus-rtu", self.rtu] if rtu else []
+        arguments += ["--qbmove", self.qbmove] if qbmove else []
+        arguments += ["--camera-mjpeg", f"127.0.0.1:{self.camera_port}"] if camera else []
+        self.process = subprocess.Popen(arguments, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        case.addCleanup(self.process.wait)
+        case.addCleanup(self.process.kill)
+        wait_for(lambda: listens(self.port))
+        if camera:
+            wait_for(lambda: listens(self.camera_port))
+        self.camera = f"http://127.0.0.1:{self.camera_port}/"
+        self.tcp = f"modbus-tcp:127.0.0.1:{self.port}"
+
+    def stop(self):
+        self.process.send_signal(signal.SIGTERM)
+        out, _ = self.process.communicate(timeout=20)
+        return fyd.json.loads(out)
+
+
+def mbpoll(*arguments):
+    done = subprocess.run(["mbpoll", "-0", "-1", "-a", "1", *map(str, arguments)], capture_output=True, text=True, timeout=20, check=False)
+    values = [int(v, 0) for v in re.findall(r"^\[\d+\]:\s+(\S+)", done.stdout, re.M)]
+    return values, done.stdout + done.stderr
+
+
+class OurServer(fyd.Case):
+    def test_mbpoll_reads_it_over_tcp_and_over_a_serial_line(self):
+        simulator = Simulator(self, rtu=True)
+        for line in (["-m", "tcp", "-p", simulator.port, "127.0.0.1"], ["-m", "rtu", "-b", "115200", "-P", "none", simulator.rtu]):
+            *how, where = line
+            values, _ = mbpoll(*how, "-t", "4:hex", "-r", 0, "-c", 15, where)
+            self.assertEqual(values[:3], [0x4659, 0x4454, 0x0100])
+            self.assertEqual(values[12:], [3, 2, 32])
+            values, _ = mbpoll(*how, "-t", "4", "-r", 64, "-c", 26, where)
+            self.assertEqual(len(values), 26)
+            self.assertEqual(values[0], values[25], "the sequence brackets the block")
+            _, said = mbpoll(*how, "-t", "4", "-r", 200, "-c", 2, where)
+            self.assertIn("Illegal data address", said)
+
+    def test_pymodbus_gets_what_the_map_says_and_the_right_exceptions(self):
+        simulator = Simulator(self)
+        done = subprocess.run([peer_python(), PEER, "client", "127.0.0.1", str(simulator.port)], capture_output=True, text=True, timeout=30, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = fyd.json.loads(done.stdout)
+        self.assertEqual(found["identity"][:3], [0x4659, 0x4454, 0x0100])
+        self.assertEqual(found["state"][1], 0xBEEF, "the nonce written comes back in the same transaction")
+        self.assertEqual(found["state"][0], found["state"][25])
+        self.assertTrue(-0.1 < found["bridge"] < 7.8, found["bridge"])
+        self.assertTrue(all(0 < code < 4096 for code in found["state"][10:13]))
+        self.assertEqual(found["coils"], 1)
+        self.assertEqual(found["hole"], 2)
+        self.assertEqual(found["past_the_end"], 2)
+        self.assertEqual(found["read_only"], 2)
+        self.assertEqual(found["watchdog_too_short"], 3)
+        self.assertEqual(found["watchdog"], 0)
+        self.assertEqual(found["watchdog_reads"], [200])
+        self.assertEqual(found["second_master"], 6)
+        self.assertEqual(found["second_reader"], [0x4659, 0x4454])
+        self.assertEqual(simulator.stop()["refused_writes"], 1)
+
+
+class OurClient(fyd.Case):
+    def ask(self, scenario):
+        port = free_port()
+        server = subprocess.Popen([peer_python(), PEER, "server", str(port), scenario], stderr=subprocess.DEVNULL)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.kill)
+        wait_for(lambda: listens(port))
+        done = fyd.run("devices", "--json", "--touchpad", f"modbus-tcp:127.0.0.1:{port}", "--set", "device.response_timeout_ms=2000")
+        return done.returncode, fyd.json.loads(done.stdout)["asked"][0]
+
+    def test_it_reads_a_touchpad_made_with_pymodbus(self):
+        code, answer = self.ask("good")
+        self.assertEqual(code, 0, answer)
+        self.assertIn("PYMODBUS, firmware 2.3", answer["description"])
+        self.assertEqual(answer["values"]["ir_counts"], [1000, 2000, 3000])
+        self.assertEqual(answer["values"]["bridge_mV_per_V"], 0.25)
+        self.assertEqual(answer["values"]["motors"], "switch-on disabled")
+
+    def test_it_names_what_is_wrong_with_one(self):
+        for scenario, said in (("wrong-magic", "not a touchpad"), ("wrong-version", "register map 7.0"), ("short", "exception 2")):
+            code, answer = self.ask(scenario)
+            self.assertEqual(code, 1)
+            self.assertIn(said, answer["problem"])
+
+
+class Devices(fyd.Case):
+    def test_it_says_why_something_does_not_answer(self):
+        done = fyd.run("devices", "--json", "--touchpad", f"modbus-tcp:127.0.0.1:{free_port()}", "--motors", "qbmove:" + self.path("none"))
+        self.assertEqual(done.returncode, 1)
+        asked = fyd.json.loads(done.stdout)["asked"]
+        self.assertIn("nothing listens there", asked[0]["problem"])
+        self.assertIn("plugged in", asked[1]["problem"])
+        self.assertIn("HOST:PORT", self.refused(2, "devices", "--touchpad", "modbus-tcp:"))
+
+    def test_the_manual_prints_the_map_that_the_code_declares(self):
+        page = os.path.join(os.environ["FYD_SOURCE_DIR"], "resources", "manual", "modbus.md")
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        table = fyd.run("devices", "--map").stdout
+        self.assertIn(table.strip(), text)
+        self.assertEqual(table, fyd.run("sim", "touchpad", "--print-map").stdout)
+
+
+class Sessions(fyd.Case):
+    def session(self, *options, seconds=4):
+        return self.json("station", "--headless", "--duration", seconds, "--json", *options)
+
+    def test_modbus_and_a_camera_stream_close_the_loop(self):
+        simulator = Simulator(self, camera=True)
+        result = self.session("--touchpad", simulator.tcp, "--camera", simulator.camera, seconds=7)
+        self.assertIn(result["state"], ("Active", "Held"))
+        self.assertIsNone(result["finger_error_mm_rms"], "nobody knows the truth of a real touchpad")
+        self.assertGreater(result["contact_fraction"], 0.2)
+        self.assertIn("FYD-SIM-0001", result["parts"][0]["description"])
+        summary = simulator.stop()
+        self.assertGreater(summary["motors_on_s"], 1.0)
+        self.assertAlmostEqual(summary["vibration_peak_percent"], result["pwm_abs_max"], delta=10)
+        self.assertFalse(summary["motors_on"], "the station's end switches them off")
+
+    def test_a_serial_touchpad_with_the_original_motor_board(self):
+        simulator = Simulator(self, "--qbmove-vibration", "145", rtu=True, qbmove=True, camera=True)
+        result = self.session("--touchpad", "modbus-rtu:" + simulator.rtu, "--motors", "qbmove:" + simulator.qbmove,
+                              "--camera", simulator.camera, "--set", "device.qbmove_vibration_opcode=145",
+                              "--set", "device.qbmove_timeout_ms=20")
+        self.assertIn(result["state"], ("Active", "Held"))
+        summary = simulator.stop()
+        self.assertGreater(summary["motor_board_frames"], 100)
+        self.assertGreater(summary["motors_on_s"], 0.5)
+
+    def test_a_touchpad_that_vanishes_holds_and_its_return_does_not_arm(self):
+        simulator = Simulator(self, "--fault", "silence@2.5+1", camera=True)
+        result = self.session("--touchpad", simulator.tcp, "--camera", simulator.camera, seconds=5)
+        self.assertEqual(result["state"], "Held")
+        self.assertFalse(simulator.stop()["motors_on"])
+
+    def test_wrong_choices_are_named(self):
+        self.assertIn("--touchpad", self.refused(2, "station", "--headless"))
+        self.assertIn("--simulate", self.refused(2, "station", "--headless", "--simulate", "--touchpad", "modbus-tcp:127.0.0.1:1"))
+        self.assertIn("camera", self.refused(1, "station", "--headless", "--touchpad", "modbus-tcp:127.0.0.1:1"))
+        self.assertIn("qbmove:TTY", self.refused(1, "station", "--headless", "--simulate", "--motors", "maxon"))
+        self.assertIn("late-reply", self.refused(2, "sim", "touchpad", "--modbus-tcp", "127.0.0.1:0", "--fault", "noise@1"))
+        self.assertIn("--modbus-rtu", self.refused(2, "sim", "touchpad"))
+
+
+if __name__ == "__main__":
+    fyd.unittest.main()
