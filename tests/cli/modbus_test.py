@@ -51,6 +51,7 @@ class Simulator:
         arguments += ["--qbmove", self.qbmove] if qbmove else []
         arguments += ["--camera-mjpeg", f"127.0.0.1:{self.camera_port}"] if camera else []
         self.process = subprocess.Popen(arguments, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        case.addCleanup(self.process.stdout.close)
         case.addCleanup(self.process.wait)
         case.addCleanup(self.process.kill)
         wait_for(lambda: listens(self.port))
