@@ -403,6 +403,7 @@ LinkFigures LinkTouchpadEnd::figures(Instant /*now*/) const {
   out.lost_limit_ms = session_->lostLimit_ms(parameters_);
   out.loss_percent = session_->loss_percent();
   out.round_trip_ms = 1e-3 * static_cast<double>(session_->clock().newestRoundTrip_us());
+  out.sample_delay_ms = 0.5 * out.round_trip_ms + out.period_ms + out.jitter_ms;
   out.clock_offset_ms = 1e-3 * static_cast<double>(session_->clock().offset_us());
   return out;
 }

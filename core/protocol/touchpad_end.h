@@ -77,6 +77,8 @@ struct LinkFigures {
   double round_trip_ms = kUnknown;    ///< FYD Link only, as the following
   double clock_offset_ms = kUnknown;  ///< the robot's clock less ours
   double loss_percent = kUnknown;
+  /// How old an acceleration may be when it arrives: way, wait for its batch, jitter.
+  double sample_delay_ms = kUnknown;
   Batch<RefusalCount, 24> refusals;
 };
 

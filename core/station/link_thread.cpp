@@ -11,6 +11,7 @@ namespace {
 
 constexpr Duration kPatience = std::chrono::milliseconds(1);  // also how late a lost link may be noticed
 constexpr Duration kStatusPeriod = std::chrono::milliseconds(50);
+constexpr double kDelayStep_ms = 5.0;
 constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
 
 protocol::TouchpadAnswer answerFrom(const Announcement& said, std::span<const std::uint8_t> image) {
@@ -121,6 +122,9 @@ void LinkThread::take(const protocol::TouchpadReception& reception, Instant now)
 
 void LinkThread::publish(Instant now) {
   const protocol::LinkFigures figures = end_->figures(now);
+  // In coarse steps, so that the texture's delay is not changed at every breath of the network.
+  newest_.sample_delay_ms =
+      std::isfinite(figures.sample_delay_ms) ? kDelayStep_ms * std::ceil(figures.sample_delay_ms / kDelayStep_ms) : 0.0;
   const std::lock_guard lock(status_mutex_);
   status_.peer = end_->peer() ? protocol::toString(*end_->peer()) : "";
   status_.states_received = figures.states;

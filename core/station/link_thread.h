@@ -32,6 +32,7 @@ struct LinkSnapshot {
   std::uint64_t losses = 0;  ///< grows with each loss, also one that was over before the loop looked
   Timed<pipeline::RobotState> state;
   Timed<pipeline::RobotMotorReference> motor_reference;
+  double sample_delay_ms = 0.0;  ///< how long the texture must wait for accelerations; 0: for none (classic)
 };
 
 class LinkThread {

@@ -97,12 +97,14 @@ struct Station::Impl {
   void cycle(Instant now, std::uint64_t missed_cycles);
   void takeLink();
   void takeOperator();
+  void fitInputDelay();
   void onPicture(const CameraView& view);
   void compareWithTruth(const pipeline::TelemetrySample& sample);
 
   // the operator's thread
   Profile profile;  // with every change asked for
   std::vector<Parameter> bound;
+  const Parameter* input_delay = findParameter(bound, "texture.input_delay_ms");
 
   // the haptic loop's
   pipeline::Pipeline pipeline;
@@ -164,6 +166,14 @@ void Station::Impl::takeOperator() {
   while (!inputs.changes.full() && changes.pop(change)) (void)inputs.changes.push(change);
 }
 
+// Batches of accelerations need the texture to wait for them; a change of a parameter, so that a replay knows of it.
+void Station::Impl::fitInputDelay() {
+  if (!link || input_delay == nullptr || inputs.changes.full()) return;
+  const double needed_ms = std::min(link->snapshot.read().sample_delay_ms, input_delay->info.maximum);
+  if (needed_ms <= pipeline.parameters().texture.input_delay_ms) return;
+  (void)inputs.changes.push({.index = static_cast<std::uint16_t>(input_delay - bound.data()), .value = needed_ms});
+}
+
 void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
   inputs.now = now;
   inputs.missed_cycles = missed_cycles;
@@ -174,6 +184,7 @@ void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
   inputs.motors = readings.motors;
   takeLink();
   takeOperator();
+  fitInputDelay();
 
   const pipeline::Outputs& outputs = pipeline.step(inputs);
 

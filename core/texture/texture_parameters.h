@@ -97,8 +97,9 @@ struct TextureParameters {
         "texture.input_delay_ms", input_delay_ms,
         {.unit = "ms",
          .minimum = 0,
-         .maximum = 25,
-         .help = "How long accelerations wait (plus up to one period), so that jittery packets still arrive in time.",
+         .maximum = 200,
+         .help = "How long accelerations wait (plus up to one period), so that jittery packets still arrive in time; "
+                 "FYD Link raises it to what its batches need.",
          .live = true});
     v.real("texture.maximum_gap_ms", maximum_gap_ms,
            {.unit = "ms",

@@ -49,6 +49,7 @@ class LinkedTouchpad {
   static LockstepOptions options() {
     LockstepOptions out;
     out.draw_pictures = false;
+    out.parameters.texture.input_delay_ms = 30.0;  // a batch of 10 ms, 8 ms under way, one lost
     return out;
   }
   Lockstep session_;
