@@ -165,9 +165,9 @@ TEST(TouchpadProcess, ComesBackEachTimeTheServerIsKilledInTheMiddle) {
   auto process = *TouchpadProcess::start(options);
   options.modbus_tcp->port = process->modbusPort();
   ModbusTouchpad touchpad(*device::parseModbusAddress(process->addresses().front()), quick());
-  for (int kill = 0; kill < 30; ++kill) {
+  for (int kill = 0; kill < 200; ++kill) {
     std::jthread killer([&] {
-      std::this_thread::sleep_for(std::chrono::microseconds(500 + 137 * kill));
+      std::this_thread::sleep_for(std::chrono::microseconds(500 + 137 * (kill % 20)));
       process.reset();
     });
     while (touchpad.exchange({}, Clock::now())) {

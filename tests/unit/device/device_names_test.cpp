@@ -1,10 +1,13 @@
 // Addresses as people write them, the device clock's wrap, ports that do not open, and the list of what is plugged in.
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/device/device_list.h"
 #include "core/device/modbus_touchpad.h"
@@ -77,6 +80,23 @@ TEST(SerialPort, ReasonsComeWithTheirRemedy) {
   EXPECT_THAT(SerialPort::open("/dev/there-is-none", 115'200).error().message, HasSubstr("plugged in"));
   EXPECT_THAT(SerialPort::open("/dev/null", 115'200).error().message, HasSubstr("no serial port"));
   EXPECT_THAT(SerialPort::open("/dev/null", 123'456).error().message, HasSubstr("123456 Bd is no speed"));
+}
+
+TEST(SerialPort, ASpeedThatWasSilentlyReplacedIsFoundOut) {
+  const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(master, 0);
+  ASSERT_EQ(::grantpt(master), 0);
+  ASSERT_EQ(::unlockpt(master), 0);
+  const int slave = ::open(::ptsname(master), O_RDWR | O_NOCTTY);
+  termios mode{};
+  ASSERT_EQ(::tcgetattr(slave, &mode), 0);
+  ::cfsetspeed(&mode, B9600);
+  ASSERT_EQ(::tcsetattr(slave, TCSANOW, &mode), 0);
+  EXPECT_TRUE(checkSpeed(slave, 9600, "port"));
+  EXPECT_THAT(checkSpeed(slave, 115'200, "port").error().message,
+              HasSubstr("asked for 115200 Bd, the port runs at 9600"));
+  ::close(slave);
+  ::close(master);
 }
 
 TEST(DeviceList, StableNamesComeFirstAndOnlyOnce) {
