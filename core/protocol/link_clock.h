@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
@@ -16,6 +17,12 @@
 #include "core/protocol/link_messages.h"
 
 namespace fyd::protocol {
+
+/// Of a whole number of messages a second.
+[[nodiscard]] inline LinkTime periodOf(double rate_Hz) { return static_cast<LinkTime>(std::lround(1e6 / rate_Hz)); }
+[[nodiscard]] inline LinkTime microseconds(Duration duration) {
+  return static_cast<LinkTime>(std::chrono::duration_cast<std::chrono::microseconds>(duration).count());
+}
 
 [[nodiscard]] inline std::int64_t signedDifference(LinkTime a, LinkTime b) {
   return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);

@@ -65,6 +65,9 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   [[nodiscard]] const PeerClock* clock() const { return session_ ? &session_->clock() : nullptr; }
 
  private:
+  /// So many periods of states lie within the lost limit's cap, or a slow robot would count as lost between two.
+  static constexpr double kPeriodsWithinCap = 3.0;
+
   struct Pending {
     LinkSession session;
     Endpoint from;
@@ -110,6 +113,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   std::optional<Endpoint> peer_;
   pipeline::LinkPhase phase_ = pipeline::LinkPhase::waiting;
   Rates rates_;
+  Workspace touch_workspace_;
   PositionCode touch_code_;
   PositionCode robot_code_;
   TouchFields touch_fields_;
