@@ -1,36 +1,21 @@
 #include "core/station/station.h"
 
-#include <spdlog/spdlog.h>
-
 #include <fstream>
 #include <iterator>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgcodecs.hpp>
 
-#include "core/base/ring.h"
 #include "core/device/camera_source.h"
 #include "core/device/touchpad_source.h"
-#include "core/pipeline/pipeline.h"
 #include "core/sim/simulated_camera.h"
 #include "core/sim/simulated_touchpad.h"
-#include "core/station/camera_thread.h"
-#include "core/station/haptic_loop.h"
-#include "core/station/in_process_robot.h"
-#include "core/station/link_thread.h"
 #include "core/station/notice.h"
 #include "core/station/robot_choice.h"
-#include "core/station/touchpad_thread.h"
+#include "core/station/station_impl.h"
 
 namespace fyd::station {
 namespace {
 
-constexpr std::size_t kTelemetryCapacity = 30'000;  // 30 s for a window that is busy
 constexpr std::string_view kSimulated = "simulated";
-
-struct TimedEvent {
-  Instant when{};
-  pipeline::Event event;
-};
 
 Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& path) {
   if (path.empty()) return std::nullopt;
@@ -60,172 +45,25 @@ Result<std::unique_ptr<device::Touchpad>> makeTouchpad(const StationOptions& opt
   return device::withMotors(std::move(*touchpad), options.motors, options.profile.device);
 }
 
-/// Sum of squares of an error, as it grows.
-struct ErrorSum {
-  double squares = 0.0;
-  std::uint64_t count = 0;
-  void add(double squared) {
-    squares += squared;
-    ++count;
-  }
-  [[nodiscard]] double rms() const {
-    return count == 0 ? pipeline::kNone : std::sqrt(squares / static_cast<double>(count));
-  }
-};
-
 }  // namespace
 
-struct Station::Impl {
-  Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
-       std::shared_ptr<sim::TouchpadWorld> simulated_world, std::unique_ptr<device::Touchpad> opened_touchpad)
-      : profile(options.profile),
-        bound(bindParameters(profile)),
-        pipeline(options.profile.step, surface),
-        world(std::move(simulated_world)),
-        touchpad(std::move(opened_touchpad)),
-        camera(
-            options.camera.empty() ? "simulated camera" : options.camera,
-            [source = options.camera, shared = world]() -> Result<std::unique_ptr<device::Camera>> {
-              if (source.empty()) return std::make_unique<sim::SimulatedCamera>(shared);
-              return device::openCamera(source);
-            },
-            options.profile.step.sensing.finger),
-        simulated_camera(options.camera.empty()) {
-    camera.observe([this](const CameraView& view) { onPicture(view); });
-  }
-
-  void cycle(Instant now, std::uint64_t missed_cycles);
-  void takeLink();
-  void takeOperator();
-  void fitInputDelay();
-  void onPicture(const CameraView& view);
-  void compareWithTruth(const pipeline::TelemetrySample& sample);
-
-  // the operator's thread
-  Profile profile;  // with every change asked for
-  std::vector<Parameter> bound;
-  const Parameter* input_delay = findParameter(bound, "texture.input_delay_ms");
-
-  // the haptic loop's
-  pipeline::Pipeline pipeline;
-  pipeline::Inputs inputs;
-  std::uint64_t losses_seen = 0;
-  HapticLoop loop;
-  std::jthread loop_thread;
-
-  // parts
-  std::shared_ptr<sim::TouchpadWorld> world;  // none with a real touchpad
-  TouchpadThread touchpad;
-  CameraThread camera;
-  std::unique_ptr<LinkThread> link;  // none without a robot
-  std::unique_ptr<InProcessRobot> robot;
-  bool simulated_camera;
-
-  // between threads
-  Ring<pipeline::OperatorCommand> commands{64};
-  Ring<pipeline::ParameterChange> changes{256};
-  std::atomic<bool> stop_requested{false};
-  Ring<pipeline::TelemetrySample> telemetry{kTelemetryCapacity};
-  std::atomic<std::uint64_t> telemetry_lost{0};
-  Ring<TimedEvent> events{1024};
-  std::atomic<std::uint32_t> lacks{0};
-  mutable LatestValue<pipeline::TareValues> tare;
-  std::atomic<std::uint64_t> tares{0};
-
-  mutable std::mutex truth_mutex;
-  ErrorSum finger_error;
-  ErrorSum indentation_error;
-};
-
-void Station::Impl::takeLink() {
-  inputs.robot.accelerations.clear();
-  inputs.robot.commands.clear();
-  if (!link) return;
-  const LinkSnapshot& snapshot = link->snapshot.read();
-  inputs.robot.phase = snapshot.losses == losses_seen ? snapshot.phase : pipeline::LinkPhase::lost;
-  losses_seen = snapshot.losses;
-  inputs.robot.state = snapshot.state;
-  inputs.robot.motor_reference = snapshot.motor_reference;
-  pipeline::AccelerationSample sample;
-  while (!inputs.robot.accelerations.full() && link->accelerations.pop(sample)) {
-    (void)inputs.robot.accelerations.push(sample);
-  }
-  pipeline::RobotCommand command{};
-  while (!inputs.robot.commands.full() && link->commands.pop(command)) (void)inputs.robot.commands.push(command);
-}
-
-void Station::Impl::takeOperator() {
-  inputs.commands.clear();
-  inputs.changes.clear();
-  if (stop_requested.exchange(false, std::memory_order_acq_rel)) {
-    (void)inputs.commands.push({.action = pipeline::OperatorAction::stop});
-  }
-  pipeline::OperatorCommand command;
-  while (!inputs.commands.full() && commands.pop(command)) (void)inputs.commands.push(command);
-  pipeline::ParameterChange change;
-  while (!inputs.changes.full() && changes.pop(change)) (void)inputs.changes.push(change);
-}
-
-// Batches of accelerations need the texture to wait for them; a change of a parameter, so that a replay knows of it.
-void Station::Impl::fitInputDelay() {
-  if (!link || input_delay == nullptr || inputs.changes.full()) return;
-  const double needed_ms = std::min(link->snapshot.read().sample_delay_ms, input_delay->info.maximum);
-  if (needed_ms <= pipeline.parameters().texture.input_delay_ms) return;
-  (void)inputs.changes.push({.index = static_cast<std::uint16_t>(input_delay - bound.data()), .value = needed_ms});
-}
-
-void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
-  inputs.now = now;
-  inputs.missed_cycles = missed_cycles;
-  inputs.finger = camera.finger.read();
-  const device::TouchpadReadings& readings = touchpad.readings.read();
-  inputs.ir = readings.ir;
-  inputs.bridge = readings.bridge;
-  inputs.motors = readings.motors;
-  takeLink();
-  takeOperator();
-  fitInputDelay();
-
-  const pipeline::Outputs& outputs = pipeline.step(inputs);
-
-  touchpad.command.write({.command = outputs.motors, .given = now});
-  (void)touchpad.duties.push(outputs.motors.vibration_duty_percent);  // full only while the device is silent
-  if (link) {
-    link->announcement.write(
-        {.touch = outputs.touch, .taken = now, .k_vib = pipeline.parameters().texture.k_vib, .motors = outputs.motors});
-  }
-  if (!telemetry.push(outputs.telemetry)) telemetry_lost.fetch_add(1, std::memory_order_relaxed);
-  for (const pipeline::Event& event : outputs.events) {
-    (void)events.push({.when = now, .event = event});
-    if (event.kind != pipeline::EventKind::tare_done) continue;
-    tare.write(outputs.tare);
-    tares.fetch_add(1, std::memory_order_release);
-  }
-  lacks.store(static_cast<std::uint32_t>(outputs.lacks.to_ulong()), std::memory_order_relaxed);
-}
-
-void Station::Impl::onPicture(const CameraView& view) {
-  if (link && link->wantsImages()) {
-    std::vector<std::uint8_t> encoded;
-    cv::imencode(".jpg", view.picture, encoded);
-    link->offerImage(std::move(encoded));
-  }
-  if (!world || !simulated_camera || !view.finger.contact) return;
-  const sim::FingerState finger = world->truthAt(view.taken).finger;
-  if (finger.lifted) return;
-  const double dx = view.finger.x_mm - finger.x_mm;
-  const double dy = view.finger.y_mm - finger.y_mm;
-  const std::lock_guard lock(truth_mutex);
-  finger_error.add(dx * dx + dy * dy);
-}
-
-void Station::Impl::compareWithTruth(const pipeline::TelemetrySample& sample) {
-  if (!world || !sample.contact || !std::isfinite(sample.indentation_mm)) return;
-  const sim::FingerState finger = world->truthAt(sample.now).finger;
-  if (finger.lifted) return;
-  const double error = sample.indentation_mm - finger.indentation_mm;
-  const std::lock_guard lock(truth_mutex);
-  indentation_error.add(error * error);
+Station::Impl::Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
+                    std::shared_ptr<sim::TouchpadWorld> simulated_world,
+                    std::unique_ptr<device::Touchpad> opened_touchpad)
+    : profile(options.profile),
+      bound(bindParameters(profile)),
+      pipeline(options.profile.step, surface),
+      world(std::move(simulated_world)),
+      touchpad(std::move(opened_touchpad)),
+      camera(
+          options.camera.empty() ? "simulated camera" : options.camera,
+          [source = options.camera, shared = world]() -> Result<std::unique_ptr<device::Camera>> {
+            if (source.empty()) return std::make_unique<sim::SimulatedCamera>(shared);
+            return device::openCamera(source);
+          },
+          options.profile.step.sensing.finger),
+      simulated_camera(options.camera.empty()) {
+  camera.observe([this](const CameraView& view) { onPicture(view); });
 }
 
 Station::Station(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -353,36 +191,6 @@ StationStatus Station::status() const {
               .step_ns_p50 = times.p50_ns,
               .step_ns_p99 = times.p99_ns,
               .real_time = impl_->loop.realTime()};
-  return out;
-}
-
-std::vector<ReadinessLine> Station::readiness() const {
-  using pipeline::Lack;
-  struct Line {
-    const char* what;
-    std::vector<Lack> lacks;
-    bool of_robot = false;  // left out when none is wanted
-  };
-  static const std::vector<Line> kLines = {
-      {"Motors answer", {Lack::motors_stale}},
-      {"Distance sensors measure", {Lack::ir_stale, Lack::ir_invalid}},
-      {"Load cell measures", {Lack::bridge_stale, Lack::bridge_invalid}},
-      {"Camera sees", {Lack::camera_stale, Lack::camera_blind}},
-      {"Robot connected", {Lack::robot_waiting, Lack::robot_lost, Lack::robot_closed, Lack::robot_frozen}, true},
-      {"Stiffness target known", {Lack::no_target}},
-  };
-  const pipeline::Lacks lacks(impl_->lacks.load(std::memory_order_relaxed));
-  std::vector<ReadinessLine> out;
-  for (const Line& line : kLines) {
-    if (line.of_robot && !impl_->link) continue;
-    ReadinessLine shown{.what = line.what, .ok = true};
-    for (const Lack lack : line.lacks) {
-      if (!lacks.test(static_cast<std::size_t>(lack)) || !shown.ok) continue;
-      shown.ok = false;
-      shown.remedy = fmt::format("{}. {}", pipeline::toString(lack), pipeline::remedy(lack));
-    }
-    out.push_back(std::move(shown));
-  }
   return out;
 }
 

@@ -1,0 +1,87 @@
+// What a Station holds: its parts, and what travels between the operator's thread and the haptic loop.
+// Read by station.cpp (opening, the operator's side) and station_loop.cpp (the haptic loop's side) only.
+#pragma once
+
+#include <cmath>
+
+#include "core/base/latest_value.h"
+#include "core/base/ring.h"
+#include "core/pipeline/pipeline.h"
+#include "core/sim/touchpad_world.h"
+#include "core/station/camera_thread.h"
+#include "core/station/haptic_loop.h"
+#include "core/station/in_process_robot.h"
+#include "core/station/link_thread.h"
+#include "core/station/station.h"
+#include "core/station/touchpad_thread.h"
+
+namespace fyd::station {
+
+inline constexpr std::size_t kTelemetryCapacity = 30'000;  // 30 s for a window that is busy
+
+struct TimedEvent {
+  Instant when{};
+  pipeline::Event event;
+};
+
+/// Sum of squares of an error, as it grows.
+struct ErrorSum {
+  double squares = 0.0;
+  std::uint64_t count = 0;
+  void add(double squared) {
+    squares += squared;
+    ++count;
+  }
+  [[nodiscard]] double rms() const {
+    return count == 0 ? pipeline::kNone : std::sqrt(squares / static_cast<double>(count));
+  }
+};
+
+struct Station::Impl {
+  Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
+       std::shared_ptr<sim::TouchpadWorld> simulated_world, std::unique_ptr<device::Touchpad> opened_touchpad);
+
+  void cycle(Instant now, std::uint64_t missed_cycles);
+  void takeLink();
+  void takeOperator();
+  void fitInputDelay();
+  void onPicture(const CameraView& view);
+  void compareWithTruth(const pipeline::TelemetrySample& sample);
+
+  // the operator's thread
+  Profile profile;  // with every change asked for
+  std::vector<Parameter> bound;
+  const Parameter* input_delay = findParameter(bound, "texture.input_delay_ms");
+
+  // the haptic loop's
+  pipeline::Pipeline pipeline;
+  pipeline::Inputs inputs;
+  std::uint64_t losses_seen = 0;
+  HapticLoop loop;
+  std::jthread loop_thread;
+
+  // parts
+  std::shared_ptr<sim::TouchpadWorld> world;  // none with a real touchpad
+  TouchpadThread touchpad;
+  CameraThread camera;
+  std::unique_ptr<LinkThread> link;  // none without a robot
+  std::unique_ptr<InProcessRobot> robot;
+  bool simulated_camera;
+
+  // between threads
+  Ring<pipeline::OperatorCommand> commands{64};
+  Ring<pipeline::ParameterChange> changes{256};
+  std::atomic<bool> stop_requested{false};
+  Ring<pipeline::TelemetrySample> telemetry{kTelemetryCapacity};
+  std::atomic<std::uint64_t> telemetry_lost{0};
+  Ring<TimedEvent> events{1024};
+  std::atomic<std::uint32_t> lacks{0};
+  mutable LatestValue<pipeline::TareValues> tare;
+  std::atomic<std::uint64_t> tares{0};
+
+  mutable std::mutex truth_mutex;
+  ErrorSum finger_error;
+  ErrorSum indentation_error;
+};
+
+}  // namespace fyd::station
