@@ -1,4 +1,6 @@
 // Real sockets on loopback.
+#include <optional>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -6,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/bench/allocation_count.h"
 #include "core/protocol/classic_robot_end.h"
 #include "core/protocol/classic_touchpad_end.h"
 #include "core/protocol/udp_socket.h"
-#include "tests/unit/protocol/allocation_counter.h"
 
 namespace fyd::protocol {
 namespace {
@@ -180,9 +182,9 @@ TEST(ClassicOverUdp, ExchangeDoesNotAllocate) {
   ClassicTouchpadEnd end{LinkParameters{}};
   ClassicRobotEnd self({.reply_timeout = std::chrono::seconds(10)}, touchpad.local());
   std::vector<std::uint8_t> buffer(kMaximumDatagram);
-  std::size_t before = 0;
+  std::optional<bench::AllocationCount> counted;
   for (int i = 0; i < 200; ++i) {
-    if (i == 10) before = allocationCount();
+    if (i == 10) counted.emplace();
     for (const Datagram& datagram : self.tick(Clock::now(), {})) {
       static_cast<void>(robot.send(datagram.bytes, datagram.to));
     }
@@ -194,7 +196,7 @@ TEST(ClassicOverUdp, ExchangeDoesNotAllocate) {
       }
     }
   }
-  EXPECT_EQ(allocationCount(), before);
+  EXPECT_EQ(counted->count(), 0U);
   EXPECT_EQ(self.counters().touches, 199U);
 }
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "app/cli/bench/allocation_count.h"
 #include "core/protocol/classic_robot_end.h"
 #include "core/protocol/classic_touchpad_end.h"
 #include "core/protocol/touch_mapping.h"
-#include "tests/unit/protocol/allocation_counter.h"
 
 namespace fyd::protocol {
 namespace {
@@ -430,7 +430,7 @@ TEST(ClassicTouchpad, EveryDatagramIsCountedOnceAndNothingAllocates) {
   std::vector<std::uint8_t> garbage(300);
   const auto state = encodeState({});
   const auto ack = encodeAck();
-  const std::size_t before = allocationCount();
+  const bench::AllocationCount counted;
   constexpr std::uint64_t kCount = 100'000;
   for (std::uint64_t i = 0; i < kCount; ++i) {
     for (auto& byte : garbage) byte = static_cast<std::uint8_t>(random());
@@ -440,7 +440,7 @@ TEST(ClassicTouchpad, EveryDatagramIsCountedOnceAndNothingAllocates) {
     pad.now += std::chrono::microseconds(random() % 2'000);
     static_cast<void>(pad.take(packet, random() % 2 == 0 ? kRobot : kOther));
   }
-  EXPECT_EQ(allocationCount(), before);
+  EXPECT_EQ(counted.count(), 0U);
   const auto& c = pad.end.counters();
   EXPECT_EQ(c.acks + c.states + c.farewell_states + c.motor_references + c.wrong_peer + c.second_robot +
                 c.before_handshake + c.out_of_turn + c.unrecognised,

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/unit/protocol/allocation_counter.h"
+#include "app/cli/bench/allocation_count.h"
 
 namespace fyd::protocol {
 namespace {
@@ -215,14 +215,14 @@ TEST(FriCodec, NumbersThatAreNoneAreRefusedWhereverTheyStand) {
 
 TEST(FriCodec, NothingAllocates) {
   const FriMeasurement m = measurement();
-  const std::size_t before = allocationCount();
+  const bench::AllocationCount counted;
   FriMeasurement back;
   FriCommand command;
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(decodeFriMeasurement(encodeFriMeasurement(m), back), FriRefusal::none);
     EXPECT_EQ(decodeFriCommand(encodeFriCommand(command), command), FriRefusal::none);
   }
-  EXPECT_EQ(allocationCount(), before);
+  EXPECT_EQ(counted.count(), 0U);
 }
 
 }  // namespace

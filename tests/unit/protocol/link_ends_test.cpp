@@ -1,8 +1,10 @@
 // Both ends of FYD Link: sessions, commands, every phase with every message, peers that come and go.
+#include <optional>
+
 #include <gtest/gtest.h>
 
+#include "app/cli/bench/allocation_count.h"
 #include "core/protocol/link_phase.h"
-#include "tests/unit/protocol/allocation_counter.h"
 #include "tests/unit/protocol/link_pair.h"
 
 namespace fyd::protocol {
@@ -493,10 +495,10 @@ TEST(LinkEnds, RunningExchangeDoesNotAllocate) {
   answer.image = picture;
   answer.board_text = "board";
   Instant now = instantAt(5.0);
-  std::size_t before = 0;
+  std::optional<bench::AllocationCount> counted;
   robot.command(RobotCommand::images_on);
   for (int i = 0; i < 2'000; ++i) {
-    if (i == 1) before = allocationCount();  // handshake and all that follows
+    if (i == 1) counted.emplace();  // handshake and all that follows
     now += std::chrono::milliseconds(1);
     for (const Datagram& d : robot.tick(now, {})) {
       for (const Datagram& r : touchpad.handle(d.bytes, LinkPair::kRobot, now, answer).replies) {
@@ -507,7 +509,7 @@ TEST(LinkEnds, RunningExchangeDoesNotAllocate) {
       static_cast<void>(robot.handle(d.bytes, LinkPair::kTouchpad, now));
     }
   }
-  EXPECT_EQ(allocationCount(), before);
+  EXPECT_EQ(counted->count(), 0U);
   EXPECT_GT(robot.counters().touches, 150U);
   EXPECT_GT(robot.counters().images, 10U);
 }

@@ -6,8 +6,8 @@
 
 #include <sys/stat.h>
 
+#include "app/cli/bench/allocation_count.h"
 #include "core/protocol/link_key_file.h"
-#include "tests/unit/protocol/allocation_counter.h"
 #include "tests/unit/protocol/link_pair.h"
 
 namespace fyd::protocol {
@@ -366,12 +366,12 @@ TEST_F(Channel, AlteredPacketsAreNeverAccepted) {
 
 TEST_F(Channel, DoesNotAllocate) {
   std::array<std::uint8_t, 200> buffer{};
-  const std::size_t before = allocationCount();
+  const bench::AllocationCount counted;
   for (int i = 0; i < 100; ++i) {
     const std::size_t size = sealer_.seal(buffer, 60);
     EXPECT_TRUE(opener_.open(Bytes(buffer).first(size), plain_).ok());
   }
-  EXPECT_EQ(allocationCount(), before);
+  EXPECT_EQ(counted.count(), 0U);
 }
 
 TEST(SecretBytes, AreWipedWhenTheyGo) {
