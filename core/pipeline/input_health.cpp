@@ -22,6 +22,8 @@ bool blind(sensing::FingerReason reason) {
 bool InputHealth::Grace::expired(bool now_bad, Instant now, double grace_ms) {
   if (now_bad && !bad) since = now;
   bad = now_bad;
+  ever_good = ever_good || !bad;
+  if (!ever_good) return true;
   return bad && now - since > fromSeconds(grace_ms * 1e-3);
 }
 

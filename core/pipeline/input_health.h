@@ -21,7 +21,7 @@ struct HealthContext {
 
 class InputHealth {
  public:
-  /// Validity (not only age) may fail for up to the input's maximum age before it counts.
+  /// Validity (not only age), once it was there, may fail for up to the input's maximum age before it counts.
   [[nodiscard]] Lacks judge(const Inputs& inputs, const HealthContext& context, const StepParameters& limits);
 
   /// Any sensor of the touchpad answers.
@@ -30,10 +30,11 @@ class InputHealth {
   [[nodiscard]] static Lack first(const Lacks& lacks);
 
  private:
-  /// True once `bad` has held longer than `grace`.
+  /// True once `bad` has held longer than `grace`; without grace until it was good for the first time.
   struct Grace {
     Instant since{};
     bool bad = false;
+    bool ever_good = false;
     bool expired(bool now_bad, Instant now, double grace_ms);
   };
   Grace camera_blind_;

@@ -48,6 +48,20 @@ TEST(StepSession, ItStartsDisconnectedAndArmsOnlyWhenAsked) {
   EXPECT_EQ(session.outputs().telemetry.state, SafetyState::ready);
 }
 
+TEST(StepSession, ACameraThatIsBlackFromTheStartIsNeverReady) {
+  Lockstep session{LockstepOptions{}};
+  session.spoil = [](pipeline::Inputs& in) {
+    in.finger.value = {};
+    in.finger.value.reason = sensing::FingerReason::black_picture;
+  };
+  arm(session);
+  session.run(1.0, [](const pipeline::Outputs& outputs) {
+    ASSERT_NE(outputs.telemetry.state, SafetyState::ready);
+    ASSERT_NE(outputs.telemetry.state, SafetyState::active);
+  });
+  EXPECT_EQ(session.outputs().telemetry.lack, Lack::camera_blind);
+}
+
 TEST(StepSession, ALiftedFingerIsNoFault) {
   LockstepOptions options;
   options.finger = sim::FingerPath::constant(0, 0, 0);
