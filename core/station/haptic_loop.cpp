@@ -45,7 +45,6 @@ void HapticLoop::run(const std::stop_token& stop, const Cycle& cycle) {
     const auto late_cycles = static_cast<std::uint64_t>((now - due) / kHapticPeriod);
     missed_.fetch_add(late_cycles, std::memory_order_relaxed);
     cycle(now, missed_.load(std::memory_order_relaxed));
-    times_.add(Clock::now() - now);
     cycles_.fetch_add(1, std::memory_order_relaxed);
     due += kHapticPeriod * static_cast<Duration::rep>(late_cycles + 1);
   }

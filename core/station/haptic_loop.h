@@ -40,13 +40,11 @@ class HapticLoop {
   [[nodiscard]] std::uint64_t cycles() const { return cycles_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::uint64_t missedCycles() const { return missed_.load(std::memory_order_relaxed); }
   [[nodiscard]] bool realTime() const { return real_time_.load(std::memory_order_relaxed); }
-  [[nodiscard]] StepTimes::Figures times() const { return times_.figures(); }
 
  private:
   std::atomic<std::uint64_t> cycles_{0};
   std::atomic<std::uint64_t> missed_{0};
   std::atomic<bool> real_time_{false};
-  StepTimes times_;
 };
 
 }  // namespace fyd::station

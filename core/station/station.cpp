@@ -185,7 +185,7 @@ StationStatus Station::status() const {
   } else {
     out.link.protocol = "none";
   }
-  const StepTimes::Figures times = impl_->loop.times();
+  const StepTimes::Figures times = impl_->step_times.figures();
   out.loop = {.steps = impl_->loop.cycles(),
               .missed_cycles = impl_->loop.missedCycles(),
               .step_ns_p50 = times.p50_ns,

@@ -58,6 +58,7 @@ struct Station::Impl {
   pipeline::Inputs inputs;
   std::uint64_t losses_seen = 0;
   HapticLoop loop;
+  StepTimes step_times;
   std::jthread loop_thread;
 
   // parts

@@ -54,7 +54,9 @@ void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
   takeOperator();
   fitInputDelay();
 
+  const Instant before = Clock::now();
   const pipeline::Outputs& outputs = pipeline.step(inputs);
+  step_times.add(Clock::now() - before);
 
   touchpad.command.write({.command = outputs.motors, .given = now});
   (void)touchpad.duties.push(outputs.motors.vibration_duty_percent);  // full only while the device is silent
