@@ -31,7 +31,8 @@ Result<Options> readOptions(const QStringList& arguments) {
   const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this help."));
   const QCommandLineOption version(QStringLiteral("version"), tr("Show the version."));
   const QCommandLineOption simulate(
-      QStringLiteral("simulate"), tr("Simulate the touchpad; so far always the case, as no device can be configured."));
+      QStringLiteral("simulate"),
+      tr("Simulate the touchpad: always so in the window; a real one is driven by fyd station."));
   const QCommandLineOption finger(QStringLiteral("finger"),
                                   tr("Let the simulated finger follow a recording (t_s,x_mm,y_mm,z_mm)."),
                                   QStringLiteral("CSV"));
