@@ -1,0 +1,68 @@
+// What a recording holds, as plain values: written by RecordingWriter, read by Recording.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/base/time.h"
+#include "core/pipeline/outputs.h"
+#include "core/sensing/finger_types.h"
+
+namespace fyd::session {
+
+/// What is known when a recording starts.
+struct RecordingHeader {
+  std::string id;           ///< random, unique in the world: 32 hexadecimal digits
+  std::string started_utc;  ///< ISO 8601 with milliseconds, of the first row
+  Instant started{};        ///< the same moment on the station's clock: time 0 of the recording
+  std::string operator_name;
+  std::string subject;  ///< code, never a name
+  std::string notes;
+  std::vector<std::string> tags;
+  std::string touchpad;  ///< words of the station's options
+  std::string camera;
+  std::string robot;
+  std::string profile;     ///< TOML, the whole station's, as it was at the first row
+  std::string surface;     ///< TOML of the stored surface; empty: none
+  std::string step_state;  ///< Pipeline::saveState before the first row
+  std::string version;     ///< of the program that records
+};
+
+/// One picture: the whole one compressed, the region of interest exactly as the detector saw it.
+struct EncodedPicture {
+  Instant taken{};
+  std::uint64_t number = 0;          ///< the camera's
+  std::vector<std::uint8_t> whole;   ///< JPEG
+  std::vector<std::uint8_t> region;  ///< PNG, without loss; empty when the region lies outside the picture
+  cv::Rect region_px;                ///< of interest, in the whole picture
+  sensing::FingerDetection finger;
+};
+
+/// A line of the recording's own log: an operator's note, a bookmark, a trial's marker, a condition of the recorder.
+enum class NoteKind : std::uint8_t { note, bookmark, trial_start, trial_end, alarm };
+struct Note {
+  Instant when{};
+  NoteKind kind = NoteKind::note;
+  std::string text;
+};
+
+/// The robot's link and the loop once a second: figures that are no input of the step.
+struct LinkRow {
+  Instant when{};
+  double round_trip_ms = pipeline::kNone;
+  double jitter_ms = pipeline::kNone;
+  double loss_percent = pipeline::kNone;
+  std::uint64_t states_received = 0;
+  std::uint64_t touches_sent = 0;
+  std::uint64_t refused = 0;
+};
+
+struct EventRow {
+  Instant when{};
+  pipeline::Event event;
+};
+
+}  // namespace fyd::session
