@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "core/pipeline/outputs.h"
 #include "core/protocol/touchpad_end.h"
 #include "core/sensing/finger_types.h"
+#include "core/session/recorder.h"
 #include "core/station/profile.h"
 
 namespace fyd::station {
@@ -33,6 +35,7 @@ struct StationOptions {
   std::string robot = "simulated";     ///< "simulated", "none", "link:HOST:PORT" or "classic:HOST:PORT" (listens there)
   std::string key_file;                ///< of FYD Link; "link:" needs one, the others take none
   std::string surface;                 ///< file of a stored surface, felt while robot is "none"; empty: none
+  std::optional<session::RecordingRequest> record;  ///< recorded from the first step on
 };
 
 /// How one part is doing, in words an operator reads.
@@ -141,6 +144,15 @@ class Station {
   [[nodiscard]] StationStatus status() const;
   [[nodiscard]] std::vector<ReadinessLine> readiness() const;
   [[nodiscard]] SimulationTruth simulationTruth() const;
+
+  /// Recording, from the operator's thread. The file starts up to 10 s before this call.
+  /// @return an error at once when the file cannot be made, or one is being recorded; nothing then changes
+  [[nodiscard]] Result<void> startRecording(const session::RecordingRequest& request);
+  /// Closes the file: it is whole when this returns without an error.
+  [[nodiscard]] Result<void> stopRecording();
+  /// A line of the recording's log; dropped while nothing is recorded.
+  void note(session::NoteKind kind, const std::string& text);
+  [[nodiscard]] session::RecorderStatus recorderStatus() const;
 
   /// Simulation only: the finger goes where the mouse says until released; no effect on a real touchpad.
   void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm);
