@@ -1,0 +1,169 @@
+"""Touchpad and robot in two network namespaces joined by a virtual cable: interface down, network unreachable, port
+closed, a line so slow that the socket's buffer fills; both ends on the authors' own port."""
+import json
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+import fyd
+
+STATION, ROBOT = "10.77.0.1", "10.77.0.2"
+PORT = 3490  # of the authors' program, at both ends: possible on one machine only with two namespaces
+
+
+def quiet(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def namespaces_are_allowed():
+    return quiet(*UNSHARE, "true").returncode == 0
+
+
+# Without root, a user namespace of one's own gives the right to make network namespaces in it.
+UNSHARE = ["unshare", "-n"] if os.geteuid() == 0 else ["unshare", "-rn"]
+
+
+@unittest.skipUnless(namespaces_are_allowed(), "this system allows no network namespaces")
+class TwoHosts(fyd.Case):
+    def setUp(self):
+        super().setUp()
+        self.pad = self.sleeper(UNSHARE)
+        self.arm = self.sleeper([*self.inside(self.pad), "unshare", "-n"])
+        self.on(self.pad, "ip", "link", "add", "cable", "type", "veth", "peer", "name", "plug", "netns", str(self.arm))
+        for host, device, address in ((self.pad, "cable", STATION), (self.arm, "plug", ROBOT)):
+            self.on(host, "ip", "link", "set", "lo", "up")
+            self.on(host, "ip", "address", "add", address + "/24", "dev", device)
+            self.on(host, "ip", "link", "set", device, "up")
+
+    def sleeper(self, prefix):
+        """A process that keeps a namespace alive; returns its number once the namespace is its own."""
+        mine = os.readlink("/proc/self/ns/net") if prefix == UNSHARE else os.readlink(f"/proc/{self.pad}/ns/net")
+        process = subprocess.Popen([*prefix, "sleep", "600"])
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        until = time.monotonic() + 20
+        while time.monotonic() < until:
+            # nsenter and unshare go over into "sleep" without a new process
+            if os.readlink(f"/proc/{process.pid}/ns/net") != mine and self.name(process.pid) == "sleep":
+                return process.pid
+            time.sleep(0.02)
+        self.fail("the namespace did not come")
+
+    @staticmethod
+    def name(pid):
+        with open(f"/proc/{pid}/comm", encoding="utf-8") as file:
+            return file.read().strip()
+
+    @staticmethod
+    def inside(pid):
+        user = [] if os.geteuid() == 0 else ["-U", "--preserve-credentials"]
+        return ["nsenter", "-t", str(pid), *user, "-n"]
+
+    def on(self, pid, *command):
+        done = quiet(*self.inside(pid), *command)
+        self.assertEqual(done.returncode, 0, f"{command}: {done.stderr}")
+
+    def start(self, pid, *arguments):
+        with open(self.path("log"), "a", encoding="utf-8") as log:
+            process = subprocess.Popen([*self.inside(pid), fyd.PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
+                                       stderr=log, text=True)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def log(self):
+        with open(self.path("log"), encoding="utf-8") as file:
+            return file.read()
+
+    def await_log(self, words, seconds=30, times=1):
+        until = time.monotonic() + seconds
+        while time.monotonic() < until:
+            if self.log().count(words) >= times:
+                return
+            time.sleep(0.05)
+        self.fail(f"'{words}' was not said {times} time(s):\n{self.log()}")
+
+    def result(self, process):
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=60)
+        return json.loads(out)
+
+    def session(self, protocol, *robot_options):
+        """Station and robot end as two processes; returns both once the touchpad renders."""
+        secure_station, secure_robot = [], []
+        if protocol == "link":
+            key = self.path("lab.key")
+            if not os.path.exists(key):
+                self.json("link", "keygen", key, "--json")
+            secure_station, secure_robot = ["--key", key], ["--link", "--key", key]
+        station = self.start(self.pad, "station", "--headless", "--simulate", "--robot", f"{protocol}:{STATION}:{PORT}",
+                             *secure_station, "--json")
+        robot = self.start(self.arm, "robot", "--connect", f"{STATION}:{PORT}", "--bind", f"{ROBOT}:{PORT}", "--no-probe",
+                           "--known-stiffness", 0.6, *secure_robot, *robot_options, "--json")
+        self.await_log("Active")
+        return station, robot
+
+    def cable_comes_out(self, protocol):
+        station, robot = self.session(protocol)
+        time.sleep(1)
+        self.on(self.pad, "ip", "link", "set", "cable", "down")
+        self.await_log("Held")
+        time.sleep(1)
+        self.on(self.pad, "ip", "link", "set", "cable", "up")
+        time.sleep(4)
+        at_end, arm = self.result(station), self.result(robot)
+        self.assertEqual(at_end["state"], "Held", "a link that returns never re-arms the touchpad")
+        self.assertEqual(self.log().count("Active"), 1)
+        heard = next(part for part in at_end["parts"] if part["name"] == "Robot")
+        self.assertLess(heard["age_ms"], 1000, "the robot is heard again")
+        return at_end, arm
+
+    def test_interface_down_holds_the_secured_session(self):
+        at_end, arm = self.cable_comes_out("link")
+        self.assertEqual(at_end["link_protocol"], "FYD Link, sealed")
+        self.assertGreater(arm["touches_received"], 30)
+
+    def test_interface_down_holds_the_classic_session_on_the_authors_port(self):
+        at_end, arm = self.cable_comes_out("classic")
+        self.assertGreater(arm["touches_received"], 100)
+        self.assertGreater(at_end["state_messages_received"], 100)
+
+    def test_a_robot_whose_port_closed_and_a_route_that_is_gone(self):
+        station, robot = self.session("classic")
+        robot.kill()  # every reply now comes back as "port unreachable"
+        self.await_log("Held")
+        again = self.start(self.arm, "robot", "--connect", f"{STATION}:{PORT}", "--bind", f"{ROBOT}:{PORT}", "--no-probe",
+                           "--known-stiffness", 0.6, "--json")
+        time.sleep(2)
+        self.on(self.arm, "ip", "address", "del", ROBOT + "/24", "dev", "plug")  # sending fails at the robot itself
+        time.sleep(1)
+        arm = self.result(again)
+        self.assertGreaterEqual(arm["connections"], 1)
+        self.assertGreater(arm["send_failures"], 0)
+        self.assertEqual(self.result(station)["state"], "Held")
+        self.assertEqual(self.log().count("Active"), 1)
+
+    def test_a_line_so_slow_that_the_sockets_buffer_fills(self):
+        station, robot = self.session("link", "--rate", 1000, "--state-rate", 1000)
+        slow = ("dev", "plug", "root", "tbf", "rate", "2kbit", "burst", "2000", "limit", "10000000")
+        shaped = quiet(*self.inside(self.arm), "tc", "qdisc", "add", *slow)
+        if shaped.returncode != 0:
+            self.skipTest("no traffic shaping here: " + shaped.stderr)
+        self.await_log("Held")
+        time.sleep(3)
+        self.on(self.arm, "tc", "qdisc", "del", "dev", "plug", "root")
+        time.sleep(4)
+        at_end, arm = self.result(station), self.result(robot)
+        self.assertGreater(arm["send_failures"], 0, "the buffer did fill")
+        self.assertEqual(at_end["state"], "Held")
+        self.assertEqual(at_end["reason"], "the robot is silent")
+        heard = next(part for part in at_end["parts"] if part["name"] == "Robot")
+        self.assertLess(heard["age_ms"], 1000, "the robot is heard again")
+        self.assertEqual(self.log().count("Active"), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
