@@ -3,12 +3,14 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
 
 #include "core/base/error.h"
 #include "core/base/image.h"
 #include "core/base/time.h"
+#include "core/device/device_report.h"
 
 namespace fyd::device {
 
@@ -31,6 +33,15 @@ class Camera {
  public:
   virtual ~Camera() = default;
   [[nodiscard]] virtual std::string description() const = 0;
+
+  /// "simulated", "camera device", "video file", "folder", "stream".
+  [[nodiscard]] virtual std::string kind() const = 0;
+
+  /// What became of the profile's brightness, contrast and exposure, newest opening.
+  [[nodiscard]] virtual std::vector<CameraControl> controls() const { return {}; }
+
+  /// Whether it shows the present world through a sensor, so that noise makes two equal pictures impossible.
+  [[nodiscard]] virtual bool live() const { return false; }
 
   /// Waits for the next picture, at most about a second.
   /// @return an error when the source ended, vanished or is silent; the caller may try again later

@@ -29,30 +29,35 @@ std::optional<int> deviceNumber(const std::string& source) {
 
 }  // namespace
 
-Result<std::unique_ptr<Camera>> openCamera(const std::string& source) {
+Result<std::unique_ptr<Camera>> openCamera(const std::string& source, const DeviceParameters& parameters) {
   namespace fs = std::filesystem;
+  const auto open = [&](CaptureKind kind, std::optional<int> number = std::nullopt) {
+    return CaptureCamera::open(
+        {.kind = kind, .source = number ? fmt::format("/dev/video{}", *number) : source, .number = number}, parameters);
+  };
   std::error_code error;
   if (const auto number = deviceNumber(source)) {
     const std::string path = fmt::format("/dev/video{}", *number);
     if (!fs::exists(path, error)) {
       return fail("camera device {}: there is no {}; capture devices found: {}", *number, path, devicesPresent());
     }
-    return CaptureCamera::open(CaptureKind::device, path, number);
+    return open(CaptureKind::device, number);
   }
-  if (source.find("://") != std::string::npos) return CaptureCamera::open(CaptureKind::stream, source);
+  if (source.starts_with("id=")) return open(CaptureKind::device);
+  if (source.find("://") != std::string::npos) return open(CaptureKind::stream);
   const fs::file_status status = fs::status(source, error);
   switch (status.type()) {
-    case fs::file_type::directory: return FolderCamera::open(source);
-    case fs::file_type::character: return CaptureCamera::open(CaptureKind::device, source);
-    case fs::file_type::regular: return CaptureCamera::open(CaptureKind::video, source);
+    case fs::file_type::directory: return FolderCamera::open(source, cameraSettings(parameters));
+    case fs::file_type::character: return open(CaptureKind::device);
+    case fs::file_type::regular: return open(CaptureKind::video);
     default: break;
   }
   if (source.starts_with("/dev/")) {
     return fail("camera device '{}': there is none; capture devices found: {}", source, devicesPresent());
   }
   return fail(
-      "camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, a video file, "
-      "a folder of pictures or a stream's URL",
+      "camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, id=SERIAL, a video "
+      "file, a folder of pictures or a stream's URL",
       source);
 }
 

@@ -13,23 +13,26 @@ constexpr Duration kRetryAfter = std::chrono::seconds(1);
 constexpr int kOpenTimeout_ms = 3000;
 constexpr int kReadTimeout_ms = 1000;
 
-/// OpenCV and FFmpeg write to the console on every failure; ours are returned instead.
-void silenceOpenCv() {
+/// OpenCV and FFmpeg write to the console on every failure; ours are returned instead. Controls of cameras are asked
+/// for as shares of their range, the only way to say "maximum" to every camera.
+void prepareOpenCv() {
   static std::once_flag once;
   std::call_once(once, [] {
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-    ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // NOLINT(concurrency-mt-unsafe): before any capture exists
+    // NOLINTBEGIN(concurrency-mt-unsafe): before any capture exists
+    ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+    ::setenv("OPENCV_VIDEOIO_V4L_RANGE_NORMALIZED", "1", 1);
+    // NOLINTEND(concurrency-mt-unsafe)
   });
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Camera>> CaptureCamera::open(CaptureKind kind, const std::string& source,
-                                                    std::optional<int> number) {
-  silenceOpenCv();
-  std::unique_ptr<CaptureCamera> camera(new CaptureCamera(kind, source, number));
+Result<std::unique_ptr<Camera>> CaptureCamera::open(const CaptureChoice& choice, const DeviceParameters& parameters) {
+  prepareOpenCv();
+  std::unique_ptr<CaptureCamera> camera(new CaptureCamera(choice, parameters));
   if (const auto opened = camera->openCapture(); !opened) return tl::unexpected(opened.error());
-  if (kind == CaptureKind::video) {
+  if (choice.kind == CaptureKind::video) {
     if (cv::Mat first; !camera->read(first)) return fail("{}: holds no picture", camera->name());
     if (const auto rewound = camera->openCapture(); !rewound) return tl::unexpected(rewound.error());
   }
@@ -45,6 +48,11 @@ std::string CaptureCamera::name() const {
   return source_;
 }
 
+std::string CaptureCamera::kind() const {
+  static constexpr std::array<std::string_view, 3> kKinds = {"camera device", "video file", "stream"};
+  return std::string(kKinds[static_cast<std::size_t>(kind_)]);
+}
+
 std::string CaptureCamera::description() const {
   const std::string size = fmt::format("{} × {}", size_.width, size_.height);
   if (kind_ == CaptureKind::video)
@@ -52,18 +60,30 @@ std::string CaptureCamera::description() const {
   return size_.empty() ? name() : fmt::format("{}, {}", name(), size);
 }
 
+void CaptureCamera::openDevice(const std::string& path) {
+  if (number_) {
+    capture_.open(*number_, cv::CAP_V4L2);
+  } else {
+    capture_.open(path, cv::CAP_V4L2);
+  }
+}
+
+void CaptureCamera::setUpDevice() {  // the thesis' format; a camera without it keeps its own
+  capture_.set(cv::CAP_PROP_FRAME_WIDTH, 320);
+  capture_.set(cv::CAP_PROP_FRAME_HEIGHT, 240);
+  capture_.set(cv::CAP_PROP_FPS, kUsualRate_Hz);
+  controls_ = applyControls(settings_, {.set = [this](int what, double share) { return capture_.set(what, share); },
+                                        .get = [this](int what) { return capture_.get(what); }});
+}
+
 Result<void> CaptureCamera::openCapture() {
   last_attempt_ = Clock::now();
+  const auto path = kind_ == CaptureKind::device ? resolveDevice(source_, by_id_) : source_;
+  if (!path) return fail("camera: {}", path.error().message);
   try {
     // Each by its backend's name: left to choose, OpenCV also asks GStreamer, which scans its plugins and leaks.
     switch (kind_) {
-      case CaptureKind::device:
-        if (number_) {
-          capture_.open(*number_, cv::CAP_V4L2);
-        } else {
-          capture_.open(source_, cv::CAP_V4L2);
-        }
-        break;
+      case CaptureKind::device: openDevice(*path); break;
       case CaptureKind::video: capture_.open(source_, cv::CAP_FFMPEG); break;
       case CaptureKind::stream:
         capture_.open(source_, cv::CAP_FFMPEG,
@@ -79,10 +99,10 @@ Result<void> CaptureCamera::openCapture() {
       };
       return fail("{}: does not open; {}", name(), kExpected[static_cast<std::size_t>(kind_)]);
     }
-    if (kind_ == CaptureKind::device) {  // the thesis' format; a camera without it keeps its own
-      capture_.set(cv::CAP_PROP_FRAME_WIDTH, 320);
-      capture_.set(cv::CAP_PROP_FRAME_HEIGHT, 240);
-      capture_.set(cv::CAP_PROP_FPS, kUsualRate_Hz);
+    if (kind_ == CaptureKind::device) {
+      setUpDevice();
+    } else {
+      controls_ = noControls(settings_, kind_ == CaptureKind::video ? "a video file" : "a stream");
     }
     size_ = {static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH)),
              static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT))};

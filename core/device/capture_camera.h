@@ -7,34 +7,53 @@
 #include <opencv2/videoio.hpp>
 
 #include "core/device/camera.h"
+#include "core/device/camera_controls.h"
 #include "core/device/pacer.h"
 
 namespace fyd::device {
 
 enum class CaptureKind : std::uint8_t { device, video, stream };
 
+struct CaptureChoice {
+  CaptureKind kind = CaptureKind::device;
+  std::string source;         ///< path, "id=SERIAL" (device), or URL (stream)
+  std::optional<int> number;  ///< of a device; for the other kinds, and for devices by path, unused
+};
+
 class CaptureCamera final : public Camera {
  public:
-  /// @param number of a device; for the other kinds, and for devices by path, unused
   /// @return an error when it does not open, or (video) holds no picture
-  [[nodiscard]] static Result<std::unique_ptr<Camera>> open(CaptureKind kind, const std::string& source,
-                                                            std::optional<int> number = std::nullopt);
+  [[nodiscard]] static Result<std::unique_ptr<Camera>> open(const CaptureChoice& choice,
+                                                            const DeviceParameters& parameters);
 
   [[nodiscard]] std::string description() const override;
+  [[nodiscard]] std::string kind() const override;
+  [[nodiscard]] std::vector<CameraControl> controls() const override { return controls_; }
+  [[nodiscard]] bool live() const override { return kind_ != CaptureKind::video; }
   /// After an error each call waits until a second has passed since the last attempt and opens the source again.
   /// A video is played again from its start when it ends.
   [[nodiscard]] Result<CameraFrame> next() override;
 
  private:
-  CaptureCamera(CaptureKind kind, std::string source, std::optional<int> number)
-      : kind_(kind), source_(std::move(source)), number_(number), pacer_(kUsualRate_Hz) {}
+  CaptureCamera(const CaptureChoice& choice, const DeviceParameters& parameters)
+      : kind_(choice.kind),
+        source_(choice.source),
+        number_(choice.number),
+        settings_(cameraSettings(parameters)),
+        by_id_(parameters.cameras_by_id),
+        pacer_(kUsualRate_Hz) {}
   [[nodiscard]] Result<void> openCapture();
+  void openDevice(const std::string& path);
+  void setUpDevice();
   [[nodiscard]] bool read(cv::Mat& picture);
   [[nodiscard]] std::string name() const;
 
   CaptureKind kind_;
   std::string source_;
   std::optional<int> number_;
+  CameraSettings settings_;
+  std::string by_id_;  // folder of the names that belong to a device
+  std::vector<CameraControl> controls_;
   Pacer pacer_;
   cv::VideoCapture capture_;
   cv::Size size_;

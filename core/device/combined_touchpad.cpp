@@ -3,41 +3,150 @@
 namespace fyd::device {
 namespace {
 
-constexpr Duration kRetry = std::chrono::milliseconds(200);  // so that a dead half does not slow the other down
+constexpr Duration kRetry = std::chrono::milliseconds(200);
 constexpr int kFailuresUntilRest = 3;
+constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
+constexpr Duration kVibrationTimeout = std::chrono::milliseconds(20);
 
 }  // namespace
 
+void CombinedTouchpad::Half::succeeded(Instant now, const std::string& complaint) {
+  rate_.count(now);
+  const std::lock_guard lock(mutex_);
+  newest_ = now;
+  seen_ = true;
+  problem_ = complaint;
+}
+
+void CombinedTouchpad::Half::failed(const std::string& problem) {
+  const std::lock_guard lock(mutex_);
+  ++errors_;
+  problem_ = problem;
+}
+
+bool CombinedTouchpad::Half::reportDue(Instant now) {
+  if (now < report_due_) return false;
+  report_due_ = now + kReportPeriod;
+  return true;
+}
+
+void CombinedTouchpad::Half::publish(DeviceReport report) {
+  const std::lock_guard lock(mutex_);
+  report_ = std::move(report);
+}
+
+std::string CombinedTouchpad::Half::problem() const {
+  const std::lock_guard lock(mutex_);
+  return problem_;
+}
+
+std::string CombinedTouchpad::Half::description(const std::string& fallback) const {
+  const std::lock_guard lock(mutex_);
+  return report_.description.empty() ? fallback : report_.description;
+}
+
+DeviceReport CombinedTouchpad::Half::report(Instant now) const {
+  const std::lock_guard lock(mutex_);
+  DeviceReport out = report_;
+  out.problem = problem_;
+  out.ok = problem_.empty();
+  out.errors = errors_;
+  if (seen_) out.age_ms = toMilliseconds(now - newest_);
+  out.rate_hz = seen_ && now - newest_ < std::chrono::seconds(2) ? rate_.rate_hz() : 0.0;
+  return out;
+}
+
+CombinedTouchpad::CombinedTouchpad(std::unique_ptr<Touchpad> sensors, std::unique_ptr<QbmoveMotors> motors,
+                                   const DeviceParameters& parameters)
+    : sensors_(std::move(sensors)),
+      motors_(std::move(motors)),
+      names_(fmt::format("{}; {}", sensors_->description(), motors_->description())),
+      longest_silence_(fromSeconds(parameters.qbmove_watchdog_ms / 1e3)) {
+  auto known = sensors_->reports();
+  if (!known.empty()) sensor_half_.publish(std::move(known.front()));
+  motor_half_.publish(motors_->report());
+}
+
+CombinedTouchpad::~CombinedTouchpad() {
+  sensor_thread_.request_stop();
+  motor_thread_.request_stop();
+}
+
 std::string CombinedTouchpad::description() const {
-  return fmt::format("{}; {}", sensors_->description(), motors_->description());
+  return fmt::format("{}; {}", sensor_half_.description(names_), motor_half_.description(""));
 }
 
-void CombinedTouchpad::askSensors(Instant now) {
-  if (now < sensors_due_) return;
-  const auto sensed = sensors_->exchange({}, now);
-  sensor_problem_ = sensed ? sensors_->complaint() : sensed.error().message;
-  sensors_due_ = now + (sensed ? sensors_->period() : kRetry);
-  if (!sensed) return;
-  readings_.ir = sensed->ir;
-  readings_.bridge = sensed->bridge;
+// The thread above stands between the step and this one: what it has not renewed, the board must not go on doing.
+control::MotorCommand CombinedTouchpad::commandAt(Instant now) {
+  const Given& given = command_.read();
+  control::MotorCommand command = given.command;
+  if (now - given.when > kVibrationTimeout) command.vibration_duty_percent = {};
+  if (now - given.when > longest_silence_) command.active = false;
+  return command;
 }
 
-void CombinedTouchpad::askMotors(const control::MotorCommand& command, Instant now) {
-  if (now < motors_due_) return;
-  const auto moved = motors_->exchange(command);
-  motor_problem_ = moved ? std::string() : moved.error().message;
-  motor_failures_ = moved ? 0 : motor_failures_ + 1;
-  motors_due_ = motor_failures_ < kFailuresUntilRest ? now : now + kRetry;
-  if (moved) readings_.motors.set(*moved, now);
+void CombinedTouchpad::runSensors(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    const Instant now = Clock::now();
+    const auto sensed = sensors_->exchange({}, now);
+    if (sensed) {
+      sensed_.write(*sensed);
+      sensor_half_.succeeded(now, sensors_->complaint());
+    } else {
+      sensor_half_.failed(sensed.error().message);
+    }
+    if (sensor_half_.reportDue(now)) {
+      auto reports = sensors_->reports();
+      if (!reports.empty()) sensor_half_.publish(std::move(reports.front()));
+    }
+    std::this_thread::sleep_until(sensed ? now + sensors_->period() : Clock::now() + kRetry);
+  }
+}
+
+void CombinedTouchpad::runMotors(const std::stop_token& stop) {
+  Timed<control::MotorFeedback> newest;
+  int failures = 0;  // in a row
+  while (!stop.stop_requested()) {
+    const Instant now = Clock::now();
+    const auto moved = motors_->exchange(commandAt(now));
+    if (moved) {
+      newest.set(*moved, now);
+      moved_.write(newest);
+      motor_half_.succeeded(now, {});
+    } else {
+      motor_half_.failed(moved.error().message);
+    }
+    failures = moved ? 0 : failures + 1;
+    if (motor_half_.reportDue(now)) motor_half_.publish(motors_->report());
+    std::this_thread::sleep_until(failures < kFailuresUntilRest ? now + period() : Clock::now() + kRetry);
+  }
+  static_cast<void>(motors_->exchange({}));  // motors off
 }
 
 Result<TouchpadReadings> CombinedTouchpad::exchange(const control::MotorCommand& command, Instant now) {
-  askMotors(command, now);
-  askSensors(now);
-  if (!sensor_problem_.empty() && !motor_problem_.empty()) return fail("{}; {}", sensor_problem_, motor_problem_);
+  command_.write({.command = command, .when = now});
+  if (!motor_thread_.joinable()) {
+    sensor_thread_ = std::jthread([this](const std::stop_token& stop) { runSensors(stop); });
+    motor_thread_ = std::jthread([this](const std::stop_token& stop) { runMotors(stop); });
+  }
+  const TouchpadReadings& sensed = sensed_.read();
+  readings_.ir = sensed.ir;
+  readings_.bridge = sensed.bridge;
+  readings_.motors = moved_.read();
+  const std::string sensors = sensor_half_.problem();
+  const std::string motors = motor_half_.problem();
+  if (!sensors.empty() && !motors.empty()) return fail("{}; {}", sensors, motors);
   return readings_;
 }
 
-std::string CombinedTouchpad::complaint() const { return sensor_problem_.empty() ? motor_problem_ : sensor_problem_; }
+std::string CombinedTouchpad::complaint() const {
+  const std::string sensors = sensor_half_.problem();
+  return sensors.empty() ? motor_half_.problem() : sensors;
+}
+
+std::vector<DeviceReport> CombinedTouchpad::reports() const {
+  const Instant now = Clock::now();
+  return {sensor_half_.report(now), motor_half_.report(now)};
+}
 
 }  // namespace fyd::device

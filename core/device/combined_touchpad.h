@@ -1,8 +1,13 @@
-// A touchpad whose motors hang on their own board: sensors from one source, motors from the qbmove.
+// A touchpad whose motors hang on their own board: sensors from one source, motors from the qbmove. Each half has its
+// own thread, so that neither waits for the other's time-outs; `exchange` only hands over and takes what is there.
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <thread>
 
+#include "core/base/latest_value.h"
+#include "core/base/rate_meter.h"
 #include "core/device/qbmove_motors.h"
 #include "core/device/touchpad.h"
 
@@ -10,30 +15,67 @@ namespace fyd::device {
 
 class CombinedTouchpad final : public Touchpad {
  public:
-  CombinedTouchpad(std::unique_ptr<Touchpad> sensors, std::unique_ptr<QbmoveMotors> motors)
-      : sensors_(std::move(sensors)), motors_(std::move(motors)) {}
+  CombinedTouchpad(std::unique_ptr<Touchpad> sensors, std::unique_ptr<QbmoveMotors> motors,
+                   const DeviceParameters& parameters);
+  /// Switches the motors off and joins the threads.
+  ~CombinedTouchpad() override;
 
   [[nodiscard]] std::string description() const override;
-  /// The sensors' source never sees an active command. While one half fails the other's readings go on and `complaint`
-  /// tells what fails.
-  /// @return an error when both fail
+  /// The first call starts the threads, which inherit the caller's priority. The sensors' source never sees an active
+  /// command. While one half fails the other's readings go on and `complaint` tells what fails.
+  /// @return an error when both fail, and before either has answered
   [[nodiscard]] Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
   [[nodiscard]] std::string complaint() const override;
+  [[nodiscard]] std::vector<DeviceReport> reports() const override;
   /// The motor board has no batches: a duty is held until the next exchange.
   [[nodiscard]] Duration period() const override { return std::chrono::milliseconds(1); }
 
  private:
-  void askSensors(Instant now);
-  void askMotors(const control::MotorCommand& command, Instant now);
+  struct Given {
+    control::MotorCommand command;
+    Instant when{};
+  };
+
+  /// How one half is doing: its thread writes, the others read.
+  class Half {
+   public:
+    explicit Half(std::string waiting) : problem_(std::move(waiting)) {}
+    void succeeded(Instant now, const std::string& complaint);
+    void failed(const std::string& problem);
+    /// Ten times a second it is worth asking the device for a report.
+    [[nodiscard]] bool reportDue(Instant now);
+    void publish(DeviceReport report);
+    [[nodiscard]] std::string problem() const;
+    [[nodiscard]] std::string description(const std::string& fallback) const;
+    [[nodiscard]] DeviceReport report(Instant now) const;
+
+   private:
+    mutable std::mutex mutex_;
+    std::string problem_;
+    DeviceReport report_;
+    std::uint64_t errors_ = 0;
+    bool seen_ = false;
+    Instant newest_{};
+    RateMeter rate_;
+    Instant report_due_{};  // its thread's own
+  };
+
+  void runSensors(const std::stop_token& stop);
+  void runMotors(const std::stop_token& stop);
+  [[nodiscard]] control::MotorCommand commandAt(Instant now);
 
   std::unique_ptr<Touchpad> sensors_;
   std::unique_ptr<QbmoveMotors> motors_;
+  const std::string names_;  // until they say more
+  const Duration longest_silence_;
+  LatestValue<Given> command_;
+  LatestValue<TouchpadReadings> sensed_;
+  LatestValue<Timed<control::MotorFeedback>> moved_;
   TouchpadReadings readings_;
-  std::string sensor_problem_;
-  std::string motor_problem_;
-  Instant sensors_due_{};
-  Instant motors_due_{};
-  int motor_failures_ = 0;  // in a row
+  Half sensor_half_{"sensors: nothing received yet"};
+  Half motor_half_{"motor board: nothing received yet"};
+  std::jthread sensor_thread_;
+  std::jthread motor_thread_;
 };
 
 }  // namespace fyd::device

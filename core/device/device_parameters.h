@@ -1,7 +1,10 @@
 // How the console speaks with a real touchpad and its motor board.
 #pragma once
 
+#include <string>
+
 #include "core/base/parameter.h"
+#include "core/device/stable_name.h"
 
 namespace fyd::device {
 
@@ -22,6 +25,19 @@ struct DeviceParameters {
   int qbmove_encoder_sign = 1;
   int qbmove_vibration_opcode = 0;
   bool qbmove_vibration_swapped = false;
+
+  // cameras; percent of the driver's range, -1: left as it is
+  double camera_brightness_percent = -1.0;
+  double camera_contrast_percent = -1.0;
+  double camera_exposure_percent = -1.0;
+  double camera_freeze_ms = 500.0;
+
+  // plausibility of what a device says
+  double stuck_sensor_s = 3.0;
+
+  // Where the names are that belong to a device; not for the profile, tests have their own.
+  std::string serial_by_id{kSerialById};
+  std::string cameras_by_id{kCamerasById};
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -76,6 +92,33 @@ struct DeviceParameters {
                .help = "Command that carries the two vibration duties to the motor board; 0: it has none."});
     v.boolean("device.qbmove_vibration_swapped", qbmove_vibration_swapped,
               {.help = "The vibration command wants the second motor's duty first."});
+    v.real("device.camera_brightness_percent", camera_brightness_percent,
+           {.unit = "%",
+            .minimum = -1,
+            .maximum = 100,
+            .help = "Brightness control of the camera in percent of its range; -1: left as it is."});
+    v.real("device.camera_contrast_percent", camera_contrast_percent,
+           {.unit = "%",
+            .minimum = -1,
+            .maximum = 100,
+            .help = "Contrast control of the camera in percent of its range; -1: left as it is."});
+    v.real(
+        "device.camera_exposure_percent", camera_exposure_percent,
+        {.unit = "%",
+         .minimum = -1,
+         .maximum = 100,
+         .help = "Exposure time of the camera in percent of its range, which ends its automatic; -1: left as it is."});
+    v.real("device.camera_freeze_ms", camera_freeze_ms,
+           {.unit = "ms",
+            .minimum = 0,
+            .maximum = 10'000,
+            .help = "Equal pictures of a camera or stream for longer than this count as frozen; 0: never."});
+    v.real("device.stuck_sensor_s", stuck_sensor_s,
+           {.unit = "s",
+            .minimum = 0,
+            .maximum = 60,
+            .help = "A distance sensor that repeats one code for longer than this while the others change is not "
+                    "believed; 0: never."});
   }
 };
 

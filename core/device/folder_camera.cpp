@@ -20,8 +20,8 @@ bool isPicture(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<std::unique_ptr<Camera>> FolderCamera::open(const std::string& folder) {
-  std::unique_ptr<FolderCamera> camera(new FolderCamera(folder));
+Result<std::unique_ptr<Camera>> FolderCamera::open(const std::string& folder, const CameraSettings& settings) {
+  std::unique_ptr<FolderCamera> camera(new FolderCamera(folder, settings));
   if (const auto listed = camera->list(); !listed) return tl::unexpected(listed.error());
   return camera;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/device/camera.h"
+#include "core/device/camera_controls.h"
 #include "core/device/pacer.h"
 
 namespace fyd::device {
@@ -12,18 +13,23 @@ namespace fyd::device {
 class FolderCamera final : public Camera {
  public:
   /// @return an error when the folder cannot be read or holds no picture
-  [[nodiscard]] static Result<std::unique_ptr<Camera>> open(const std::string& folder);
+  [[nodiscard]] static Result<std::unique_ptr<Camera>> open(const std::string& folder,
+                                                            const CameraSettings& settings = {});
 
   [[nodiscard]] std::string description() const override;
+  [[nodiscard]] std::vector<CameraControl> controls() const override { return noControls(settings_, "a folder"); }
+  [[nodiscard]] std::string kind() const override { return "folder"; }
   /// @return an error for a picture that cannot be decoded (the next call goes on with the one after it), and when
   ///         at the end of a round the folder has become empty
   [[nodiscard]] Result<CameraFrame> next() override;
 
  private:
-  explicit FolderCamera(std::string folder) : folder_(std::move(folder)), pacer_(kUsualRate_Hz) {}
+  FolderCamera(std::string folder, const CameraSettings& settings)
+      : folder_(std::move(folder)), settings_(settings), pacer_(kUsualRate_Hz) {}
   [[nodiscard]] Result<void> list();
 
   std::string folder_;
+  CameraSettings settings_;
   std::vector<std::string> files_;
   std::size_t position_ = 0;
   Pacer pacer_;

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::string_view kTcpPrefix = "modbus-tcp:";
 constexpr std::string_view kRtuPrefix = "modbus-rtu:";
+constexpr std::string_view kSerialMark = ",serial=";
+constexpr std::size_t kLongestSerial = 16;  // of the register map
 constexpr Duration kLongestDrain = std::chrono::milliseconds(500);
 constexpr Duration kByteTimeout = std::chrono::milliseconds(50);
 
@@ -71,17 +73,25 @@ std::string failureText(int problem, Duration timeout) {
 
 Result<ModbusAddress> parseModbusAddress(const std::string& text) {
   ModbusAddress out;
-  if (text.starts_with(kTcpPrefix)) {
-    auto host = protocol::parseEndpoint(std::string_view(text).substr(kTcpPrefix.size()));
+  const std::size_t comma = text.find(kSerialMark);
+  const std::string place = text.substr(0, comma);
+  if (comma != std::string::npos) {
+    out.serial = text.substr(comma + kSerialMark.size());
+    if (out.serial.empty() || out.serial.size() > kLongestSerial) {
+      return fail("'{}': expected a serial number of 1 to {} characters behind serial=", text, kLongestSerial);
+    }
+  }
+  if (place.starts_with(kTcpPrefix)) {
+    auto host = protocol::parseEndpoint(std::string_view(place).substr(kTcpPrefix.size()));
     if (!host) return fail("{}: {}", text, host.error().message);
     out.host = *host;
     return out;
   }
-  if (!text.starts_with(kRtuPrefix) || text.size() == kRtuPrefix.size()) {
+  if (!place.starts_with(kRtuPrefix) || place.size() == kRtuPrefix.size()) {
     return fail("'{}': expected modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]", text);
   }
   out.tcp = false;
-  out.port = text.substr(kRtuPrefix.size());
+  out.port = place.substr(kRtuPrefix.size());
   const std::size_t colon = out.port.rfind(':');
   // Names in /dev/serial/by-path contain colons: only digits after the last one are a speed.
   if (colon != std::string::npos) {
@@ -111,19 +121,24 @@ ModbusLink::ModbusLink(ModbusAddress address, Duration response_timeout, Duratio
 
 ModbusLink::~ModbusLink() = default;
 
+Result<void> ModbusLink::makeContext() {
+  if (address_.tcp) {
+    const std::string host = hostOf(address_.host);
+    context_.reset(address_.host.v6 ? modbus_new_tcp_pi(host.c_str(), std::to_string(address_.host.port).c_str())
+                                    : modbus_new_tcp(host.c_str(), address_.host.port));
+    return {};
+  }
+  if (speedConstant(address_.baud) == B0) return fail("{}: {} Bd is no speed of this system", name_, address_.baud);
+  const auto path = resolveDevice(address_.port, address_.by_id);
+  if (!path) return tl::unexpected(path.error());
+  if (::access(path->c_str(), R_OK | W_OK) != 0) return tl::unexpected(Error{explainPort(*path, errno)});
+  context_.reset(modbus_new_rtu(path->c_str(), address_.baud, 'N', 8, 1));
+  return {};
+}
+
 Result<void> ModbusLink::open() {
   close();
-  const std::string host = address_.tcp ? hostOf(address_.host) : std::string();
-  if (!address_.tcp) {
-    if (speedConstant(address_.baud) == B0) return fail("{}: {} Bd is no speed of this system", name_, address_.baud);
-    if (::access(address_.port.c_str(), R_OK | W_OK) != 0)
-      return tl::unexpected(Error{explainPort(address_.port, errno)});
-    context_.reset(modbus_new_rtu(address_.port.c_str(), address_.baud, 'N', 8, 1));
-  } else if (address_.host.v6) {
-    context_.reset(modbus_new_tcp_pi(host.c_str(), std::to_string(address_.host.port).c_str()));
-  } else {
-    context_.reset(modbus_new_tcp(host.c_str(), address_.host.port));
-  }
+  if (auto made = makeContext(); !made) return made;
   if (!context_) return fail("{}: cannot be opened: {}", name_, modbus_strerror(errno));
   modbus_t* const context = context_.get();
   modbus_set_slave(context, address_.unit);

@@ -15,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/time.h"
+#include "core/device/stable_name.h"
 #include "core/protocol/endpoint.h"
 
 struct _modbus;
@@ -24,12 +25,15 @@ namespace fyd::device {
 struct ModbusAddress {
   bool tcp = true;
   protocol::Endpoint host;  ///< TCP
-  std::string port;         ///< RTU: path of the serial port
+  std::string port;         ///< RTU: path of the serial port, or "id=SERIAL" of its adapter (stable_name.h)
   int baud = 115'200;       ///< RTU; 8N1
   int unit = 1;
+  std::string serial;              ///< that the touchpad must have; empty: any
+  std::string by_id{kSerialById};  ///< folder that "id=" is looked up in
 };
 
-/// Reads "modbus-tcp:HOST:PORT" and "modbus-rtu:TTY[:BAUD]".
+/// Reads "modbus-tcp:HOST:PORT" and "modbus-rtu:TTY[:BAUD]", each with ",serial=TEXT" behind it where one touchpad and
+/// no other is meant; TTY may be "id=SERIAL" of the adapter.
 [[nodiscard]] Result<ModbusAddress> parseModbusAddress(const std::string& text);
 [[nodiscard]] std::string toString(const ModbusAddress& address);
 
@@ -62,6 +66,7 @@ class ModbusLink {
   struct Free {
     void operator()(_modbus* context) const;
   };
+  [[nodiscard]] Result<void> makeContext();
   [[nodiscard]] Result<void> claim();
   /// Turns libmodbus' result and errno into a Result, and recovers unless the device itself has answered.
   [[nodiscard]] Result<void> finish(int done, std::size_t expected, std::string_view what, std::uint16_t address);

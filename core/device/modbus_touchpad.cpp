@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/device/reading_values.h"
+
 namespace fyd::device {
 namespace {
 
@@ -12,6 +14,11 @@ using protocol::DriveState;
 constexpr int kAttempts = 4;            // at a block that is torn
 constexpr int kSwitchingOnCycles = 50;  // a healthy drive needs five
 constexpr std::uint16_t kLoopRate_Hz = 1000;
+
+ModbusAddress within(ModbusAddress address, const DeviceParameters& parameters) {
+  address.by_id = parameters.serial_by_id;
+  return address;
+}
 
 }  // namespace
 
@@ -23,7 +30,9 @@ bool deviceRestarted(std::uint32_t before_us, std::uint32_t now_us, Duration ela
 
 ModbusTouchpad::ModbusTouchpad(const ModbusAddress& address, const DeviceParameters& parameters)
     : parameters_(parameters),
-      link_(address, fromSeconds(parameters.response_timeout_ms / 1e3), fromSeconds(parameters.quiet_ms / 1e3)),
+      expected_serial_(address.serial),
+      link_(within(address, parameters), fromSeconds(parameters.response_timeout_ms / 1e3),
+            fromSeconds(parameters.quiet_ms / 1e3)),
       period_(fromSeconds(1.0 / parameters.cycle_rate_Hz)) {
   // Another start of the program must not begin with the numbers that the last one ended with.
   std::random_device seed;
@@ -56,6 +65,12 @@ Result<void> ModbusTouchpad::checkIdentity() {
     return fail("{}: {} IR sensors and {} motors, expected {} and {}", link_.name(), identity_.ir_sensors,
                 identity_.motors, protocol::kMapIrSensors, control::kMotorCount);
   }
+  // Another touchpad has another calibration: the profile of this session would not fit it.
+  if (!expected_serial_.empty() && identity_.serialText() != expected_serial_) {
+    return fail(
+        "{}: another touchpad answers: '{}', expected '{}'; plug the right one in, or open a session for this one",
+        link_.name(), identity_.serialText(), expected_serial_);
+  }
   return {};
 }
 
@@ -73,6 +88,7 @@ Result<void> ModbusTouchpad::connect() {
     return set;
   }
   identified_ = true;
+  if (expected_serial_.empty()) expected_serial_ = identity_.serialText();
   ++counters_.connections;
   last_uptime_us_.reset();
   return {};
@@ -210,6 +226,37 @@ Result<TouchpadReadings> ModbusTouchpad::exchange(const control::MotorCommand& c
   followDrive(protocol::driveStateOf(state_.status_word).value_or(DriveState::not_ready_to_switch_on));
   take(now);
   return readings_;
+}
+
+std::vector<DeviceReport> ModbusTouchpad::reports() const {
+  DeviceReport out{.name = "Touchpad",
+                   .kind = link_.name().starts_with("modbus-tcp") ? "Modbus TCP" : "Modbus RTU",
+                   .description = description()};
+  out.counters = {{"stale answers", counters_.stale_answers},
+                  {"torn blocks", counters_.torn_blocks},
+                  {"connections", counters_.connections},
+                  {"device restarts", counters_.restarts},
+                  {"vibration duties lost here", counters_.duties_lost},
+                  {"vibration duties lost there", state_.vibration_lost}};
+  if (readings_.ir.count == 0 && readings_.motors.count == 0) return {std::move(out)};
+  addSensorValues(readings_, out.values);
+  addMotorValues(readings_.motors, out.values);
+  for (std::size_t i = 0; i < state_.temperature_degC.size(); ++i) {
+    out.values.push_back(
+        {.name = fmt::format("temperature {}", i + 1), .number = state_.temperature_degC[i], .unit = "°C"});
+  }
+  const auto text = [&out](std::string name, std::string words) {
+    out.values.push_back({.name = std::move(name), .text = std::move(words)});
+  };
+  text("motors", std::string(toString(drive_)));
+  text("status word", protocol::statusInWords(state_.status_word));
+  if (state_.fault_code != 0) {
+    text("fault", std::string(toString(static_cast<protocol::DriveFault>(state_.fault_code))));
+  }
+  text("serial number", std::string(identity_.serialText()));
+  text("firmware", fmt::format("{}.{}", identity_.firmware >> 8U, identity_.firmware & 0xFFU));
+  out.values.push_back({.name = "clock", .number = state_.uptime_us * 1e-6, .unit = "s"});
+  return {std::move(out)};
 }
 
 std::string ModbusTouchpad::complaint() const {

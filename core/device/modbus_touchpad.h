@@ -40,6 +40,7 @@ class ModbusTouchpad final : public Touchpad {
   [[nodiscard]] Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
   void queueVibration(std::span<const VibrationDuty> duties) override;
   [[nodiscard]] std::string complaint() const override;
+  [[nodiscard]] std::vector<DeviceReport> reports() const override;
   [[nodiscard]] Duration period() const override { return period_; }
 
   [[nodiscard]] const ModbusTouchpadCounters& counters() const { return counters_; }
@@ -59,6 +60,7 @@ class ModbusTouchpad final : public Touchpad {
   void take(Instant now);
 
   DeviceParameters parameters_;
+  std::string expected_serial_;  // as configured, or of the first that answered; empty: any
   ModbusLink link_;
   Duration period_;
   protocol::DeviceIdentity identity_;

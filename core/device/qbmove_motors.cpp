@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/device/reading_values.h"
+
 namespace fyd::device {
 namespace {
 
@@ -33,6 +35,15 @@ std::string QbmoveMotors::description() const {
   return fmt::format(
       "motor board {} at {}, {} Bd{}", parameters_.qbmove_id, path_, parameters_.qbmove_baud,
       parameters_.qbmove_vibration_opcode == 0 ? ", no vibration (device.qbmove_vibration_opcode is not set)" : "");
+}
+
+DeviceReport QbmoveMotors::report() const {
+  DeviceReport out{.name = "Motor board", .kind = "qbmove", .description = description()};
+  out.counters = {
+      {"answers missing", late_replies_}, {"connections", connections_}, {"switched off by itself", switched_off_}};
+  addMotorValues(newest_, out.values);
+  out.values.push_back({.name = "motors", .text = energised_ ? "on" : "off"});
+  return out;
 }
 
 void QbmoveMotors::lose(std::string why) {
@@ -80,7 +91,9 @@ Result<protocol::QbmoveFrame> QbmoveMotors::ask(std::uint8_t command, std::size_
 }
 
 Result<void> QbmoveMotors::connect() {
-  auto port = SerialPort::open(path_, parameters_.qbmove_baud);
+  const auto path = resolveDevice(path_, parameters_.serial_by_id);
+  if (!path) return tl::unexpected(path.error());
+  auto port = SerialPort::open(*path, parameters_.qbmove_baud);
   if (!port) return tl::unexpected(port.error());
   port_ = std::move(*port);
   parser_.reset();
@@ -89,6 +102,7 @@ Result<void> QbmoveMotors::connect() {
     const double units = std::round(parameters_.qbmove_watchdog_ms / qb::kWatchdogUnit_ms);
     if (send(protocol::qbmoveByteFrame(qb::kSetWatchdog, static_cast<std::uint8_t>(std::clamp(units, 1.0, 255.0)))) &&
         send(protocol::qbmoveByteFrame(qb::kActivate, qb::kMotorsOff))) {
+      ++connections_;
       return {};
     }
   }
@@ -128,7 +142,10 @@ Result<void> QbmoveMotors::checkActivation() {
   if (!energised_ || ++exchanges_ % kActivationEvery != 0) return {};
   const auto mode = ask(qb::kGetActivate, 1);
   if (!mode) return tl::unexpected(mode.error());
-  if (mode->payload[0] == qb::kMotorsOff) lose("has switched its motors off by itself");
+  if (mode->payload[0] == qb::kMotorsOff) {
+    ++switched_off_;
+    lose("has switched its motors off by itself");
+  }
   return {};
 }
 
@@ -152,6 +169,7 @@ Result<control::MotorFeedback> QbmoveMotors::exchange(const control::MotorComman
     return measured;
   }
   failures_ = 0;
+  newest_.set(*measured, Clock::now());
   if (refusal_.empty()) return measured;
   return fail("motor board {} at {} {}: stop, then arm again", parameters_.qbmove_id, path_, refusal_);
 }

@@ -7,8 +7,10 @@
 
 #include "core/base/error.h"
 #include "core/base/time.h"
+#include "core/base/timed.h"
 #include "core/control/motor_types.h"
 #include "core/device/device_parameters.h"
+#include "core/device/device_report.h"
 #include "core/device/serial_port.h"
 #include "core/protocol/qbmove_codec.h"
 
@@ -30,6 +32,9 @@ class QbmoveMotors {
   /// @return an error that names the port, what was missing and the remedy
   [[nodiscard]] Result<control::MotorFeedback> exchange(const control::MotorCommand& command);
 
+  /// Kind, description, counters and values; rate, age, errors and problem are the caller's.
+  [[nodiscard]] DeviceReport report() const;
+
   [[nodiscard]] std::uint64_t lateReplies() const { return late_replies_; }
 
  private:
@@ -50,6 +55,9 @@ class QbmoveMotors {
   int failures_ = 0;     // in a row
   int exchanges_ = 0;
   std::uint64_t late_replies_ = 0;
+  std::uint64_t connections_ = 0;
+  std::uint64_t switched_off_ = 0;  // by itself
+  Timed<control::MotorFeedback> newest_;
 };
 
 }  // namespace fyd::device

@@ -4,10 +4,12 @@
 #include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/timed.h"
 #include "core/control/motor_types.h"
+#include "core/device/device_report.h"
 #include "core/sensing/readings.h"
 
 namespace fyd::device {
@@ -41,6 +43,10 @@ class Touchpad {
 
   /// What the device complains of although it answers (motors switched off by itself, …), and the remedy; or empty.
   [[nodiscard]] virtual std::string complaint() const { return {}; }
+
+  /// What it consists of, with live values. One device leaves its rate, age, errors and problem to the caller, several
+  /// fill in their own.
+  [[nodiscard]] virtual std::vector<DeviceReport> reports() const { return {}; }
 
   /// The longest a caller should wait between two exchanges.
   [[nodiscard]] virtual Duration period() const = 0;

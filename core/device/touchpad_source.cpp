@@ -17,7 +17,7 @@ Result<std::unique_ptr<Touchpad>> withMotors(std::unique_ptr<Touchpad> touchpad,
     return fail("motors '{}': expected qbmove:TTY", motors);
   }
   auto board = std::make_unique<QbmoveMotors>(motors.substr(kQbmovePrefix.size()), parameters);
-  return std::make_unique<CombinedTouchpad>(std::move(touchpad), std::move(board));
+  return std::make_unique<CombinedTouchpad>(std::move(touchpad), std::move(board), parameters);
 }
 
 Result<std::unique_ptr<Touchpad>> openTouchpad(const std::string& source, const DeviceParameters& parameters) {

@@ -50,6 +50,24 @@ std::optional<DriveState> driveStateOf(std::uint16_t status_word) {
   return std::nullopt;
 }
 
+std::string statusInWords(std::uint16_t status_word) {
+  struct Bit {
+    std::uint16_t mask;
+    std::string_view words;
+  };
+  constexpr std::array<Bit, 5> kBits = {{{status_bit::kVoltageEnabled, "voltage present"},
+                                         {status_bit::kWarning, "close to the thermal limit"},
+                                         {status_bit::kRemote, "this connection drives"},
+                                         {status_bit::kInternalLimit, "limited by the device"},
+                                         {status_bit::kWatchdogExpired, "heartbeat expired"}}};
+  const auto state = driveStateOf(status_word);
+  std::string out(state ? toString(*state) : "no known state");
+  for (const Bit& bit : kBits) {
+    if ((status_word & bit.mask) != 0) out.append(", ").append(bit.words);
+  }
+  return out;
+}
+
 std::uint16_t nextControlWord(DriveState state, bool operate, bool reset_fault) {
   if (!operate) return control_word::kDisableVoltage;
   switch (state) {

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace fyd::protocol {
@@ -58,6 +59,9 @@ enum class DriveFault : std::uint16_t {
 [[nodiscard]] std::uint16_t statusBits(DriveState state);
 /// @return nothing for a combination that no state has
 [[nodiscard]] std::optional<DriveState> driveStateOf(std::uint16_t status_word);
+
+/// "operation enabled, voltage present, this connection drives": the state and the bits that are set.
+[[nodiscard]] std::string statusInWords(std::uint16_t status_word);
 
 /// The control word that leads from `state` one step towards operation, or the motors off.
 /// @param reset_fault whether a fault may be acknowledged on the way: the operator has just armed

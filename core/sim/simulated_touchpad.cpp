@@ -1,5 +1,7 @@
 #include "core/sim/simulated_touchpad.h"
 
+#include "core/device/reading_values.h"
+
 namespace fyd::sim {
 
 std::string SimulatedTouchpad::description() const {
@@ -10,6 +12,14 @@ Result<device::TouchpadReadings> SimulatedTouchpad::exchange(const control::Moto
   world_->advanceTo(now);
   world_->command(command);
   return world_->readings();
+}
+
+std::vector<device::DeviceReport> SimulatedTouchpad::reports() const {
+  device::DeviceReport out{.name = "Touchpad", .kind = "simulated", .description = description()};
+  const device::TouchpadReadings readings = world_->readings();
+  addSensorValues(readings, out.values);
+  addMotorValues(readings.motors, out.values);
+  return {std::move(out)};
 }
 
 }  // namespace fyd::sim

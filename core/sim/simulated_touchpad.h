@@ -15,6 +15,7 @@ class SimulatedTouchpad final : public device::Touchpad {
   [[nodiscard]] std::string description() const override;
   /// Advances the world to `now` under the old command, reads, and hands it the new one. Never fails.
   [[nodiscard]] Result<device::TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
+  [[nodiscard]] std::vector<device::DeviceReport> reports() const override;
   [[nodiscard]] Duration period() const override { return TouchpadWorld::kStep; }
 
  private:

@@ -4,6 +4,8 @@
 
 #include <condition_variable>
 
+#include "core/device/camera_controls.h"
+
 namespace fyd::station {
 namespace {
 
@@ -17,8 +19,14 @@ void sleepUnlessStopped(const std::stop_token& stop, Duration time) {
 
 }  // namespace
 
-CameraThread::CameraThread(const std::string& description, Opener opener, const sensing::FingerParameters& parameters)
-    : opener_(std::move(opener)), detector_(parameters), monitor_("Camera", description), parameters_(parameters) {}
+CameraThread::CameraThread(const std::string& description, Opener opener, const sensing::FingerParameters& parameters,
+                           const device::DeviceParameters& device)
+    : opener_(std::move(opener)),
+      detector_(parameters),
+      monitor_("Camera", description, PartMonitor::kSilence),
+      frozen_(fromSeconds(device.camera_freeze_ms / 1e3)),
+      report_{.name = "Camera", .description = description},
+      parameters_(parameters) {}
 
 CameraThread::~CameraThread() { shutDown(); }
 
@@ -54,7 +62,7 @@ void CameraThread::run(const std::stop_token& stop) {
         continue;
       }
       camera = std::move(*opened);
-      monitor_.describe(camera->description());
+      describe(*camera);
     }
     auto frame = camera->next();
     if (frame) {
@@ -62,15 +70,60 @@ void CameraThread::run(const std::stop_token& stop) {
     } else {
       fail(frame.error().message);
       sleepUnlessStopped(stop, kRetry);
+      frozen_.reset();
+      describe(*camera);  // opening again may have found other controls
     }
   }
+}
+
+void CameraThread::describe(const device::Camera& camera) {
+  live_ = camera.live();
+  auto controls = camera.controls();
+  const std::string description = camera.description();
+  const std::string missing = device::missingControls(controls);
+  monitor_.describe(missing.empty() ? description : fmt::format("{} ({})", description, missing));
+  const std::lock_guard lock(mutex_);
+  report_.kind = camera.kind();
+  report_.description = description;
+  report_.controls = std::move(controls);
+}
+
+device::DeviceReport CameraThread::report(Instant now) const {
+  device::DeviceReport out;
+  {
+    const std::lock_guard lock(mutex_);
+    out = report_;
+    out.counters = {{"repeated pictures", repeated_}};
+    if (!view_.picture.empty()) {
+      out.values = {{.name = "width", .number = static_cast<double>(view_.picture.cols), .unit = "px"},
+                    {.name = "height", .number = static_cast<double>(view_.picture.rows), .unit = "px"},
+                    {.name = "pictures", .number = static_cast<double>(view_.number)},
+                    {.name = "finger", .text = std::string(sensing::toString(view_.finger.reason))}};
+    }
+  }
+  fillIn(out, monitor_.status(now));
+  return out;
 }
 
 void CameraThread::fail(const std::string& problem) {
   if (monitor_.failed(problem)) spdlog::warn("Camera: {}", problem);
 }
 
+// A picture equal to the last one says nothing of the present: it is not handed on, so that the finger's age grows.
 void CameraThread::process(device::CameraFrame frame) {
+  if (live_ && !frozen_.isNews(frame.picture, frame.taken)) {
+    {
+      const std::lock_guard lock(mutex_);
+      ++repeated_;
+    }
+    if (frozen_.frozen())
+      fail("the picture is frozen: the camera sends one and the same; unplug it and plug it in again");
+    return;
+  }
+  detect(std::move(frame));
+}
+
+void CameraThread::detect(device::CameraFrame frame) {
   {
     const std::lock_guard lock(mutex_);
     if (parameters_changed_) detector_.configure(parameters_);

@@ -9,6 +9,8 @@
 
 #include "core/base/latest_value.h"
 #include "core/device/camera.h"
+#include "core/device/device_parameters.h"
+#include "core/device/frozen_picture.h"
 #include "core/sensing/finger_detector.h"
 #include "core/station/part_monitor.h"
 
@@ -21,7 +23,8 @@ class CameraThread {
   /// Sees every picture with its detection, on the camera thread.
   using Observer = std::function<void(const CameraView&)>;
 
-  CameraThread(const std::string& description, Opener opener, const sensing::FingerParameters& parameters);
+  CameraThread(const std::string& description, Opener opener, const sensing::FingerParameters& parameters,
+               const device::DeviceParameters& device = {});
   ~CameraThread();
   void observe(Observer observer) { observer_ = std::move(observer); }  ///< before start
   void start();
@@ -33,10 +36,13 @@ class CameraThread {
   LatestValue<Timed<sensing::FingerDetection>> finger;  ///< read by the haptic loop
   [[nodiscard]] CameraView view() const;
   [[nodiscard]] PartStatus status(Instant now) const { return monitor_.status(now); }
+  [[nodiscard]] device::DeviceReport report(Instant now) const;
 
  private:
   void run(const std::stop_token& stop);
   void process(device::CameraFrame frame);
+  void detect(device::CameraFrame frame);
+  void describe(const device::Camera& camera);
   void fail(const std::string& problem);
 
   Opener opener_;
@@ -44,8 +50,12 @@ class CameraThread {
   sensing::FingerDetector detector_;
   Timed<sensing::FingerDetection> newest_;
   PartMonitor monitor_;
+  device::FrozenPicture frozen_;
+  bool live_ = false;
   mutable std::mutex mutex_;
   CameraView view_;
+  device::DeviceReport report_;
+  std::uint64_t repeated_ = 0;  // pictures equal to the one before
   sensing::FingerParameters parameters_;
   bool parameters_changed_ = false;
   std::jthread thread_;

@@ -6,15 +6,28 @@
 #include <mutex>
 #include <string>
 
-#include "core/station/rate_meter.h"
+#include "core/base/rate_meter.h"
+#include "core/device/device_report.h"
 #include "core/station/station.h"
 
 namespace fyd::station {
 
+/// The status' part of a device's report.
+inline void fillIn(device::DeviceReport& report, const PartStatus& status) {
+  report.ok = status.ok;
+  report.problem = status.problem;
+  report.rate_hz = status.rate_hz;
+  report.age_ms = status.age_ms;
+  report.errors = status.errors;
+}
+
 class PartMonitor {
  public:
-  PartMonitor(std::string name, std::string description)
-      : name_(std::move(name)), description_(std::move(description)) {}
+  static constexpr Duration kSilence = std::chrono::milliseconds(500);
+
+  /// @param longest_silence without news until it is shown as a problem
+  PartMonitor(std::string name, std::string description, Duration longest_silence = Duration::max())
+      : name_(std::move(name)), description_(std::move(description)), longest_silence_(longest_silence) {}
 
   void succeeded(Instant taken) {
     rate_.count(taken);
@@ -53,9 +66,12 @@ class PartMonitor {
   [[nodiscard]] PartStatus status(Instant now) const {
     const std::lock_guard lock(mutex_);
     PartStatus out{.name = name_, .description = description_, .problem = problem_, .errors = errors_};
-    out.ok = seen_ && problem_.empty();
-    if (!seen_ && problem_.empty()) out.problem = "nothing received yet";
     out.age_ms = seen_ ? toMilliseconds(now - newest_) : std::numeric_limits<double>::quiet_NaN();
+    // Its thread may be waiting for a time-out: the silence shows before that.
+    if (!seen_ && problem_.empty()) out.problem = "nothing received yet";
+    if (seen_ && problem_.empty() && now - newest_ > longest_silence_)
+      out.problem = "silent; is it plugged in and switched on?";
+    out.ok = out.problem.empty();
     out.rate_hz = seen_ && now - newest_ < std::chrono::seconds(2) ? rate_.rate_hz() : 0.0;
     return out;
   }
@@ -64,6 +80,7 @@ class PartMonitor {
   mutable std::mutex mutex_;
   std::string name_;
   std::string description_;
+  const Duration longest_silence_;
   std::string problem_;
   std::uint64_t errors_ = 0;
   bool seen_ = false;

@@ -54,14 +54,15 @@ Station::Impl::Impl(const StationOptions& options, const std::optional<texture::
       bound(bindParameters(profile)),
       pipeline(options.profile.step, surface),
       world(std::move(simulated_world)),
-      touchpad(std::move(opened_touchpad)),
+      touchpad(std::move(opened_touchpad), options.profile.device),
       camera(
           options.camera.empty() ? "simulated camera" : options.camera,
-          [source = options.camera, shared = world]() -> Result<std::unique_ptr<device::Camera>> {
+          [source = options.camera, shared = world,
+           device = options.profile.device]() -> Result<std::unique_ptr<device::Camera>> {
             if (source.empty()) return std::make_unique<sim::SimulatedCamera>(shared);
-            return device::openCamera(source);
+            return device::openCamera(source, device);
           },
-          options.profile.step.sensing.finger),
+          options.profile.step.sensing.finger, options.profile.device),
       simulated_camera(options.camera.empty()) {
   camera.observe([this](const CameraView& view) { onPicture(view); });
 }

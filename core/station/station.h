@@ -17,11 +17,13 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/base/error.h"
+#include "core/device/device_report.h"
 #include "core/pipeline/inputs.h"
 #include "core/pipeline/outputs.h"
 #include "core/protocol/touchpad_end.h"
 #include "core/sensing/finger_types.h"
 #include "core/session/recorder.h"
+#include "core/station/device_test.h"
 #include "core/station/profile.h"
 
 namespace fyd::station {
@@ -144,6 +146,16 @@ class Station {
   [[nodiscard]] StationStatus status() const;
   [[nodiscard]] std::vector<ReadinessLine> readiness() const;
   [[nodiscard]] SimulationTruth simulationTruth() const;
+  /// The touchpad, its motor board where it has one of its own, and the camera, with live values a few times a second.
+  [[nodiscard]] std::vector<device::DeviceReport> devices() const;
+
+  /// A small, slow motion on an operator's held button, from the operator's thread; see device_test.h for what ends it.
+  /// While the button is held `keepDeviceTest` has to be called at least every 0.3 s; its release is `stopDeviceTest`.
+  /// @return an error when it may not run now: the session holds the motors, or they do not answer
+  [[nodiscard]] Result<void> startDeviceTest(device::DeviceTest test);
+  void keepDeviceTest();
+  void stopDeviceTest();
+  [[nodiscard]] DeviceTestStatus deviceTestStatus() const;
 
   /// Recording, from the operator's thread. The file starts up to 10 s before this call.
   /// @return an error at once when the file cannot be made, or one is being recorded; nothing then changes

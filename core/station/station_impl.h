@@ -59,6 +59,7 @@ struct Station::Impl {
   std::uint64_t losses_seen = 0;
   HapticLoop loop;
   StepTimes step_times;
+  DeviceTestRunner device_test;
   std::jthread loop_thread;
 
   // parts

@@ -58,8 +58,10 @@ void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
   const pipeline::Outputs& outputs = pipeline.step(inputs);
   step_times.add(Clock::now() - before);
 
-  touchpad.command.write({.command = outputs.motors, .given = now});
-  (void)touchpad.duties.push(outputs.motors.vibration_duty_percent);  // full only while the device is silent
+  const auto tested = device_test.step(inputs, outputs, pipeline.parameters().control);
+  const control::MotorCommand& motors = tested ? *tested : outputs.motors;
+  touchpad.command.write({.command = motors, .given = now});
+  (void)touchpad.duties.push(motors.vibration_duty_percent);  // full only while the device is silent
   if (link) {
     link->announcement.write(
         {.touch = outputs.touch, .taken = now, .k_vib = pipeline.parameters().texture.k_vib, .motors = outputs.motors});

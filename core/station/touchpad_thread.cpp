@@ -9,6 +9,7 @@ namespace {
 
 constexpr Duration kFirstRetry = std::chrono::milliseconds(20);
 constexpr Duration kLongestRetry = std::chrono::milliseconds(500);
+constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
 
 }  // namespace
 
@@ -18,8 +19,10 @@ control::MotorCommand guardedCommand(const StampedMotorCommand& stamped, Instant
   return command;
 }
 
-TouchpadThread::TouchpadThread(std::unique_ptr<device::Touchpad> touchpad)
-    : touchpad_(std::move(touchpad)), monitor_("Touchpad", touchpad_->description()) {}
+TouchpadThread::TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const device::DeviceParameters& parameters)
+    : touchpad_(std::move(touchpad)),
+      plausibility_(parameters),
+      monitor_("Touchpad", touchpad_->description(), PartMonitor::kSilence) {}
 
 TouchpadThread::~TouchpadThread() { shutDown(); }
 
@@ -44,12 +47,31 @@ void TouchpadThread::takeDuties() {
 void TouchpadThread::report(Instant now) {
   if (!answering_) monitor_.describe(touchpad_->description());
   answering_ = true;
-  const std::string complaint = touchpad_->complaint();
+  std::string complaint = touchpad_->complaint();
+  if (complaint.empty()) complaint = plausibility_.complaint();
   if (complaint.empty()) {
     monitor_.succeeded(now);
   } else if (monitor_.complained(complaint, now)) {
     spdlog::warn("Touchpad: {}", complaint);
   }
+}
+
+void TouchpadThread::publishReports(Instant now) {
+  if (now < reports_due_) return;
+  reports_due_ = now + kReportPeriod;
+  auto reports = touchpad_->reports();
+  const std::lock_guard lock(reports_mutex_);
+  reports_ = std::move(reports);
+}
+
+std::vector<device::DeviceReport> TouchpadThread::reports(Instant now) const {
+  std::vector<device::DeviceReport> out;
+  {
+    const std::lock_guard lock(reports_mutex_);
+    out = reports_;
+  }
+  if (out.size() == 1) fillIn(out.front(), monitor_.status(now));
+  return out;
 }
 
 void TouchpadThread::run(const std::stop_token& stop) {
@@ -63,7 +85,7 @@ void TouchpadThread::run(const std::stop_token& stop) {
     takeDuties();
     const auto exchanged = touchpad_->exchange(last, now);
     if (exchanged) {
-      readings.write(*exchanged);
+      readings.write(plausibility_.check(*exchanged, last.active, now));
       report(now);
       retry = kFirstRetry;
       due = std::max(due + touchpad_->period(), Clock::now());
@@ -73,6 +95,7 @@ void TouchpadThread::run(const std::stop_token& stop) {
       due = Clock::now() + retry;
       retry = std::min(2 * retry, kLongestRetry);
     }
+    publishReports(now);
     std::this_thread::sleep_until(due);
   }
   takeDuties();

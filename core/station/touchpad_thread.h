@@ -3,11 +3,14 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <thread>
+#include <vector>
 
 #include "core/base/latest_value.h"
 #include "core/base/ring.h"
 #include "core/control/motor_types.h"
+#include "core/device/plausibility.h"
 #include "core/device/touchpad.h"
 #include "core/station/part_monitor.h"
 
@@ -26,7 +29,7 @@ inline constexpr Duration kCommandTimeout = std::chrono::milliseconds(20);
 
 class TouchpadThread {
  public:
-  explicit TouchpadThread(std::unique_ptr<device::Touchpad> touchpad);
+  explicit TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const device::DeviceParameters& parameters = {});
   ~TouchpadThread();
 
   void start();
@@ -37,15 +40,22 @@ class TouchpadThread {
   Ring<device::VibrationDuty> duties{256};         ///< written by the haptic loop, one a step
   LatestValue<device::TouchpadReadings> readings;  ///< read by the haptic loop
   [[nodiscard]] PartStatus status(Instant now) const { return monitor_.status(now); }
+  /// What it consists of; a touchpad of one device has the status' rate, age and problem.
+  [[nodiscard]] std::vector<device::DeviceReport> reports(Instant now) const;
 
  private:
   void run(const std::stop_token& stop);
   void takeDuties();
   void report(Instant now);
+  void publishReports(Instant now);
 
   std::unique_ptr<device::Touchpad> touchpad_;
+  device::Plausibility plausibility_;
   PartMonitor monitor_;
   bool answering_ = false;
+  Instant reports_due_{};
+  mutable std::mutex reports_mutex_;
+  std::vector<device::DeviceReport> reports_;
   std::jthread thread_;
 };
 

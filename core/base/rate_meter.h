@@ -5,7 +5,7 @@
 
 #include "core/base/time.h"
 
-namespace fyd::station {
+namespace fyd {
 
 class RateMeter {
  public:
@@ -25,4 +25,4 @@ class RateMeter {
   std::atomic<double> rate_hz_{0.0};
 };
 
-}  // namespace fyd::station
+}  // namespace fyd

@@ -1,0 +1,89 @@
+#include "core/device/camera_controls.h"
+
+#include <array>
+#include <cmath>
+
+#include <opencv2/videoio.hpp>
+
+namespace fyd::device {
+namespace {
+
+struct Control {
+  const char* name;
+  int property;
+  double CameraSettings::*wanted;
+};
+
+constexpr std::array<Control, 3> kControls = {
+    {{"brightness", cv::CAP_PROP_BRIGHTNESS, &CameraSettings::brightness_percent},
+     {"contrast", cv::CAP_PROP_CONTRAST, &CameraSettings::contrast_percent},
+     {"exposure", cv::CAP_PROP_EXPOSURE, &CameraSettings::exposure_percent}}};
+
+constexpr double kManualExposure = 0.25;  // OpenCV's word for V4L2_EXPOSURE_MANUAL when ranges are shares
+constexpr double kTolerance_percent = 2.0;
+
+bool isWanted(double percent) { return percent >= 0.0; }
+
+CameraControl apply(const Control& control, double wanted, const ControlAccess& access) {
+  CameraControl out{.name = control.name};
+  const bool asked = isWanted(wanted);
+  bool granted = false;
+  if (asked) {
+    out.wanted = wanted;
+    if (control.property == cv::CAP_PROP_EXPOSURE) {
+      static_cast<void>(access.set(cv::CAP_PROP_AUTO_EXPOSURE, kManualExposure));
+    }
+    granted = access.set(control.property, wanted / 100.0);
+  }
+  const double share = access.get(control.property);
+  const bool readable = std::isfinite(share) && share >= 0.0 && share <= 1.0;
+  // Without a control OpenCV reads 0; one that was refused and reads 0 is taken for none.
+  out.supported = asked ? granted : readable && share > 0.0;
+  if (out.supported && readable) out.actual = 100.0 * share;
+  if (!asked) {
+    out.words = "left as it is";
+  } else if (!granted) {
+    out.words = "this camera has none, or refuses the value";
+  } else if (readable && std::abs(out.actual - wanted) > kTolerance_percent) {
+    out.words = fmt::format("asked for {:.0f} %, the camera took {:.0f} %", wanted, out.actual);
+  } else {
+    out.words = fmt::format("set to {:.0f} %", wanted);
+  }
+  return out;
+}
+
+}  // namespace
+
+CameraSettings cameraSettings(const DeviceParameters& parameters) {
+  return {.brightness_percent = parameters.camera_brightness_percent,
+          .contrast_percent = parameters.camera_contrast_percent,
+          .exposure_percent = parameters.camera_exposure_percent};
+}
+
+std::vector<CameraControl> applyControls(const CameraSettings& settings, const ControlAccess& access) {
+  std::vector<CameraControl> out;
+  for (const Control& control : kControls) out.push_back(apply(control, settings.*control.wanted, access));
+  return out;
+}
+
+std::vector<CameraControl> noControls(const CameraSettings& settings, std::string_view what) {
+  std::vector<CameraControl> out;
+  for (const Control& control : kControls) {
+    CameraControl none{.name = control.name};
+    if (isWanted(settings.*control.wanted)) none.wanted = settings.*control.wanted;
+    none.words = fmt::format("{} has none", what);
+    out.push_back(std::move(none));
+  }
+  return out;
+}
+
+std::string missingControls(const std::vector<CameraControl>& controls) {
+  std::string out;
+  for (const CameraControl& control : controls) {
+    if (std::isnan(control.wanted) || control.supported) continue;
+    out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", control.name, control.words);
+  }
+  return out;
+}
+
+}  // namespace fyd::device

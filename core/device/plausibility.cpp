@@ -1,0 +1,97 @@
+#include "core/device/plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fyd::device {
+namespace {
+
+constexpr int kChangesOfTheOthers = 10;
+constexpr double kFastestMotor_deg_s = 1000.0;
+constexpr double kSlack_deg = 5.0;
+constexpr Duration kComparable = std::chrono::milliseconds(500);
+constexpr Duration kWithheldWhileInactive = std::chrono::seconds(1);
+
+/// The shorter way round the circle of 4096 counts, in degrees.
+double travel_deg(std::uint16_t from, std::uint16_t to) {
+  const int counts = ((to - from) % 4096 + 4096 + 2048) % 4096 - 2048;
+  return std::abs(counts / control::kEncoderCountsPerDegree);
+}
+
+}  // namespace
+
+Plausibility::Plausibility(const DeviceParameters& parameters) : stuck_after_(fromSeconds(parameters.stuck_sensor_s)) {}
+
+void Plausibility::checkSensors(const Timed<sensing::IrCounts>& ir) {
+  if (ir.count == last_ir_) return;
+  const bool first = last_ir_ == 0 || ir.value.size() != sensor_count_;
+  last_ir_ = ir.count;
+  sensor_count_ = ir.value.size();
+  if (first) sensors_ = {};
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    if (!first && sensors_[i].code == ir.value[i]) continue;
+    sensors_[i].code = ir.value[i];
+    sensors_[i].changed = ir.taken;
+    sensors_[i].stuck = false;
+    ++sensors_[i].changes;
+    for (std::size_t k = 0; k < sensor_count_; ++k) sensors_[i].changes_when_it_changed[k] = sensors_[k].changes;
+  }
+  if (stuck_after_ <= Duration::zero() || sensor_count_ < 2) return;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    Sensor& sensor = sensors_[i];
+    if (ir.taken - sensor.changed <= stuck_after_) continue;
+    bool others_move = true;
+    for (std::size_t k = 0; k < sensor_count_; ++k) {
+      const bool moves = sensors_[k].changes - sensor.changes_when_it_changed[k] >= kChangesOfTheOthers;
+      others_move = others_move && (k == i || moves);
+    }
+    sensor.stuck = sensor.stuck || others_move;
+  }
+}
+
+void Plausibility::checkEncoders(const Timed<control::MotorFeedback>& motors, bool active, Instant now) {
+  if (jumped_ && !active && now - jumped_at_ > kWithheldWhileInactive) {
+    jumped_ = false;
+    believed_.reset();
+  }
+  if (motors.count == last_motors_) return;
+  last_motors_ = motors.count;
+  if (believed_ && !jumped_ && motors.taken - believed_->taken <= kComparable) {
+    const double allowed_deg =
+        kSlack_deg + kFastestMotor_deg_s * std::max(0.0, toSeconds(motors.taken - believed_->taken));
+    for (std::size_t i = 0; i < control::kMotorCount; ++i) {
+      const double moved = travel_deg(believed_->value.encoder_counts[i], motors.value.encoder_counts[i]);
+      if (moved <= allowed_deg) continue;
+      jumped_ = true;
+      jumped_at_ = now;
+      jump_ = fmt::format("encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again",
+                          i + 1, moved, toMilliseconds(motors.taken - believed_->taken));
+    }
+  }
+  if (jumped_) return;
+  believed_ = motors;
+  handed_on_.set(motors.value, motors.taken);
+}
+
+TouchpadReadings Plausibility::check(const TouchpadReadings& readings, bool active, Instant now) {
+  checkSensors(readings.ir);
+  checkEncoders(readings.motors, active, now);
+  TouchpadReadings out = readings;
+  for (std::size_t i = 0; i < out.ir.value.size(); ++i) {
+    if (sensors_[i].stuck) out.ir.value[i] = kUnbelievableCode;
+  }
+  out.motors = handed_on_;
+  return out;
+}
+
+std::string Plausibility::complaint() const {
+  if (jumped_) return jump_;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    if (!sensors_[i].stuck) continue;
+    return fmt::format("IR sensor {} is stuck at code {} while the others change: check its cable", i + 1,
+                       sensors_[i].code);
+  }
+  return {};
+}
+
+}  // namespace fyd::device

@@ -1,0 +1,47 @@
+// Small, slow and limited motions by which an operator sees that a motor answers, as a pure sequence of commands.
+//
+//   motor 1, motor 2   0.3 s at rest, 2° out in 2 s, back in 2 s, 0.2 s at rest:  rest + 2°·(1 − cos(2πt/4 s))/2,
+//                      1.6°/s at most; inward when 2° outward would pass the motor's limit
+//   vibration          0.3 s at rest, 0.5 s of both motors at 150 Hz and 10 % duty, rising and falling over 0.1 s
+//
+// The rest is where the motors stand at the start, so that nothing moves by switching them on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/time.h"
+#include "core/control/motor_types.h"
+
+namespace fyd::device {
+
+enum class DeviceTest : std::uint8_t { motor_1, motor_2, vibration };
+inline constexpr std::array<std::string_view, 3> kDeviceTestNames = {"motor 1", "motor 2", "vibration"};
+
+inline constexpr double kTestTravel_deg = 2.0;
+inline constexpr double kTestDuty_percent = 10.0;
+
+class TestMotion {
+ public:
+  /// @param motor_deg where the motors stand now, from the profile's zeros
+  /// @return an error when an angle is no number or lies beyond the limit
+  [[nodiscard]] static Result<TestMotion> plan(DeviceTest test,
+                                               const std::array<double, control::kMotorCount>& motor_deg,
+                                               double motor_limit_deg);
+
+  [[nodiscard]] Duration length() const;
+  /// The command at this time after the start; nothing before 0 and from `length` on: the motors are off then.
+  [[nodiscard]] std::optional<control::MotorCommand> at(Duration since_start) const;
+  /// Angles that `at` asks for, degrees.
+  [[nodiscard]] std::array<double, control::kMotorCount> anglesAt(Duration since_start) const;
+
+ private:
+  DeviceTest test_ = DeviceTest::motor_1;
+  std::array<double, control::kMotorCount> rest_deg_{};
+  double travel_deg_ = 0.0;
+};
+
+}  // namespace fyd::device

@@ -1,0 +1,145 @@
+#include "core/station/device_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/control/motor_mixing.h"
+
+namespace fyd::station {
+namespace {
+
+constexpr Duration kLongestGap = std::chrono::milliseconds(20);
+constexpr double kOffCourse_deg = 10.0;
+
+bool has(const pipeline::Lacks& lacks, pipeline::Lack lack) { return lacks.test(static_cast<std::size_t>(lack)); }
+
+}  // namespace
+
+std::string_view DeviceTestRunner::words(End end) {
+  switch (end) {
+    case End::none: return "";
+    case End::running: return "running";
+    case End::finished: return "finished";
+    case End::released: return "ended: the button was released";
+    case End::operator_acted: return "ended: the session was stopped or armed";
+    case End::state_changed: return "ended: the session's state changed";
+    case End::motors_silent: return "the motors do not answer";
+    case End::steps_missing: return "ended: the haptic loop stood still";
+    case End::off_course: return "ended: a motor was not where it was sent; check its encoder and that it can turn";
+    case End::not_now: return "the motors are not free: stop the session first";
+    case End::beyond_limit: return "a motor stands beyond control.motor_limit_deg: check the encoder's zero";
+  }
+  return "";
+}
+
+Result<void> DeviceTestRunner::start(device::DeviceTest test, Instant now) {
+  const auto index = static_cast<std::size_t>(test);
+  if (index >= device::kDeviceTestNames.size()) return fail("device test {}: there is none of this number", index);
+  stop();
+  if (const End refused = refused_now_.load(std::memory_order_relaxed); refused != End::none) {
+    return fail("device test '{}': {}", device::kDeviceTestNames[index], words(refused));
+  }
+  keep(now);
+  asked_ = (++presses_ << 8U) | static_cast<std::uint32_t>(index) | 0x80U;  // never 0
+  request_.store(asked_, std::memory_order_release);
+  return {};
+}
+
+DeviceTestStatus DeviceTestRunner::status() const {
+  DeviceTestStatus out;
+  if (asked_ == 0) return out;
+  out.test = static_cast<device::DeviceTest>(asked_ & 0x7FU);
+  const std::uint64_t outcome = outcome_.load(std::memory_order_acquire);
+  const bool taken_up = outcome >> 8U == asked_;
+  const End end = taken_up ? static_cast<End>(outcome & 0xFFU) : End::released;
+  const bool waiting = !taken_up && request_.load(std::memory_order_relaxed) == asked_;
+  out.running = waiting || end == End::running;
+  out.progress = taken_up ? progress_.load(std::memory_order_relaxed) : 0.0;
+  out.words = words(waiting ? End::running : end);
+  return out;
+}
+
+DeviceTestRunner::End DeviceTestRunner::refusal(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs) {
+  using enum pipeline::SafetyState;
+  const pipeline::SafetyState state = outputs.telemetry.state;
+  if (has(outputs.lacks, pipeline::Lack::motors_stale) || inputs.motors.count == 0) return End::motors_silent;
+  return (state == connected || state == ready || state == stopped) && !outputs.motors.active ? End::none
+                                                                                              : End::not_now;
+}
+
+DeviceTestRunner::End DeviceTestRunner::check(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs,
+                                              const std::array<double, control::kMotorCount>& motor_deg) const {
+  const bool acted = std::any_of(inputs.commands.begin(), inputs.commands.end(), [](const auto& command) {
+    return command.action == pipeline::OperatorAction::stop || command.action == pipeline::OperatorAction::arm;
+  });
+  if (acted) return End::operator_acted;
+  if (outputs.telemetry.state != state_) return End::state_changed;
+  if (const End refused = refusal(inputs, outputs); refused != End::none) return refused;
+  if (inputs.now - last_step_ > kLongestGap || inputs.now < last_step_) return End::steps_missing;
+  const Instant kept{Duration(kept_.load(std::memory_order_relaxed))};
+  if (request_.load(std::memory_order_acquire) != seen_ || inputs.now - kept > kHold) return End::released;
+  const auto wanted = motion_->anglesAt(inputs.now - started_);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!(std::abs(wanted[i] - motor_deg[i]) <= kOffCourse_deg)) return End::off_course;
+  }
+  return End::running;
+}
+
+void DeviceTestRunner::end(End why) {
+  motion_.reset();
+  outcome_.store((std::uint64_t{seen_} << 8U) | static_cast<std::uint64_t>(why), std::memory_order_release);
+}
+
+void DeviceTestRunner::begin(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs,
+                             const control::ControlParameters& parameters,
+                             const std::array<double, control::kMotorCount>& motor_deg) {
+  if (const End refused = refusal(inputs, outputs); refused != End::none) {
+    end(refused);
+    return;
+  }
+  const bool within =
+      std::ranges::all_of(motor_deg, [&](double angle) { return std::abs(angle) <= parameters.motor_limit_deg; });
+  if (!within) {  // asked here, because a refusal in words would allocate
+    end(End::beyond_limit);
+    return;
+  }
+  const auto planned =
+      device::TestMotion::plan(static_cast<device::DeviceTest>(seen_ & 0x7FU), motor_deg, parameters.motor_limit_deg);
+  if (!planned) {
+    end(End::not_now);
+    return;
+  }
+  motion_ = *planned;
+  started_ = last_step_ = inputs.now;
+  state_ = outputs.telemetry.state;
+  outcome_.store((std::uint64_t{seen_} << 8U) | static_cast<std::uint64_t>(End::running), std::memory_order_release);
+}
+
+std::optional<control::MotorCommand> DeviceTestRunner::step(const pipeline::Inputs& inputs,
+                                                            const pipeline::Outputs& outputs,
+                                                            const control::ControlParameters& parameters) {
+  refused_now_.store(refusal(inputs, outputs), std::memory_order_relaxed);
+  const control::RollerAngles rollers = control::rollerAngles(inputs.motors.value, parameters);
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  const std::array<double, control::kMotorCount> motor_deg = {
+      rollers.valid ? rollers.stretch_deg + rollers.translation_deg : nowhere,
+      rollers.valid ? rollers.translation_deg - rollers.stretch_deg : nowhere};
+  if (motion_) {
+    if (const End why = check(inputs, outputs, motor_deg); why != End::running) {
+      end(why);
+      return std::nullopt;  // at least one step with the motors off before another press is taken up
+    }
+  } else if (const std::uint32_t asked = request_.load(std::memory_order_acquire); asked != 0 && asked != seen_) {
+    seen_ = asked;
+    begin(inputs, outputs, parameters, motor_deg);
+  }
+  if (!motion_) return std::nullopt;
+  last_step_ = inputs.now;
+  const Duration elapsed = inputs.now - started_;
+  progress_.store(toSeconds(elapsed) / toSeconds(motion_->length()), std::memory_order_relaxed);
+  const auto command = motion_->at(elapsed);
+  if (!command) end(End::finished);
+  return command;
+}
+
+}  // namespace fyd::station

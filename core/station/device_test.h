@@ -1,0 +1,87 @@
+// Runs a device test on an operator's held button, on the haptic loop and only while nothing else may move a motor.
+//
+// It runs in Connected, Ready and Stopped. It ends by itself, and by: the button's release or 0.5 s without a sign of
+// it, any stop or arm, any change of the safety state, a motor board that falls silent, 20 ms without a step, a motor
+// 10° away from where it was sent. Nothing starts it again but the next press.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "core/control/control_parameters.h"
+#include "core/device/test_motion.h"
+#include "core/pipeline/inputs.h"
+#include "core/pipeline/outputs.h"
+
+namespace fyd::station {
+
+/// As an operator reads it.
+struct DeviceTestStatus {
+  bool running = false;
+  device::DeviceTest test = device::DeviceTest::motor_1;  ///< the last one asked for
+  double progress = 0.0;                                  ///< 0…1
+  std::string words;                                      ///< "running", or how the last one ended; empty before it
+};
+
+class DeviceTestRunner {
+ public:
+  static constexpr Duration kHold = std::chrono::milliseconds(500);  ///< longest silence of a held button
+
+  // the operator's thread
+  /// @return an error when it may not run now; a test that is running is ended by it
+  [[nodiscard]] Result<void> start(device::DeviceTest test, Instant now);
+  /// The button is still held.
+  void keep(Instant now) { kept_.store(now.time_since_epoch().count(), std::memory_order_relaxed); }
+  void stop() { request_.store(0, std::memory_order_release); }
+  [[nodiscard]] DeviceTestStatus status() const;
+
+  // the haptic loop
+  /// @param outputs of the step for these inputs
+  /// @return what goes to the motors in place of the step's command; nothing: no test runs
+  [[nodiscard]] std::optional<control::MotorCommand> step(const pipeline::Inputs& inputs,
+                                                          const pipeline::Outputs& outputs,
+                                                          const control::ControlParameters& parameters);
+
+ private:
+  enum class End : std::uint8_t {
+    none,
+    running,
+    finished,
+    released,
+    operator_acted,
+    state_changed,
+    motors_silent,
+    steps_missing,
+    off_course,
+    not_now,
+    beyond_limit,
+  };
+  [[nodiscard]] static std::string_view words(End end);
+  [[nodiscard]] static End refusal(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs);
+  [[nodiscard]] End check(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs,
+                          const std::array<double, control::kMotorCount>& motor_deg) const;
+  void begin(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs,
+             const control::ControlParameters& parameters, const std::array<double, control::kMotorCount>& motor_deg);
+  void end(End why);
+
+  // between threads
+  std::atomic<std::uint32_t> request_{0};  // 0: none; else number of the press, the test in the low byte
+  std::atomic<std::int64_t> kept_{0};      // ns of the clock
+  std::atomic<End> refused_now_{End::not_now};
+  std::atomic<std::uint64_t> outcome_{0};  // number of the press above, End in the low byte
+  std::atomic<double> progress_{0.0};
+
+  // the operator's
+  std::uint32_t presses_ = 0;
+  std::uint32_t asked_ = 0;
+
+  // the loop's
+  std::uint32_t seen_ = 0;  // the last request it took up
+  std::optional<device::TestMotion> motion_;
+  Instant started_{};
+  Instant last_step_{};
+  pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
+};
+
+}  // namespace fyd::station
