@@ -42,6 +42,7 @@ void CommandPalette::open() {
 void CommandPalette::filter(const QString& letters) {
   list_->clear();
   for (QAction* action : registry_.actions()) {
+    if (!action->isVisible()) continue;  // of another place
     const QString name = action->text().section(QLatin1Char('\t'), 0, 0);
     if (!name.contains(letters, Qt::CaseInsensitive)) continue;
     const QString keys = action->property("keys").toString();

@@ -1,6 +1,7 @@
 #include "app/console/command_registry.h"
 
-#include <QMenu>
+#include <QCoreApplication>
+#include <algorithm>
 
 #include "widgets/icon.h"
 
@@ -11,22 +12,9 @@ const std::vector<CommandInfo>& commandTable() {
   static const std::vector<CommandInfo> kTable = {
       {"session.stop", QT_TRANSLATE_NOOP("Commands", "Session"), QT_TRANSLATE_NOOP("Commands", "Stop"), "stop", "Esc"},
       {"session.tare", "Session", QT_TRANSLATE_NOOP("Commands", "Tare"), "tare", "Ctrl+T"},
-      {"session.target_from_robot", "Session", QT_TRANSLATE_NOOP("Commands", "Target from robot"), "robot", "Ctrl+R"},
-      {"session.target_by_hand", "Session", QT_TRANSLATE_NOOP("Commands", "Target by hand"), "", "Ctrl+H"},
       {"session.save_profile", "Session", QT_TRANSLATE_NOOP("Commands", "Save profile"), "save", "Ctrl+S"},
       {"session.quit", "Session", QT_TRANSLATE_NOOP("Commands", "Quit"), "", "Ctrl+Q"},
-      {"edit.undo", QT_TRANSLATE_NOOP("Commands", "Edit"), QT_TRANSLATE_NOOP("Commands", "Undo"), "undo", "Ctrl+Z"},
-      {"edit.redo", "Edit", QT_TRANSLATE_NOOP("Commands", "Redo"), "redo", "Ctrl+Shift+Z"},
-      {"curves.pause", QT_TRANSLATE_NOOP("Commands", "Curves"), QT_TRANSLATE_NOOP("Commands", "Pause or follow"),
-       "pause", "Space"},
-      {"curves.follow", "Curves", QT_TRANSLATE_NOOP("Commands", "Follow the newest values"), "follow", "F"},
-      {"curves.span_5", "Curves", QT_TRANSLATE_NOOP("Commands", "Show 5 s"), "", "Ctrl+1"},
-      {"curves.span_10", "Curves", QT_TRANSLATE_NOOP("Commands", "Show 10 s"), "", "Ctrl+2"},
-      {"curves.span_30", "Curves", QT_TRANSLATE_NOOP("Commands", "Show 30 s"), "", "Ctrl+3"},
-      {"curves.span_60", "Curves", QT_TRANSLATE_NOOP("Commands", "Show 60 s"), "", "Ctrl+4"},
-      {"view.mask", QT_TRANSLATE_NOOP("Commands", "View"), QT_TRANSLATE_NOOP("Commands", "Finger mask"), "mask", "M",
-       true},
-      {"view.log", "View", QT_TRANSLATE_NOOP("Commands", "Log"), "log", "Ctrl+L", true},
+      {"view.log", QT_TRANSLATE_NOOP("Commands", "View"), QT_TRANSLATE_NOOP("Commands", "Log"), "log", "Ctrl+L", true},
       {"view.link", "View", QT_TRANSLATE_NOOP("Commands", "Link"), "link", "Ctrl+Shift+L", true},
       {"view.notices_read", "View", QT_TRANSLATE_NOOP("Commands", "Dismiss all notices"), "check", "Ctrl+D"},
       {"view.theme_dark", "View", QT_TRANSLATE_NOOP("Commands", "Dark theme"), "theme", ""},
@@ -37,20 +25,31 @@ const std::vector<CommandInfo>& commandTable() {
   return kTable;
 }
 
-CommandRegistry::CommandRegistry(QWidget* window) : QObject(window) {
-  for (const CommandInfo& info : commandTable()) {
-    auto* action = new QAction(QCoreApplication::translate("Commands", info.text), window);
-    action->setObjectName(QLatin1String(info.id));
-    action->setProperty("menu", QLatin1String(info.menu));
-    action->setProperty("keys", QLatin1String(info.keys));
-    action->setIcon(widgets::icon(QLatin1String(info.icon)));
-    action->setIconVisibleInMenu(true);
-    action->setCheckable(info.checkable);
-    if (QLatin1String(info.keys) != QLatin1String("Esc")) action->setShortcut(QKeySequence(QLatin1String(info.keys)));
-    action->setShortcutContext(Qt::WindowShortcut);
-    window->addAction(action);
-    actions_.push_back(action);
-  }
+CommandRegistry::CommandRegistry(QWidget* window) : QObject(window), window_(window) {
+  for (const CommandInfo& info : commandTable()) make(info);
+}
+
+QAction* CommandRegistry::make(const CommandInfo& info) {
+  auto* action = new QAction(QCoreApplication::translate("Commands", info.text), window_);
+  action->setObjectName(QLatin1String(info.id));
+  action->setProperty("menu", QLatin1String(info.menu));
+  action->setProperty("keys", QLatin1String(info.keys));
+  action->setIcon(widgets::icon(QLatin1String(info.icon)));
+  action->setIconVisibleInMenu(true);
+  action->setCheckable(info.checkable);
+  if (QLatin1String(info.keys) != QLatin1String("Esc")) action->setShortcut(QKeySequence(QLatin1String(info.keys)));
+  action->setShortcutContext(Qt::WindowShortcut);
+  window_->addAction(action);
+  actions_.push_back(action);
+  return action;
+}
+
+QAction* CommandRegistry::add(const CommandInfo& info, std::function<void(bool)> run, const QString& place) {
+  QAction* action = make(info);
+  action->setProperty("place", place);
+  action->setVisible(place.isEmpty());
+  connect(action, &QAction::triggered, this, std::move(run));
+  return action;
 }
 
 void CommandRegistry::on(const QString& id, std::function<void(bool)> run) {
@@ -64,18 +63,49 @@ QAction* CommandRegistry::action(const QString& id) const {
   return nullptr;
 }
 
-void CommandRegistry::fill(QMenuBar& bar) const {
-  QString name;
-  QMenu* menu = nullptr;
-  for (QAction* each : actions_) {
-    if (const QString wanted = each->property("menu").toString(); wanted != name || menu == nullptr) {
-      name = wanted;
-      menu = bar.addMenu(QCoreApplication::translate("Commands", name.toUtf8().constData()));
+void CommandRegistry::showPlace(const QString& place) {
+  // What is not visible has no keys either. Those that go are hidden first: two never share their keys.
+  for (const bool visible : {false, true}) {
+    for (QAction* each : actions_) {
+      const QString own = placeOf(*each);
+      if (!own.isEmpty() && (own == place) == visible) each->setVisible(visible);
     }
+  }
+  hideEmptyMenus();
+}
+
+void CommandRegistry::fill(QMenuBar& bar) {
+  // The window's first menu, the places' in their order, and the view at the end.
+  QStringList names;
+  const QString last = QStringLiteral("View");
+  for (const QAction* each : actions_) {
+    const QString name = each->property("menu").toString();
+    if (name != last && !names.contains(name)) names << name;
+  }
+  for (const QString& name : names << last) {
+    QMenu* menu = bar.addMenu(QCoreApplication::translate("Commands", name.toUtf8().constData()));
+    menus_.push_back(menu);
+    // The places stand first in the view's menu.
+    for (const bool place : {true, false}) {
+      for (QAction* each : actions_) {
+        if (each->property("menu").toString() != name) continue;
+        if (each->objectName().startsWith(QLatin1String("place.")) == place) menu->addAction(each);
+      }
+    }
+  }
+  for (QAction* each : actions_) {
     if (each->shortcut().isEmpty() && !each->property("keys").toString().isEmpty()) {
       each->setText(each->text() + QLatin1Char('\t') + each->property("keys").toString());
     }
-    menu->addAction(each);
+  }
+  hideEmptyMenus();
+}
+
+void CommandRegistry::hideEmptyMenus() {
+  for (QMenu* menu : menus_) {
+    const auto actions = menu->actions();
+    menu->menuAction()->setVisible(
+        std::any_of(actions.begin(), actions.end(), [](const QAction* each) { return each->isVisible(); }));
   }
 }
 

@@ -1,11 +1,14 @@
-// Every command of the window stands in one table: id, words, icon, keys, menu. The menus, the shortcuts and the
-// command palette are made of it; the window says what each id does.
+// Every command of the window: id, words, icon, keys, menu. The menus, the shortcuts and the command palette are made
+// of them. Those of the whole window stand in one table; each place adds its own, which exist only while it is shown,
+// so that the space bar may pause the curves in one place and play a recording in another.
 #pragma once
 
 #include <QAction>
+#include <QMenu>
 #include <QMenuBar>
 #include <QObject>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace fyd::console {
@@ -19,7 +22,7 @@ struct CommandInfo {
   bool checkable = false;
 };
 
-/// The table.
+/// Those of the whole window.
 [[nodiscard]] const std::vector<CommandInfo>& commandTable();
 
 class CommandRegistry : public QObject {
@@ -27,14 +30,40 @@ class CommandRegistry : public QObject {
  public:
   explicit CommandRegistry(QWidget* window);
 
-  /// Says what a command does. @param run gets the new state of a checkable command, else false
+  /// @param run gets the new state of a checkable command, else false
+  /// @param place the command exists only while this place is shown; empty: always
+  QAction* add(const CommandInfo& info, std::function<void(bool)> run, const QString& place = {});
+  /// Says what a command of the table does.
   void on(const QString& id, std::function<void(bool)> run);
   [[nodiscard]] QAction* action(const QString& id) const;
+  /// All, also those of places that are not shown; these are not visible.
   [[nodiscard]] const std::vector<QAction*>& actions() const { return actions_; }
-  void fill(QMenuBar& bar) const;
+  /// The place a command belongs to; empty: to the window.
+  [[nodiscard]] static QString placeOf(const QAction& action) { return action.property("place").toString(); }
+  void showPlace(const QString& place);
+  /// After the last command was added.
+  void fill(QMenuBar& bar);
 
  private:
+  QAction* make(const CommandInfo& info);
+  void hideEmptyMenus();
+
+  QWidget* window_;
   std::vector<QAction*> actions_;
+  std::vector<QMenu*> menus_;
+};
+
+/// What a place adds its commands through.
+class PlaceCommands {
+ public:
+  PlaceCommands(CommandRegistry& registry, QString place) : registry_(registry), place_(std::move(place)) {}
+  QAction* add(const CommandInfo& info, std::function<void(bool)> run) {
+    return registry_.add(info, std::move(run), place_);
+  }
+
+ private:
+  CommandRegistry& registry_;
+  QString place_;
 };
 
 }  // namespace fyd::console

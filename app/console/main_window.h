@@ -1,5 +1,5 @@
-// The window: one place so far, "Operate". A rail of places at its left comes with the second one; `centre_` holds it
-// then.
+// The window: puts its frame of places, the docks and the notices together, and passes on what concerns all of them:
+// stop, arm, tare, the log. What a place does stands in the place.
 #pragma once
 
 #include <QMainWindow>
@@ -8,9 +8,11 @@
 
 #include "app/console/command_palette.h"
 #include "app/console/command_registry.h"
+#include "app/console/frame.h"
 #include "app/console/key_guard.h"
 #include "app/console/link_dock.h"
 #include "app/console/operate_page.h"
+#include "app/console/robot_change.h"
 #include "app/console/session.h"
 #include "app/console/session_feed.h"
 #include "app/console/tuning_bridge.h"
@@ -35,7 +37,9 @@ class MainWindow : public QMainWindow {
 
   [[nodiscard]] Session& session() { return *session_; }
   [[nodiscard]] SessionFeed& feed() { return *feed_; }
-  [[nodiscard]] OperatePage* page() const { return page_; }
+  [[nodiscard]] Frame* frame() const { return frame_; }
+  [[nodiscard]] widgets::StateBar* stateBar() const { return frame_->stateBar(); }
+  [[nodiscard]] OperatePage* operate() const;
   [[nodiscard]] widgets::NoticeStack* notices() const { return notices_; }
   [[nodiscard]] widgets::LogView* log() const { return log_; }
   [[nodiscard]] CommandRegistry& commands() { return *commands_; }
@@ -47,12 +51,11 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void buildLog();
+  PageContext context();
+  void buildDocks();
   void connectFeed();
-  void connectPage();
+  void connectStateBar();
   void connectCommands();
-  void showRobot();
-  void reconnect(const RobotWords& wanted);
   void stop();
   void ask(pipeline::OperatorAction action);
   void takeSamples(std::span<const pipeline::TelemetrySample> samples);
@@ -63,11 +66,12 @@ class MainWindow : public QMainWindow {
   SessionFeed* feed_;
   CommandRegistry* commands_;
   KeyGuard* keys_;
-  OperatePage* page_;
+  Frame* frame_;
   widgets::NoticeStack* notices_;
   widgets::LogView* log_ = nullptr;
   QDockWidget* log_dock_ = nullptr;
   LinkDock* link_;
+  RobotChange* robot_;
   CommandPalette* palette_;
   bool arm_once_ = false;
 };

@@ -4,6 +4,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/console/views.h"
+#include "core/sensing/finger_detector.h"
+
 namespace fyd::console {
 namespace {
 
@@ -47,30 +50,102 @@ QWidget* column(QWidget* parent, const std::vector<QWidget*>& parts, int width) 
 
 }  // namespace
 
-OperatePage::OperatePage(widgets::TuningModel& tuning, QWidget* parent)
-    : QWidget(parent),
-      state_bar_(new widgets::StateBar(this)),
+OperatePage::OperatePage(const PageContext& context, QWidget* parent)
+    : Page(parent),
+      context_(context),
       camera_(new widgets::CameraPanel(this)),
       readiness_(new widgets::ReadinessList(this)),
       curves_(new widgets::CurveView(this)),
-      tuning_(new widgets::TuningPanel(tuning, sections(), QLatin1String(kHandTarget), this)) {
+      tuning_(new widgets::TuningPanel(context.tuning.model(), sections(), QLatin1String(kHandTarget), this)) {
+  build();
+  connectFeed();
+  connectTuning();
+  connectFinger();
+}
+
+void OperatePage::build() {
   auto* panel = new QFrame(this);
   panel->setProperty("surface", "panel");
   auto* panel_layout = new QVBoxLayout(panel);
   panel_layout->setContentsMargins(0, 0, 0, 0);
   panel_layout->addWidget(curves_);
 
-  auto* below = new QHBoxLayout;
-  below->setSpacing(kGrid);
-  below->addWidget(column(this, {camera_, readiness_}, 33 * kGrid));
-  below->addWidget(panel, 1);
   tuning_->setFixedWidth(33 * kGrid);
-  below->addWidget(tuning_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
-  layout->addWidget(state_bar_);
-  layout->addLayout(below, 1);
+  layout->addWidget(column(this, {camera_, readiness_}, 33 * kGrid));
+  layout->addWidget(panel, 1);
+  layout->addWidget(tuning_);
+}
+
+void OperatePage::connectFeed() {
+  const SessionFeed* feed = &context_.feed;
+  connect(feed, &SessionFeed::telemetry, curves_, &widgets::CurveView::append);
+  connect(feed, &SessionFeed::picture, this, [this](const station::CameraView& view) {
+    if (isVisible()) camera_->setPicture(toCameraPicture(view));
+  });
+  connect(feed, &SessionFeed::cameraMissing, camera_, &widgets::CameraPanel::showMissing);
+  connect(feed, &SessionFeed::readiness, readiness_, &widgets::ReadinessList::setRows);
+}
+
+void OperatePage::connectTuning() {
+  TuningBridge* bridge = &context_.tuning;
+  connect(tuning_, &widgets::TuningPanel::targetByHandAsked, bridge, &TuningBridge::targetByHand);
+  connect(tuning_, &widgets::TuningPanel::targetFromRobotAsked, bridge, &TuningBridge::targetFromRobot);
+  connect(tuning_, &widgets::TuningPanel::saveAsked, bridge, &TuningBridge::save);
+  connect(tuning_, &widgets::TuningPanel::refused, this,
+          [this](const QString& why) { context_.tell(widgets::Severity::warning, why); });
+  connect(bridge, &TuningBridge::targetShown, tuning_, &widgets::TuningPanel::showTargetByHand);
+}
+
+void OperatePage::connectFinger() {
+  Session& session = context_.session;
+  if (session.simulated()) {
+    const sensing::FingerParameters finger = session.currentProfile().step.sensing.finger;
+    camera_->setTouchable([finger](QPointF px) {
+      double x_mm = 0.0;
+      double y_mm = 0.0;
+      sensing::toMillimetres(finger, px.x(), px.y(), x_mm, y_mm);
+      return QPointF(x_mm, y_mm);
+    });
+  }
+  const widgets::CameraImage* image = camera_->image();
+  connect(image, &widgets::CameraImage::fingerMoved, this,
+          [&session](double x_mm, double y_mm, double depth_mm) { session.moveSimulatedFinger(x_mm, y_mm, depth_mm); });
+  connect(image, &widgets::CameraImage::fingerReleased, this, [&session] { session.releaseSimulatedFinger(); });
+}
+
+void OperatePage::addCommands(PlaceCommands& commands) {
+  QUndoStack* undo = context_.tuning.model().undoStack();
+  commands.add(
+      {"edit.undo", QT_TRANSLATE_NOOP("Commands", "Edit"), QT_TRANSLATE_NOOP("Commands", "Undo"), "undo", "Ctrl+Z"},
+      [undo](bool) { undo->undo(); });
+  commands.add({"edit.redo", "Edit", QT_TRANSLATE_NOOP("Commands", "Redo"), "redo", "Ctrl+Shift+Z"},
+               [undo](bool) { undo->redo(); });
+  commands.add({"session.target_by_hand", "Edit", QT_TRANSLATE_NOOP("Commands", "Target by hand"), "", "Ctrl+H"},
+               [this](bool) { tuning_->byHandButton()->click(); });
+  commands.add({"session.target_from_robot", "Edit", QT_TRANSLATE_NOOP("Commands", "Target from robot"), "robot",
+                "Ctrl+Shift+H"},
+               [this](bool) { tuning_->fromRobotButton()->click(); });
+  commands.add({"curves.pause", QT_TRANSLATE_NOOP("Commands", "Curves"),
+                QT_TRANSLATE_NOOP("Commands", "Pause or follow"), "pause", "Space"},
+               [this](bool) { curves_->togglePause(); });
+  commands.add({"curves.follow", "Curves", QT_TRANSLATE_NOOP("Commands", "Follow the newest values"), "follow", "F"},
+               [this](bool) { curves_->follow(); });
+  const auto span = [&](const char* id, const char* text, const char* keys, double span_s) {
+    commands.add({id, "Curves", text, "", keys}, [this, span_s](bool) { curves_->chooseSpan(span_s); });
+  };
+  span("curves.span_5", QT_TRANSLATE_NOOP("Commands", "Show 5 s"), "Alt+1", 5.0);
+  span("curves.span_10", QT_TRANSLATE_NOOP("Commands", "Show 10 s"), "Alt+2", 10.0);
+  span("curves.span_30", QT_TRANSLATE_NOOP("Commands", "Show 30 s"), "Alt+3", 30.0);
+  span("curves.span_60", QT_TRANSLATE_NOOP("Commands", "Show 60 s"), "Alt+4", 60.0);
+  QToolButton* mask = camera_->maskButton();
+  QAction* mask_action =
+      commands.add({"view.mask", "View", QT_TRANSLATE_NOOP("Commands", "Finger mask"), "mask", "M", true},
+                   [mask](bool shown) { mask->setChecked(shown); });
+  mask_action->setChecked(mask->isChecked());
+  connect(mask, &QToolButton::toggled, mask_action, &QAction::setChecked);
 }
 
 }  // namespace fyd::console

@@ -1,29 +1,32 @@
-// The place "Operate": what is felt now. State bar on top; camera and readiness, curves, tuning below it.
+// The place "Operate": what is felt now. Camera and readiness, curves, tuning.
 #pragma once
 
-#include <QWidget>
-
+#include "app/console/page.h"
 #include "widgets/camera_panel.h"
 #include "widgets/curve_view.h"
 #include "widgets/readiness_list.h"
-#include "widgets/state_bar.h"
 #include "widgets/tuning_panel.h"
 
 namespace fyd::console {
 
-class OperatePage : public QWidget {
+class OperatePage : public Page {
   Q_OBJECT
  public:
-  explicit OperatePage(widgets::TuningModel& tuning, QWidget* parent = nullptr);
+  explicit OperatePage(const PageContext& context, QWidget* parent = nullptr);
+  void addCommands(PlaceCommands& commands) override;
 
-  [[nodiscard]] widgets::StateBar* stateBar() const { return state_bar_; }
   [[nodiscard]] widgets::CameraPanel* camera() const { return camera_; }
   [[nodiscard]] widgets::ReadinessList* readiness() const { return readiness_; }
   [[nodiscard]] widgets::CurveView* curves() const { return curves_; }
   [[nodiscard]] widgets::TuningPanel* tuning() const { return tuning_; }
 
  private:
-  widgets::StateBar* state_bar_;
+  void build();
+  void connectFeed();
+  void connectTuning();
+  void connectFinger();
+
+  PageContext context_;
   widgets::CameraPanel* camera_;
   widgets::ReadinessList* readiness_;
   widgets::CurveView* curves_;

@@ -41,7 +41,13 @@ void TuningBridge::hear(const pipeline::Event& event) {
   if (event.kind == pipeline::EventKind::parameter_changed) model_.accept(id.toStdString(), event.value);
 }
 
+void TuningBridge::startWithTarget(bool by_hand) {
+  by_hand_ = by_hand;
+  emit targetShown(by_hand);
+}
+
 void TuningBridge::targetByHand() {
+  by_hand_ = true;
   const widgets::TunedParameter* target = std::as_const(model_).find(kHandTarget);
   const double value = target != nullptr ? target->value : 0.0;
   if (!session_.command({.action = pipeline::OperatorAction::target_by_hand, .value = value})) {
@@ -50,6 +56,7 @@ void TuningBridge::targetByHand() {
 }
 
 void TuningBridge::targetFromRobot() {
+  by_hand_ = false;
   if (!session_.command({.action = pipeline::OperatorAction::target_from_robot})) {
     emit told(Severity::error, tr("The station did not take the target: too many commands at once. Try again."));
   }

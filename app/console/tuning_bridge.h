@@ -22,11 +22,15 @@ class TuningBridge : public QObject {
   void hear(const pipeline::Event& event);
   void targetByHand();
   void targetFromRobot();
+  /// The session itself starts with this source of the target: shown, not asked for.
+  void startWithTarget(bool by_hand);
+  [[nodiscard]] bool targetIsByHand() const { return by_hand_; }
   void save();
   /// The session began anew with the present values: no echo of the former one comes any more.
   void restart() { under_way_.clear(); }
 
  signals:
+  void targetShown(bool by_hand);
   void told(fyd::widgets::Severity severity, const QString& text);
 
  private:
@@ -35,6 +39,7 @@ class TuningBridge : public QObject {
   Session& session_;
   QString profile_path_;
   widgets::TuningModel model_;
+  bool by_hand_ = false;
   QHash<QString, int> under_way_;  ///< own changes whose echo has not come back
   std::vector<QString> names_;     ///< by the step's index
 };

@@ -56,7 +56,7 @@ class ConsoleTest : public QObject {
 
   void stopButtonAndMenuStop() {
     Fixture f;
-    QTest::mouseClick(f.window->page()->stateBar()->stopButton(), Qt::LeftButton);
+    QTest::mouseClick(f.window->stateBar()->stopButton(), Qt::LeftButton);
     QCOMPARE(f.session->stops, 1);
     f.window->commands().action(QStringLiteral("session.stop"))->trigger();
     QCOMPARE(f.session->stops, 2);
@@ -66,7 +66,7 @@ class ConsoleTest : public QObject {
     Fixture f;
     f.session->say(SafetyState::ready);
     f.window->feed().pump();
-    widgets::HoldButton* arm = f.window->page()->stateBar()->armButton();
+    widgets::HoldButton* arm = f.window->stateBar()->armButton();
     QVERIFY(arm->isEnabled());
     QTest::mouseClick(arm, Qt::LeftButton);
     for (QAction* action : f.window->commands().actions()) {
@@ -83,7 +83,7 @@ class ConsoleTest : public QObject {
 
   void spacePausesAndFFollowsButNotWhileTyping() {
     Fixture f;
-    widgets::CurveView* curves = f.window->page()->curves();
+    widgets::CurveView* curves = f.window->operate()->curves();
     f.window->setFocus();
     QTest::keyClick(f.window.get(), Qt::Key_Space);
     QVERIFY(!curves->following());
@@ -98,12 +98,12 @@ class ConsoleTest : public QObject {
 
   void tareTargetAndHandValueReachTheSession() {
     Fixture f;
-    QTest::mouseClick(f.window->page()->stateBar()->tareButton(), Qt::LeftButton);
+    QTest::mouseClick(f.window->stateBar()->tareButton(), Qt::LeftButton);
     QCOMPARE(f.session->count(OperatorAction::tare), 1);
-    QTest::mouseClick(f.window->page()->tuning()->byHandButton(), Qt::LeftButton, {}, QPoint(6, 10));
+    QTest::mouseClick(f.window->operate()->tuning()->byHandButton(), Qt::LeftButton, {}, QPoint(6, 10));
     QCOMPARE(f.session->count(OperatorAction::target_by_hand), 1);
     QCOMPARE(f.session->commands.back().value, f.session->profile.step.step.hand_target_N_per_mm);
-    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    QTest::keyClick(f.window.get(), Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(f.session->count(OperatorAction::target_from_robot), 1);
     QLineEdit* field = f.row("pipeline.hand_target_N_per_mm")->field();
     field->setFocus();
@@ -157,14 +157,14 @@ class ConsoleTest : public QObject {
   void aFullCommandQueueIsTold() {
     Fixture f;
     f.session->takes_commands = false;
-    QTest::mouseClick(f.window->page()->stateBar()->tareButton(), Qt::LeftButton);
+    QTest::mouseClick(f.window->stateBar()->tareButton(), Qt::LeftButton);
     QCOMPARE(f.window->notices()->count(), 1);
   }
 
   void saveWritesTheProfileAndAFailureSaysWhy() {
     Fixture f;
     f.row("texture.k_vib")->slider()->setValue(200);
-    QTest::mouseClick(f.window->page()->tuning()->saveButton(), Qt::LeftButton);
+    QTest::mouseClick(f.window->operate()->tuning()->saveButton(), Qt::LeftButton);
     const auto loaded = station::loadProfile(f.folder.filePath(QStringLiteral("profile.toml")).toStdString());
     QVERIFY(loaded.has_value());
     QCOMPARE(loaded->step.texture.k_vib, f.session->profile.step.texture.k_vib);
@@ -183,7 +183,7 @@ class ConsoleTest : public QObject {
          {std::pair{SafetyState::connected, "Connected"}, std::pair{SafetyState::active, "Active"}}) {
       f.session->say(state);
       f.window->feed().pump();
-      QCOMPARE(f.window->page()->stateBar()->stateWord(), QLatin1String(word));
+      QCOMPARE(f.window->stateBar()->stateWord(), QLatin1String(word));
     }
     f.session->notices.push_back(
         {.event = {.kind = pipeline::EventKind::tare_done, .value = 0.2}, .text = "Tare done."});
@@ -191,15 +191,15 @@ class ConsoleTest : public QObject {
     QCOMPARE(f.window->notices()->count(), 1);
     QCOMPARE(f.window->log()->lines(), 1);
     f.window->start();
-    QTRY_COMPARE(f.window->page()->stateBar()->stateWord(), QStringLiteral("Unknown"));
+    QTRY_COMPARE(f.window->stateBar()->stateWord(), QStringLiteral("Unknown"));
   }
 
   void missingCameraTeaches() {
     Fixture f;
     f.session->now.parts = {{.name = "Camera", .description = "device 7", .ok = false, .problem = "no such device"}};
     f.window->feed().pump();
-    QCOMPARE(f.window->page()->camera()->figure(0), QStringLiteral("—"));
-    QVERIFY(f.window->page()->camera()->image()->emptyText().contains(QStringLiteral("device 7")));
+    QCOMPARE(f.window->operate()->camera()->figure(0), QStringLiteral("—"));
+    QVERIFY(f.window->operate()->camera()->image()->emptyText().contains(QStringLiteral("device 7")));
   }
 
   void picturesOfEveryKindAreShownOrLeftOut() {
@@ -219,7 +219,7 @@ class ConsoleTest : public QObject {
     f.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
     f.session->view.number = 1;
     f.window->feed().pump();
-    QWidget* image = f.window->page()->camera()->image();
+    QWidget* image = f.window->operate()->camera()->image();
     QTest::mousePress(image, Qt::LeftButton, {}, image->rect().center());
     QCOMPARE(f.session->finger.size(), std::size_t{3});
     QVERIFY(std::abs(f.session->finger[0]) < 10.0 && f.session->finger[2] == 4.0);
@@ -229,11 +229,20 @@ class ConsoleTest : public QObject {
 
   void everyCommandHasItsOwnKeysAndThePaletteRunsThem() {
     Fixture f;
-    QSet<QString> keys;
-    for (const console::CommandInfo& info : console::commandTable()) {
-      if (*info.keys == '\0') continue;
-      QVERIFY2(!keys.contains(QLatin1String(info.keys)), info.id);
-      keys.insert(QLatin1String(info.keys));
+    // Two places may use the same keys, as only one is shown; nothing else may.
+    QSet<QString> ids;
+    std::map<QString, QSet<QString>> keys;
+    for (const QAction* action : f.window->commands().actions()) {
+      QVERIFY2(!ids.contains(action->objectName()), qPrintable(action->objectName()));
+      ids.insert(action->objectName());
+      const QString own = action->property("keys").toString();
+      const QString place = console::CommandRegistry::placeOf(*action);
+      if (own.isEmpty()) continue;
+      QVERIFY2(!keys[place].contains(own) && !keys[QString()].contains(own), qPrintable(action->objectName()));
+      keys[place].insert(own);
+    }
+    for (const auto& [place, own] : keys) {
+      QVERIFY2(place.isEmpty() || !own.intersects(keys[QString()]), qPrintable(place));
     }
     f.window->palette()->open();
     QTest::keyClicks(f.window->palette()->field(), QStringLiteral("tare"));
@@ -250,7 +259,7 @@ class ConsoleTest : public QObject {
       QVERIFY2(f.window->minimumSizeHint().height() <= 640,
                qPrintable(QString::number(f.window->minimumSizeHint().height())));
     }
-    for (QAbstractButton* button : f.window->page()->findChildren<QAbstractButton*>()) {
+    for (QAbstractButton* button : f.window->operate()->findChildren<QAbstractButton*>()) {
       QVERIFY2(!button->text().isEmpty() || !button->accessibleName().isEmpty(), qPrintable(button->objectName()));
     }
   }

@@ -47,7 +47,7 @@ station::StationStatus sealedStatus() {
 QString valueOf(const widgets::LinkPanel& panel, const char* label) { return panel.value(QLatin1String(label)); }
 
 QRect linkPlace(const console::MainWindow& window) {
-  return window.page()->stateBar()->parts()->place(QStringLiteral("Link"));
+  return window.stateBar()->parts()->place(QStringLiteral("Link"));
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ class LinkTest : public QObject {
     f.session->now = classicStatus();
     f.window->feed().pump();
     QVERIFY(!f.window->link()->isVisible());
-    widgets::PartList* parts = f.window->page()->stateBar()->parts();
+    widgets::PartList* parts = f.window->stateBar()->parts();
     QTest::mouseClick(parts, Qt::LeftButton, {}, linkPlace(*f.window).center());
     QVERIFY(f.window->link()->isVisible());
     QVERIFY(f.window->commands().action(QStringLiteral("view.link"))->isChecked());
@@ -197,7 +197,7 @@ class LinkTest : public QObject {
     QVERIFY(!form->address()->isVisible());
     press();
     QCOMPARE(f.session->asked.back().robot, std::string("none"));
-    QVERIFY(f.window->page()->tuning()->byHandButton()->isChecked());
+    QVERIFY(f.window->operate()->tuning()->byHandButton()->isChecked());
 
     choose(2);
     QVERIFY(form->address()->isVisible() && !form->key()->isVisible());
@@ -210,7 +210,7 @@ class LinkTest : public QObject {
     press();
     QCOMPARE(f.session->asked.back().robot, std::string("classic:127.0.0.1:3490"));
     QVERIFY(f.session->asked.back().key_file.empty());
-    QVERIFY(!f.window->page()->tuning()->byHandButton()->isChecked());
+    QVERIFY(!f.window->operate()->tuning()->byHandButton()->isChecked());
 
     choose(3);
     f.session->say(SafetyState::ready);

@@ -85,7 +85,7 @@ struct Fixture {
     window->activateWindow();
     (void)QTest::qWaitForWindowActive(window.get());
   }
-  widgets::TuningRow* row(const char* id) const { return window->page()->tuning()->row(QLatin1String(id)); }
+  widgets::TuningRow* row(const char* id) const { return window->operate()->tuning()->row(QLatin1String(id)); }
   QTemporaryDir folder;
   ScriptedSession* session;
   std::unique_ptr<console::MainWindow> window;

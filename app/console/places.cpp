@@ -1,0 +1,24 @@
+// The list of the window's places. A new one is a line here.
+#include <QCoreApplication>
+
+#include "app/console/operate_page.h"
+#include "app/console/page.h"
+
+namespace fyd::console {
+namespace {
+
+template <class T>
+Page* make(const PageContext& context, QWidget* parent) {
+  return new T(context, parent);
+}
+
+}  // namespace
+
+const std::vector<PlaceInfo>& places() {
+  static const std::vector<PlaceInfo> kPlaces = {
+      {"operate", QT_TRANSLATE_NOOP("Commands", "Operate"), "place-operate", "Ctrl+1", make<OperatePage>},
+  };
+  return kPlaces;
+}
+
+}  // namespace fyd::console

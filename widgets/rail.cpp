@@ -1,0 +1,32 @@
+#include "widgets/rail.h"
+
+#include "widgets/theme.h"
+
+namespace fyd::widgets {
+
+Rail::Rail(QWidget* parent) : QFrame(parent), layout_(new QVBoxLayout(this)) {
+  setObjectName(QStringLiteral("rail"));
+  setAccessibleName(tr("Places"));
+  layout_->setContentsMargins(kGrid / 2, 0, 0, 0);
+  layout_->setSpacing(kGrid / 2);
+  layout_->addStretch(1);
+}
+
+QToolButton* Rail::add(QAction* place) {
+  auto* button = new QToolButton(this);
+  button->setDefaultAction(place);
+  button->setObjectName(QStringLiteral("rail_") + place->objectName());
+  button->setProperty("rail", true);
+  button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  button->setIconSize({3 * kGrid, 3 * kGrid});
+  button->setFont(textFont(TextSize::small));
+  button->setFixedSize(9 * kGrid, 8 * kGrid);
+  button->setFocusPolicy(Qt::StrongFocus);
+  button->setAccessibleName(place->text());
+  const QString keys = place->shortcut().toString(QKeySequence::NativeText);
+  button->setToolTip(keys.isEmpty() ? place->text() : tr("%1 (%2)").arg(place->text(), keys));
+  layout_->insertWidget(layout_->count() - 1, button);
+  return button;
+}
+
+}  // namespace fyd::widgets

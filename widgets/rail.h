@@ -1,0 +1,22 @@
+// The narrow column of places at the window's left edge: icon and word of each, the present one marked.
+#pragma once
+
+#include <QAction>
+#include <QFrame>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace fyd::widgets {
+
+class Rail : public QFrame {
+  Q_OBJECT
+ public:
+  explicit Rail(QWidget* parent = nullptr);
+  /// @param place checkable; its icon and text are the button's, its keys stand in the tool tip
+  QToolButton* add(QAction* place);
+
+ private:
+  QVBoxLayout* layout_;
+};
+
+}  // namespace fyd::widgets
