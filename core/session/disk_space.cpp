@@ -1,0 +1,30 @@
+#include "core/session/disk_space.h"
+
+#include <sys/statvfs.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace fyd::session {
+
+Result<std::uint64_t> freeBytes(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const std::string name = folder.empty() ? "." : folder.string();
+  struct statvfs disk {};
+  if (::statvfs(name.c_str(), &disk) != 0) return fail("{}: {}", name, std::strerror(errno));
+  return static_cast<std::uint64_t>(disk.f_bavail) * static_cast<std::uint64_t>(disk.f_frsize);
+}
+
+void GrowthRate::observe(Instant now, std::uint64_t bytes) {
+  points_.push_back({.when = now, .bytes = bytes});
+  while (points_.size() > 2 && now - points_.front().when > std::chrono::seconds(10)) points_.pop_front();
+}
+
+double GrowthRate::bytes_per_s() const {
+  if (points_.size() < 2 || points_.back().bytes < points_.front().bytes) return 0.0;
+  const double elapsed_s = toSeconds(points_.back().when - points_.front().when);
+  return elapsed_s > 0.0 ? static_cast<double>(points_.back().bytes - points_.front().bytes) / elapsed_s : 0.0;
+}
+
+}  // namespace fyd::session

@@ -1,0 +1,30 @@
+// Space on the disk a recording grows on, and how long it lasts.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/time.h"
+
+namespace fyd::session {
+
+/// Bytes a user may still write in the folder of `path`.
+[[nodiscard]] Result<std::uint64_t> freeBytes(const std::string& path);
+
+/// Growth of a file over the last ten seconds.
+class GrowthRate {
+ public:
+  void observe(Instant now, std::uint64_t bytes);
+  [[nodiscard]] double bytes_per_s() const;  ///< 0 before there are two values
+
+ private:
+  struct Point {
+    Instant when{};
+    std::uint64_t bytes = 0;
+  };
+  std::deque<Point> points_;
+};
+
+}  // namespace fyd::session

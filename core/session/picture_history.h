@@ -1,0 +1,50 @@
+// The last seconds of pictures, as the camera gave them; compressing waits until a recording wants them.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "core/session/recording_types.h"
+
+namespace fyd::session {
+
+struct HeldPicture {
+  cv::Mat picture;
+  cv::Rect region_px;
+  sensing::FingerDetection finger;
+  Instant taken{};
+  std::uint64_t number = 0;
+};
+
+/// The whole picture as JPEG, the region of interest as PNG; both empty when the picture cannot be compressed.
+[[nodiscard]] EncodedPicture encodePicture(const HeldPicture& held);
+
+/// Used by one thread at a time. Bounded in memory: a large camera's pictures go back less far than the steps.
+class PictureHistory {
+ public:
+  static constexpr std::size_t kMost_bytes = 40'000'000;
+
+  void add(HeldPicture picture);
+  /// Lets go of what was taken before `oldest`, read or not.
+  void trim(Instant oldest);
+
+  /// The one reader: pictures taken at `from` and later.
+  void readFrom(Instant from);
+  void stopReading() { reading_ = false; }
+  /// The next one, in order, taken no later than `until`.
+  [[nodiscard]] std::optional<HeldPicture> read(Instant until);
+  /// Pictures that had to go before they were read, since readFrom.
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
+
+ private:
+  void drop();
+
+  std::deque<HeldPicture> pictures_;
+  std::size_t bytes_ = 0;
+  std::uint64_t dropped_ = 0;
+  std::uint64_t reader_ = 0;
+  std::uint64_t lost_ = 0;
+  bool reading_ = false;
+};
+
+}  // namespace fyd::session
