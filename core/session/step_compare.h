@@ -1,0 +1,26 @@
+// Whether two runs of the step gave the same, bit for bit: every telemetry field and the motor command.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/pipeline/outputs.h"
+
+namespace fyd::session {
+
+struct StepDifference {
+  std::string field;      ///< name in telemetryFields(), or "motors"
+  double absolute = 0.0;  ///< the largest of the step; infinite when a number stands against none
+};
+
+/// NaN equals NaN of the same bits only.
+[[nodiscard]] bool sameStep(const pipeline::TelemetrySample& a, const control::MotorCommand& a_motors,
+                            const pipeline::TelemetrySample& b, const control::MotorCommand& b_motors);
+
+/// The field that differs most; nothing when all are the same.
+[[nodiscard]] std::optional<StepDifference> compareSteps(const pipeline::TelemetrySample& a,
+                                                         const control::MotorCommand& a_motors,
+                                                         const pipeline::TelemetrySample& b,
+                                                         const control::MotorCommand& b_motors);
+
+}  // namespace fyd::session
