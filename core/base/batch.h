@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/state.h"
+
 namespace fyd {
 
 template <class T, std::size_t Capacity>
@@ -32,6 +34,11 @@ struct Batch {
   [[nodiscard]] const T* end() const { return items.data() + count; }
   [[nodiscard]] const T& operator[](std::size_t i) const { return items[i]; }
   [[nodiscard]] T& operator[](std::size_t i) { return items[i]; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(items, within(count, Capacity));
+  }
 };
 
 }  // namespace fyd

@@ -36,6 +36,11 @@ struct Timed {
     taken = when;
     ++count;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(value, taken, count);
+  }
 };
 
 }  // namespace fyd

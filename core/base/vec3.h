@@ -16,6 +16,11 @@ struct Vec3 {
   friend Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
   friend bool operator==(const Vec3&, const Vec3&) = default;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(x, y, z);
+  }
 };
 
 }  // namespace fyd

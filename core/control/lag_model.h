@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/base/state.h"
+
 namespace fyd::control {
 
 class LagModel {
@@ -15,6 +17,11 @@ class LagModel {
   /// @param value NaN holds the last
   double step(double value, double dt_s);
   [[nodiscard]] double value() const { return value_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(line_, within(next_, kCells - 1), since_s_, value_);
+  }
 
  private:
   static constexpr std::size_t kCells = 64;  // the dead time in this many pieces

@@ -37,6 +37,11 @@ class MotorMixing {
   /// the translation gives way. A value that is not finite holds its last.
   void mix(double stretch_deg, double translation_deg, MotorCommand& command);
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(stretch_deg_, translation_deg_);
+  }
+
  private:
   double motor_limit_deg_ = 0.0;
   double stretch_deg_ = 0.0;

@@ -23,6 +23,11 @@ struct PidLimits {
   double minimum = -1.0;
   double maximum = 1.0;
   double rate_per_s = 1e300;  ///< fastest change of u
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(minimum, maximum, rate_per_s);
+  }
 };
 
 class Pid {
@@ -46,6 +51,12 @@ class Pid {
   [[nodiscard]] double integral() const { return integral_; }
   /// u touches a limit of value (not of rate).
   [[nodiscard]] bool saturated() const { return saturated_; }
+
+  /// Without the gains.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(limits_, integral_, derivative_, last_error_, last_measurement_, output_, started_, saturated_);
+  }
 
  private:
   void integrate(double error, double rest, double dt_s);  // rest: the proportional and derivative parts

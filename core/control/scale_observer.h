@@ -29,6 +29,11 @@ class ScaleObserver {
   [[nodiscard]] double sigma() const;
   [[nodiscard]] double credible() const { return belief_ * log_scale_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(log_scale_, variance_, believed_, belief_, mean_z_, reading_variance_, slow_law_log_, slow_known_);
+  }
+
  private:
   double correlation_s_ = 0.4;
   double log_scale_ = 0.0;

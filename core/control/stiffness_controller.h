@@ -62,6 +62,12 @@ class StiffnessController {
 
   [[nodiscard]] const StaticLaw& law() const { return law_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(lag_, scale_, pid_, thesis_pid_, reference_deg_, clamped_, still_s_, rest_deg_, rest_known_, was_enabled_,
+            was_observable_, started_, last_, thesis_next_);
+  }
+
  private:
   /// Where the stretch should be now.
   double desiredDefault(const ControlInput& input, double present_log, double dt_s);

@@ -29,6 +29,11 @@ class InputHealth {
   /// The first lack in the order of the enum; none when complete.
   [[nodiscard]] static Lack first(const Lacks& lacks);
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(camera_blind_, ir_invalid_, bridge_invalid_);
+  }
+
  private:
   /// True once `bad` has held longer than `grace`; without grace until it was good for the first time.
   struct Grace {
@@ -36,6 +41,11 @@ class InputHealth {
     bool bad = false;
     bool ever_good = false;
     bool expired(bool now_bad, Instant now, double grace_ms);
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(since, bad, ever_good);
+    }
   };
   Grace camera_blind_;
   Grace ir_invalid_;

@@ -39,6 +39,11 @@ inline constexpr std::size_t kMaximumEventsPerStep = 32;
 struct TareValues {
   ParameterList ir_offset_mm;
   double force_zero_N = 0.0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(ir_offset_mm, force_zero_N);
+  }
 };
 
 struct Outputs {

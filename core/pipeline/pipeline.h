@@ -13,8 +13,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/control/motor_mixing.h"
 #include "core/control/stiffness_controller.h"
 #include "core/pipeline/input_health.h"
@@ -45,6 +48,21 @@ class Pipeline {
 
   /// As they are now, live changes and tare included.
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+
+  /// All that the next steps depend on, live parameters, tare and safety state included, as bytes (about 40 kB) that
+  /// only `restoreState` of the same program reads. Allocates.
+  [[nodiscard]] std::string saveState() const;
+  /// Continues where `saveState` stood: the same inputs then give the same outputs bit for bit. This pipeline must have
+  /// been made with the same surface and the same parameters, live ones apart.
+  /// For replay. A pipeline that drives motors is never restored: the saved state may be Active, and only an operator
+  /// arms.
+  /// @return an error, and this pipeline as it was, for bytes that are damaged, cut short, too long, of another
+  ///         version, or saved with other parameters or another surface
+  [[nodiscard]] Result<void> restoreState(std::string_view state);
+
+  /// What changes between steps, parameters apart; see pipeline_state.cpp.
+  template <class Archive>
+  void serialize(Archive& archive);
 
  private:
   void takeTime(const Inputs& inputs);

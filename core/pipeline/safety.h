@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/state.h"
+
 namespace fyd::pipeline {
 
 enum class SafetyState : std::uint8_t { disconnected, connected, ready, active, held, stopped };
@@ -76,6 +78,11 @@ class Safety {
   [[nodiscard]] SafetyState state() const { return state_; }
   /// Why the state is Held; none otherwise.
   [[nodiscard]] Lack heldBecause() const { return held_because_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(within(state_, kSafetyStateCount - 1), within(held_because_, kLackCount - 1));
+  }
 
  private:
   SafetyState state_ = SafetyState::disconnected;

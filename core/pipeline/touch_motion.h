@@ -34,6 +34,11 @@ class TouchMotion {
   /// The next robot is taken as standing at the origin.
   void reset();
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(position_mm_, anchor_mm_, touching_);
+  }
+
  private:
   Vec3 position_mm_;
   Vec3 anchor_mm_;  // position that finger (0, 0) stands for during this touch

@@ -39,10 +39,20 @@ class ForceFusion {
   [[nodiscard]] double indentation_mm() const;
   [[nodiscard]] double sigma_mm() const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(compliance_, forces_, written_, last_count_, known_, contradiction_s_, contradicted_);
+  }
+
  private:
   struct Force {
     double value_N = 0.0;
     Instant taken{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(value_N, taken);
+    }
   };
 
   [[nodiscard]] double forceAt(Instant when) const;

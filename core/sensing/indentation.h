@@ -56,6 +56,12 @@ struct IndentationEstimate {
   std::array<double, kMaximumIrSensors> distance_mm{};  ///< per sensor; NaN when out of span
   Instant taken{};                                      ///< of the distance readings
   std::uint64_t count = 0;                              ///< grows with each new set of readings
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(indentation_mm, sigma_mm, available, touched, within(reason, IndentationReason::finger_stale),
+            within(sensors, kMaximumIrSensors), contents(valid), distance_mm, taken, count);
+  }
 };
 
 class IndentationEstimator {
@@ -83,12 +89,23 @@ class IndentationEstimator {
 
   void reset();
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(readings_, last_codes_, unchanged_, others_travel_, filter_, fusion_, smoother_, touched_, last_count_,
+            was_readable_, was_available_, within(last_reason_, IndentationReason::finger_stale), estimate_);
+  }
+
  private:
   struct Reading {
     IrReading ir;
     double z_mm = 0.0;      // distance less offset
     double sigma_mm = 0.0;  // of one reading
     bool used = false;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(ir.distance_mm, ir.slope_mm_per_V, ir.valid, z_mm, sigma_mm, used);
+    }
   };
 
   void readSensors(const IrCounts& counts);

@@ -4,6 +4,8 @@
 #include <array>
 #include <span>
 
+#include "core/base/state.h"
+
 namespace fyd::sensing {
 
 /// Indentation δ as a random walk with two paces, holding and moving; each reading z = h·δ + noise.
@@ -33,10 +35,20 @@ class IndentationFilter {
 
   static constexpr double kStartSigma_mm = 6.0;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(belief_, probability_, value_, variance_, disagreement_, counter(left_out_in_a_row_));
+  }
+
  private:
   struct Belief {
     double mean = 0.0;
     double variance = kStartSigma_mm * kStartSigma_mm;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(mean, variance);
+    }
   };
 
   void mix(double dt_s);
@@ -62,6 +74,11 @@ class ThesisSmoother {
 
   static constexpr double kGate_mm = 2.0;
   static constexpr double kOldShare = 0.8;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(value_, refused_, counter(refusals_), started_);
+  }
 
  private:
   double value_ = 0.0;

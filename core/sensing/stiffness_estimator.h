@@ -85,6 +85,11 @@ struct StiffnessEstimate {
   bool known = false;       ///< a value was observed since the start
   bool observable = false;  ///< observed now
   StiffnessReason reason = StiffnessReason::untouched;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(stiffness_N_per_mm, sigma_N_per_mm, known, observable, within(reason, StiffnessReason::uncertain));
+  }
 };
 
 class StiffnessEstimator {
@@ -101,6 +106,12 @@ class StiffnessEstimator {
   void reset();
 
   static constexpr double kLargest_N_per_mm = 100.0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(slope_, intercept_, slope_variance_, covariance_, intercept_variance_, started_, last_force_, last_learned_,
+            estimate_);
+  }
 
  private:
   void restart();

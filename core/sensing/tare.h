@@ -29,6 +29,11 @@ struct TareResult {
   std::array<double, kMaximumIrSensors> spread_mm{};  ///< standard deviation of one reading
   double force_N = 0.0;                               ///< mean force before taring, to hand to LoadCell::tare
   double force_spread_N = 0.0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(within(sensors, kMaximumIrSensors), offset_mm, spread_mm, force_N, force_spread_N);
+  }
 };
 
 struct IndentationEstimate;
@@ -50,6 +55,12 @@ class Tare {
   static constexpr double kLargestSpread_mm = 8.0;  ///< four times the noise of 25 mV at 100 mm
   static constexpr double kLargestSpread_N = 0.2;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(within(state_, TareState::too_slow), deadline_, wanted_, within(sensors_, kMaximumIrSensors), last_ir_,
+            last_force_, distances_, force_, result_);
+  }
+
  private:
   struct Sum {
     double mean = 0.0;
@@ -57,6 +68,11 @@ class Tare {
     std::uint32_t count = 0;
     void add(double value);
     [[nodiscard]] double spread() const;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(mean, squares, count);
+    }
   };
 
   void finish();

@@ -46,6 +46,12 @@ class Biquad {
     y1_ = y2_ = Real(0);
   }
 
+  /// Without the coefficients.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(x1_, x2_, y1_, y2_);
+  }
+
  private:
   static constexpr Real kTiny = Real(1e-30);
 

@@ -41,6 +41,12 @@ class HighPass3 {
     z_.settleAt(v.z);
   }
 
+  /// Without the coefficients.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(x_, y_, z_);
+  }
+
  private:
   Biquad<double> x_, y_, z_;
 };

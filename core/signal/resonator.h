@@ -21,6 +21,11 @@ class Resonator {
   /// |H|² at a frequency, for fits: (g·k·w)² … evaluated on the bilinear-warped axis w = tan(π·f/rate).
   [[nodiscard]] double powerGain(double frequency_Hz, double sample_rate_Hz) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(g_, k_, normaliser_, ic1_, ic2_);
+  }
+
  private:
   double g_ = 0.1;
   double k_ = 1.0;

@@ -23,6 +23,12 @@ class Chain {
   [[nodiscard]] const Vec3& filtered_g() const { return filtered_g_; }
   [[nodiscard]] int delaySamples() const { return method_->delaySamples(); }
 
+  /// Without filter and method, which `select` chose.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(filter_, filtered_g_);
+  }
+
  private:
   Method* method_ = nullptr;
   bool filtering_ = true;

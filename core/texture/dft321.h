@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/state.h"
 #include "core/signal/fft.h"
 #include "core/texture/method.h"
 #include "core/texture/spectral_equaliser.h"
@@ -51,6 +52,13 @@ class Dft321 final : public Method {
   void reset() override;
   [[nodiscard]] int delaySamples() const override { return frame_ - 1; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    for (auto& axis : history_) archive(contents(axis));
+    archive(contents(output_), contents(delayed_), within(filled_, hop_ - 1), within(oldest_, frame_ - 1));
+    if (equaliser_) archive(*equaliser_);
+  }
+
  private:
   void process();
 
@@ -77,6 +85,12 @@ class ThesisDft321 final : public Method {
   [[nodiscard]] double step(const Vec3& filtered_g) override;
   void reset() override;
   [[nodiscard]] int delaySamples() const override { return frame_ + 1; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    for (auto& axis : stored_) archive(contents(axis));
+    archive(contents(playing_), within(index_, frame_));
+  }
 
  private:
   int frame_;

@@ -22,6 +22,11 @@ class FingerSpeed {
   /// No hand strokes a 10 cm cloth faster; a larger value is a jump of the detector.
   static constexpr double kFastest_mm_s = 1000.0;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(seen_, x_mm_, y_mm_, taken_, speed_mm_s_);
+  }
+
  private:
   bool seen_ = false;
   double x_mm_ = 0.0;

@@ -1,24 +1,12 @@
 #include "core/texture/method_bank.h"
 
-#include "core/texture/dft321.h"
-#include "core/texture/mixing_methods.h"
-
 namespace fyd::texture {
-namespace {
 
-template <class Enum>
-std::size_t index(Enum value) {
-  return static_cast<std::size_t>(value);
-}
-
-}  // namespace
-
-MethodBank::MethodBank(double sample_rate_Hz) : sample_rate_Hz_(sample_rate_Hz) {
-  simple_[index(MethodChoice::single)] = std::make_unique<SingleAxis>();
-  simple_[index(MethodChoice::soc)] = std::make_unique<SumOfComponents>();
-  simple_[index(MethodChoice::magnitude)] = std::make_unique<Magnitude>(sample_rate_Hz);
-  simple_[index(MethodChoice::principal)] = std::make_unique<PrincipalAxis>(sample_rate_Hz);
-  simple_[index(MethodChoice::recolour)] = std::make_unique<Recolour>(sample_rate_Hz);
+MethodBank::MethodBank(double sample_rate_Hz)
+    : sample_rate_Hz_(sample_rate_Hz),
+      magnitude_(sample_rate_Hz),
+      principal_(sample_rate_Hz),
+      recolour_(sample_rate_Hz) {
   for (std::size_t f = 0; f < kFrameNames.size(); ++f) {
     const auto frame = static_cast<FrameChoice>(f);
     thesis_[f] = std::make_unique<ThesisDft321>(frameLength(frame));
@@ -30,16 +18,8 @@ MethodBank::MethodBank(double sample_rate_Hz) : sample_rate_Hz_(sample_rate_Hz) 
   select({});
 }
 
-Method& MethodBank::find(const ChainChoice& choice) const {
-  switch (choice.method) {
-    case MethodChoice::dft321: return *framed_[index(choice.frame)][index(choice.hop)];
-    case MethodChoice::dft321_thesis: return *thesis_[index(choice.frame)];
-    default: return *simple_[index(choice.method)];
-  }
-}
-
 void MethodBank::select(const ChainChoice& choice) {
-  chain_.select(choice.filter, choice.corner_Hz, sample_rate_Hz_, find(choice));
+  withMethod(choice, [&](Method& method) { chain_.select(choice.filter, choice.corner_Hz, sample_rate_Hz_, method); });
 }
 
 }  // namespace fyd::texture

@@ -4,7 +4,10 @@
 #include <array>
 #include <memory>
 
+#include "core/base/state.h"
 #include "core/texture/chain.h"
+#include "core/texture/dft321.h"
+#include "core/texture/mixing_methods.h"
 
 namespace fyd::texture {
 
@@ -17,26 +20,56 @@ struct ChainChoice {
   HopChoice hop = HopChoice::half;
 
   friend bool operator==(const ChainChoice&, const ChainChoice&) = default;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(within(method, kMethodNames.size() - 1), within(filter, kFilterNames.size() - 1), corner_Hz,
+            within(frame, kFrameNames.size() - 1), within(hop, kHopNames.size() - 1));
+  }
 };
 
 class MethodBank {
  public:
   explicit MethodBank(double sample_rate_Hz);
+  MethodBank(const MethodBank&) = delete;  // the chain points to the methods
+  MethodBank& operator=(const MethodBank&) = delete;
 
   /// Starts in silence with another choice; allocation-free.
   void select(const ChainChoice& choice);
   [[nodiscard]] Chain& chain() { return chain_; }
   [[nodiscard]] const Chain& chain() const { return chain_; }
 
- private:
-  using MethodPointer = std::unique_ptr<Method>;
+  /// Saves or restores chain and method while `choice` is selected; the other methods have no state that matters.
+  template <class Archive>
+  void exchange(Archive& archive, const ChainChoice& choice) {
+    if constexpr (Archive::is_loading::value) select(choice);
+    archive(chain_);
+    withMethod(choice, [&archive](auto& method) { archive(method); });
+  }
 
-  [[nodiscard]] Method& find(const ChainChoice& choice) const;
+ private:
+  template <class Visitor>
+  void withMethod(const ChainChoice& choice, Visitor&& visit) {
+    const auto frame = static_cast<std::size_t>(choice.frame);
+    switch (choice.method) {
+      case MethodChoice::single: return visit(single_);
+      case MethodChoice::soc: return visit(sum_);
+      case MethodChoice::magnitude: return visit(magnitude_);
+      case MethodChoice::principal: return visit(principal_);
+      case MethodChoice::recolour: return visit(recolour_);
+      case MethodChoice::dft321: return visit(*framed_[frame][static_cast<std::size_t>(choice.hop)]);
+      case MethodChoice::dft321_thesis: return visit(*thesis_[frame]);
+    }
+  }
 
   double sample_rate_Hz_;
-  std::array<MethodPointer, kMethodNames.size()> simple_;
-  std::array<MethodPointer, kFrameNames.size()> thesis_;
-  std::array<std::array<MethodPointer, kHopNames.size()>, kFrameNames.size()> framed_;
+  SingleAxis single_;
+  SumOfComponents sum_;
+  Magnitude magnitude_;
+  PrincipalAxis principal_;
+  Recolour recolour_;
+  std::array<std::unique_ptr<ThesisDft321>, kFrameNames.size()> thesis_;
+  std::array<std::array<std::unique_ptr<Dft321>, kHopNames.size()>, kFrameNames.size()> framed_;
   Chain chain_;
 };
 

@@ -14,6 +14,9 @@ class SingleAxis final : public Method {
   [[nodiscard]] double step(const Vec3& filtered_g) override { return filtered_g.z; }
   void reset() override {}
   [[nodiscard]] int delaySamples() const override { return 0; }
+
+  template <class Archive>
+  void serialize(Archive&) {}
 };
 
 /// Sum of components (thesis §5.3): x + y + z. No delay; axes in antiphase cancel.
@@ -22,6 +25,9 @@ class SumOfComponents final : public Method {
   [[nodiscard]] double step(const Vec3& filtered_g) override { return filtered_g.x + filtered_g.y + filtered_g.z; }
   void reset() override {}
   [[nodiscard]] int delaySamples() const override { return 0; }
+
+  template <class Archive>
+  void serialize(Archive&) {}
 };
 
 /// √(x² + y² + z²), less its own mean over 0.1 s (a motor cannot play a mean). No delay; frequencies come out doubled
@@ -32,6 +38,11 @@ class Magnitude final : public Method {
   [[nodiscard]] double step(const Vec3& filtered_g) override;
   void reset() override { mean_ = 0.0; }
   [[nodiscard]] int delaySamples() const override { return 0; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(mean_);
+  }
 
  private:
   double share_;
@@ -46,6 +57,11 @@ class PrincipalAxis final : public Method {
   [[nodiscard]] double step(const Vec3& filtered_g) override;
   void reset() override;
   [[nodiscard]] int delaySamples() const override { return 0; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(covariance_, axis_);
+  }
 
  private:
   double share_;
@@ -64,6 +80,11 @@ class Recolour final : public Method {
   [[nodiscard]] double step(const Vec3& filtered_g) override;
   void reset() override { equaliser_.reset(); }
   [[nodiscard]] int delaySamples() const override { return 0; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(equaliser_);
+  }
 
  private:
   SpectralEqualiser equaliser_;

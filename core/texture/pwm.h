@@ -10,6 +10,11 @@ struct PwmSettings {
   double full_scale_g = 2.0;        ///< s_max, > 0
   double maximum_percent = 100.0;   ///< MAX, 0…100
   double dead_zone_percent = 25.0;  ///< DEADZONE, 0…100; the edge itself passes
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(k_vib, full_scale_g, maximum_percent, dead_zone_percent);
+  }
 };
 
 struct Duty {

@@ -16,6 +16,7 @@
 
 #include <array>
 
+#include "core/base/state.h"
 #include "core/base/vec3.h"
 #include "core/signal/fft.h"
 
@@ -28,6 +29,12 @@ class SpectralEqualiser {
   /// @param signal what the method made; @param axes the accelerations it was made of, equally late
   [[nodiscard]] double step(double signal, const Vec3& axes);
   void reset();
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(history_, reference_, power_, taps_, tap_steps_, next_taps_, recent_, frame_energy_,
+            within(newest_, kTaps - 1), within(filled_, kHop - 1), counter(frames_), energy_in_, energy_out_);
+  }
 
  private:
   static constexpr int kFrame = 128;

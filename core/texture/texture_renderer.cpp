@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/archive.h"
 #include "core/texture/method_bank.h"
 #include "core/texture/pwm.h"
 #include "core/texture/uniform_stream.h"
@@ -112,6 +113,14 @@ struct TextureRenderer::State {
     return out;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(stream, playing, coming, within(active, 1), switching, incoming_resumes, counter(until_audible), fade,
+            virtual_share, pwm, k_vib_span, full_scale_span_g, clipped);
+    banks[active].exchange(archive, playing);
+    if (switching) banks[1 - active].exchange(archive, coming);
+  }
+
   TextureParameters parameters;
   double sample_rate_Hz;
   UniformStream stream;
@@ -172,5 +181,12 @@ void TextureRenderer::reset() {
   s.virtual_share = 0.0;
   s.pwm = settingsOf(s.parameters);
 }
+
+template <class Archive>
+void TextureRenderer::serialize(Archive& archive) {
+  archive(*state_);
+}
+template void TextureRenderer::serialize(StateWriter& archive);
+template void TextureRenderer::serialize(StateReader& archive);
 
 }  // namespace fyd::texture

@@ -56,6 +56,10 @@ class TextureRenderer {
   /// Silence; counters stay.
   void reset();
 
+  /// For the archives of core/base/archive.h.
+  template <class Archive>
+  void serialize(Archive& archive);
+
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/state.h"
 #include "core/base/time.h"
 #include "core/texture/acceleration_sample.h"
 
@@ -46,6 +47,12 @@ class UniformStream {
 
   [[nodiscard]] std::uint64_t gaps() const { return gaps_; }
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(queue_, within(first_, kCapacity - 1), within(count_, kCapacity), running_, origin_, steps_, until_,
+            last_call_, newest_, before_, has_newest_, has_before_, in_gap_, gaps_, refused_);
+  }
 
  private:
   static constexpr std::size_t kCapacity = 256;

@@ -6,7 +6,6 @@
 namespace fyd::texture {
 namespace {
 
-constexpr int kRetuneEvery = 8;  // samples: tangents are dear, and nothing moves that fast
 constexpr double kGlide_s = 0.005;
 constexpr double kFullFrom_mm_s = 10.0;  // the end of the rise out of quiet
 constexpr double kFadeFrom = 0.40;       // of the sample rate

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/state.h"
 #include "core/signal/resonator.h"
 #include "core/texture/surface_model.h"
 
@@ -30,11 +31,26 @@ class VirtualTexture {
   [[nodiscard]] double step(double speed_mm_s, double force_N);
   void reset();
 
+  [[nodiscard]] const SurfaceModel& model() const { return model_; }
+
+  /// Without the model.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(random_, contents(bands_), speed_mm_s_, force_N_, gain_, within(until_retune_, kRetuneEvery - 1));
+  }
+
  private:
+  static constexpr int kRetuneEvery = 8;  // samples: tangents are dear, and nothing moves that fast
+
   struct Band {
     SurfaceBand surface;
     signal::Resonator resonator;
     double level = 0.0;  // turns unit noise into the band's RMS
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(resonator, level);
+    }
   };
 
   double white();
