@@ -34,7 +34,7 @@ void IndentationEstimator::configure(const IndentationParameters& parameters) {
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     positions_[i] = {parameters.ir_x_mm[i], parameters.ir_y_mm[i]};
     curves_[i] = IrDistance(parameters.ir_curve_mm[i].view(), static_cast<int>(at(parameters.ir_lowest_code, i, 524)),
-                            static_cast<int>(at(parameters.ir_highest_code, i, 3408)));
+                            static_cast<int>(at(parameters.ir_highest_code, i, 3408)), parameters.ir_curve_form[i]);
   }
   membrane_ = Membrane(parameters.frame_half_width_mm, parameters.frame_half_depth_mm, parameters.finger_radius_mm);
   filter_.configure(parameters.holding_mm_per_sqrt_s, parameters.moving_mm_per_sqrt_s);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/parameter.h"
+#include "core/sensing/ir_distance.h"
 #include "core/sensing/readings.h"
 
 namespace fyd::sensing {
@@ -26,6 +27,7 @@ struct IndentationParameters {
   ParameterList ir_lowest_code = listOf(524, 524, 524);
   ParameterList ir_highest_code = listOf(3408, 3408, 3408);
   std::array<ParameterList, kMaximumIrSensors> ir_curve_mm{};  ///< c₀…cₙ; empty: the thesis polynomial
+  std::array<IrCurveForm, kMaximumIrSensors> ir_curve_form{};  ///< what those coefficients are
   double ir_noise_mV = 10.0;
   double ir_condition_limit = 20.0;
   double frame_half_width_mm = 50.0;
@@ -40,6 +42,9 @@ struct IndentationParameters {
     static constexpr std::array<std::string_view, kMaximumIrSensors> kCurveIds = {
         "sensing.ir1_curve_mm", "sensing.ir2_curve_mm", "sensing.ir3_curve_mm", "sensing.ir4_curve_mm",
         "sensing.ir5_curve_mm", "sensing.ir6_curve_mm", "sensing.ir7_curve_mm", "sensing.ir8_curve_mm"};
+    static constexpr std::array<std::string_view, kMaximumIrSensors> kFormIds = {
+        "sensing.ir1_curve_form", "sensing.ir2_curve_form", "sensing.ir3_curve_form", "sensing.ir4_curve_form",
+        "sensing.ir5_curve_form", "sensing.ir6_curve_form", "sensing.ir7_curve_form", "sensing.ir8_curve_form"};
     v.choice("sensing.indentation_mode", mode, kIndentationModeNames,
              {.help = "membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a "
                       "2 mm gate.",
@@ -64,7 +69,9 @@ struct IndentationParameters {
              {.unit = "mm",
               .minimum = -1e6,
               .maximum = 1e6,
-              .help = "Distance sensor's curve: polynomial of volts, constant first; empty: the thesis polynomial."});
+              .help = "Distance sensor's curve of volts, as its form says; empty: the thesis polynomial."});
+      v.choice(kFormIds[i], ir_curve_form[i], kIrCurveFormNames,
+               {.help = "polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2."});
     }
     v.real("sensing.ir_noise_mV", ir_noise_mV,
            {.unit = "mV",

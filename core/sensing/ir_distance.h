@@ -1,14 +1,18 @@
 // One infrared distance sensor: ADC code to millimetres (thesis §2.1, §4.1.2; fact sheet §2).
 //
-//   v = 3.3·code/4096,   d = c₀ + c₁v + … + cₙvⁿ  (mm)
+//   v = 3.3·code/4096
+//   polynomial   d = c₀ + c₁v + … + cₙvⁿ      (mm)
+//   inverse      d = c₀/(v + c₁) + c₂         (mm; the physics of triangulation: three figures say it all)
 //
 // Without a calibration the curve is the thesis polynomial. A code outside the valid span gives no distance
 // (NaN): beyond it the polynomial turns negative or claims 790 mm. TRAP kept out of the way: no clamping.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "core/base/batch.h"
 #include "core/base/parameter.h"
@@ -17,6 +21,9 @@ namespace fyd::sensing {
 
 inline constexpr double kAdcReference_V = 3.3;
 inline constexpr int kAdcCodes = 4096;
+
+enum class IrCurveForm : std::uint8_t { polynomial, inverse };
+inline constexpr std::array<std::string_view, 2> kIrCurveFormNames = {"polynomial", "inverse"};
 
 struct IrReading {
   double distance_mm = 0.0;     ///< NaN when not valid
@@ -30,12 +37,17 @@ class IrDistance {
   IrDistance() : IrDistance({}, 524, 3408) {}
   /// @param coefficients_mm c₀…cₙ for volts; empty: the thesis polynomial
   /// @param lowest_code,highest_code valid span, both included
-  IrDistance(std::span<const double> coefficients_mm, int lowest_code, int highest_code);
+  /// @param form the inverse form with other than three coefficients reads nothing as valid
+  IrDistance(std::span<const double> coefficients_mm, int lowest_code, int highest_code,
+             IrCurveForm form = IrCurveForm::polynomial);
 
   [[nodiscard]] IrReading read(std::uint16_t code) const;
 
   /// The curve without the span; for drawing and calibration.
   [[nodiscard]] double distance_mm(double volts) const;
+
+  /// c₀…cₙ.
+  [[nodiscard]] std::span<const double> coefficients() const { return coefficients_.view(); }
 
   /// Volts that read as `distance_mm`, at the nearest end when the span does not hold it (the curve must fall).
   /// For simulation and tests.
@@ -45,6 +57,7 @@ class IrDistance {
   Batch<double, kParameterListCapacity> coefficients_;
   int lowest_code_;
   int highest_code_;
+  IrCurveForm form_;
 };
 
 [[nodiscard]] constexpr double voltsFromCode(double code) { return kAdcReference_V * code / kAdcCodes; }

@@ -61,6 +61,23 @@ TEST(IrDistance, TakesASensorsOwnCurveAndSpan) {
   EXPECT_FALSE(sensor.read(201).valid);
 }
 
+TEST(IrDistance, TakesTheInverseForm) {
+  const std::array<double, 3> abc = {120.0, 0.1, -2.0};
+  const IrDistance sensor(abc, 500, 3400, IrCurveForm::inverse);
+  const double v = 3.3 * 1241 / 4096;
+  EXPECT_NEAR(sensor.read(1241).distance_mm, 120.0 / (v + 0.1) - 2.0, 1e-12);
+  EXPECT_NEAR(sensor.read(1241).slope_mm_per_V, 120.0 / ((v + 0.1) * (v + 0.1)), 1e-9);
+  EXPECT_NEAR(sensor.distance_mm(sensor.voltsAt(80.0)), 80.0, 1e-9);
+}
+
+TEST(IrDistance, AnInverseFormThatIsNoneReadsNothing) {
+  const std::array<double, 2> two = {120.0, 0.1};
+  EXPECT_FALSE(IrDistance(two, 500, 3400, IrCurveForm::inverse).read(1241).valid);
+  const std::array<double, 3> pole = {120.0, -voltsFromCode(1241), 0.0};
+  EXPECT_FALSE(IrDistance(pole, 500, 3400, IrCurveForm::inverse).read(1241).valid);
+  EXPECT_NEAR(IrDistance({}, 524, 3408, IrCurveForm::inverse).read(1241).distance_mm, 128.629, 1e-2);  // thesis
+}
+
 TEST(FabricPlane, EqualsThePrintedFormulaForTheThesisSensors) {
   FabricPlane plane;
   ASSERT_TRUE(plane.solve(kThesisSensors, 0b111, 20));
