@@ -1,0 +1,73 @@
+#include "core/calibration/calibration_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fyd::calibration {
+
+CalibrationResult refused(CalibrationResult result, std::string reason, std::string_view threshold) {
+  result.verdict = {.accepted = false, .reason = std::move(reason), .threshold = std::string(threshold)};
+  result.changes.clear();
+  return result;
+}
+
+bool checkColumn(CalibrationResult& result, std::string_view column, std::span<const double> values, double lowest,
+                 double highest) {
+  if (values.size() > kMostPoints) {
+    result = refused(std::move(result),
+                     fmt::format("{} points; at most {}: take fewer, or means", values.size(), kMostPoints));
+    return false;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i]) && values[i] >= lowest && values[i] <= highest) continue;
+    if (i >= result.bad_row) return false;  // an earlier point is named already
+    result.bad_row = i;
+    result =
+        refused(std::move(result), fmt::format("{} = {}: expected a number from {} to {}; correct or delete the row",
+                                               column, values[i], lowest, highest));
+    return false;
+  }
+  return true;
+}
+
+double rootMeanSquare(std::span<const double> values) {
+  double largest = 0.0;
+  for (const double value : values) {
+    if (!std::isnan(value)) largest = std::max(largest, std::abs(value));
+  }
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    const double share = largest > 0 ? value / largest : 0.0;
+    sum += share * share;
+    ++count;
+  }
+  return count == 0 ? kUnknown : largest * std::sqrt(sum / static_cast<double>(count));
+}
+
+Result<std::vector<AppliedChange>> applyChanges(std::span<const Parameter> parameters,
+                                                std::span<const ParameterChange> changes) {
+  std::vector<AppliedChange> applied;
+  const auto undo = [&] {
+    for (auto change = applied.rbegin(); change != applied.rend(); ++change) {
+      (void)assignParameter(*findParameter(parameters, change->id), change->before);
+    }
+  };
+  for (const ParameterChange& change : changes) {
+    const Parameter* parameter = findParameter(parameters, change.id);
+    if (parameter == nullptr) {
+      undo();
+      return fail("{}: no such parameter in this profile", change.id);
+    }
+    const std::string before = formatParameter(*parameter);
+    if (auto assigned = assignParameter(*parameter, change.value); !assigned) {
+      undo();
+      return tl::unexpected(assigned.error());
+    }
+    applied.push_back({change.id, before, formatParameter(*parameter)});
+  }
+  return applied;
+}
+
+}  // namespace fyd::calibration

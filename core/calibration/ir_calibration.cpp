@@ -1,0 +1,297 @@
+#include "core/calibration/ir_calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/calibration/cross_validation.h"
+#include "core/calibration/outliers.h"
+#include "core/calibration/polynomial_basis.h"
+
+namespace fyd::calibration {
+namespace {
+
+constexpr double kSensorNearest_mm = 40.0, kSensorFarthest_mm = 300.0;
+constexpr double kSameDistance_mm = 0.25;
+constexpr double kAsGood = 1.05;
+constexpr double kFoldSigmas = 3.0;
+
+struct Judged {
+  IrCurve curve;
+  double weighted_held_out = kUnknown;  // in units of the expected noise
+};
+
+/// Volts as a cubic of 1/distance: nearly a line for such sensors, and it is the volts that are noisy.
+std::vector<std::size_t> contradicted(const IrPoints& points, double noise_mV) {
+  std::vector<double> inverse;
+  for (const double d : points.distance_mm) inverse.push_back(1.0 / d);
+  const PolynomialBasis basis(inverse, 3);
+  const Eigen::VectorXd volts =
+      Eigen::Map<const Eigen::VectorXd>(points.volts.data(), static_cast<Eigen::Index>(points.volts.size()));
+  return findOutliers(basis.design(inverse), volts, {.least_sigma = noise_mV / 1000.0});
+}
+
+/// Under some 4 cm the sensor's voltage falls again: two distances for one code. Names the first fold, if there is one.
+std::string foldIn(const IrSamples& samples, double noise_counts) {
+  struct Group {
+    double distance = 0.0, sum = 0.0;
+    double count = 0.0;
+    [[nodiscard]] double mean() const { return sum / count; }
+  };
+  std::vector<std::size_t> order(samples.adc.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return samples.distance_mm[a] < samples.distance_mm[b]; });
+  std::vector<Group> groups;
+  for (const std::size_t i : order) {
+    if (groups.empty() || samples.distance_mm[i] - groups.back().distance > kSameDistance_mm) {
+      groups.push_back({.distance = samples.distance_mm[i]});
+    }
+    groups.back().sum += samples.adc[i];
+    groups.back().count += 1;
+  }
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    const Group &near = groups[i - 1], &far = groups[i];
+    const double allowed = kFoldSigmas * noise_counts * std::sqrt(1 / near.count + 1 / far.count);
+    if (far.mean() - near.mean() > allowed) {
+      return fmt::format(
+          "adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both "
+          "again{}",
+          near.mean(), near.distance, far.mean(), far.distance,
+          near.distance < kSensorNearest_mm ? ", and leave out distances the sensor is too near for" : "");
+    }
+  }
+  return {};
+}
+
+Judged judge(const IrCurve& curve, const IrPoints& points, IrAttempt& attempt) {
+  const sensing::IrDistance sensor = curve.sensor(0, sensing::kAdcCodes - 1);
+  std::vector<double> residual, held_out, weighted;
+  const auto folds = foldsByTarget(points.distance_mm, Ends::kept);
+  const auto predicted = predictHeldOut(
+      folds, [&](const auto& rows) { return fitIrCurve(curve.candidate, rowsOf(points, rows)); },
+      [&](const IrCurve& fitted, std::size_t row) {
+        return fitted.sensor(0, sensing::kAdcCodes - 1).distance_mm(points.volts[row]);
+      });
+  bool complete = true;
+  for (std::size_t i = 0; i < points.volts.size(); ++i) {
+    residual.push_back(points.distance_mm[i] - sensor.distance_mm(points.volts[i]));
+    if (folds[i] == kNeverHeldOut) continue;
+    complete = complete && std::isfinite(predicted[i]);
+    held_out.push_back(points.distance_mm[i] - predicted[i]);
+    weighted.push_back(held_out.back() * std::sqrt(points.weight[i]));
+  }
+  attempt.rmse_mm = rootMeanSquare(residual);
+  attempt.held_out_rmse_mm = complete ? rootMeanSquare(held_out) : kUnknown;
+  attempt.condition_number = curve.condition_number;
+  return {curve, complete ? rootMeanSquare(weighted) : kUnknown};
+}
+
+std::string listOfValues(std::span<const double> values) {
+  std::vector<double> list(values.begin(), values.end());
+  return fmt::format("[{}]", fmt::join(list, ", "));
+}
+
+/// The list of codes with one place changed; sensors before it that have no entry get the standard one.
+std::string withEntry(ParameterList list, std::size_t place, int value, double standard) {
+  while (list.size() <= place && list.push(standard)) {
+  }
+  list[place] = value;
+  return listOfValues(list.view());
+}
+
+void takeCurve(IrCalibration& out, const IrSamples& samples, const IrPoints& used, const IrOptions& options,
+               const sensing::IndentationParameters& present, std::span<const std::size_t> rows) {
+  const IrCurve& curve = out.curve;
+  const auto codeOf = [](double volts) { return volts * sensing::kAdcCodes / sensing::kAdcReference_V; };
+  const auto [low, high] = std::minmax_element(used.volts.begin(), used.volts.end());
+  const int lowest = static_cast<int>(std::ceil(codeOf(*low) - 1e-6));
+  const int highest = static_cast<int>(std::floor(codeOf(*high) + 1e-6));
+  CalibrationResult& result = out.result;
+  result.curve = toString(curve.candidate);
+  result.valid_from = lowest;
+  result.valid_to = highest;
+  const sensing::IrDistance sensor = curve.sensor(lowest, highest);
+  out.valid_from_mm = sensor.read(static_cast<std::uint16_t>(highest)).distance_mm;
+  out.valid_to_mm = sensor.read(static_cast<std::uint16_t>(lowest)).distance_mm;
+  result.coefficients.clear();
+  constexpr std::array<std::string_view, 3> kInverseNames = {"a", "b", "c"}, kInverseUnits = {"mm V", "V", "mm"};
+  for (std::size_t i = 0; i < curve.coefficients.size(); ++i) {
+    const bool inverse = curve.form == sensing::IrCurveForm::inverse;
+    result.coefficients.push_back({inverse ? std::string(kInverseNames[i]) : fmt::format("c{}", i),
+                                   inverse  ? std::string(kInverseUnits[i])
+                                   : i == 0 ? "mm"
+                                            : fmt::format("mm/V^{}", i),
+                                   curve.coefficients[i], curve.standard_errors[i]});
+  }
+  for (std::size_t i = 0; i < samples.adc.size(); ++i) {
+    result.residuals.push_back(samples.distance_mm[i] - sensor.distance_mm(sensing::voltsFromCode(samples.adc[i])));
+  }
+  std::vector<double> fitted;
+  for (const std::size_t row : rows) fitted.push_back(result.residuals[row]);
+  result.rmse = rootMeanSquare(fitted);
+  result.max_residual = 0.0;
+  for (const double r : fitted) result.max_residual = std::max(result.max_residual, std::abs(r));
+
+  const std::string id = fmt::format("sensing.ir{}_curve", options.sensor + 1);
+  result.changes = {{id + "_form", std::string(sensing::kIrCurveFormNames[static_cast<std::size_t>(curve.form)])},
+                    {id + "_mm", listOfValues(curve.coefficients)},
+                    {"sensing.ir_lowest_code", withEntry(present.ir_lowest_code, options.sensor, lowest, 524)},
+                    {"sensing.ir_highest_code", withEntry(present.ir_highest_code, options.sensor, highest, 3408)}};
+}
+
+/// Refuses points that cannot decide a curve. @return true when there are enough of them
+bool enoughDistances(CalibrationResult& result, const IrSamples& samples, const CalibrationParameters& p) {
+  const auto distinct = distinctValues(samples.distance_mm, kSameDistance_mm);
+  const double from = std::min(kSensorNearest_mm, distinct.front());
+  const double to = std::max(kSensorFarthest_mm, distinct.back());
+  if (distinct.size() < static_cast<std::size_t>(p.ir_fewest_distances)) {
+    const Gap gap = widestGap(distinct, from, to);
+    result =
+        refused(std::move(result),
+                fmt::format("{} different distances in {} points; expected at least {}: add points between {:g} and "
+                            "{:g} mm (the same distance again tells only the noise)",
+                            distinct.size(), samples.adc.size(), p.ir_fewest_distances, gap.from, gap.to),
+                "calibration.ir_fewest_distances");
+    return false;
+  }
+  const double span = distinct.back() - distinct.front();
+  if (span < p.ir_least_span_mm) {
+    const Gap gap = widestGap(distinct, from, to);
+    result = refused(std::move(result),
+                     fmt::format("the distances span only {:.3g} mm, {:g} to {:g}; expected at least {:g}: add points "
+                                 "between {:g} and {:g} mm",
+                                 span, distinct.front(), distinct.back(), p.ir_least_span_mm, gap.from, gap.to),
+                     "calibration.ir_least_span_mm");
+    return false;
+  }
+  const Gap gap = widestGap(distinct, distinct.front(), distinct.back());
+  if (gap.width() > p.widest_gap_percent / 100.0 * span) {
+    result = refused(
+        std::move(result),
+        fmt::format("no point between {:g} and {:g} mm, {:.0f} % of the span: add points between {:g} and {:g} mm",
+                    gap.from, gap.to, 100 * gap.width() / span, gap.from, gap.to),
+        "calibration.widest_gap_percent");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool fallsAtEveryCode(const IrCurve& curve, int lowest_code, int highest_code) {
+  const sensing::IrDistance sensor = curve.sensor(lowest_code, highest_code);
+  double before = std::numeric_limits<double>::infinity();
+  for (int code = lowest_code; code <= highest_code; ++code) {
+    const sensing::IrReading reading = sensor.read(static_cast<std::uint16_t>(code));
+    if (!reading.valid || !(reading.distance_mm < before) || !(reading.distance_mm > 0)) return false;
+    before = reading.distance_mm;
+  }
+  return highest_code > lowest_code;
+}
+
+IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationParameters& present,
+                          const CalibrationParameters& p, const IrOptions& options) {
+  IrCalibration out;
+  CalibrationResult& result = out.result;
+  result = {.procedure = "ir", .curve = {}, .unit = "mm", .points = samples.adc.size(), .valid_unit = "adc"};
+  if (options.sensor >= sensing::kMaximumIrSensors || samples.distance_mm.size() != samples.adc.size()) {
+    result = refused(
+        std::move(result),
+        fmt::format("sensor {} with {} codes and {} distances; expected 1 to {} and as many of each",
+                    options.sensor + 1, samples.adc.size(), samples.distance_mm.size(), sensing::kMaximumIrSensors));
+    return out;
+  }
+  const bool codes_good = checkColumn(result, "adc", samples.adc, 0, sensing::kAdcCodes - 1);
+  if (!checkColumn(result, "distance_mm", samples.distance_mm, 1, 1000) || !codes_good) return out;
+  if (samples.adc.empty()) {
+    result = refused(std::move(result), "no points: add points between 40 and 300 mm");
+    return out;
+  }
+  if (!enoughDistances(result, samples, p)) return out;
+
+  const IrPoints all = irPoints(samples.adc, samples.distance_mm, present.ir_noise_mV);
+  result.outliers = contradicted(all, present.ir_noise_mV);
+  std::vector<std::size_t> rows;
+  IrSamples kept;
+  for (std::size_t i = 0; i < samples.adc.size(); ++i) {
+    const bool outlier = std::binary_search(result.outliers.begin(), result.outliers.end(), i);
+    if (options.without_outliers && outlier) continue;
+    rows.push_back(i);
+    kept.adc.push_back(samples.adc[i]);
+    kept.distance_mm.push_back(samples.distance_mm[i]);
+  }
+  if (options.without_outliers && !enoughDistances(result, kept, p)) return out;
+  const IrPoints used = rowsOf(all, rows);
+  const double counts_per_mV = sensing::kAdcCodes / (1000.0 * sensing::kAdcReference_V);
+  const std::string fold = foldIn(kept, present.ir_noise_mV * counts_per_mV);
+
+  const auto distinct = distinctValues(kept.distance_mm, kSameDistance_mm);
+  const auto [low, high] = std::minmax_element(kept.adc.begin(), kept.adc.end());
+  std::vector<Judged> usable;
+  double best = std::numeric_limits<double>::infinity();
+  for (const IrCandidate candidate : kIrCandidates) {
+    IrAttempt attempt{.candidate = candidate, .problem = {}};
+    const std::size_t needed = freedomOf(candidate) + 2;
+    if (distinct.size() < needed) {
+      attempt.problem = fmt::format("{} distances; needs {}", distinct.size(), needed);
+    } else if (const auto curve = fitIrCurve(candidate, used); !curve) {
+      attempt.problem = curve.error().message;
+    } else {
+      const Judged judged = judge(*curve, used, attempt);
+      if (curve->condition_number > p.condition_limit) {
+        attempt.problem = fmt::format("condition number {:.3g}", curve->condition_number);
+      } else if (!fallsAtEveryCode(*curve, static_cast<int>(std::ceil(*low)), static_cast<int>(std::floor(*high)))) {
+        attempt.problem = "does not fall over its whole span";
+      } else if (std::isnan(judged.weighted_held_out)) {
+        attempt.problem = "cannot be judged on held-out distances";
+      } else {
+        best = std::min(best, judged.weighted_held_out);
+        usable.push_back(judged);
+      }
+    }
+    out.attempts.push_back(attempt);
+  }
+  if (!fold.empty()) {
+    result = refused(std::move(result), fold);
+    return out;
+  }
+  if (usable.empty()) {
+    std::vector<std::string> problems;
+    for (const IrAttempt& a : out.attempts) problems.push_back(fmt::format("{}: {}", toString(a.candidate), a.problem));
+    result = refused(std::move(result), fmt::format("no curve can be used ({}): add points, spread over 40 to 300 mm",
+                                                    fmt::join(problems, "; ")));
+    return out;
+  }
+  const auto chosen = std::find_if(usable.begin(), usable.end(),
+                                   [&](const Judged& j) { return j.weighted_held_out <= kAsGood * best; });
+  out.curve = chosen->curve;
+  result.condition_number = out.curve.condition_number;
+  takeCurve(out, samples, used, options, present, rows);
+  for (const IrAttempt& attempt : out.attempts) {
+    if (attempt.candidate == out.curve.candidate) result.held_out_rmse = attempt.held_out_rmse_mm;
+  }
+  if (out.valid_from_mm > kSensorNearest_mm + 30 || out.valid_to_mm < 150) {
+    result.notes.push_back(
+        fmt::format("outside {:.0f} to {:.0f} mm the sensor will count as invalid: the cloth rests at "
+                    "about 100 mm",
+                    out.valid_from_mm, out.valid_to_mm));
+  }
+  if (!(result.held_out_rmse <= p.ir_held_out_mm)) {
+    result = refused(
+        std::move(result),
+        fmt::format("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse, p.ir_held_out_mm,
+                    result.outliers.empty() ? "average more readings at each distance, target square to the sensor"
+                                            : "measure the outliers again, or leave them out"),
+        "calibration.ir_held_out_mm");
+    return out;
+  }
+  result.verdict = {
+      true,
+      fmt::format("{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}",
+                  result.curve, result.held_out_rmse, p.ir_held_out_mm, result.valid_from, result.valid_to),
+      "calibration.ir_held_out_mm"};
+  return out;
+}
+
+}  // namespace fyd::calibration

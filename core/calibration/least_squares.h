@@ -1,0 +1,42 @@
+// Linear least squares that says how far it can be trusted.
+//
+//   minimise Σ wᵢ (yᵢ − Σⱼ Aᵢⱼ xⱼ)²
+//
+// Columns are scaled to length 1 and solved by Householder QR, never by normal equations, which square the condition
+// number. The condition number is that of the scaled design: what is left of it is the data's fault, not the units'.
+#pragma once
+
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include "core/base/error.h"
+
+namespace fyd::calibration {
+
+struct LinearFit {
+  Eigen::VectorXd coefficients;
+  Eigen::MatrixXd covariance;  ///< of the coefficients; NaN without degrees of freedom
+  Eigen::VectorXd residuals;   ///< measured less fitted, in y's unit, unweighted
+  Eigen::VectorXd leverage;    ///< 0…1, how much each point pulls the curve to itself
+  double sigma = 0.0;          ///< standard deviation of a point of weight 1; NaN without degrees of freedom
+  double rmse = 0.0;           ///< √(Σr²/n)
+  double max_residual = 0.0;   ///< largest |r|
+  double condition_number = 0.0;
+  std::size_t degrees_of_freedom = 0;
+
+  [[nodiscard]] double standardError(Eigen::Index i) const;
+};
+
+/// Above this the coefficients cannot be told apart in double precision with any margin.
+inline constexpr double kSolvableCondition = 1e10;
+
+/// @param weights ≥ 0, one per row; empty: all 1
+/// @return an error for values that are not finite, fewer rows than columns, or columns that cannot be told apart
+[[nodiscard]] Result<LinearFit> fitLinear(const Eigen::MatrixXd& design, const Eigen::VectorXd& y,
+                                          const Eigen::VectorXd& weights = {});
+
+/// Two-sided quantile of Student's t: |t| stays below it with this probability.
+[[nodiscard]] double studentQuantile(double probability, std::size_t degrees_of_freedom);
+
+}  // namespace fyd::calibration

@@ -1,0 +1,108 @@
+#include "core/calibration/rest_calibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fyd::calibration {
+namespace {
+
+constexpr double kLargest_g = 1000.0;
+constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
+
+std::string nextAction(sensing::TareState state) {
+  using sensing::TareState;
+  switch (state) {
+    case TareState::touched: return "take the hand away and start again";
+    case TareState::invalid_sensor: return "look at the distance sensors' curves and at the load cell's cable";
+    case TareState::unsteady: return "let the motors and the cloth come to rest, and start again";
+    case TareState::too_slow: return "check the touchpad's connection";
+    case TareState::idle: return "start it";
+    case TareState::running: return "wait until it is done";
+    case TareState::done: break;
+  }
+  return {};
+}
+
+}  // namespace
+
+RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters& p) {
+  RestCalibration out;
+  CalibrationResult& result = out.result;
+  const std::size_t count = s.axis_g[0].size();
+  result = {.procedure = "rest", .curve = "mean", .unit = "g", .points = count, .valid_unit = "g"};
+  bool good = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (s.axis_g[axis].size() != count) {
+      result = refused(std::move(result), "the three axes differ in length");
+      return out;
+    }
+    good = checkColumn(result, fmt::format("{}_g", kAxes[axis]), s.axis_g[axis], -kLargest_g, kLargest_g) && good;
+  }
+  if (!good) return out;
+  if (count < static_cast<std::size_t>(p.rest_fewest_samples)) {
+    result = refused(std::move(result),
+                     fmt::format("{} samples; expected at least {}: wait longer", count, p.rest_fewest_samples),
+                     "calibration.rest_fewest_samples");
+    return out;
+  }
+  const auto n = static_cast<double>(count);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double sum = 0.0, squares = 0.0;
+    for (const double a : s.axis_g[axis]) sum += a;
+    out.mean_g[axis] = sum / n;
+    for (const double a : s.axis_g[axis]) squares += (a - out.mean_g[axis]) * (a - out.mean_g[axis]);
+    out.sigma_g[axis] = std::sqrt(squares / (n - 1));
+    result.coefficients.push_back(
+        {fmt::format("mean {}", kAxes[axis]), "g", out.mean_g[axis], out.sigma_g[axis] / std::sqrt(n)});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    result.residuals.push_back(
+        std::hypot(s.axis_g[0][i] - out.mean_g[0], s.axis_g[1][i] - out.mean_g[1], s.axis_g[2][i] - out.mean_g[2]));
+  }
+  result.rmse = rootMeanSquare(result.residuals);
+  result.max_residual = *std::max_element(result.residuals.begin(), result.residuals.end());
+  out.magnitude_g = std::hypot(out.mean_g[0], out.mean_g[1], out.mean_g[2]);
+  const double widest = *std::max_element(out.sigma_g.begin(), out.sigma_g.end());
+  if (widest > p.rest_sigma_g) {
+    result = refused(std::move(result),
+                     fmt::format("an axis spreads by {:.3f} g; expected at most {:g}: it moves: put the robot to rest",
+                                 widest, p.rest_sigma_g),
+                     "calibration.rest_sigma_g");
+    return out;
+  }
+  if (!(std::abs(out.magnitude_g - 1.0) <= p.rest_magnitude_g)) {
+    result = refused(
+        std::move(result),
+        fmt::format("at rest it measures {:.3f} g; expected 1 within {:g}: check the counts per g of the sensor",
+                    out.magnitude_g, p.rest_magnitude_g),
+        "calibration.rest_magnitude_g");
+    return out;
+  }
+  result.verdict = {true, fmt::format("at rest {:.4f} g, spread {:.4f} g", out.magnitude_g, widest),
+                    "calibration.rest_magnitude_g"};
+  return out;
+}
+
+CalibrationResult judgeTare(sensing::TareState state, const sensing::TareResult& tare, double zero_N) {
+  CalibrationResult result{.procedure = "no-touch", .curve = "mean", .unit = "mm", .valid_unit = "mm"};
+  if (state != sensing::TareState::done) {
+    return refused(std::move(result), fmt::format("{}: {}", sensing::toString(state), nextAction(state)));
+  }
+  std::vector<double> offsets, spreads;
+  for (std::size_t i = 0; i < tare.sensors; ++i) {
+    offsets.push_back(tare.offset_mm[i]);
+    spreads.push_back(tare.spread_mm[i]);
+    result.coefficients.push_back({fmt::format("offset {}", i + 1), "mm", tare.offset_mm[i], kUnknown});
+  }
+  result.points = tare.sensors;
+  result.rmse = rootMeanSquare(spreads);
+  result.changes = {{"sensing.ir_offset_mm", fmt::format("[{}]", fmt::join(offsets, ", "))},
+                    {"sensing.force_zero_N", fmt::format("{}", zero_N + tare.force_N)}};
+  result.verdict = {true,
+                    fmt::format("distances to the untouched cloth {:.1f} mm, spread {:.2f} mm; force {:.3f} N",
+                                fmt::join(offsets, ", "), result.rmse, tare.force_N),
+                    {}};
+  return result;
+}
+
+}  // namespace fyd::calibration
