@@ -1,0 +1,256 @@
+#include "core/session/recording.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/session/recording_header.h"
+#include "core/session/recording_place.h"
+#include "core/session/recording_rows.h"
+#include "core/session/recording_source.h"
+#include "core/session/recording_span.h"
+#include "core/session/recording_tables.h"
+#include "core/session/recording_telemetry_row.h"
+
+namespace fyd::session {
+namespace {
+
+__extension__ using Wide = __int128;  // instants may be anything: their difference must not overflow
+
+void expect(const Result<void>& result) {
+  if (!result) throw RecordingFailure(result.error().message);
+}
+
+cv::Mat decoded(const std::string& bytes, const char* what) {
+  if (bytes.empty()) return {};
+  cv::Mat picture;
+  try {
+    const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
+    picture = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception& error) {
+    failHard("{}: {}", what, error.what());
+  }
+  if (picture.empty()) failHard("{}: its {} bytes are no picture", what, bytes.size());
+  return picture;
+}
+
+class Hdf5Recording final : public Recording {
+ public:
+  explicit Hdf5Recording(std::string path) : path_(std::move(path)), source_(path_) {
+    info_.header = readHeader(source_.file());
+    tables_.emplace(source_.file());
+    look();
+  }
+  ~Hdf5Recording() override {
+    const auto lock = hdf5Lock();
+    tables_.reset();
+    source_.close();
+  }
+
+  const RecordingInfo& info() const override { return info_; }
+
+  Result<bool> refresh() override {
+    return guarded(path_, [&] {
+      const Wholeness before = info_.wholeness;
+      const bool news = tables_->refresh();
+      look();
+      return news || before != info_.wholeness;
+    });
+  }
+
+  Result<void> telemetry(std::uint64_t first, std::span<pipeline::TelemetrySample> out) const override {
+    return guarded(path_, [&] {
+      eachRow(first, out.size(), [&](std::size_t i, const TelemetryRow& row) {
+        const auto sample = sampleOf(row);
+        if (!sample) throw RecordingFailure(sample.error().message);
+        out[i] = *sample;
+      });
+    });
+  }
+
+  Result<void> field(std::size_t field, std::uint64_t first, std::span<double> out) const override {
+    return guarded(path_, [&] {
+      checkField(field);
+      eachRow(first, out.size(), [&](std::size_t i, const TelemetryRow& row) { out[i] = fieldOf(row, field); });
+    });
+  }
+
+  Result<StepRecord> step(std::uint64_t row) const override {
+    return guarded(path_, [&] {
+      StepRecord record;
+      const auto at = tables_->row<StepRow>(Table::steps, row);
+      pipeline::Inputs& in = record.inputs;
+      in.now = instantOf(at.now_ns);
+      in.missed_cycles = at.missed_cycles;
+      take<FingerRow>(Table::finger, at.finger_row, in.finger);
+      take<IrRow>(Table::ir, at.ir_row, in.ir);
+      take<BridgeRow>(Table::bridge, at.bridge_row, in.bridge);
+      take<MotorFeedbackRow>(Table::motor_feedback, at.motor_feedback_row, in.motors);
+      take<RobotStateRow>(Table::robot_state, at.robot_state_row, in.robot.state);
+      take<MotorReferenceRow>(Table::motor_reference, at.motor_reference_row, in.robot.motor_reference);
+      takeAll<AccelerationRow>(Table::accelerations, at.accelerations_row, at.accelerations, in.robot.accelerations);
+      takeAll<CommandRow>(Table::commands, at.commands_row, at.commands, in.commands);
+      takeAll<RobotCommandRow>(Table::robot_commands, at.robot_commands_row, at.robot_commands, in.robot.commands);
+      takeAll<ChangeRow>(Table::changes, at.changes_row, at.changes, in.changes);
+      if (at.phase > static_cast<std::uint8_t>(pipeline::LinkPhase::lost)) failHard("row {}: phase {}", row, at.phase);
+      in.robot.phase = static_cast<pipeline::LinkPhase>(at.phase);
+      take<MotorRow>(Table::motors, row, record.motors);
+      const auto sample = sampleOf(tables_->row<TelemetryRow>(Table::telemetry, row));
+      if (!sample) throw RecordingFailure(sample.error().message);
+      record.telemetry = *sample;
+      for (std::uint64_t i = 0; i < at.events; ++i) {
+        EventRow event;
+        take<EventTableRow>(Table::events, at.events_row + i, event);
+        if (!record.events.push(event.event)) failHard("row {}: {} events", row, at.events);
+      }
+      return record;
+    });
+  }
+
+  Result<std::uint64_t> rowAt(double time_s) const override {
+    return guarded(path_, [&] { return firstRowAt(*tables_, instantAtSecond(time_s)); });
+  }
+
+  Result<Overview> overview(std::size_t field, double from_s, double to_s, std::size_t buckets) const override {
+    return guarded(path_, [&] {
+      checkField(field);
+      const std::uint64_t first = firstRowAt(*tables_, instantAtSecond(from_s));
+      const std::int64_t last_ns = instantAtSecond(to_s);
+      const std::uint64_t end = last_ns == std::numeric_limits<std::int64_t>::max() ? tables_->rows(Table::telemetry)
+                                                                                    : firstRowAt(*tables_, last_ns + 1);
+      return overviewOf(*tables_, info_.header.started, field, first, end, buckets);
+    });
+  }
+
+  Result<RecordedPicture> pictureAt(double time_s) const override {
+    return guarded(path_, [&] {
+      const std::int64_t when_ns = instantAtSecond(time_s);
+      std::uint64_t low = 0;
+      std::uint64_t high = tables_->rows(Table::pictures);
+      while (low < high) {
+        const std::uint64_t middle = low + (high - low) / 2;
+        if (tables_->row<PictureRow>(Table::pictures, middle).taken_ns > when_ns)
+          high = middle;
+        else
+          low = middle + 1;
+      }
+      if (low == 0) failHard("no picture was taken up to {} s", time_s);
+      return pictureOf(low - 1);
+    });
+  }
+
+  Result<RecordedPicture> picture(std::uint64_t index) const override {
+    return guarded(path_, [&] { return pictureOf(index); });
+  }
+
+  Result<std::vector<EventRow>> events() const override { return all<EventTableRow, EventRow>(Table::events); }
+  Result<std::vector<LinkRow>> linkRows() const override { return all<LinkTableRow, LinkRow>(Table::link); }
+
+  Result<std::vector<Note>> notes() const override {
+    return guarded(path_, [&] {
+      std::vector<Note> notes;
+      for (std::uint64_t i = 0; i < tables_->rows(Table::notes); ++i) {
+        const auto row = tables_->row<NoteRow>(Table::notes, i);
+        if (row.kind > static_cast<std::uint8_t>(NoteKind::alarm)) failHard("note {}: kind {}", i, row.kind);
+        notes.push_back({instantOf(row.when_ns), static_cast<NoteKind>(row.kind),
+                         tables_->bytes(Table::note_text, row.text_start, row.text_bytes)});
+      }
+      return notes;
+    });
+  }
+
+ private:
+  void look() {
+    const CommitRow& last = tables_->last();
+    info_.committed_samples = tables_->rows(Table::telemetry);
+    info_.samples = tables_->present(Table::telemetry);
+    info_.frames = tables_->rows(Table::pictures);
+    info_.events = tables_->rows(Table::events);
+    info_.gaps = std::max(last.jumped, last.lost);  // what the ring lost shows as a jump once a step follows
+    info_.duration_s =
+        info_.committed_samples == 0 ? 0.0 : secondsFrom(nanoseconds(info_.header.started), last.latest_ns);
+    info_.wholeness = last.closed != 0          ? Wholeness::whole
+                      : source_.recorderLives() ? Wholeness::growing
+                                                : Wholeness::crashed;
+    info_.bytes = source_.bytes();
+  }
+
+  static double secondsFrom(std::int64_t from_ns, std::int64_t to_ns) {
+    return static_cast<double>(static_cast<Wide>(to_ns) - from_ns) * 1e-9;
+  }
+
+  /// Saturates; a recording's clock is anything.
+  [[nodiscard]] std::int64_t instantAtSecond(double time_s) const {
+    if (std::isnan(time_s)) failHard("NaN is no time");
+    const auto sum = static_cast<Wide>(nanoseconds(info_.header.started)) + fromSeconds(time_s).count();
+    constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
+    constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+    return sum < kLeast ? kLeast : sum > kMost ? kMost : static_cast<std::int64_t>(sum);
+  }
+
+  static void checkField(std::size_t field) {
+    if (field >= pipeline::telemetryFields().size())
+      failHard("field {} of {}", field, pipeline::telemetryFields().size());
+  }
+
+  template <class Use>
+  void eachRow(std::uint64_t first, std::size_t count, Use&& use) const {
+    if (first > tables_->rows(Table::telemetry) || count > tables_->rows(Table::telemetry) - first)
+      failHard("rows {}+{} of {}", first, count, tables_->rows(Table::telemetry));
+    for (std::size_t i = 0; i < count;) {
+      const auto block = tables_->block(Table::telemetry, first + i);
+      for (; i < count && block->holds(first + i); ++i) {
+        TelemetryRow row;
+        std::memcpy(&row, block->bytes.data() + (first + i - block->first) * sizeof row, sizeof row);
+        use(i, row);
+      }
+    }
+  }
+
+  template <class Row, class Value>
+  void take(Table table, std::uint64_t index, Value& value) const {
+    expect(valueOf(tables_->row<Row>(table, index), value));
+  }
+
+  template <class Row, class Items>
+  void takeAll(Table table, std::uint64_t first, std::uint64_t count, Items& items) const {
+    if (count > Items::capacity()) failHard("{}: {} in one step", layoutOf(table).path, count);
+    for (std::uint64_t i = 0; i < count; ++i) take<Row>(table, first + i, items.items[i]);
+    items.count = static_cast<std::uint32_t>(count);
+  }
+
+  template <class Row, class Value>
+  Result<std::vector<Value>> all(Table table) const {
+    return guarded(path_, [&] {
+      std::vector<Value> values(tables_->rows(table));
+      for (std::uint64_t i = 0; i < values.size(); ++i) take<Row>(table, i, values[i]);
+      return values;
+    });
+  }
+
+  [[nodiscard]] RecordedPicture pictureOf(std::uint64_t index) const {
+    const auto row = tables_->row<PictureRow>(Table::pictures, index);
+    RecordedPicture picture;
+    picture.time_s = secondsFrom(nanoseconds(info_.header.started), row.taken_ns);
+    picture.number = row.number;
+    expect(valueOf(row, picture.finger));
+    picture.region_px = {row.region_x_px, row.region_y_px, row.region_width_px, row.region_height_px};
+    picture.whole =
+        decoded(tables_->bytes(Table::picture_bytes, row.bytes_start, row.whole_bytes), "the whole picture");
+    picture.region = decoded(tables_->bytes(Table::picture_bytes, row.bytes_start + row.whole_bytes, row.region_bytes),
+                             "the region");
+    return picture;
+  }
+
+  std::string path_;
+  RecordingInfo info_;
+  RecordingSource source_;
+  std::optional<RecordingTables> tables_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Recording>> Recording::open(const std::string& path) {
+  const std::string found = existingName(path);
+  return guarded(found, [&]() -> std::unique_ptr<Recording> { return std::make_unique<Hdf5Recording>(found); });
+}
+
+}  // namespace fyd::session

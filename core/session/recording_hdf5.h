@@ -1,0 +1,108 @@
+// The HDF5 C library as the recordings use it: handles that close themselves, failures as exceptions that stay inside
+// this room (`guarded` turns them into Results), and one lock, because Debian's library knows nothing of threads.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <new>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/session/recording_format.h"
+
+namespace fyd::session {
+
+/// Every call into HDF5 of this process holds this lock, that of other users of the library (matio) too.
+[[nodiscard]] std::unique_lock<std::recursive_mutex> hdf5Lock();
+
+struct RecordingFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <class... Args>
+[[noreturn]] void failHard(fmt::format_string<Args...> format, Args&&... args) {
+  throw RecordingFailure(fmt::format(format, std::forward<Args>(args)...));
+}
+
+/// Runs `work` under the lock; what it throws becomes an error that starts with `subject`.
+template <class Work>
+auto guarded(const std::string& subject, Work&& work) -> Result<decltype(work())> {
+  const auto lock = hdf5Lock();
+  try {
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      return {};
+    } else {
+      return work();
+    }
+  } catch (const RecordingFailure& failure) {
+    return fail("{}: {}", subject, failure.what());
+  } catch (const std::bad_alloc&) {
+    return fail("{}: out of memory", subject);
+  } catch (const std::length_error&) {
+    return fail("{}: a size in it is beyond all reason", subject);
+  }
+}
+
+/// Owns an HDF5 identifier.
+class Handle {
+ public:
+  using Closer = herr_t (*)(hid_t);
+  Handle() = default;
+  /// @throws RecordingFailure when `id` is invalid, saying what failed and HDF5's own reason
+  Handle(hid_t id, Closer closer, const char* what);
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), closer_(other.closer_) {}
+  Handle& operator=(Handle&& other) noexcept;
+  ~Handle() { reset(); }
+  void reset();
+  [[nodiscard]] hid_t id() const { return id_; }
+  [[nodiscard]] explicit operator bool() const { return id_ >= 0; }
+
+ private:
+  hid_t id_ = -1;
+  Closer closer_ = nullptr;
+};
+
+/// @throws RecordingFailure when `status` is negative
+void check(herr_t status, const char* what);
+
+/// One growing table.
+class Hdf5Table {
+ public:
+  Hdf5Table() = default;
+  static Hdf5Table create(hid_t file, const TableLayout& layout);
+  /// @throws RecordingFailure when it is missing or its rows are laid out otherwise
+  static Hdf5Table open(hid_t file, const TableLayout& layout);
+
+  void append(std::span<const std::byte> rows);
+  void read(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const;
+  /// Takes in what another process has written.
+  void refresh();
+  [[nodiscard]] std::uint64_t rows() const { return rows_; }
+  /// Bytes it takes in the file.
+  [[nodiscard]] std::uint64_t storedBytes() const { return H5Dget_storage_size(set_.id()); }
+
+ private:
+  void readExtent();
+  const TableLayout* layout_ = nullptr;
+  Handle set_;
+  Handle type_;
+  std::uint64_t rows_ = 0;
+};
+
+/// Single texts, and numbers of the root group; absent or of another kind: RecordingFailure.
+void writeText(hid_t file, const char* path, const std::string& text);
+[[nodiscard]] std::string readText(hid_t file, const char* path);
+/// A list of bytes, no text.
+void writeBytes(hid_t file, const char* path, const std::string& bytes);
+[[nodiscard]] std::string readBytes(hid_t file, const char* path);
+void writeNumber(hid_t file, const char* attribute, std::int64_t value);
+[[nodiscard]] std::int64_t readNumber(hid_t file, const char* attribute);
+
+}  // namespace fyd::session

@@ -1,0 +1,79 @@
+#include "core/session/recording_header.h"
+
+#include "core/session/recording_crc.h"
+#include "core/session/recording_format.h"
+#include "core/session/recording_hdf5.h"
+
+namespace fyd::session {
+namespace {
+
+// Every text with its path; tags are one text, each tag ended by a line feed.
+template <class Header, class Visit>
+void visitTexts(Header& header, Visit&& visit) {
+  visit("/header/id", header.id);
+  visit("/header/started_utc", header.started_utc);
+  visit("/header/operator", header.operator_name);
+  visit("/header/subject", header.subject);
+  visit("/header/notes", header.notes);
+  visit("/header/touchpad", header.touchpad);
+  visit("/header/camera", header.camera);
+  visit("/header/robot", header.robot);
+  visit("/header/profile", header.profile);
+  visit("/header/surface", header.surface);
+  visit("/header/program", header.version);
+}
+
+std::string joined(const std::vector<std::string>& tags) {
+  std::string text;
+  for (const std::string& tag : tags) {
+    for (const char c : tag) text += c == '\n' ? ' ' : c;
+    text += '\n';
+  }
+  return text;
+}
+
+std::vector<std::string> parted(const std::string& text) {
+  std::vector<std::string> tags;
+  std::size_t from = 0;
+  for (std::size_t end = text.find('\n'); end != std::string::npos; from = end + 1, end = text.find('\n', from))
+    tags.push_back(text.substr(from, end - from));
+  return tags;
+}
+
+std::int64_t checksum(const RecordingHeader& header) {
+  std::string all = fmt::format("{};{};", kFormatVersion, header.started.time_since_epoch().count());
+  const auto add = [&](const char* path, const std::string& text) {
+    all += fmt::format("{}:{}:{};", path, text.size(), text);
+  };
+  visitTexts(header, add);
+  add("/header/tags", joined(header.tags));
+  add("/header/step_state", header.step_state);
+  return crc32c(std::as_bytes(std::span(all)));
+}
+
+}  // namespace
+
+void writeHeader(hid_t file, const RecordingHeader& header) {
+  writeNumber(file, "fyd_recording", kFormatVersion);
+  writeNumber(file, "started_ns", header.started.time_since_epoch().count());
+  visitTexts(header, [&](const char* path, const std::string& text) { writeText(file, path, text); });
+  writeText(file, "/header/tags", joined(header.tags));
+  writeBytes(file, "/header/step_state", header.step_state);
+  writeNumber(file, "header_crc32c", checksum(header));
+}
+
+RecordingHeader readHeader(hid_t file) {
+  if (H5Aexists(file, "fyd_recording") <= 0) failHard("an HDF5 file, but not a recording of the console");
+  const std::int64_t version = readNumber(file, "fyd_recording");
+  if (version != kFormatVersion)
+    failHard("a recording of format {}; this program reads format {}", version, kFormatVersion);
+  RecordingHeader header;
+  header.started = Instant(Duration(readNumber(file, "started_ns")));
+  visitTexts(header, [&](const char* path, std::string& text) { text = readText(file, path); });
+  header.tags = parted(readText(file, "/header/tags"));
+  header.step_state = readBytes(file, "/header/step_state");
+  if (readNumber(file, "header_crc32c") != checksum(header)) failHard("its header is damaged: the checksum differs");
+  return header;
+}
+
+}  // namespace fyd::session

@@ -1,0 +1,15 @@
+// The recording's header in the file: /header/* texts and the root's numbers, guarded by one CRC32C.
+#pragma once
+
+#include <hdf5.h>
+
+#include "core/session/recording_types.h"
+
+namespace fyd::session {
+
+/// @throws RecordingFailure
+void writeHeader(hid_t file, const RecordingHeader& header);
+/// @throws RecordingFailure: no recording, another version, damaged
+[[nodiscard]] RecordingHeader readHeader(hid_t file);
+
+}  // namespace fyd::session

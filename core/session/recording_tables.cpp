@@ -1,0 +1,187 @@
+#include "core/session/recording_tables.h"
+
+#include "core/session/recording_crc.h"
+
+namespace fyd::session {
+namespace {
+
+constexpr std::size_t kCacheBytes = 32U << 20U;
+constexpr std::size_t kLargestBlockBytes = 512U << 20U;  // more is no block of ours: do not even try
+constexpr std::uint64_t kCommitsPerRead = 256;
+
+// Tables with little in each commit are read many commits at a time.
+std::uint64_t commitsPerBlock(Table table) {
+  switch (table) {
+    case Table::telemetry:
+    case Table::steps:
+    case Table::motors:
+    case Table::picture_bytes: return 1;
+    case Table::overview_25: return 8;
+    default: return 64;
+  }
+}
+
+bool intact(const CommitRow& row, std::uint64_t number) {
+  return row.number == number &&
+         row.own_crc == crc32c(std::as_bytes(std::span(&row, 1)).first(offsetof(CommitRow, own_crc)));
+}
+
+std::uint64_t keyOf(std::size_t table, std::uint64_t first_commit) { return first_commit * (kTableCount + 1) + table; }
+
+}  // namespace
+
+RecordingTables::RecordingTables(hid_t file) {
+  for (std::size_t i = 0; i < kTableCount; ++i) tables_[i] = Hdf5Table::open(file, layoutOf(static_cast<Table>(i)));
+  commit_table_ = Hdf5Table::open(file, commitLayout());
+  if (!findLast()) failHard("no commit in it can be trusted: nothing was ever completely written");
+}
+
+bool RecordingTables::findLast() {
+  for (std::uint64_t count = commit_table_.rows(); count > 0; --count) {
+    CommitRow row;
+    try {
+      commit_table_.read(count - 1, 1, std::as_writable_bytes(std::span(&row, 1)));
+    } catch (const RecordingFailure&) {
+      continue;  // a torn chunk: the commit before may stand in another
+    }
+    if (!intact(row, count - 1)) continue;
+    bool complete = true;
+    for (std::size_t i = 0; i < kTableCount; ++i) complete = complete && row.rows[i] <= tables_[i].rows();
+    if (!complete) continue;
+    last_ = row;
+    commit_count_ = count;
+    return true;
+  }
+  return false;
+}
+
+bool RecordingTables::refresh() {
+  if (last_.closed != 0) return false;
+  commit_table_.refresh();
+  if (commit_table_.rows() == commit_count_) return false;
+  for (Hdf5Table& table : tables_) table.refresh();
+  const std::uint64_t before = commit_count_;
+  if (!findLast()) failHard("the commits that were there have gone");
+  return commit_count_ != before;
+}
+
+CommitRow RecordingTables::commit(std::uint64_t number) const {
+  const auto block = commitBlock(number);
+  CommitRow row;
+  std::memcpy(&row, block->bytes.data() + (number - block->first) * sizeof row, sizeof row);
+  return row;
+}
+
+std::shared_ptr<const RecordingBlock> RecordingTables::commitBlock(std::uint64_t number) const {
+  if (number >= commit_count_) failHard("commit {} of {}", number, commit_count_);
+  const std::uint64_t first = number / kCommitsPerRead * kCommitsPerRead;
+  const Key key = keyOf(kTableCount, first);
+  if (const auto found = cache_.find(key); found != cache_.end() && found->second->second->holds(number)) {
+    newest_first_.splice(newest_first_.begin(), newest_first_, found->second);
+    return found->second->second;
+  }
+  auto block = std::make_shared<RecordingBlock>();
+  block->first = first;
+  block->count = std::min(kCommitsPerRead, commit_count_ - first);
+  block->bytes.resize(block->count * sizeof(CommitRow));
+  commit_table_.read(first, block->count, block->bytes);
+  for (std::uint64_t i = 0; i < block->count; ++i) {
+    CommitRow row;
+    std::memcpy(&row, block->bytes.data() + i * sizeof row, sizeof row);
+    if (!intact(row, first + i)) failHard("/commits: row {} is damaged", first + i);
+  }
+  remember(key, block);
+  return block;
+}
+
+std::uint64_t RecordingTables::commitOf(Table table, std::uint64_t row) const {
+  std::uint64_t low = 0;
+  std::uint64_t high = commit_count_;
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    if (commit(middle).rows[indexOf(table)] > row)
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  if (low == commit_count_) failHard("{}: row {} of {}", layoutOf(table).path, row, rows(table));
+  return low;
+}
+
+std::shared_ptr<const RecordingBlock> RecordingTables::load(Table table, std::uint64_t first_commit,
+                                                            std::uint64_t end_commit) const {
+  const std::size_t i = indexOf(table);
+  const std::size_t row_bytes = layoutOf(table).row_bytes;
+  auto block = std::make_shared<RecordingBlock>();
+  block->first = first_commit == 0 ? 0 : commit(first_commit - 1).rows[i];
+  const std::uint64_t end = commit(end_commit - 1).rows[i];
+  if (end < block->first || (end - block->first) > kLargestBlockBytes / row_bytes)
+    failHard("{}: rows {} to {} in one block", layoutOf(table).path, block->first, end);
+  block->count = end - block->first;
+  block->bytes.resize(block->count * row_bytes);
+  tables_[i].read(block->first, block->count, block->bytes);
+  std::uint64_t from = block->first;
+  for (std::uint64_t number = first_commit; number < end_commit; ++number) {
+    const CommitRow row = commit(number);
+    const std::uint64_t to = row.rows[i];
+    if (to < from || to > end) failHard("/commits: row {} counts backwards", number);
+    const auto bytes = std::span(block->bytes).subspan((from - block->first) * row_bytes, (to - from) * row_bytes);
+    const std::uint32_t crc = bytes.empty() ? 0 : crc32c(bytes);
+    if (crc != row.crc[i])
+      failHard("{}: rows {} to {} are damaged: CRC32C {:08x}, committed as {:08x}", layoutOf(table).path, from, to, crc,
+               row.crc[i]);
+    from = to;
+  }
+  return block;
+}
+
+void RecordingTables::checkCommit(Table table, std::uint64_t number) const { (void)load(table, number, number + 1); }
+
+std::shared_ptr<const RecordingBlock> RecordingTables::block(Table table, std::uint64_t row) const {
+  const std::size_t i = indexOf(table);
+  if (recent_[i] && recent_[i]->holds(row)) return recent_[i];
+  if (row >= rows(table)) failHard("{}: row {} of {}", layoutOf(table).path, row, rows(table));
+  const std::uint64_t together = commitsPerBlock(table);
+  const std::uint64_t first = commitOf(table, row) / together * together;
+  const Key key = keyOf(i, first);
+  if (const auto found = cache_.find(key); found != cache_.end() && found->second->second->holds(row)) {
+    newest_first_.splice(newest_first_.begin(), newest_first_, found->second);
+    return recent_[i] = found->second->second;
+  }
+  recent_[i] = load(table, first, std::min(first + together, commit_count_));
+  remember(key, recent_[i]);
+  return recent_[i];
+}
+
+const RecordingBlock& RecordingTables::blockAt(Table table, std::uint64_t row) const { return *block(table, row); }
+
+void RecordingTables::remember(Key key, std::shared_ptr<const RecordingBlock> block) const {
+  if (const auto old = cache_.find(key); old != cache_.end()) {  // it has grown since
+    cached_bytes_ -= old->second->second->bytes.size();
+    newest_first_.erase(old->second);
+    cache_.erase(old);
+  }
+  cached_bytes_ += block->bytes.size();
+  newest_first_.emplace_front(key, std::move(block));
+  cache_[key] = newest_first_.begin();
+  while (cached_bytes_ > kCacheBytes && newest_first_.size() > 1) {
+    cached_bytes_ -= newest_first_.back().second->bytes.size();
+    cache_.erase(newest_first_.back().first);
+    newest_first_.pop_back();
+  }
+}
+
+std::string RecordingTables::bytes(Table table, std::uint64_t first, std::uint64_t count) const {
+  if (first > rows(table) || count > rows(table) - first)
+    failHard("{}: bytes {}+{} of {}", layoutOf(table).path, first, count, rows(table));
+  std::string out;
+  while (out.size() < count) {
+    const RecordingBlock& in = blockAt(table, first + out.size());
+    const std::uint64_t from = first + out.size() - in.first;
+    const std::uint64_t length = std::min(count - out.size(), in.count - from);
+    out.append(reinterpret_cast<const char*>(in.bytes.data()) + from, length);
+  }
+  return out;
+}
+
+}  // namespace fyd::session

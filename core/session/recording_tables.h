@@ -1,0 +1,83 @@
+// The committed rows of a recording, block by block: found through the commits, checked against their CRC32C when
+// first read, kept in a cache of bounded size. Failures are RecordingFailure; the caller holds the HDF5 lock.
+#pragma once
+
+#include <cstring>
+#include <list>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/session/recording_hdf5.h"
+
+namespace fyd::session {
+
+/// The rows of one table over some neighbouring commits.
+struct RecordingBlock {
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+  std::vector<std::byte> bytes;
+  [[nodiscard]] bool holds(std::uint64_t row) const { return row >= first && row - first < count; }
+};
+
+/// A block the disk did not keep.
+struct DamagedBlock {
+  std::uint64_t commit = 0;
+  std::string what;  ///< table, rows, and the two checksums or HDF5's reason
+};
+
+class RecordingTables {
+ public:
+  explicit RecordingTables(hid_t file);
+
+  /// Takes in what was committed since. @return whether there was news
+  bool refresh();
+
+  [[nodiscard]] std::uint64_t commits() const { return commit_count_; }
+  /// The last commit that can be trusted.
+  [[nodiscard]] const CommitRow& last() const { return last_; }
+  [[nodiscard]] std::uint64_t rows(Table table) const { return last_.rows[indexOf(table)]; }
+  /// Rows in the file, committed or not.
+  [[nodiscard]] std::uint64_t present(Table table) const { return tables_[indexOf(table)].rows(); }
+  [[nodiscard]] CommitRow commit(std::uint64_t number) const;
+  /// The first commit at which the table has more than `row` rows.
+  [[nodiscard]] std::uint64_t commitOf(Table table, std::uint64_t row) const;
+
+  /// The block with `row`; stays valid as long as the pointer is held.
+  [[nodiscard]] std::shared_ptr<const RecordingBlock> block(Table table, std::uint64_t row) const;
+
+  template <class Row>
+  [[nodiscard]] Row row(Table table, std::uint64_t index) const {
+    const RecordingBlock& in = blockAt(table, index);
+    Row out;
+    std::memcpy(&out, in.bytes.data() + (index - in.first) * sizeof(Row), sizeof(Row));
+    return out;
+  }
+  [[nodiscard]] std::string bytes(Table table, std::uint64_t first, std::uint64_t count) const;
+
+  /// Reads the rows of one commit without the cache. @throws when they are not what was committed
+  void checkCommit(Table table, std::uint64_t number) const;
+
+ private:
+  using Key = std::uint64_t;
+  using Cached = std::pair<Key, std::shared_ptr<const RecordingBlock>>;
+
+  const RecordingBlock& blockAt(Table table, std::uint64_t row) const;
+  std::shared_ptr<const RecordingBlock> load(Table table, std::uint64_t first_commit, std::uint64_t end_commit) const;
+  std::shared_ptr<const RecordingBlock> commitBlock(std::uint64_t number) const;
+  void remember(Key key, std::shared_ptr<const RecordingBlock> block) const;
+  bool findLast();
+
+  std::array<Hdf5Table, kTableCount> tables_;
+  Hdf5Table commit_table_;
+  std::uint64_t commit_count_ = 0;
+  CommitRow last_;
+
+  mutable std::list<Cached> newest_first_;
+  mutable std::unordered_map<Key, std::list<Cached>::iterator> cache_;
+  mutable std::size_t cached_bytes_ = 0;
+  mutable std::array<std::shared_ptr<const RecordingBlock>, kTableCount> recent_;
+};
+
+}  // namespace fyd::session

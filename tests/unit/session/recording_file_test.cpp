@@ -1,0 +1,132 @@
+// What goes into a recording comes out bit for bit, whatever it was.
+#include <gtest/gtest.h>
+
+#include "core/session/recording_crc.h"
+#include "core/session/recording_format.h"
+#include "recording_samples.h"
+
+namespace fyd::session {
+namespace {
+
+using namespace samples;
+
+TEST(RecordingFormat, EveryTelemetryFieldIsAColumnAndNothingElse) {
+  const auto& columns = layoutOf(Table::telemetry).columns;
+  const auto fields = pipeline::telemetryFields();
+  ASSERT_EQ(columns.size(), fields.size() + 1);
+  EXPECT_EQ(columns[0].name, "now_ns");
+  RandomSteps random(7);
+  for (int i = 0; i < 50; ++i) {
+    const auto sample = random.next().telemetry;
+    const TelemetryRow row = rowOf(sample);
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      EXPECT_EQ(columns[f + 1].name, fields[f].name);
+      EXPECT_EQ(columns[f + 1].unit, fields[f].unit);
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(fieldOf(row, f)), std::bit_cast<std::uint64_t>(fields[f].read(sample)))
+          << fields[f].name;
+    }
+  }
+}
+
+TEST(RecordingFormat, RowsHaveNoUnnamedGaps) {
+  for (std::size_t i = 0; i < kTableCount; ++i) {
+    const TableLayout& layout = layoutOf(static_cast<Table>(i));
+    for (const Column& column : layout.columns) EXPECT_LE(column.offset, layout.row_bytes) << layout.path;
+  }
+}
+
+TEST(RecordingCrc, IsTheCastagnoliPolynomial) {
+  const std::string digits = "123456789";
+  EXPECT_EQ(crc32c(std::as_bytes(std::span(digits))), 0xE3069283U);
+  std::mt19937 random(3);
+  std::vector<std::byte> bytes(4097);
+  for (auto& b : bytes) b = static_cast<std::byte>(random());
+  for (std::size_t n = 0; n < 40; ++n)
+    EXPECT_EQ(crc32c(std::span(bytes).first(4097 - n)), crc32cInSoftware(std::span(bytes).first(4097 - n)));
+}
+
+TEST(RecordingFile, RandomStepsComeBackBitForBit) {
+  const Folder folder;
+  auto writer = RecordingWriter::create(folder.file(), header());
+  ASSERT_TRUE(writer) << writer.error().message;
+  RandomSteps random(1);
+  std::vector<StepRecord> steps;
+  for (int i = 0; i < 1103; ++i) {
+    steps.push_back(random.next());
+    ASSERT_TRUE((*writer)->append(steps.back()));
+    if (i % 317 == 0) {
+      ASSERT_TRUE((*writer)->commit());
+    }
+  }
+  ASSERT_TRUE((*writer)->close());
+  const auto opened = Recording::open(folder.file());
+  ASSERT_TRUE(opened) << opened.error().message;
+  const Recording& recording = **opened;
+  EXPECT_EQ(recording.info().wholeness, Wholeness::whole);
+  ASSERT_EQ(recording.info().committed_samples, steps.size());
+  std::vector<pipeline::TelemetrySample> telemetry(steps.size());
+  ASSERT_TRUE(recording.telemetry(0, telemetry));
+  std::vector<double> force(steps.size());
+  ASSERT_TRUE(recording.field(11, 0, force));
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto step = recording.step(i);
+    ASSERT_TRUE(step) << step.error().message;
+    ASSERT_TRUE(sameRecord(*step, steps[i])) << i;
+    ASSERT_TRUE(same(telemetry[i], steps[i].telemetry)) << i;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(force[i]), std::bit_cast<std::uint64_t>(steps[i].telemetry.force_N));
+  }
+}
+
+TEST(RecordingFile, HeaderComesBack) {
+  const Folder folder;
+  const RecordingHeader wanted = header();
+  auto writer = RecordingWriter::create(folder.file(), wanted);
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE((*writer)->close());
+  const auto recording = Recording::open(folder.file());
+  ASSERT_TRUE(recording) << recording.error().message;
+  const RecordingHeader& h = (*recording)->info().header;
+  EXPECT_EQ(h.id, wanted.id);
+  EXPECT_EQ(h.started_utc, wanted.started_utc);
+  EXPECT_EQ(h.started, wanted.started);
+  EXPECT_EQ(h.operator_name, wanted.operator_name);
+  EXPECT_EQ(h.tags, wanted.tags);
+  EXPECT_EQ(h.profile, wanted.profile);
+  EXPECT_EQ(h.surface, "");
+  EXPECT_EQ(h.step_state, wanted.step_state);
+  EXPECT_EQ((*recording)->info().samples, 0U);
+  EXPECT_EQ((*recording)->info().duration_s, 0.0);
+}
+
+TEST(RecordingFile, NotesLinksAndPicturesComeBack) {
+  const Folder folder;
+  auto writer = RecordingWriter::create(folder.file(), header());
+  ASSERT_TRUE(writer);
+  const Note note{instantAt(1000.5), NoteKind::trial_start, "Versuch 1: weich – µ"};
+  ASSERT_TRUE((*writer)->append(note));
+  ASSERT_TRUE((*writer)->append(Note{instantAt(1000.7), NoteKind::note, ""}));
+  ASSERT_TRUE((*writer)->append(LinkRow{instantAt(1001.0), 1.5, pipeline::kNone, 0.25, 10, 20, 3}));
+  for (std::uint64_t i = 0; i < 600; ++i) ASSERT_TRUE((*writer)->append(plainStep(i)));
+  (*writer)->countLost(4);
+  ASSERT_TRUE((*writer)->append(plainStep(604)));
+  ASSERT_TRUE((*writer)->close());
+  const auto recording = Recording::open(folder.file());
+  ASSERT_TRUE(recording);
+  const auto notes = (*recording)->notes();
+  ASSERT_TRUE(notes) << notes.error().message;
+  ASSERT_EQ(notes->size(), 2U);
+  EXPECT_EQ((*notes)[0].text, note.text);
+  EXPECT_EQ((*notes)[0].kind, note.kind);
+  EXPECT_EQ((*notes)[0].when, note.when);
+  const auto links = (*recording)->linkRows();
+  ASSERT_TRUE(links);
+  ASSERT_EQ(links->size(), 1U);
+  EXPECT_EQ((*links)[0].touches_sent, 20U);
+  EXPECT_TRUE(std::isnan((*links)[0].jitter_ms));
+  EXPECT_EQ((*recording)->info().gaps, 4U);
+  EXPECT_NEAR((*recording)->info().duration_s, 0.604, 1e-9);
+  EXPECT_FALSE((*recording)->pictureAt(1.0));
+}
+
+}  // namespace
+}  // namespace fyd::session
