@@ -104,8 +104,8 @@ class Catalogue {
 [[nodiscard]] Result<void> deliverEntry(const std::string& catalogue_word, const CatalogueEntry& entry);
 
 struct RebuildReport {
-  std::string moved_aside;   ///< where the damaged file went; empty: it was not damaged
-  std::size_t rescued = 0;   ///< entries whose notes and tags could be read from it
+  std::string moved_aside;  ///< where the damaged file went; empty: it was not damaged
+  std::size_t rescued = 0;  ///< entries whose notes and tags could be read from it
   std::vector<std::string> folders;
   ScanReport scan;
 };

@@ -66,10 +66,14 @@ Result<void> checkTags(const std::vector<std::string>& tags) {
 Result<void> checkEntry(const CatalogueEntry& entry) {
   if (!isId(entry.id)) return fail("recording's id '{}': expected 1 to 64 letters, digits or dashes", entry.id);
   if (entry.path.empty() || entry.path.front() != '/') return fail("path '{}': expected an absolute one", entry.path);
-  const std::pair<const char*, const std::string*> fields[] = {
-      {"path", &entry.path},         {"station", &entry.station}, {"started_utc", &entry.started_utc},
-      {"operator", &entry.operator_name}, {"subject", &entry.subject}, {"touchpad", &entry.touchpad},
-      {"robot", &entry.robot},       {"health", &entry.health}};
+  const std::pair<const char*, const std::string*> fields[] = {{"path", &entry.path},
+                                                               {"station", &entry.station},
+                                                               {"started_utc", &entry.started_utc},
+                                                               {"operator", &entry.operator_name},
+                                                               {"subject", &entry.subject},
+                                                               {"touchpad", &entry.touchpad},
+                                                               {"robot", &entry.robot},
+                                                               {"health", &entry.health}};
   for (const auto& [name, text] : fields) {
     if (auto ok = checkText(name, *text, kLongestField); !ok) return ok;
   }
@@ -116,7 +120,8 @@ std::string likeAnywhere(std::string_view text) {
 
 std::string cleanedText(std::string_view text, bool lines) {
   std::wstring wide = utf::utf_to_utf<wchar_t>(text.data(), text.data() + text.size(), utf::skip);
-  std::ranges::replace_if(wide, [lines](wchar_t c) { return isControl(c) && !(lines && isLine(c)); }, L' ');
+  std::ranges::replace_if(
+      wide, [lines](wchar_t c) { return isControl(c) && !(lines && isLine(c)); }, L' ');
   return utf::utf_to_utf<char>(wide);
 }
 

@@ -1,11 +1,12 @@
 #include "core/session/catalogue_word.h"
 
+#include <pwd.h>
 #include <unistd.h>
 
+#include <libpq-fe.h>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <libpq-fe.h>
 
 namespace fyd::session {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::string_view kSqlite = "sqlite:";
 constexpr std::string_view kPostgresql = "postgresql:";
 
-std::string quoted(std::string_view value) {
+std::string asValue(std::string_view value) {
   std::string out = "'";
   for (const char c : value) {
     if (c == '\'' || c == '\\') out += '\\';
@@ -39,8 +40,9 @@ Result<CatalogueWord> postgresql(std::string_view word) {
     const std::string_view key = option->keyword;
     if (!option->val) continue;
     if (key == "password" || key == "sslpassword") {
-      return fail("catalogue: the word carries a password, which logs and lists of processes would show; put it into "
-                  "~/.pgpass (mode 600) instead");
+      return fail(
+          "catalogue: the word carries a password, which logs and lists of processes would show; put it into "
+          "~/.pgpass (mode 600) instead");
     }
     if (key == "host" || key == "hostaddr") host = option->val;
     if (key == "dbname") database = option->val;
@@ -49,8 +51,9 @@ Result<CatalogueWord> postgresql(std::string_view word) {
       continue;
     }
     if (key == "client_encoding") continue;
-    out.target += fmt::format("{}={} ", key, quoted(option->val));
+    out.target += fmt::format("{}={} ", key, asValue(option->val));
   }
+  out.key = fmt::format("{}{}{}", kPostgresql, out.target, extra);
   // A dead server or cable is noticed within seconds; a station waits for no one's lock longer than that.
   constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
       {"connect_timeout", "5"}, {"keepalives_idle", "5"}, {"tcp_user_timeout", "10000"}, {"application_name", "fyd"}};
@@ -58,7 +61,7 @@ Result<CatalogueWord> postgresql(std::string_view word) {
     if (out.target.find(fmt::format("{}=", key)) == std::string::npos) out.target += fmt::format("{}={} ", key, value);
   }
   out.target += "client_encoding=UTF8 options=" +
-                quoted("-c statement_timeout=10000 -c lock_timeout=5000 -c client_min_messages=warning" + extra);
+                asValue("-c statement_timeout=10000 -c lock_timeout=5000 -c client_min_messages=warning" + extra);
   out.name = fmt::format("PostgreSQL catalogue '{}' on {}", database, host);
   return out;
 }
@@ -70,7 +73,7 @@ Result<CatalogueWord> sqlite(const std::string& path) {
   if (absolute.native().find('"') != std::string::npos) {
     return fail("catalogue '{}': a path with a quotation mark is not possible", path);
   }
-  return CatalogueWord{.kind = CatalogueWord::Kind::sqlite, .target = absolute, .name = absolute};
+  return CatalogueWord{.kind = CatalogueWord::Kind::sqlite, .target = absolute, .name = absolute, .key = absolute};
 }
 
 }  // namespace
@@ -88,7 +91,8 @@ std::string catalogueFolder() {
   const char* data = std::getenv("XDG_DATA_HOME");
   if (data && *data == '/') return std::string(data) + "/fyd-console";  // relative ones are to be ignored, says XDG
   const char* home = std::getenv("HOME");
-  return std::string(home && *home ? home : "/tmp") + "/.local/share/fyd-console";
+  const passwd* user = home && *home ? nullptr : getpwuid(getuid());
+  return std::string(user ? user->pw_dir : home ? home : "") + "/.local/share/fyd-console";
 }
 
 std::string pendingPath() { return catalogueFolder() + "/pending.sqlite"; }

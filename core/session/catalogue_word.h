@@ -6,6 +6,7 @@
 //   none                       no catalogue
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,7 @@ struct CatalogueWord {
   Kind kind = Kind::sqlite;
   std::string target;  ///< absolute path, or libpq's words with every value quoted
   std::string name;    ///< for messages: the path, or host and database
+  std::string key;     ///< the same for every spelling of the same words; entries that wait are kept under it
 };
 
 /// @return an error for an unknown word, and for one that carries a password: a word lands in logs and in lists of

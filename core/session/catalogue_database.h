@@ -1,0 +1,106 @@
+// One connection to the catalogue's database through SOCI: opening, transactions, and failures in plain words.
+// Statements are written once for SQLite and PostgreSQL; every value is a bound parameter, never part of the text.
+#pragma once
+
+#include <soci/soci.h>
+
+#include <deque>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "core/base/error.h"
+#include "core/session/catalogue_word.h"
+
+namespace fyd::session {
+
+/// The tables, step by step: step N brings version N to N + 1. Published steps are never changed, only added to.
+using SchemaSteps = std::span<const std::span<const char* const>>;
+[[nodiscard]] SchemaSteps catalogueSchema();
+[[nodiscard]] SchemaSteps pendingSchema();
+
+class CatalogueDatabase {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<CatalogueDatabase>> open(const CatalogueWord& word, SchemaSteps schema);
+
+  /// One transaction around `work(soci::session&) -> Result<T>`: kept when it succeeds, undone when it returns an
+  /// error or throws. `write` takes SQLite's lock at once, so that waiting for it needs no second attempt.
+  template <class Work>
+  auto read(Work&& work) {
+    return transact("BEGIN", work);
+  }
+  template <class Work>
+  auto write(Work&& work) {
+    return transact(word_.kind == CatalogueWord::Kind::sqlite ? "BEGIN IMMEDIATE" : "BEGIN", work);
+  }
+
+  [[nodiscard]] const CatalogueWord& word() const { return word_; }
+
+ private:
+  explicit CatalogueDatabase(CatalogueWord word) : word_(std::move(word)) {}
+
+  /// Undone unless `keep` was called.
+  class Transaction {
+   public:
+    Transaction(soci::session& session, const char* begin) : session_(session) { session_ << begin; }
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    ~Transaction();
+    void keep();
+
+   private:
+    soci::session& session_;
+    bool open_ = true;
+  };
+
+  template <class Work>
+  auto transact(const char* begin, Work& work) -> std::invoke_result_t<Work&, soci::session&> {
+    try {
+      if (lost_) connect();
+      Transaction transaction(session_, begin);
+      auto result = work(session_);
+      if (result) transaction.keep();
+      return result;
+    } catch (const std::exception& error) {
+      return tl::unexpected(explained(error));
+    }
+  }
+
+  void connect();
+  [[nodiscard]] Error explained(const std::exception& error);
+  [[nodiscard]] Result<void> prepareSchema(SchemaSteps schema);
+
+  CatalogueWord word_;
+  soci::session session_;
+  bool lost_ = true;  ///< connect before the next transaction
+};
+
+/// Whether the SQLite file at `path` is damaged; an error when that cannot be found out (locked, not readable).
+[[nodiscard]] Result<bool> isDamaged(const std::string& path);
+
+/// Programs that have the file open, as "fyd (process 4711)"; those of other users stay unseen. Empty: none found.
+[[nodiscard]] std::string holdersOf(const std::string& path);
+
+/// A statement with values whose number is known only when it runs.
+class BoundStatement {
+ public:
+  explicit BoundStatement(soci::session& session) : statement_(session) {}
+  void bind(const std::string& name, std::string value);
+  void bind(const std::string& name, long long value);
+  template <class T>
+  void into(T& value) {
+    statement_.exchange(soci::into(value));
+  }
+  void execute(const std::string& sql);
+  /// @return false after the last row
+  [[nodiscard]] bool fetch() { return statement_.fetch(); }
+  [[nodiscard]] long long changedRows() { return statement_.get_affected_rows(); }
+
+ private:
+  soci::statement statement_;
+  std::deque<std::pair<std::string, std::string>> texts_;  // SOCI keeps references: these never move
+  std::deque<std::pair<std::string, long long>> numbers_;
+};
+
+}  // namespace fyd::session

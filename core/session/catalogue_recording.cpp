@@ -1,0 +1,59 @@
+// What the catalogue takes from a recording.
+#include <sys/stat.h>
+
+#include <filesystem>
+
+#include "core/session/catalogue.h"
+#include "core/session/catalogue_text.h"
+#include "core/session/catalogue_word.h"
+#include "core/session/recording.h"
+
+namespace fyd::session {
+
+Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
+  const auto recording = Recording::open(path);
+  if (!recording) return tl::unexpected(recording.error());
+  const RecordingInfo& info = (*recording)->info();
+  const RecordingHeader& header = info.header;
+  std::error_code error;
+  std::filesystem::path absolute = std::filesystem::weakly_canonical(path, error);
+  if (error) return fail("{}: {}", path, error.message());
+  if (!std::filesystem::exists(absolute, error)) absolute += ".partial";  // which Recording::open finds too
+  struct stat status {};
+  if (stat(absolute.c_str(), &status) != 0) return fail("{}: gone while it was read", path);
+
+  CatalogueEntry entry{.id = header.id,
+                       .path = absolute,
+                       .station = stationName(),
+                       .started_utc = header.started_utc,
+                       .duration_s = info.duration_s,
+                       .operator_name = cleanedText(header.operator_name, false),
+                       .subject = cleanedText(header.subject, false),
+                       .notes = cleanedText(header.notes, true),
+                       .touchpad = cleanedText(header.touchpad, false),
+                       .robot = cleanedText(header.robot, false),
+                       .samples = info.committed_samples,
+                       .gaps = info.gaps,
+                       .events = info.events,
+                       .wholeness = info.wholeness,
+                       .health = healthWord(info.wholeness, info.gaps),
+                       .bytes = static_cast<std::uint64_t>(status.st_size),
+                       .file_modified_ns = status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec};
+  for (const std::string& tag : header.tags) {
+    std::string clean = cleanedText(tag, false);
+    if (!splitWords(clean).empty()) entry.tags.push_back(std::move(clean));
+  }
+  if (auto ok = checkEntry(entry); !ok) return fail("{}: {}", path, ok.error().message);
+  return entry;
+}
+
+Result<void> catalogueRecording(const std::string& catalogue_word, const std::string& recording_path) {
+  const auto word = parseCatalogueWord(catalogue_word);
+  if (!word) return tl::unexpected(word.error());
+  if (word->kind == CatalogueWord::Kind::none) return {};
+  const auto entry = readCatalogueEntry(recording_path);
+  if (!entry) return tl::unexpected(entry.error());
+  return deliverEntry(catalogue_word, *entry);
+}
+
+}  // namespace fyd::session
