@@ -33,7 +33,7 @@ struct DeviceParameters {
   double camera_freeze_ms = 500.0;
 
   // plausibility of what a device says
-  double stuck_sensor_s = 3.0;
+  double stuck_sensor_s = 2.0;
 
   // Where the names are that belong to a device; not for the profile, tests have their own.
   std::string serial_by_id{kSerialById};
@@ -113,12 +113,13 @@ struct DeviceParameters {
             .minimum = 0,
             .maximum = 10'000,
             .help = "Equal pictures of a camera or stream for longer than this count as frozen; 0: never."});
-    v.real("device.stuck_sensor_s", stuck_sensor_s,
-           {.unit = "s",
-            .minimum = 0,
-            .maximum = 60,
-            .help = "A distance sensor that repeats one code for longer than this while the others change is not "
-                    "believed; 0: never."});
+    v.real(
+        "device.stuck_sensor_s", stuck_sensor_s,
+        {.unit = "s",
+         .minimum = 0,
+         .maximum = 60,
+         .help = "A distance sensor that repeats one code for longer than this while the others change is reported as "
+                 "stuck; 0: never."});
   }
 };
 

@@ -77,9 +77,6 @@ TouchpadReadings Plausibility::check(const TouchpadReadings& readings, bool acti
   checkSensors(readings.ir);
   checkEncoders(readings.motors, active, now);
   TouchpadReadings out = readings;
-  for (std::size_t i = 0; i < out.ir.value.size(); ++i) {
-    if (sensors_[i].stuck) out.ir.value[i] = kUnbelievableCode;
-  }
   out.motors = handed_on_;
   return out;
 }

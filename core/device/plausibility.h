@@ -1,8 +1,8 @@
-// Readings that a sensor cannot mean are withheld: a stuck distance sensor, an encoder that jumps. Pure.
+// Readings that a sensor cannot mean: a stuck distance sensor is told of, an encoder that jumps is withheld. Pure.
 //
 //   stuck   a code repeated for longer than device.stuck_sensor_s while each other sensor changed its own at least ten
-//           times. A real sensor's noise (25 mV are 31 codes) never does that. Its code becomes one that no span
-//           contains, so that the step sees an invalid sensor; it is believed again with the first other code.
+//           times. A real sensor's noise (25 mV are 31 codes) never does that. The codes go on as they are: the step
+//           leaves a stuck sensor out by itself (core/sensing) and may have enough others.
 //   jump    an encoder further from its last reading than 1000 °/s and 5° allow: no geared motor does that. The motors'
 //           readings are withheld until the command has been inactive, or for a second while it is; the new angle is
 //           believed then. After half a second without readings there is nothing to compare with.
@@ -17,15 +17,13 @@
 
 namespace fyd::device {
 
-inline constexpr std::uint16_t kUnbelievableCode = 0xFFFF;
-
 class Plausibility {
  public:
   explicit Plausibility(const DeviceParameters& parameters = {});
 
   /// @param active whether the command of this exchange wants the motors on
   [[nodiscard]] TouchpadReadings check(const TouchpadReadings& readings, bool active, Instant now);
-  /// What is withheld and why; empty: nothing.
+  /// What is not believed and why; empty: nothing.
   [[nodiscard]] std::string complaint() const;
 
  private:

@@ -117,7 +117,13 @@ void MjpegServer::acceptReaders() {
 bool MjpegServer::encodeNext() {
   const auto frame = camera_->next();  // waits for it
   if (!frame) return false;
-  if (faults_.active(TouchpadFault::camera_freeze, Clock::now()) && !part_.empty()) return true;
+  const Instant now = Clock::now();
+  if (faults_.active(TouchpadFault::camera_freeze, now) && !part_.empty()) return true;
+  if (faults_.active(TouchpadFault::garbage, now)) {
+    part_.resize(2000);
+    for (char& byte : part_) byte = static_cast<char>(random_());
+    return true;
+  }
   std::vector<std::uint8_t> jpeg;
   if (!cv::imencode(".jpg", frame->picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92})) return false;
   part_ = fmt::format("--picture\r\nContent-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n", jpeg.size());
@@ -126,9 +132,22 @@ bool MjpegServer::encodeNext() {
   return true;
 }
 
+/// Pictures of a camera without power end its connections; one that is silent keeps them open.
+bool MjpegServer::interrupted() {
+  const Instant now = Clock::now();
+  if (faults_.active(TouchpadFault::brown_out, now)) {
+    readers_.clear();
+    return true;
+  }
+  const int late = faults_.begun(TouchpadFault::late_reply, now);
+  if (late > late_pictures_ || faults_.active(TouchpadFault::late_reply, now)) std::this_thread::sleep_for(kLateBy);
+  late_pictures_ = late;
+  return faults_.active(TouchpadFault::silence, now);
+}
+
 void MjpegServer::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
-    if (!encodeNext()) continue;
+    if (!encodeNext() || interrupted()) continue;
     ++pictures_;
     acceptReaders();
     for (auto reader = readers_.begin(); reader != readers_.end();) {

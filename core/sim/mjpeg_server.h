@@ -5,6 +5,7 @@
 #include <atomic>
 #include <list>
 #include <memory>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -35,6 +36,7 @@ class MjpegServer {
   void run(const std::stop_token& stop);
   void acceptReaders();
   [[nodiscard]] bool encodeNext();
+  [[nodiscard]] bool interrupted();
 
   std::unique_ptr<Acceptor> acceptor_;
   protocol::Endpoint local_;
@@ -42,6 +44,8 @@ class MjpegServer {
   FaultPlan faults_;
   std::list<Reader> readers_;
   std::string part_;  // the newest picture with its header
+  std::mt19937 random_{1};
+  int late_pictures_ = 0;
   std::atomic<std::uint64_t> pictures_{0};
   std::jthread thread_;
 };

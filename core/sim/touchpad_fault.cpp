@@ -34,16 +34,23 @@ Result<TimedFault> parseTimedFault(std::string_view text) {
   return out;
 }
 
+void FaultPlan::add(TouchpadFault fault, Instant now, double for_s) const {
+  const std::scoped_lock lock(shared_->mutex);
+  shared_->faults.push_back({.fault = fault, .at_s = toSeconds(now - start_), .for_s = for_s});
+}
+
 bool FaultPlan::active(TouchpadFault fault, Instant now) const {
   const double t = toSeconds(now - start_);
+  const std::scoped_lock lock(shared_->mutex);
   return std::ranges::any_of(
-      faults_, [&](const TimedFault& f) { return f.fault == fault && t >= f.at_s && t - f.at_s < f.for_s; });
+      shared_->faults, [&](const TimedFault& f) { return f.fault == fault && t >= f.at_s && t - f.at_s < f.for_s; });
 }
 
 int FaultPlan::begun(TouchpadFault fault, Instant now) const {
   const double t = toSeconds(now - start_);
+  const std::scoped_lock lock(shared_->mutex);
   return static_cast<int>(
-      std::ranges::count_if(faults_, [&](const TimedFault& f) { return f.fault == fault && t >= f.at_s; }));
+      std::ranges::count_if(shared_->faults, [&](const TimedFault& f) { return f.fault == fault && t >= f.at_s; }));
 }
 
 }  // namespace fyd::sim

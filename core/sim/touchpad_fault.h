@@ -3,6 +3,8 @@
 
 #include <array>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <string_view>
 #include <vector>
 
@@ -12,13 +14,13 @@
 namespace fyd::sim {
 
 enum class TouchpadFault : std::uint8_t {
-  late_reply,     ///< answers come 250 ms late; without a duration one of them
-  silence,        ///< no answers
+  late_reply,     ///< answers and pictures come 250 ms late; without a duration one of them
+  silence,        ///< no answers, no pictures
   stuck_sensor,   ///< IR sensor 1 goes on saying what it last said
   brown_out,      ///< the supply breaks down (0.5 s without a duration): silence, then a restart with the motors off
   encoder_jump,   ///< encoder 1 counts 512 too many
   camera_freeze,  ///< the camera's stream goes on with the same picture
-  garbage,        ///< random bytes in place of answers
+  garbage,        ///< random bytes in place of answers and pictures
 };
 inline constexpr std::array<std::string_view, 7> kTouchpadFaultNames = {
     "late-reply", "silence", "stuck-sensor", "brown-out", "encoder-jump", "camera-freeze", "garbage"};
@@ -35,18 +37,27 @@ struct TimedFault {
 /// fault to the end.
 [[nodiscard]] Result<TimedFault> parseTimedFault(std::string_view text);
 
-/// Immutable: may be asked from any thread.
+/// Copies are one plan: a fault that is added to one of them happens to all. May be asked from any thread.
 class FaultPlan {
  public:
-  FaultPlan() = default;
-  FaultPlan(std::vector<TimedFault> faults, Instant start) : faults_(std::move(faults)), start_(start) {}
+  FaultPlan() : FaultPlan({}, {}) {}
+  FaultPlan(std::vector<TimedFault> faults, Instant start) : shared_(std::make_shared<Shared>()), start_(start) {
+    shared_->faults = std::move(faults);
+  }
+
+  /// Begins a fault that was not planned.
+  void add(TouchpadFault fault, Instant now, double for_s) const;
 
   [[nodiscard]] bool active(TouchpadFault fault, Instant now) const;
   /// How many faults of this kind have begun: for those that happen once.
   [[nodiscard]] int begun(TouchpadFault fault, Instant now) const;
 
  private:
-  std::vector<TimedFault> faults_;
+  struct Shared {
+    std::mutex mutex;
+    std::vector<TimedFault> faults;
+  };
+  std::shared_ptr<Shared> shared_;
   Instant start_{};
 };
 

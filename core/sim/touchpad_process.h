@@ -34,6 +34,8 @@ class TouchpadProcess {
 
   [[nodiscard]] const TouchpadElectronics& electronics() const { return *electronics_; }
   [[nodiscard]] TouchpadWorld& world() { return *world_; }
+  /// Begins a fault now.
+  void inject(TouchpadFault fault, double for_s) { electronics_->faults().add(fault, Clock::now(), for_s); }
   /// Where it listens, with the ports the system chose.
   [[nodiscard]] std::vector<std::string> addresses() const;
   [[nodiscard]] std::uint16_t modbusPort() const { return modbus_tcp_ ? modbus_tcp_->local().port : 0; }

@@ -9,6 +9,7 @@
 namespace fyd::station {
 namespace {
 
+constexpr Duration kSilence = std::chrono::milliseconds(900);  // the slowest video gives a picture a second
 constexpr Duration kRetry = std::chrono::milliseconds(500);
 
 void sleepUnlessStopped(const std::stop_token& stop, Duration time) {
@@ -23,7 +24,7 @@ CameraThread::CameraThread(const std::string& description, Opener opener, const 
                            const device::DeviceParameters& device)
     : opener_(std::move(opener)),
       detector_(parameters),
-      monitor_("Camera", description, PartMonitor::kSilence),
+      monitor_("Camera", description, kSilence),
       frozen_(fromSeconds(device.camera_freeze_ms / 1e3)),
       report_{.name = "Camera", .description = description},
       parameters_(parameters) {}
@@ -111,16 +112,16 @@ void CameraThread::fail(const std::string& problem) {
 
 // A picture equal to the last one says nothing of the present: it is not handed on, so that the finger's age grows.
 void CameraThread::process(device::CameraFrame frame) {
-  if (live_ && !frozen_.isNews(frame.picture, frame.taken)) {
-    {
-      const std::lock_guard lock(mutex_);
-      ++repeated_;
-    }
-    if (frozen_.frozen())
-      fail("the picture is frozen: the camera sends one and the same; unplug it and plug it in again");
+  const bool was_frozen = frozen_.frozen();
+  if (!live_ || frozen_.isNews(frame.picture, frame.taken)) {
+    detect(std::move(frame));
     return;
   }
-  detect(std::move(frame));
+  if (frozen_.frozen() && !was_frozen) {
+    fail("the picture is frozen: the camera sends one and the same; unplug it and plug it in again");
+  }
+  const std::lock_guard lock(mutex_);
+  ++repeated_;
 }
 
 void CameraThread::detect(device::CameraFrame frame) {

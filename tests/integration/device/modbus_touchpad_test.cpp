@@ -61,6 +61,49 @@ TEST(ModbusTouchpad, AnOutfitItDoesNotKnowIsNamed) {
   EXPECT_THAT(ask().error().message, HasSubstr("5 IR sensors"));
 }
 
+TEST(ModbusTouchpad, AnotherTouchpadInItsPlaceIsRefused) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice&, int n) { return n == 2 ? ScriptedModbusDevice::kClose : 0; });
+  Client ask(device);
+  ASSERT_TRUE(ask());
+  device.identity.setSerial("OTHER");
+  ASSERT_FALSE(ask());
+  EXPECT_THAT(ask().error().message, HasSubstr("another touchpad answers: 'OTHER', expected 'SCRIPTED'"));
+  device.identity.setSerial("SCRIPTED");
+  EXPECT_TRUE(ask());
+}
+
+TEST(ModbusTouchpad, TheConfiguredSerialNumberIsCheckedFromTheStart) {
+  ScriptedModbusDevice device(kGood);
+  ModbusTouchpad wrong(*parseModbusAddress(device.address() + ",serial=FYD-7"), quick());
+  EXPECT_THAT(wrong.exchange({}, Clock::now()).error().message, HasSubstr("expected 'FYD-7'"));
+  ModbusTouchpad right(*parseModbusAddress(device.address() + ",serial=SCRIPTED"), quick());
+  EXPECT_TRUE(right.exchange({}, Clock::now()));
+}
+
+TEST(ModbusTouchpad, TheDevicesClockMayWrapWithoutARestart) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
+    d.state.uptime_us = n == 1 ? 0xFFFFFF00U : 0x00000400U;
+    return 0;
+  });
+  Client ask(device);
+  ASSERT_TRUE(ask());
+  ASSERT_TRUE(ask());
+  EXPECT_EQ(ask.touchpad.counters().restarts, 0U);
+}
+
+TEST(ModbusTouchpad, ValuesOutOfTheirRangeAreRefused) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
+    d.state.ir[1] = n == 2 ? 4096 : 1000;
+    d.state.motors.encoder_counts[0] = n == 3 ? 4096 : 5;
+    return 0;
+  });
+  Client ask(device);
+  ASSERT_TRUE(ask());
+  EXPECT_FALSE(ask());
+  EXPECT_FALSE(ask());
+  EXPECT_TRUE(ask());
+}
+
 TEST(ModbusTouchpad, EveryExceptionIsNamedAndTheNextCycleGoesOn) {
   const std::vector<std::pair<int, std::string>> kExceptions = {{1, "exception 1"},     {2, "exception 2"},
                                                                 {3, "exception 3"},     {4, "exception 4"},

@@ -124,9 +124,11 @@ TEST_P(BothLines, ABrownOutIsComplainedOf) {
 }
 
 TEST_P(BothLines, AStuckSensorAndAJumpingEncoderShowWhatTheySay) {
-  Rig rig(GetParam(), {"stuck-sensor@0.1", "encoder-jump@0.1"});
+  Rig rig(GetParam());
   ASSERT_TRUE(rig.exchange());
   const int before = rig.touchpad->state().motors.encoder_counts[0];
+  rig.process->inject(TouchpadFault::stuck_sensor, 60.0);
+  rig.process->inject(TouchpadFault::encoder_jump, 60.0);
   rig.run(0.2);
   const std::uint16_t stuck = rig.touchpad->state().ir[0];
   const std::uint16_t count = rig.touchpad->state().ir_count;
@@ -211,17 +213,80 @@ TEST(TouchpadProcess, TheMotorBoardTakesTheMotorsAndTheSensorsStayOnModbus) {
       << "the sensors' source never switches its motors on";
 }
 
+/// The halves of a combined touchpad answer on their own threads: not at once.
+Result<device::TouchpadReadings> firstReadings(device::Touchpad& touchpad) {
+  Result<device::TouchpadReadings> readings = fail("none yet");
+  for (int i = 0; i < 5000 && !(readings && readings->ir.count > 0); ++i) {
+    readings = touchpad.exchange({}, Clock::now());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return readings;
+}
+
 TEST(TouchpadProcess, ASilentMotorBoardIsComplainedOfWhileTheSensorsGoOn) {
   TouchpadProcessOptions options;
   options.modbus_tcp = *protocol::parseEndpoint("127.0.0.1:0");
   const auto process = *TouchpadProcess::start(options);
   auto touchpad = *device::withMotors(*device::openTouchpad(process->addresses().front(), quick()),
                                       "qbmove:" + scratch("none"), quick());
-  const auto readings = touchpad->exchange({}, Clock::now());
+  const auto readings = firstReadings(*touchpad);
   ASSERT_TRUE(readings);
   EXPECT_EQ(readings->ir.value.size(), 3U);
   EXPECT_EQ(readings->motors.count, 0U);
   EXPECT_THAT(touchpad->complaint(), HasSubstr("plugged in"));
+}
+
+/// Samples of the distance sensors that arrive in `seconds`.
+std::uint64_t samplesIn(device::Touchpad& touchpad, double seconds) {
+  const std::uint64_t before = firstReadings(touchpad)->ir.count;
+  std::uint64_t count = before;
+  for (const Instant end = Clock::now() + fromSeconds(seconds); Clock::now() < end;) {
+    if (const auto readings = touchpad.exchange({}, Clock::now())) count = readings->ir.count;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return count - before;
+}
+
+TEST(TouchpadProcess, AMotorBoardThatIsSilentForItsLongestTimeOutDoesNotAgeTheSensors) {
+  TouchpadProcessOptions options;
+  options.modbus_tcp = *protocol::parseEndpoint("127.0.0.1:0");
+  const auto process = *TouchpadProcess::start(options);
+  const auto line = SerialEnd::open(scratch("mute"), 115'200);  // a port behind which nobody answers
+  ASSERT_TRUE(line);
+  device::DeviceParameters parameters = quick();
+  auto alone = *device::openTouchpad(process->addresses().front(), parameters);
+  const std::uint64_t healthy = samplesIn(*alone, 1.0);
+  alone.reset();  // one master at a time
+  parameters.qbmove_timeout_ms = 200.0;
+  auto touchpad = *device::withMotors(*device::openTouchpad(process->addresses().front(), parameters),
+                                      "qbmove:" + scratch("mute"), parameters);
+  const std::uint64_t beside_silence = samplesIn(*touchpad, 1.0);
+  RecordProperty("healthy", static_cast<int>(healthy));
+  RecordProperty("beside_silence", static_cast<int>(beside_silence));
+  EXPECT_GT(static_cast<double>(beside_silence), 0.6 * static_cast<double>(healthy));
+  EXPECT_THAT(touchpad->complaint(), HasSubstr("no answer to command"));
+}
+
+TEST(TouchpadProcess, AMotorBoardIsSwitchedOffWhenItsTouchpadGoes) {
+  TouchpadProcessOptions options;
+  options.modbus_tcp = *protocol::parseEndpoint("127.0.0.1:0");
+  options.qbmove = scratch("qbmove-off");
+  const auto process = *TouchpadProcess::start(options);
+  device::DeviceParameters parameters = quick();
+  parameters.qbmove_watchdog_ms = 5000.0;  // not what switches it off here
+  {
+    auto touchpad = *device::withMotors(*device::openTouchpad(process->addresses().front(), parameters),
+                                        "qbmove:" + options.qbmove, parameters);
+    for (int i = 0; i < 2000 && !process->electronics().figures().motors_on; ++i) {
+      (void)touchpad->exchange({.active = true}, Clock::now());
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_TRUE(process->electronics().figures().motors_on);
+  }
+  for (int i = 0; i < 500 && process->electronics().figures().motors_on; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_FALSE(process->electronics().figures().motors_on);
 }
 
 TEST(TouchpadProcess, ASerialPortBelongsToOneProgramAtATime) {

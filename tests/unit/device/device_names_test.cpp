@@ -82,6 +82,23 @@ TEST(SerialPort, ReasonsComeWithTheirRemedy) {
   EXPECT_THAT(SerialPort::open("/dev/null", 123'456).error().message, HasSubstr("123456 Bd is no speed"));
 }
 
+TEST(SerialPort, WithoutPermissionTheGroupAndTheRemedyAreNamed) {
+  const std::string path = fmt::format("{}fyd-forbidden-{}", testing::TempDir(), ::getpid());
+  std::ofstream(path).put('x');
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  const auto refused = [&path] {  // in a process of its own, which is nobody in particular
+    if (::geteuid() == 0 && ::setuid(65534) != 0) return false;
+    const auto port = SerialPort::open(path, 115'200);
+    ModbusLink link(*parseModbusAddress("modbus-rtu:" + path), std::chrono::milliseconds(50),
+                    std::chrono::milliseconds(5));
+    const auto opened = link.open();
+    return !port && port.error().message.find("usermod -aG") != std::string::npos && !opened &&
+           opened.error().message.find("no permission") != std::string::npos;
+  };
+  EXPECT_EXIT(::_exit(refused() ? 0 : 1), testing::ExitedWithCode(0), "");
+  std::filesystem::remove(path);
+}
+
 TEST(SerialPort, ASpeedThatWasSilentlyReplacedIsFoundOut) {
   const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
   ASSERT_GE(master, 0);
@@ -97,6 +114,60 @@ TEST(SerialPort, ASpeedThatWasSilentlyReplacedIsFoundOut) {
               HasSubstr("asked for 115200 Bd, the port runs at 9600"));
   ::close(slave);
   ::close(master);
+}
+
+TEST(ModbusAddress, MayNameTheAdapterAndTheTouchpad) {
+  const auto rtu = parseModbusAddress("modbus-rtu:id=A600CL0G:1000000,serial=FYD-0042");
+  ASSERT_TRUE(rtu);
+  EXPECT_EQ(rtu->port, "id=A600CL0G");
+  EXPECT_EQ(rtu->baud, 1'000'000);
+  EXPECT_EQ(rtu->serial, "FYD-0042");
+  EXPECT_EQ(parseModbusAddress("modbus-tcp:127.0.0.1:502,serial=7")->serial, "7");
+  EXPECT_THAT(parseModbusAddress("modbus-tcp:127.0.0.1:502,serial=").error().message, HasSubstr("1 to 16"));
+  EXPECT_FALSE(parseModbusAddress("modbus-tcp:127.0.0.1:502,serial=12345678901234567"));
+}
+
+class ById : public testing::Test {
+ protected:
+  ById() : folder_(std::filesystem::path(testing::TempDir()) / fmt::format("fyd-by-id-{}", ::getpid())) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~ById() override { std::filesystem::remove_all(folder_); }
+  void plugIn(const std::string& name) { std::filesystem::create_symlink("/dev/null", folder_ / name); }
+  std::string resolve(const std::string& text) {
+    const auto found = resolveDevice(text, folder_.string());
+    return found ? std::filesystem::path(*found).filename().string() : "error: " + found.error().message;
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(ById, FindsTheOneDeviceWithThatSerialNumber) {
+  plugIn("usb-FTDI_FT232R_USB_UART_A600CL0G-if00-port0");
+  plugIn("usb-FTDI_FT232R_USB_UART_A600CL0H-if00-port0");
+  EXPECT_EQ(resolve("id=A600CL0H"), "usb-FTDI_FT232R_USB_UART_A600CL0H-if00-port0");
+  EXPECT_EQ(resolve("id=usb-FTDI_FT232R_USB_UART_A600CL0G-if00-port0"), "usb-FTDI_FT232R_USB_UART_A600CL0G-if00-port0");
+  EXPECT_EQ(*resolveDevice("/dev/ttyUSB0", folder_.string()), "/dev/ttyUSB0");
+}
+
+TEST_F(ById, NoneAndSeveralAreNamed) {
+  EXPECT_THAT(resolve("id=7"), HasSubstr("holds nothing"));
+  plugIn("usb-Maker_Board_42-if00");
+  plugIn("usb-Maker_Board_42-if01");
+  plugIn("usb-Maker_Board_142-if00");
+  EXPECT_THAT(resolve("id=7"), HasSubstr("none is plugged in"));
+  EXPECT_THAT(resolve("id=7"), HasSubstr("usb-Maker_Board_142-if00"));
+  EXPECT_THAT(resolve("id=42"), HasSubstr("2 fit"));
+  EXPECT_EQ(resolve("id=42-if01"), "usb-Maker_Board_42-if01");
+  EXPECT_EQ(resolve("id=142"), "usb-Maker_Board_142-if00");
+  EXPECT_THAT(resolve("id="), HasSubstr("expected id=SERIAL"));
+  EXPECT_THAT(resolveDevice("id=7", "/there/is/none").error().message, HasSubstr("nothing"));
+}
+
+TEST_F(ById, ACamerasPicturesComeFromItsFirstNode) {
+  plugIn("usb-Maker_Cam_99-video-index0");
+  plugIn("usb-Maker_Cam_99-video-index1");
+  EXPECT_EQ(resolve("id=99"), "usb-Maker_Cam_99-video-index0");
+  EXPECT_EQ(resolve("id=99-video-index1"), "usb-Maker_Cam_99-video-index1");
 }
 
 TEST(DeviceList, StableNamesComeFirstAndOnlyOnce) {

@@ -1,0 +1,169 @@
+// The test buttons' runner, in virtual time: what lets a test begin, and everything that ends it.
+#include "core/station/device_test.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/control/motor_mixing.h"
+
+namespace fyd::station {
+namespace {
+
+using device::DeviceTest;
+using pipeline::Lack;
+using pipeline::OperatorAction;
+using pipeline::SafetyState;
+using testing::HasSubstr;
+
+constexpr Duration kStep = std::chrono::milliseconds(1);
+
+/// The haptic loop around the runner; the encoders follow what is commanded.
+struct Loop {
+  Loop() {
+    outputs.telemetry.state = SafetyState::ready;
+    step();
+  }
+  bool step() {
+    inputs.now += kStep;
+    if (encoders_answer) inputs.motors.set({.encoder_counts = counts}, inputs.now);
+    outputs.lacks.set(static_cast<std::size_t>(Lack::motors_stale), !encoders_answer);
+    if (held) runner.keep(inputs.now);
+    const auto command = runner.step(inputs, outputs, parameters);
+    inputs.commands.clear();
+    last = command;
+    if (command && follows) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double deg = command->reference_ticks[i] / control::kTicksPerDegree;
+        counts[i] = static_cast<std::uint16_t>(std::lround(deg * control::kEncoderCountsPerDegree) & 0xFFF);
+      }
+    }
+    return command.has_value();
+  }
+  int run(int steps) {
+    int moved = 0;
+    for (int i = 0; i < steps; ++i) moved += step() ? 1 : 0;
+    return moved;
+  }
+  Result<void> press(DeviceTest test = DeviceTest::motor_1) {
+    held = true;
+    return runner.start(test, inputs.now);
+  }
+  std::string words() const { return runner.status().words; }
+
+  DeviceTestRunner runner;
+  pipeline::Inputs inputs{.now = instantAt(10)};
+  pipeline::Outputs outputs;
+  control::ControlParameters parameters;
+  std::array<std::uint16_t, 2> counts = {300, 3800};
+  std::optional<control::MotorCommand> last;
+  bool held = false;
+  bool encoders_answer = true;
+  bool follows = true;
+};
+
+TEST(DeviceTestRunner, RunsOnceFromWhereTheMotorsStandAndEndsByItself) {
+  Loop loop;
+  ASSERT_TRUE(loop.press());
+  ASSERT_TRUE(loop.step());
+  EXPECT_NEAR(loop.last->reference_ticks[0] / control::kTicksPerDegree, 300 / control::kEncoderCountsPerDegree, 0.05);
+  EXPECT_TRUE(loop.last->active);
+  EXPECT_TRUE(loop.runner.status().running);
+  EXPECT_NEAR(loop.run(10'000), 4500, 3) << "then nothing more, although the button is still held";
+  EXPECT_EQ(loop.words(), "finished");
+  EXPECT_FALSE(loop.runner.status().running);
+  EXPECT_FALSE(loop.step());
+}
+
+TEST(DeviceTestRunner, EverySignOfTroubleEndsItAtOnceAndForGood) {
+  struct Trouble {
+    const char* words;
+    std::function<void(Loop&)> make;
+  };
+  const std::vector<Trouble> kTroubles = {
+      {"released", [](Loop& l) { l.runner.stop(); }},
+      {"stopped or armed", [](Loop& l) { (void)l.inputs.commands.push({.action = OperatorAction::stop}); }},
+      {"stopped or armed", [](Loop& l) { (void)l.inputs.commands.push({.action = OperatorAction::arm}); }},
+      {"state changed", [](Loop& l) { l.outputs.telemetry.state = SafetyState::connected; }},
+      {"state changed", [](Loop& l) { l.outputs.telemetry.state = SafetyState::stopped; }},
+      {"do not answer", [](Loop& l) { l.encoders_answer = false; }},
+      {"stood still", [](Loop& l) { l.inputs.now += std::chrono::milliseconds(25); }},
+      {"stood still", [](Loop& l) { l.inputs.now -= std::chrono::milliseconds(25); }},
+      {"not where it was sent",
+       [](Loop& l) {
+         l.follows = false;
+         l.counts[0] += 512;
+       }},
+      {"not where it was sent", [](Loop& l) { l.counts[1] = 5000; }},
+  };
+  for (const Trouble& trouble : kTroubles) {
+    Loop loop;
+    ASSERT_TRUE(loop.press());
+    ASSERT_EQ(loop.run(1000), 1000);
+    trouble.make(loop);
+    EXPECT_FALSE(loop.step()) << trouble.words;
+    EXPECT_THAT(loop.words(), HasSubstr(trouble.words));
+    loop.encoders_answer = true;
+    EXPECT_EQ(loop.run(1000), 0) << trouble.words << ": never again by itself";
+  }
+}
+
+TEST(DeviceTestRunner, AButtonThatIsNoLongerHeardOfEndsItWithinHalfASecond) {
+  Loop loop;
+  ASSERT_TRUE(loop.press());
+  ASSERT_EQ(loop.run(1000), 1000);
+  loop.held = false;
+  EXPECT_EQ(loop.run(2000), 500);
+  EXPECT_THAT(loop.words(), HasSubstr("released"));
+}
+
+TEST(DeviceTestRunner, IsRefusedWhileTheSessionHoldsTheMotors) {
+  for (const SafetyState state : {SafetyState::active, SafetyState::held, SafetyState::disconnected}) {
+    Loop loop;
+    loop.outputs.telemetry.state = state;
+    loop.step();
+    const auto refused = loop.press();
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("stop the session first"));
+    EXPECT_EQ(loop.run(100), 0);
+  }
+  Loop loop;
+  loop.encoders_answer = false;
+  loop.step();
+  EXPECT_THAT(loop.press().error().message, HasSubstr("do not answer"));
+}
+
+TEST(DeviceTestRunner, APressThatComesTooLateMovesNothing) {
+  Loop loop;
+  ASSERT_TRUE(loop.press());
+  loop.outputs.telemetry.state = SafetyState::active;  // armed between the press and the next step
+  loop.outputs.motors.active = true;
+  EXPECT_EQ(loop.run(10), 0);
+  EXPECT_THAT(loop.words(), HasSubstr("not free"));
+}
+
+TEST(DeviceTestRunner, BeforeTheFirstStepNothingMayMove) {
+  DeviceTestRunner runner;
+  EXPECT_FALSE(runner.start(DeviceTest::motor_1, instantAt(1)));
+  EXPECT_EQ(runner.status().words, "");
+}
+
+TEST(DeviceTestRunner, AMotorBeyondItsLimitIsNotMoved) {
+  Loop loop;
+  loop.parameters.motor_limit_deg = 20.0;
+  ASSERT_TRUE(loop.press());
+  EXPECT_EQ(loop.run(10), 0);
+  EXPECT_THAT(loop.words(), HasSubstr("motor_limit_deg"));
+}
+
+TEST(DeviceTestRunner, ASecondPressEndsTheFirstTest) {
+  Loop loop;
+  ASSERT_TRUE(loop.press(DeviceTest::motor_1));
+  loop.run(1500);
+  ASSERT_TRUE(loop.press(DeviceTest::motor_2));
+  EXPECT_FALSE(loop.step()) << "the motors are off in between";
+  EXPECT_TRUE(loop.step());
+  EXPECT_EQ(loop.runner.status().test, DeviceTest::motor_2);
+}
+
+}  // namespace
+}  // namespace fyd::station
