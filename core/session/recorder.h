@@ -1,11 +1,12 @@
 // The recorder's thread: keeps the last seconds at hand always, and writes them and what follows once asked.
 //
-//   haptic loop ─▶ ring of StepRecord ─▶ ┐                       ┌ pre-trigger (memory, 10 s)
-//   camera thread ─▶ queue of pictures ─▶├─ recorder's thread ─▶ ┤
-//   operator ─▶ notes ────────────────▶  ┘                       └ RecordingWriter (disk)
+//   haptic loop ─▶ ring of packed steps ─▶ ┐                       ┌ pre-trigger (memory, 10 s)
+//   camera thread ─▶ queue of pictures ──▶ ├─ recorder's thread ─▶ ┤
+//   operator ─▶ notes ───────────────────▶ ┘                       └ RecordingWriter (disk)
 //
 // A second Pipeline follows the recorded inputs on this thread; its state at the pre-trigger's first row goes into the
-// file, so that a replay can start in the middle of a session, and the haptic loop never pays for a snapshot.
+// file, so that a replay can start in the middle of a session, and the haptic loop never pays for a snapshot. It also
+// proves all the time that what is recorded gives what was felt: any difference is counted.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,8 @@
 
 #include "core/base/error.h"
 #include "core/pipeline/parameters.h"
+#include "core/session/packed_step.h"
 #include "core/session/recording_types.h"
-#include "core/session/step_record.h"
 #include "core/texture/virtual_texture.h"
 
 namespace fyd::session {
@@ -46,8 +47,14 @@ struct RecorderStatus {
   std::uint64_t bytes = 0;
   double bytes_per_s = 0.0;
   double minutes_left = pipeline::kNone;  ///< until the disk is full at this rate
+  std::uint64_t samples = 0;              ///< steps written, with those from before the start
   std::uint64_t lost = 0;                 ///< steps the ring could not take: an error, shown as such
+  std::uint64_t pictures = 0;
+  std::uint64_t pictures_lost = 0;
+  std::uint64_t differences = 0;  ///< steps that the second Pipeline gave otherwise; anything but 0 is a fault of
+                                  ///< this program: the recording cannot be replayed
   double commit_p99_ms = pipeline::kNone;
+  double processor_percent = 0.0;  ///< of one core, the recorder's thread, since the recording (or the thread) began
 };
 
 /// Words and texts of the station a recording needs; asked once when it starts.
@@ -56,12 +63,19 @@ struct StationDescription {
   std::string surface;  ///< TOML
 };
 
+/// What the recorder asks of the station.
+struct StationSource {
+  /// The whole profile as TOML, with these parameters of the step; asked on the recorder's thread while `begin`
+  /// waits for it.
+  std::function<std::string(const pipeline::Parameters&)> profile;
+  /// Once a second while recording, on the recorder's thread; nothing: no link.
+  std::function<std::optional<LinkRow>()> link;
+};
+
 class Recorder {
  public:
-  /// @param profile the whole profile as TOML, asked from the recorder's thread when a recording starts
   Recorder(const RecorderOptions& options, const pipeline::Parameters& step,
-           const std::optional<texture::SurfaceModel>& surface, StationDescription description,
-           std::function<std::string()> profile);
+           const std::optional<texture::SurfaceModel>& surface, StationDescription description, StationSource source);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder();  ///< closes the recording
@@ -70,18 +84,18 @@ class Recorder {
   void shutDown();  ///< after the haptic loop: closes the recording, joins
 
   /// From the haptic loop only: never waits nor allocates; a full ring is counted.
-  void push(const StepRecord& record) noexcept;
+  void push(const StepView& step) noexcept;
   /// From the camera thread.
   void offerPicture(const cv::Mat& picture, const cv::Rect& region, const sensing::FingerDetection& finger,
                     Instant taken, std::uint64_t number);
 
   // From the operator's thread:
-  /// @return an error at once when the file cannot be made; then nothing is recorded
+  /// @return an error at once when the file cannot be made or one is being recorded; then nothing changes
   [[nodiscard]] Result<void> begin(const RecordingRequest& request);
   /// Closes the file. @return its error, if any
   [[nodiscard]] Result<void> end();
+  /// Dropped while nothing is recorded.
   void note(NoteKind kind, const std::string& text);
-  void link(const LinkRow& row);
   [[nodiscard]] RecorderStatus status() const;
 
  private:
