@@ -1,0 +1,55 @@
+#include "core/session/recorded_camera.h"
+
+#include <thread>
+
+namespace fyd::session {
+namespace {
+
+constexpr Duration kLongestWait = std::chrono::seconds(1);  // a camera's `next` returns about once a second
+
+}  // namespace
+
+RecordedCamera::RecordedCamera(std::string path, std::unique_ptr<Recording> recording,
+                               std::shared_ptr<PlaybackStart> start)
+    : path_(std::move(path)), recording_(std::move(recording)), start_(std::move(start)) {}
+
+Result<std::unique_ptr<device::Camera>> RecordedCamera::open(const std::string& path,
+                                                             std::shared_ptr<PlaybackStart> start) {
+  auto recording = Recording::open(path);
+  if (!recording) return tl::unexpected(recording.error());
+  if ((*recording)->info().frames == 0) return fail("{}: the recording holds no picture", path);
+  return std::unique_ptr<device::Camera>(new RecordedCamera(path, std::move(*recording), std::move(start)));
+}
+
+std::string RecordedCamera::description() const {
+  return fmt::format("recording {}, {} pictures, played once", path_, recording_->info().frames);
+}
+
+Result<device::CameraFrame> RecordedCamera::next() {
+  const Instant start = start_->at(Clock::now());
+  if (next_ >= recording_->info().frames) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return fail("{}: the recording has ended", path_);
+  }
+  auto picture = recording_->picture(next_);
+  if (!picture) {
+    ++next_;
+    return tl::unexpected(picture.error());
+  }
+  const Instant due = start + fromSeconds(picture->time_s);
+  if (due - Clock::now() > kLongestWait) {
+    std::this_thread::sleep_for(kLongestWait);
+    return fail("{}: the recording shows no picture for another {:.1f} s", path_, toSeconds(due - Clock::now()));
+  }
+  std::this_thread::sleep_until(due);
+  ++next_;
+  if (picture->whole.empty()) return fail("{}: picture {} was not kept", path_, picture->number);
+  device::CameraFrame frame{.picture = picture->whole, .taken = due, .number = picture->number};
+  const cv::Rect inside = picture->region_px & cv::Rect(0, 0, frame.picture.cols, frame.picture.rows);
+  const bool fits = inside == picture->region_px && picture->region.size() == inside.size() &&
+                    picture->region.type() == frame.picture.type();
+  if (fits && !picture->region.empty()) picture->region.copyTo(frame.picture(inside));
+  return frame;
+}
+
+}  // namespace fyd::session

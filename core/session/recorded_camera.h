@@ -1,0 +1,30 @@
+// A recording as a camera: its pictures come again at their own pace, the region of interest exactly as it was.
+#pragma once
+
+#include "core/device/camera.h"
+#include "core/session/recorded_device.h"
+#include "core/session/recording.h"
+
+namespace fyd::session {
+
+class RecordedCamera final : public device::Camera {
+ public:
+  /// @return an error when the file is no recording or holds no picture
+  [[nodiscard]] static Result<std::unique_ptr<device::Camera>> open(const std::string& path,
+                                                                    std::shared_ptr<PlaybackStart> start);
+
+  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] std::string kind() const override { return "recording"; }
+  /// @return an error once the recording has ended
+  [[nodiscard]] Result<device::CameraFrame> next() override;
+
+ private:
+  RecordedCamera(std::string path, std::unique_ptr<Recording> recording, std::shared_ptr<PlaybackStart> start);
+
+  std::string path_;
+  std::unique_ptr<Recording> recording_;
+  std::shared_ptr<PlaybackStart> start_;
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace fyd::session

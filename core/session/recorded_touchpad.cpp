@@ -1,0 +1,58 @@
+#include "core/session/recorded_touchpad.h"
+
+namespace fyd::session {
+namespace {
+
+template <class T>
+void move(Timed<T>& value, Duration by) {
+  if (value.count > 0) value.taken += by;
+}
+
+}  // namespace
+
+RecordedTouchpad::RecordedTouchpad(std::string path, std::unique_ptr<Recording> recording,
+                                   std::shared_ptr<PlaybackStart> start)
+    : path_(std::move(path)), recording_(std::move(recording)), start_(std::move(start)) {}
+
+Result<std::unique_ptr<device::Touchpad>> RecordedTouchpad::open(const std::string& path,
+                                                                 std::shared_ptr<PlaybackStart> start) {
+  auto recording = Recording::open(path);
+  if (!recording) return tl::unexpected(recording.error());
+  if ((*recording)->info().committed_samples == 0) return fail("{}: the recording holds no step", path);
+  std::unique_ptr<RecordedTouchpad> touchpad(new RecordedTouchpad(path, std::move(*recording), std::move(start)));
+  if (auto read = touchpad->read(0); !read) return tl::unexpected(read.error());
+  return touchpad;
+}
+
+std::string RecordedTouchpad::description() const {
+  return fmt::format("recording {}, {:.1f} s, played once; motors are not driven", path_,
+                     recording_->info().duration_s);
+}
+
+Result<void> RecordedTouchpad::read(std::uint64_t row) {
+  auto record = recording_->step(row);
+  if (!record) return tl::unexpected(record.error());
+  next_row_ = row;
+  next_ = *record;
+  return {};
+}
+
+Result<device::TouchpadReadings> RecordedTouchpad::exchange(const control::MotorCommand& /*command*/, Instant now) {
+  const RecordingInfo& info = recording_->info();
+  const Duration shift = start_->at(now) - info.header.started;
+  while (next_row_ < info.committed_samples && next_.inputs.now + shift <= now) {
+    readings_ = {.ir = next_.inputs.ir, .bridge = next_.inputs.bridge, .motors = next_.inputs.motors};
+    move(readings_.ir, shift);
+    move(readings_.bridge, shift);
+    move(readings_.motors, shift);
+    if (next_row_ + 1 == info.committed_samples) {
+      ++next_row_;
+    } else if (auto row = read(next_row_ + 1); !row) {
+      return tl::unexpected(row.error());
+    }
+  }
+  if (next_row_ == info.committed_samples) return fail("{}: the recording has ended", path_);
+  return readings_;
+}
+
+}  // namespace fyd::session

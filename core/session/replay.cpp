@@ -1,0 +1,187 @@
+#include "core/session/replay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/pipeline/pipeline.h"
+#include "core/session/recorded_profile.h"
+#include "core/session/replay_plant.h"
+#include "core/session/step_compare.h"
+
+namespace fyd::session {
+namespace {
+
+/// What --set asks for, against the recorded parameters.
+struct Wanted {
+  pipeline::Parameters parameters;
+  std::vector<pipeline::ParameterChange> changes;  // live ones: they go in with the first step
+  std::vector<std::uint16_t> indices;              // what the recording changed of these is not followed
+  bool from_rest = false;
+};
+
+Result<Wanted> wantedOf(const pipeline::Parameters& recorded, const std::vector<std::string>& settings) {
+  Wanted out{.parameters = recorded};
+  const std::vector<Parameter> bound = bindParameters(out.parameters);
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) return fail("'{}': expected id=value", setting);
+    const std::string id = setting.substr(0, equals);
+    const Parameter* parameter = findParameter(bound, id);
+    if (parameter == nullptr) return fail("unknown parameter '{}'; a replay changes the step's only", id);
+    if (auto set = assignParameter(*parameter, setting.substr(equals + 1)); !set) return tl::unexpected(set.error());
+    const auto index = static_cast<std::uint16_t>(parameter - bound.data());
+    out.indices.push_back(index);
+    if (parameter->info.live && parameter->kind != ParameterKind::list) {
+      out.changes.push_back({.index = index, .value = parameter->value()});
+    } else {
+      out.from_rest = true;
+    }
+  }
+  if (auto checked = control::checkControlParameters(out.parameters.control); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  return out;
+}
+
+/// RMS of the measured stiffness' distance from its target, while it is observable.
+struct StiffnessError {
+  double squares = 0.0;
+  std::uint64_t count = 0;
+  void add(const pipeline::TelemetrySample& sample) {
+    const double error = sample.stiffness_N_per_mm / sample.target_N_per_mm - 1.0;
+    if (!sample.stiffness_observable || sample.state != pipeline::SafetyState::active || !std::isfinite(error)) return;
+    squares += error * error;
+    ++count;
+  }
+  [[nodiscard]] double percent() const {
+    return count == 0 ? pipeline::kNone : 100.0 * std::sqrt(squares / static_cast<double>(count));
+  }
+};
+
+class Run {
+ public:
+  Run(const Recording& recording, const Wanted& wanted, const std::optional<texture::SurfaceModel>& surface,
+      const ReplayObserver& observer)
+      : recording_(recording), wanted_(wanted), pipeline_(wanted.parameters, surface), observer_(observer) {}
+
+  Result<void> restore(const std::string& state) { return pipeline_.restoreState(state); }
+  void closeLoop(const control::IdentifiedFabric& fabric, const control::ControlParameters& recorded) {
+    plant_.emplace(fabric, recorded);
+  }
+
+  Result<void> all(ReplayResult& out) {
+    const std::uint64_t rows = recording_.info().committed_samples;
+    Instant before{};
+    for (std::uint64_t row = 0; row < rows; ++row) {
+      auto record = recording_.step(row);
+      if (!record) return tl::unexpected(record.error());
+      if (row > 0 && record->telemetry.step != last_step_ + 1) break;
+      const double elapsed_s = row == 0 ? 0.0 : std::clamp(toSeconds(record->inputs.now - before), 0.0, 0.02);
+      before = record->inputs.now;
+      last_step_ = record->telemetry.step;
+      step(*record, row == 0, elapsed_s, out);
+      out.duration_s = secondsInto(recording_.info(), record->inputs.now);
+    }
+    out.stiffness_error_recorded_percent = recorded_error_.percent();
+    out.stiffness_error_replayed_percent = replayed_error_.percent();
+    return {};
+  }
+
+ private:
+  void step(const StepRecord& record, bool first, double elapsed_s, ReplayResult& out) {
+    inputs_ = record.inputs;
+    if (first || !wanted_.indices.empty()) change(record, first);
+    if (plant_) plant_->answer(inputs_, pipeline_.parameters());
+    const pipeline::Outputs& outputs = pipeline_.step(inputs_);
+    if (plant_) plant_->follow(record.motors, outputs.motors, elapsed_s);
+    ++out.samples;
+    recorded_error_.add(record.telemetry);
+    replayed_error_.add(outputs.telemetry);
+    if (!sameStep(record.telemetry, record.motors, outputs.telemetry, outputs.motors)) note(record, outputs, out);
+    state_ = outputs.telemetry.state;
+    if (observer_) observer_(outputs.telemetry, record.telemetry);
+  }
+
+  void change(const StepRecord& record, bool first) {
+    inputs_.changes.clear();
+    for (std::size_t i = 0; first && i < wanted_.changes.size(); ++i) (void)inputs_.changes.push(wanted_.changes[i]);
+    for (const pipeline::ParameterChange& change : record.inputs.changes) {
+      if (std::find(wanted_.indices.begin(), wanted_.indices.end(), change.index) != wanted_.indices.end()) continue;
+      (void)inputs_.changes.push(change);
+    }
+    if (!wanted_.from_rest) return;
+    // Nobody moves here: what the operator had done before the first row is done again.
+    if (first && inputs_.robot.phase == pipeline::LinkPhase::none) {
+      (void)inputs_.commands.push(
+          {.action = pipeline::OperatorAction::target_by_hand, .value = wanted_.parameters.step.hand_target_N_per_mm});
+    }
+    if (record.telemetry.state == pipeline::SafetyState::active && state_ == pipeline::SafetyState::ready) {
+      (void)inputs_.commands.push({.action = pipeline::OperatorAction::arm});
+    }
+  }
+
+  void note(const StepRecord& record, const pipeline::Outputs& outputs, ReplayResult& out) const {
+    const auto difference = compareSteps(record.telemetry, record.motors, outputs.telemetry, outputs.motors);
+    if (!difference) return;
+    if (out.different++ == 0) {
+      out.first_difference_s = secondsInto(recording_.info(), record.inputs.now);
+      out.first_difference_field = difference->field;
+    }
+    if (out.max_difference_field.empty() || difference->absolute > out.max_abs_difference) {
+      out.max_abs_difference = difference->absolute;
+      out.max_difference_field = difference->field;
+    }
+  }
+
+  const Recording& recording_;
+  const Wanted& wanted_;
+  pipeline::Pipeline pipeline_;
+  const ReplayObserver& observer_;
+  std::optional<ReplayPlant> plant_;
+  pipeline::Inputs inputs_;
+  pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
+  std::uint64_t last_step_ = 0;
+  StiffnessError recorded_error_;
+  StiffnessError replayed_error_;
+};
+
+}  // namespace
+
+Result<ReplayResult> replay(const Recording& recording, const ReplayOptions& options, const ReplayObserver& observer) {
+  const RecordingInfo& info = recording.info();
+  if (info.committed_samples == 0) return fail("the recording holds no step");
+  const auto recorded = recordedParameters(info.header);
+  if (!recorded) return tl::unexpected(recorded.error());
+  const auto surface = recordedSurface(info.header);
+  if (!surface) return tl::unexpected(surface.error());
+  const auto wanted = wantedOf(*recorded, options.settings);
+  if (!wanted) return tl::unexpected(wanted.error());
+
+  ReplayResult out{.what_if = !options.settings.empty(),
+                   .closed_loop = options.closed_loop,
+                   .from_rest = wanted->from_rest,
+                   .of = info.committed_samples,
+                   .gaps = info.gaps};
+  Run run(recording, *wanted, *surface, observer);
+  if (!wanted->from_rest) {
+    if (info.header.step_state.empty()) {
+      return fail(
+          "the recording holds no state of the step to start from: steps had been lost before it began; it can be "
+          "looked at, not replayed");
+    }
+    if (auto restored = run.restore(info.header.step_state); !restored) return tl::unexpected(restored.error());
+  }
+  if (options.closed_loop) {
+    const auto fabric = identifyRecordedFabric(recording, recorded->control);
+    if (!fabric) return tl::unexpected(fabric.error());
+    out.fabric = *fabric;
+    run.closeLoop(*fabric, recorded->control);
+  }
+  const Instant start = Clock::now();
+  if (auto ran = run.all(out); !ran) return tl::unexpected(ran.error());
+  out.speed_x = out.duration_s / std::max(1e-9, toSeconds(Clock::now() - start));
+  out.identical = out.different == 0 && out.samples == out.of;
+  return out;
+}
+
+}  // namespace fyd::session
