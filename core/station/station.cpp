@@ -6,6 +6,8 @@
 
 #include "core/device/camera_source.h"
 #include "core/device/touchpad_source.h"
+#include "core/session/recorded_camera.h"
+#include "core/session/recorded_touchpad.h"
 #include "core/sim/simulated_camera.h"
 #include "core/sim/simulated_touchpad.h"
 #include "core/station/notice.h"
@@ -33,33 +35,51 @@ Result<sim::FingerPath> readFinger(const std::string& path) {
 }
 
 Result<std::unique_ptr<device::Touchpad>> makeTouchpad(const StationOptions& options,
-                                                       const std::shared_ptr<sim::TouchpadWorld>& world) {
+                                                       const std::shared_ptr<sim::TouchpadWorld>& world,
+                                                       const std::shared_ptr<session::PlaybackStart>& playback) {
   if (world)
     return device::withMotors(std::make_unique<sim::SimulatedTouchpad>(world), options.motors, options.profile.device);
   if (options.camera.empty()) return fail("camera: none given; only the simulated touchpad has a simulated camera");
   if (!options.finger_csv.empty()) {
     return fail("finger '{}': only the simulated touchpad has a simulated finger", options.finger_csv);
   }
+  if (const auto recording = session::recordingOf(options.touchpad)) {
+    if (options.motors.empty()) return session::RecordedTouchpad::open(*recording, playback);
+    return fail("motors '{}': a recording drives no motors", options.motors);
+  }
   auto touchpad = device::openTouchpad(options.touchpad, options.profile.device);
   if (!touchpad) return touchpad;
   return device::withMotors(std::move(*touchpad), options.motors, options.profile.device);
+}
+
+session::StationDescription describeForRecording(const StationOptions& options,
+                                                 const std::optional<texture::SurfaceModel>& surface) {
+  return {.touchpad = options.touchpad + (options.motors.empty() ? "" : " with " + options.motors),
+          .camera = options.camera.empty() ? std::string(kSimulated) : options.camera,
+          .robot = options.robot,
+          .surface = surface ? texture::formatSurface(*surface) : std::string{}};
 }
 
 }  // namespace
 
 Station::Impl::Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
                     std::shared_ptr<sim::TouchpadWorld> simulated_world,
-                    std::unique_ptr<device::Touchpad> opened_touchpad)
+                    std::unique_ptr<device::Touchpad> opened_touchpad,
+                    const std::shared_ptr<session::PlaybackStart>& playback)
     : profile(options.profile),
       bound(bindParameters(profile)),
       pipeline(options.profile.step, surface),
+      recorder({}, options.profile.step, surface, describeForRecording(options, surface), recorderSource()),
       world(std::move(simulated_world)),
       touchpad(std::move(opened_touchpad), options.profile.device),
       camera(
           options.camera.empty() ? "simulated camera" : options.camera,
-          [source = options.camera, shared = world,
-           device = options.profile.device]() -> Result<std::unique_ptr<device::Camera>> {
+          [source = options.camera, shared = world, device = options.profile.device,
+           playback]() -> Result<std::unique_ptr<device::Camera>> {
             if (source.empty()) return std::make_unique<sim::SimulatedCamera>(shared);
+            if (const auto recording = session::recordingOf(source)) {
+              return session::RecordedCamera::open(*recording, playback);
+            }
             return device::openCamera(source, device);
           },
           options.profile.step.sensing.finger, options.profile.device),
@@ -71,7 +91,9 @@ Station::Station(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Station::~Station() { shutDown(); }
 
-Result<std::unique_ptr<Station>> Station::open(const StationOptions& options) {
+Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
+  StationOptions options = asked;
+  if (options.camera.empty() && session::recordingOf(options.touchpad)) options.camera = options.touchpad;
   cv::setNumThreads(1);  // replay must not depend on how many cores there are
   auto surface = readSurface(options.surface);
   if (!surface) return tl::unexpected(surface.error());
@@ -86,10 +108,11 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& options) {
   if (options.touchpad == kSimulated) {
     world = std::make_shared<sim::TouchpadWorld>(options.profile.sim, std::move(*finger), Clock::now());
   }
-  auto touchpad = makeTouchpad(options, world);
+  const auto playback = std::make_shared<session::PlaybackStart>();
+  auto touchpad = makeTouchpad(options, world, playback);
   if (!touchpad) return tl::unexpected(touchpad.error());
 
-  auto impl = std::make_unique<Impl>(options, *surface, std::move(world), std::move(*touchpad));
+  auto impl = std::make_unique<Impl>(options, *surface, std::move(world), std::move(*touchpad), playback);
   if (choice->listen) {
     auto link = LinkThread::open(*choice->listen, options.profile.link, choice->key);
     if (!link) return tl::unexpected(link.error());
@@ -102,6 +125,10 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& options) {
     auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim);
     if (!robot) return tl::unexpected(robot.error());
     impl->robot = std::move(*robot);
+  }
+  impl->recorder.start();
+  if (options.record) {
+    if (auto begun = impl->recorder.begin(*options.record); !begun) return tl::unexpected(begun.error());
   }
   return std::unique_ptr<Station>(new Station(std::move(impl)));
 }
@@ -125,6 +152,7 @@ void Station::shutDown() {
   impl_->touchpad.shutDown();
   impl_->camera.shutDown();
   if (impl_->link) impl_->link->shutDown();
+  impl_->recorder.shutDown();
 }
 
 bool Station::command(const pipeline::OperatorCommand& command) { return impl_->commands.push(command); }

@@ -31,9 +31,11 @@ namespace fyd::station {
 struct StationOptions {
   Profile profile;
   std::string finger_csv;              ///< recording the simulated finger follows; empty: the built-in gesture
-  std::string touchpad = "simulated";  ///< "simulated", "modbus-tcp:HOST:PORT" or "modbus-rtu:TTY[:BAUD]"
+  std::string touchpad = "simulated";  ///< "simulated", "modbus-tcp:HOST:PORT", "modbus-rtu:TTY[:BAUD]" or
+                                       ///< "recording:FILE": its readings again, motors not driven
   std::string motors;                  ///< "qbmove:TTY" in place of the touchpad's own motors; empty: its own
-  std::string camera;                  ///< device index, file, folder, URL; empty: simulated
+  std::string camera;                  ///< device index, file, folder, URL, "recording:FILE"; empty: simulated, or the
+                                       ///< recording's own
   std::string robot = "simulated";     ///< "simulated", "none", "link:HOST:PORT" or "classic:HOST:PORT" (listens there)
   std::string key_file;                ///< of FYD Link; "link:" needs one, the others take none
   std::string surface;                 ///< file of a stored surface, felt while robot is "none"; empty: none

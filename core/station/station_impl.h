@@ -7,6 +7,7 @@
 #include "core/base/latest_value.h"
 #include "core/base/ring.h"
 #include "core/pipeline/pipeline.h"
+#include "core/session/recorded_device.h"
 #include "core/sim/touchpad_world.h"
 #include "core/station/camera_thread.h"
 #include "core/station/haptic_loop.h"
@@ -39,7 +40,8 @@ struct ErrorSum {
 
 struct Station::Impl {
   Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
-       std::shared_ptr<sim::TouchpadWorld> simulated_world, std::unique_ptr<device::Touchpad> opened_touchpad);
+       std::shared_ptr<sim::TouchpadWorld> simulated_world, std::unique_ptr<device::Touchpad> opened_touchpad,
+       const std::shared_ptr<session::PlaybackStart>& playback);
 
   void cycle(Instant now, std::uint64_t missed_cycles);
   void takeLink();
@@ -47,6 +49,8 @@ struct Station::Impl {
   void fitInputDelay();
   void onPicture(const CameraView& view);
   void compareWithTruth(const pipeline::TelemetrySample& sample);
+  /// What the recorder asks for while the operator's thread waits for it, and of the link once a second.
+  [[nodiscard]] session::StationSource recorderSource();
 
   // the operator's thread
   Profile profile;  // with every change asked for
@@ -60,6 +64,7 @@ struct Station::Impl {
   HapticLoop loop;
   StepTimes step_times;
   DeviceTestRunner device_test;
+  session::Recorder recorder;
   std::jthread loop_thread;
 
   // parts

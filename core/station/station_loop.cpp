@@ -73,10 +73,12 @@ void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
     tare.write(outputs.tare);
     tares.fetch_add(1, std::memory_order_release);
   }
+  recorder.push({.inputs = inputs, .outputs = outputs});
   lacks.store(static_cast<std::uint32_t>(outputs.lacks.to_ulong()), std::memory_order_relaxed);
 }
 
 void Station::Impl::onPicture(const CameraView& view) {
+  recorder.offerPicture(view.picture, view.region, view.finger, view.taken, view.number);
   if (link && link->wantsImages()) {
     std::vector<std::uint8_t> encoded;
     cv::imencode(".jpg", view.picture, encoded);
