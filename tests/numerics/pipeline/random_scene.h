@@ -43,8 +43,8 @@ class RandomScene {
 
   /// A new situation for a while.
   void begin() {
-    left_ = 100 + below(900);
     touching_ = chance(0.7);
+    left_ = 100 + below(touching_ ? 900 : 2500);  // a tare takes a second
     depth_goal_mm_ = uniform(1, 12);
     pace_x_ = normal(40.0);
     pace_y_ = normal(30.0);
@@ -154,7 +154,7 @@ class RandomScene {
     };
     if (chance(0.01)) order(OperatorAction::arm);
     if (chance(2e-4)) order(OperatorAction::stop);
-    if (chance(1e-3) || (!touching_ && chance(2e-3))) order(OperatorAction::tare);
+    if (chance(1e-4) || (!touching_ && chance(1e-3))) order(OperatorAction::tare);
     if (chance(1e-3)) order(OperatorAction::target_by_hand, uniform(0.3, 1.0));
     if (chance(1e-3)) order(OperatorAction::target_from_robot);
     if (!chance(3e-3)) return;

@@ -62,7 +62,11 @@ std::string resealed(std::string_view seal, std::string_view content) {
   return state.append(content);
 }
 
-class RestoredState : public ::testing::TestWithParam<unsigned> {};
+class RestoredState : public ::testing::TestWithParam<unsigned> {
+ protected:
+  static void TearDownTestSuite() { EXPECT_GE(tares_done_, 8) << "the scenes no longer hold what they should"; }
+  static inline int tares_done_ = 0;
+};
 INSTANTIATE_TEST_SUITE_P(Seeds, RestoredState, ::testing::Range(1U, 13U));
 
 TEST_P(RestoredState, ContinuesBitForBitFromAnyStep) {
@@ -71,6 +75,7 @@ TEST_P(RestoredState, ContinuesBitForBitFromAnyStep) {
   Parameters parameters;
   if (seed % 4 == 0) parameters.step.absolute_motion = true;
   if (seed % 5 == 0) parameters.sensing.indentation.mode = sensing::IndentationMode::thesis;
+  if (seed % 4 == 1) parameters.control.mode = control::ControlMode::thesis;
   std::mt19937 random(seed);
   RandomScene scene(seed);
   Pipeline original(parameters, surface);
@@ -93,6 +98,7 @@ TEST_P(RestoredState, ContinuesBitForBitFromAnyStep) {
     const Outputs& expected = original.step(inputs);
     motors = expected.motors;
     states.insert(expected.telemetry.state);
+    for (const Event& event : expected.events) tares_done_ += event.kind == EventKind::tare_done ? 1 : 0;
     const Outputs& given = restored->step(inputs);
     ASSERT_EQ(bitsOf(given), bitsOf(expected)) << "at step " << step << ", restore " << restores;
   }
@@ -112,7 +118,7 @@ struct Advanced {
   control::MotorCommand motors;
 };
 
-TEST(RestoredState, TheParametersOfThatMomentComeToo) {
+TEST(RestoredParameters, OfThatMomentComeToo) {
   const Advanced advanced(2, 20'000);
   Pipeline restored(Parameters{}, surfaceOf(2));
   ASSERT_TRUE(restored.restoreState(advanced.pipeline->saveState()));
