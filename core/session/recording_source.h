@@ -1,9 +1,10 @@
 // The file under a recording that is being read.
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include "core/session/recording_hdf5.h"
+#include "core/session/recording_storage.h"
 
 namespace fyd::session {
 
@@ -16,15 +17,18 @@ class RecordingSource {
   explicit RecordingSource(const std::string& path);
   RecordingSource(const RecordingSource&) = delete;
   RecordingSource& operator=(const RecordingSource&) = delete;
-  ~RecordingSource() { close(); }
-  void close();
 
   [[nodiscard]] hid_t file() const { return file_.id(); }
+  void close() { file_.reset(); }
   [[nodiscard]] bool recorderLives() const;
   [[nodiscard]] std::uint64_t bytes() const;
+  /// Opened while a recorder lived: what that recorder may leave in the journal is not seen.
+  [[nodiscard]] bool openedGrowing() const { return growing_; }
 
  private:
-  int descriptor_ = -1;
+  Descriptor descriptor_;
+  bool growing_;
+  std::unique_ptr<JournaledFile> disk_;
   Handle file_;
 };
 

@@ -1,47 +1,75 @@
 #include "core/session/recording_storage.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
 
+#include "core/session/recording_driver.h"
 #include "core/session/recording_place.h"
 
 namespace fyd::session {
+namespace {
 
-RecordingStorage::RecordingStorage(const std::string& partial) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
-  check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "access");
-  check(H5Pset_file_locking(access.id(), false, true), "access");
-  file_ = Handle(H5Fcreate(partial.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, access.id()), H5Fclose, "the file");
-  descriptor_ = ::open(partial.c_str(), O_RDWR | O_CLOEXEC);
-  if (descriptor_ < 0) failHard("{}", std::generic_category().message(errno));
-  if (!lockAsRecorder(descriptor_)) failHard("its lock cannot be had: {}", std::generic_category().message(errno));
+std::string words(int error) { return std::generic_category().message(error); }
+
+int opened(const std::string& path, int flags) {
+  const int descriptor = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC, 0644);
+  if (descriptor < 0) failHard("{}", words(errno));
+  if (lockAsRecorder(descriptor)) return descriptor;
+  const int error = errno;
+  ::close(descriptor);
+  failHard("its lock cannot be had, it may be recorded at this moment: {}", words(error));
+}
+
+void expectDone(int error) {
+  if (error == EFBIG) failHard("the disk: one commit changes more than the journal holds");
+  if (error != 0) failHard("the disk: {}", words(error));
+}
+
+}  // namespace
+
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
+RecordingStorage::RecordingStorage(const std::string& partial, std::shared_ptr<DiskCalls> calls)
+    : descriptor_(opened(partial, O_CREAT | O_EXCL)),
+      disk_(
+          std::make_unique<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, false, std::move(calls))) {
+  const Handle access = accessThrough(*disk_);
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "the file");
+  check(H5Pset_userblock(creation.id(), kJournalBytes), "the file");
+  file_ = Handle(H5Fcreate(partial.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, "the file");
+}
+
+RecordingStorage::RecordingStorage(const std::string& left_behind)
+    : descriptor_(opened(left_behind, 0)),
+      disk_(std::make_unique<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, true)) {
+  expectDone(disk_->commit());  // what the journal holds goes to its places first
+  const Handle access = accessThrough(*disk_, true);
+  const hbool_t clear = true;  // the gone recorder's mark, as HDF5's own tool h5clear does it
+  check(H5Pset(access.id(), "clear_status_flags", &clear), "the file");
+  file_ = Handle(H5Fopen(left_behind.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, "the file");
 }
 
 RecordingStorage::~RecordingStorage() {
+  disk_->abandon();
   file_.reset();
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 void RecordingStorage::startSwmr() { check(H5Fstart_swmr_write(file_.id()), "shared reading"); }
 
 void RecordingStorage::commit() {
   check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "the file");
-  if (::fdatasync(descriptor_) != 0) failHard("the disk: {}", std::generic_category().message(errno));
+  expectDone(disk_->commit());
 }
 
 void RecordingStorage::close() {
   check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "the file");
   file_.reset();
-  if (::fdatasync(descriptor_) != 0) failHard("the disk: {}", std::generic_category().message(errno));
-}
-
-std::uint64_t RecordingStorage::bytes() const {
-  struct stat status {};
-  return ::fstat(descriptor_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+  expectDone(disk_->dropJournal());
 }
 
 }  // namespace fyd::session

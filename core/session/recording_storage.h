@@ -1,32 +1,52 @@
-// The file under a recording that is being written: HDF5 in SWMR mode, and `commit`, after which everything lasts.
+// The file under a recording that is being written: HDF5 in SWMR mode over a JournaledFile, and `commit`, after which
+// everything lasts.
 #pragma once
 
 #include <memory>
 #include <string>
 
+#include "core/session/recording_disk.h"
 #include "core/session/recording_hdf5.h"
 
 namespace fyd::session {
 
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor();
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
 class RecordingStorage {
  public:
   /// Makes FILE.partial, which must not exist. @throws RecordingFailure, as all of these do
-  explicit RecordingStorage(const std::string& partial);
+  RecordingStorage(const std::string& partial, std::shared_ptr<DiskCalls> calls);
+  /// Opens a file a gone recorder left, to mend it.
+  explicit RecordingStorage(const std::string& left_behind);
   RecordingStorage(const RecordingStorage&) = delete;
   RecordingStorage& operator=(const RecordingStorage&) = delete;
-  /// Leaves the file as the last commit made it.
+  /// Without `close`: leaves the file as the last commit made it.
   ~RecordingStorage();
 
   [[nodiscard]] hid_t file() const { return file_.id(); }
   void startSwmr();
-  /// Flushes HDF5's caches and waits until the disk has everything.
+  /// All or nothing of what HDF5 was given since the last one.
   void commit();
+  /// From now on nothing reaches the file.
+  void abandon() { disk_->abandon(); }
   /// Ends HDF5's part; the caller has closed its tables.
   void close();
-  [[nodiscard]] std::uint64_t bytes() const;
+  [[nodiscard]] std::uint64_t bytes() const { return disk_->size(); }
 
  private:
-  int descriptor_ = -1;
+  Descriptor descriptor_;
+  std::unique_ptr<JournaledFile> disk_;
   Handle file_;
 };
 

@@ -10,6 +10,7 @@
 #include "core/session/recording_place.h"
 #include "core/session/recording_rows.h"
 #include "core/session/recording_storage.h"
+#include "core/session/recording_writer_on_disk.h"
 
 namespace fyd::session {
 namespace {
@@ -27,21 +28,21 @@ using LastRow = std::optional<Row>;
 
 class Hdf5RecordingWriter final : public RecordingWriter {
  public:
-  Hdf5RecordingWriter(std::string path, const RecordingHeader& header)
-      : path_(std::move(path)), storage_(std::make_unique<RecordingStorage>(partialOf(path_))) {
-    writeHeader(storage_->file(), header);
+  Hdf5RecordingWriter(std::string path, const RecordingHeader& header, std::shared_ptr<DiskCalls> calls)
+      : path_(std::move(path)), storage_(partialOf(path_), std::move(calls)) {
+    writeHeader(storage_.file(), header);
     for (std::size_t i = 0; i < kTableCount; ++i)
-      tables_[i].stored = Hdf5Table::create(storage_->file(), layoutOf(static_cast<Table>(i)));
-    commits_ = Hdf5Table::create(storage_->file(), commitLayout());
-    storage_->commit();
-    storage_->startSwmr();
+      tables_[i].stored = Hdf5Table::create(storage_.file(), layoutOf(static_cast<Table>(i)));
+    commits_ = Hdf5Table::create(storage_.file(), commitLayout());
+    storage_.commit();
+    storage_.startSwmr();
     writeCommit(false);
   }
 
   ~Hdf5RecordingWriter() override {
     const auto lock = hdf5Lock();
+    storage_.abandon();
     dropTables();
-    storage_.reset();
   }
 
   Result<void> append(const StepRecord& record) override {
@@ -89,7 +90,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
     auto closed = guarded(path_, [&] {
       writeCommit(true);
       dropTables();
-      storage_->close();
+      storage_.close();
     });
     if (closed) closed = renameNew(partialOf(path_), path_);
     if (closed) closed = syncFolder(path_);
@@ -98,7 +99,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   }
 
   std::uint64_t committedSteps() const override { return committed_steps_; }
-  std::uint64_t bytes() const override { return storage_->bytes(); }
+  std::uint64_t bytes() const override { return storage_.bytes(); }
 
  private:
   [[nodiscard]] Result<void> stillOpen() const {
@@ -195,10 +196,9 @@ class Hdf5RecordingWriter final : public RecordingWriter {
       table.stored.append(table.waiting);
       table.waiting.clear();
     }
-    storage_->commit();
     row.own_crc = crc32c(std::as_bytes(std::span(&row, 1)).first(offsetof(CommitRow, own_crc)));
     commits_.append(std::as_bytes(std::span(&row, 1)));
-    storage_->commit();
+    storage_.commit();
     committed_steps_ = rowsOf(Table::telemetry);
   }
 
@@ -209,7 +209,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
 
   std::string path_;
   std::string over_;  // why nothing more can be recorded
-  std::unique_ptr<RecordingStorage> storage_;
+  RecordingStorage storage_;
   std::array<GrowingTable, kTableCount> tables_;
   Hdf5Table commits_;
   OverviewBuilder overview_;
@@ -228,14 +228,20 @@ class Hdf5RecordingWriter final : public RecordingWriter {
 
 }  // namespace
 
-Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& path,
-                                                                 const RecordingHeader& header) {
+Result<std::unique_ptr<RecordingWriter>> createRecording(const std::string& path, const RecordingHeader& header,
+                                                         std::shared_ptr<DiskCalls> calls) {
   if (auto place = checkPlace(path); !place) return tl::unexpected(place.error());
-  auto writer = guarded(
-      path, [&]() -> std::unique_ptr<RecordingWriter> { return std::make_unique<Hdf5RecordingWriter>(path, header); });
+  auto writer = guarded(path, [&]() -> std::unique_ptr<RecordingWriter> {
+    return std::make_unique<Hdf5RecordingWriter>(path, header, std::move(calls));
+  });
   if (!writer) return writer;
   if (auto synced = syncFolder(path); !synced) return tl::unexpected(synced.error());
   return writer;
+}
+
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& path,
+                                                                 const RecordingHeader& header) {
+  return createRecording(path, header, std::make_shared<DiskCalls>());
 }
 
 }  // namespace fyd::session

@@ -1,0 +1,76 @@
+// A file whose commits are all or nothing, under HDF5, which by itself promises this for a killed process only: after
+// a power cut the disk may hold any mixture of a block's old and new pages.
+//
+//   beyond the last commit's end    written at once: nothing committed points there yet
+//   before it                       kept in memory until `commit`:
+//                                   sync → journal with its CRC32C, at the file's start → sync → the places themselves
+//
+// The places themselves are synced by the next commit, before its journal replaces this one. So either the journal is
+// whole, and applying it (again) gives the newest commit, or it is torn, and the file is the commit before.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fyd::session {
+
+/// What is asked of the operating system, each 0 or an errno; tests put broken disks here.
+class DiskCalls {
+ public:
+  virtual ~DiskCalls() = default;
+  [[nodiscard]] virtual int write(int file, std::span<const std::byte> bytes, std::uint64_t at);
+  [[nodiscard]] virtual int sync(int file);
+  [[nodiscard]] virtual int resize(int file, std::uint64_t bytes);
+};
+
+/// Room for the journal before HDF5's own first byte: HDF5's "user block", which every reader of the format skips.
+inline constexpr std::uint64_t kJournalBytes = 1U << 20U;
+
+class JournaledFile {
+ public:
+  enum class Mode : std::uint8_t { read, write };
+  /// @param file stays the caller's. @param with_journal take in what a recorder that is gone had committed
+  JournaledFile(int file, Mode mode, bool with_journal, std::shared_ptr<DiskCalls> calls = {});
+
+  /// Bytes beyond the end are zero. @return an errno, as all of these
+  [[nodiscard]] int read(std::uint64_t at, std::span<std::byte> out) const;
+  [[nodiscard]] int write(std::uint64_t at, std::span<const std::byte> bytes);
+  /// Makes the file at least so long.
+  [[nodiscard]] int reach(std::uint64_t bytes);
+  [[nodiscard]] int commit();
+  /// For a file that is finished: nothing is left to apply.
+  [[nodiscard]] int dropJournal();
+  /// From now on nothing reaches the disk any more, and no call fails: HDF5 can put its things away.
+  void abandon() { abandoned_ = true; }
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  [[nodiscard]] std::size_t largestJournal() const { return largest_journal_; }
+  /// Writes that were waiting in the journal when it was opened.
+  [[nodiscard]] std::size_t replayed() const { return replayed_; }
+
+ private:
+  struct Write {
+    std::uint64_t at = 0;
+    std::vector<std::byte> bytes;
+  };
+  [[nodiscard]] std::vector<std::byte> journal() const;
+  void readJournal();
+
+  int file_;
+  Mode mode_;
+  std::shared_ptr<DiskCalls> calls_;
+  std::vector<Write> waiting_;  // in the order HDF5 wrote them: a reader in another process relies on it
+  std::uint64_t size_ = 0;
+  std::uint64_t committed_end_ = 0;
+  std::uint64_t sequence_ = 0;
+  std::size_t largest_journal_ = 0;
+  std::size_t replayed_ = 0;
+  bool abandoned_ = false;
+};
+
+}  // namespace fyd::session
