@@ -13,9 +13,10 @@ struct Touch {
   double end_s = 0.0;
   double peak_force_N = pipeline::kNone;
   double peak_indentation_mm = pipeline::kNone;
-  double stiffness_N_per_mm = pipeline::kNone;  ///< median while observable, over the settled part
-  double target_N_per_mm = pipeline::kNone;     ///< reachable target at the touch's end
-  double settling_s = pipeline::kNone;          ///< until measured stays within 5 % of the target; NaN: never
+  double stiffness_N_per_mm =
+      pipeline::kNone;  ///< median while observable, over the settled part; never settled: the second half
+  double target_N_per_mm = pipeline::kNone;  ///< reachable target at the touch's end
+  double settling_s = pipeline::kNone;       ///< until measured stays within 5 % of the target; NaN: never
   double vibration_rms_percent = pipeline::kNone;
 };
 

@@ -1,0 +1,91 @@
+#include "core/session/export_file.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace fyd::session {
+namespace {
+
+bool exists(const std::string& path) {
+  struct stat ignored {};
+  return ::lstat(path.c_str(), &ignored) == 0;
+}
+
+}  // namespace
+
+Result<ExportFile> ExportFile::create(const std::string& path, bool replace) {
+  const std::filesystem::path wanted(path);
+  if (wanted.filename().empty()) return fail("{}: not a file's name", path);
+  if (std::filesystem::is_directory(wanted)) return fail("{}: is a folder, not a file", path);
+  if (!replace && exists(path)) return fail("{}: exists already", path);
+  const std::string extension = wanted.extension().string();
+  std::string name = (wanted.parent_path() / ("." + wanted.stem().string() + ".part-XXXXXX" + extension)).string();
+  const int file = ::mkostemps(name.data(), static_cast<int>(extension.size()), O_CLOEXEC);
+  if (file < 0) return fail("{}: cannot be made: {}", path, std::strerror(errno));
+  // mkstemp gives 0600; what a user exports is readable as their other files are.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(file, 0666 & ~mask);
+  ::close(file);
+  return ExportFile(path, std::move(name), replace);
+}
+
+ExportFile::ExportFile(std::string path, std::string temporary, bool replace)
+    : path_(std::move(path)), temporary_(std::move(temporary)), replace_(replace) {}
+
+ExportFile::ExportFile(ExportFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      replace_(other.replace_),
+      file_(std::move(other.file_)) {}
+
+ExportFile::~ExportFile() {
+  file_.reset();
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+tl::unexpected<Error> ExportFile::failed(int error) const {
+  return fail("{}: writing failed: {}; nothing is left of it", path_, std::strerror(error));
+}
+
+Result<void> ExportFile::write(std::string_view bytes) {
+  if (!file_) {
+    file_.reset(std::fopen(temporary_.c_str(), "wbe"));
+    if (!file_) return failed(errno);
+  }
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) return failed(errno);
+  return {};
+}
+
+Result<void> ExportFile::commit() {
+  if (file_) {
+    if (std::fflush(file_.get()) != 0) return failed(errno);
+    file_.reset();
+  }
+  // A disk may take bytes and refuse them later; only a sync tells.
+  const int file = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return failed(errno);
+  const bool synced = ::fsync(file) == 0;
+  const int problem = errno;
+  ::close(file);
+  if (!synced) return failed(problem);
+  // Without a race where the file system can: a file that came meanwhile is not lost.
+  const unsigned flags = replace_ ? 0U : static_cast<unsigned>(RENAME_NOREPLACE);
+  int renamed = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), flags);
+  if (renamed != 0 && errno == EINVAL && !exists(path_)) renamed = ::rename(temporary_.c_str(), path_.c_str());
+  if (renamed != 0) {
+    if (errno == EEXIST) return fail("{}: exists already", path_);
+    return failed(errno);
+  }
+  temporary_.clear();
+  return {};
+}
+
+}  // namespace fyd::session

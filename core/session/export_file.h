@@ -1,0 +1,40 @@
+// A file that appears whole or not at all: written under a temporary name in its folder, synced, renamed.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace fyd::session {
+
+class ExportFile {
+ public:
+  /// @return an error when the folder cannot be written, or `path` exists and may not be replaced
+  [[nodiscard]] static Result<ExportFile> create(const std::string& path, bool replace);
+  ExportFile(ExportFile&& other) noexcept;
+  ExportFile& operator=(ExportFile&&) = delete;
+  ~ExportFile();  ///< without `commit`: nothing is left behind
+
+  /// The name to write to meanwhile, with the same extension; exists, empty.
+  [[nodiscard]] const std::string& temporary() const { return temporary_; }
+  [[nodiscard]] Result<void> write(std::string_view bytes);
+  /// Syncs, then gives the file its name.
+  [[nodiscard]] Result<void> commit();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  ExportFile(std::string path, std::string temporary, bool replace);
+  [[nodiscard]] tl::unexpected<Error> failed(int error) const;
+
+  std::string path_;
+  std::string temporary_;  ///< empty: renamed, or handed on
+  bool replace_ = false;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace fyd::session

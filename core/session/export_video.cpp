@@ -1,0 +1,187 @@
+// The camera's pictures to a video: .mkv without loss (FFV1), .avi small (Motion JPEG).
+//
+// A video has one rate, a camera not quite: each frame shows the picture that was newest then, to half a frame, so that
+// the video keeps the recording's time; a picture is repeated where the camera was late. OUT.times.csv says for each
+// frame which picture it is and when that one was really taken.
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/session/export_csv_text.h"
+#include "core/session/export_file.h"
+#include "core/session/export_selection.h"
+
+namespace fyd::session {
+namespace {
+
+constexpr std::uint64_t kPicturesForRate = 120;
+constexpr double kUsualRate_Hz = 30.0;
+constexpr double kHighestRate_Hz = 1000.0;
+/// A break longer than this is shown no longer than this.
+constexpr double kLongestStill_s = 10.0;
+
+const cv::Mat& chosen(const RecordedPicture& picture, bool region) { return region ? picture.region : picture.whole; }
+
+/// From the median distance of the first pictures; a whole number when it is nearly one.
+Result<double> rateOf(const Recording& recording, std::uint64_t first, std::uint64_t end) {
+  std::vector<double> distances_s;
+  double last_s = pipeline::kNone;
+  for (std::uint64_t i = first; i < std::min(end, first + kPicturesForRate); ++i) {
+    const auto picture = recording.picture(i);
+    if (!picture) return tl::unexpected(picture.error());
+    if (picture->time_s > last_s) distances_s.push_back(picture->time_s - last_s);
+    last_s = picture->time_s;
+  }
+  if (distances_s.empty()) return kUsualRate_Hz;
+  const auto middle = distances_s.begin() + static_cast<std::ptrdiff_t>(distances_s.size() / 2);
+  std::ranges::nth_element(distances_s, middle);
+  const double rate_Hz = std::clamp(1.0 / *middle, 0.1, kHighestRate_Hz);
+  const double whole_Hz = std::round(rate_Hz);
+  return whole_Hz >= 1.0 && std::abs(rate_Hz - whole_Hz) < 0.03 * whole_Hz ? whole_Hz : rate_Hz;
+}
+
+/// Writes frames; a video's size is that of its first picture, made even because coders want it.
+class FrameWriter {
+ public:
+  FrameWriter(std::string path, bool lossless, double rate_Hz)
+      : path_(std::move(path)), lossless_(lossless), rate_Hz_(rate_Hz) {}
+
+  Result<void> show(const cv::Mat& picture, std::uint64_t times) {
+    if (!writer_.isOpened()) {
+      size_ = picture.size();
+      colour_ = picture.channels() == 3;
+      const int codec =
+          lossless_ ? cv::VideoWriter::fourcc('F', 'F', 'V', '1') : cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+      const cv::Size even(size_.width + size_.width % 2, size_.height + size_.height % 2);
+      if (!writer_.open(path_, cv::CAP_FFMPEG, codec, rate_Hz_, even,
+                        {cv::VIDEOWRITER_PROP_IS_COLOR, colour_ ? 1 : 0})) {
+        return fail("no video can be written: OpenCV has no coder for it, or the disk is full");
+      }
+    }
+    if (picture.size() != size_) {
+      return fail("a picture is {} × {} px, those before {} × {}; choose a time with one size", picture.cols,
+                  picture.rows, size_.width, size_.height);
+    }
+    cv::Mat frame = picture;
+    if (picture.channels() == 3 && !colour_) cv::cvtColor(picture, frame, cv::COLOR_BGR2GRAY);
+    if (picture.channels() == 1 && colour_) cv::cvtColor(picture, frame, cv::COLOR_GRAY2BGR);
+    cv::copyMakeBorder(frame, frame, 0, size_.height % 2, 0, size_.width % 2, cv::BORDER_REPLICATE);
+    for (std::uint64_t i = 0; i < times; ++i) writer_.write(frame);
+    frames_ += times;
+    return {};
+  }
+
+  /// OpenCV does not say when a write failed: the file is read through, and must hold every frame.
+  Result<void> finish() {
+    writer_.release();
+    cv::VideoCapture reader(path_, cv::CAP_FFMPEG);
+    std::uint64_t found = 0;
+    while (reader.grab()) ++found;
+    if (found != frames_) return fail("only {} of {} frames could be written; is the disk full?", found, frames_);
+    return {};
+  }
+
+  [[nodiscard]] std::uint64_t frames() const { return frames_; }
+
+ private:
+  std::string path_;
+  bool lossless_;
+  double rate_Hz_;
+  cv::VideoWriter writer_;
+  cv::Size size_;
+  bool colour_ = false;
+  std::uint64_t frames_ = 0;
+};
+
+/// A picture waits until the next one's time says how often it is shown.
+struct Waiting {
+  cv::Mat picture;
+  std::uint64_t index = 0;
+  std::uint64_t number = 0;
+  double time_s = 0.0;
+};
+
+Result<void> show(const Waiting& waiting, double next_s, double start_s, FrameWriter& video, ExportFile& times,
+                  ExportResult& result) {
+  const double shown_s = std::min(next_s, waiting.time_s + kLongestStill_s) - start_s;
+  const auto until = static_cast<std::uint64_t>(std::max(0.0, std::round(shown_s * result.rate_Hz)));
+  if (until <= video.frames()) {
+    ++result.left_out;
+    return {};
+  }
+  const std::uint64_t repeats = until - video.frames();
+  std::string lines;
+  for (std::uint64_t frame = video.frames(); frame < until; ++frame) {
+    appendNumber(lines, static_cast<double>(frame));
+    lines += fmt::format(",{},{},{}\n", waiting.index, waiting.number, waiting.time_s);
+  }
+  if (auto shown = video.show(waiting.picture, repeats); !shown) return shown;
+  ++result.pictures;
+  result.repeated += repeats - 1;
+  return times.write(lines);
+}
+
+Result<void> writeFrames(const Recording& recording, std::uint64_t first, const ExportOptions& options,
+                         FrameWriter& video, ExportFile& times, ExportResult& result) {
+  std::optional<Waiting> waiting;
+  double start_s = 0.0;
+  if (auto titled = times.write("frame,picture,camera_number,time_s\n"); !titled) return titled;
+  for (std::uint64_t i = first; i < recording.info().frames; ++i) {
+    const auto picture = recording.picture(i);
+    if (!picture) return tl::unexpected(picture.error());
+    if (picture->time_s > options.to_s) break;
+    const cv::Mat& pixels = chosen(*picture, options.region);
+    if (pixels.empty()) continue;  // the region lay outside the picture
+    if (!waiting) {
+      start_s = picture->time_s;
+    } else if (picture->time_s <= waiting->time_s) {
+      continue;  // a video goes forward only
+    } else if (auto shown = show(*waiting, picture->time_s, start_s, video, times, result); !shown) {
+      return shown;
+    } else if (picture->time_s - waiting->time_s > kLongestStill_s) {
+      // What the long break was cut to, the frames after it count from.
+      start_s += picture->time_s - waiting->time_s - kLongestStill_s;
+    }
+    waiting = Waiting{pixels, i, picture->number, picture->time_s};
+  }
+  if (!waiting) {
+    return fail("no {} from {} s to {} s", options.region ? "region of interest" : "picture", options.from_s,
+                options.to_s);
+  }
+  return show(*waiting, waiting->time_s + 1.0 / result.rate_Hz, start_s, video, times, result);
+}
+
+}  // namespace
+
+Result<ExportResult> exportVideo(const Recording& recording, const std::string& path, const ExportOptions& options) {
+  if (!options.fields.empty()) return fail("{}: a video has no fields to choose", path);
+  if (const auto range = selectRows(recording, options); !range) return tl::unexpected(range.error());
+  const auto first = pictureIndexAt(recording, options.from_s);
+  if (!first) return tl::unexpected(first.error());
+  const auto rate_Hz = rateOf(recording, *first, recording.info().frames);
+  if (!rate_Hz) return tl::unexpected(rate_Hz.error());
+
+  const std::filesystem::path target(path);
+  ExportResult result{.rate_Hz = *rate_Hz};
+  const std::string times_path = std::filesystem::path(target).replace_extension(".times.csv").string();
+  auto file = ExportFile::create(path, options.replace);
+  if (!file) return tl::unexpected(file.error());
+  auto times = ExportFile::create(times_path, options.replace);
+  if (!times) return tl::unexpected(times.error());
+
+  const std::string extension = target.extension().string();
+  FrameWriter video(file->temporary(), extension == ".mkv" || extension == ".MKV", *rate_Hz);
+  auto done = writeFrames(recording, *first, options, video, *times, result);
+  if (done) done = video.finish();
+  if (!done) return fail("{}: {}", path, done.error().message);
+  done = times->commit();
+  if (done) done = file->commit();
+  if (!done) return tl::unexpected(done.error());
+  result.files = {path, times_path};
+  return result;
+}
+
+}  // namespace fyd::session

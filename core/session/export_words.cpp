@@ -1,0 +1,123 @@
+#include "core/session/export_words.h"
+
+#include <algorithm>
+#include <boost/locale/utf.hpp>
+#include <cmath>
+
+#include "core/pipeline/parameters.h"
+
+namespace fyd::session {
+namespace {
+
+using pipeline::EventKind;
+using pipeline::SafetyState;
+
+/// A parameter's change by its name and, for a choice, its word.
+std::string describeChange(const pipeline::Event& event) {
+  pipeline::Parameters parameters;
+  const std::vector<Parameter> all = bindParameters(parameters);
+  if (event.index >= all.size()) return fmt::format("parameter {} = {}", event.index, event.value);
+  const Parameter& parameter = all[event.index];
+  const auto choice = static_cast<std::size_t>(std::isfinite(event.value) && event.value >= 0 ? event.value : 1e6);
+  if (choice < parameter.choices.size()) return fmt::format("{} = {}", parameter.id, parameter.choices[choice]);
+  const std::string unit = parameter.info.unit == "1" ? "" : " " + std::string(parameter.info.unit);
+  return fmt::format("{} = {}{}", parameter.id, event.value, unit);
+}
+
+LogWeight weigh(const pipeline::Event& event) {
+  const bool ends = event.state == SafetyState::held || event.state == SafetyState::stopped;
+  if (event.kind == EventKind::state_changed) return ends ? LogWeight::serious : LogWeight::plain;
+  if (event.kind == EventKind::time_reversed) return LogWeight::serious;
+  if (event.kind == EventKind::parameter_changed) return LogWeight::marked;
+  return LogWeight::plain;
+}
+
+}  // namespace
+
+std::string_view toString(EventKind kind) {
+  switch (kind) {
+    case EventKind::state_changed: return "state changed";
+    case EventKind::arm_refused: return "arm refused";
+    case EventKind::tare_done: return "tare done";
+    case EventKind::tare_failed: return "tare failed";
+    case EventKind::parameter_changed: return "parameter changed";
+    case EventKind::parameter_refused: return "parameter refused";
+    case EventKind::robot_command: return "robot command";
+    case EventKind::target_clamped: return "target clamped";
+    case EventKind::time_reversed: return "time reversed";
+  }
+  return "unknown";
+}
+
+std::string_view toString(NoteKind kind) {
+  switch (kind) {
+    case NoteKind::note: return "note";
+    case NoteKind::bookmark: return "bookmark";
+    case NoteKind::trial_start: return "trial start";
+    case NoteKind::trial_end: return "trial end";
+    case NoteKind::alarm: return "alarm";
+  }
+  return "unknown";
+}
+
+std::string describeEvent(const pipeline::Event& event) {
+  const auto with_lack = [&](std::string_view text) {
+    if (event.lack == pipeline::Lack::none) return std::string(text);
+    return fmt::format("{}: {}", text, pipeline::toString(event.lack));
+  };
+  switch (event.kind) {
+    case EventKind::state_changed: return with_lack(pipeline::toString(event.state));
+    case EventKind::arm_refused: return with_lack("not armed");
+    case EventKind::tare_done: return fmt::format("largest change of an offset {:.3f} mm", event.value);
+    case EventKind::tare_failed: return "cloth touched or a sensor unavailable";
+    case EventKind::parameter_changed: return describeChange(event);
+    case EventKind::parameter_refused: return describeChange(event) + " (refused)";
+    case EventKind::robot_command: return fmt::format("command {}", event.value);
+    case EventKind::target_clamped: return fmt::format("nearest reachable {:.3f} N/mm", event.value);
+    case EventKind::time_reversed: return fmt::format("by {} s", event.value);
+  }
+  return fmt::format("value {}", event.value);
+}
+
+std::string cleanText(std::string_view text) {
+  using Utf = boost::locale::utf::utf_traits<char>;
+  std::string clean;
+  for (auto at = text.begin(); at != text.end();) {
+    const auto begin = at;
+    const auto point = Utf::decode(at, text.end());
+    const bool good = point != boost::locale::utf::illegal && point != boost::locale::utf::incomplete &&
+                      ((point >= 0x20 && point != 0x7f) || point == '\n' || point == '\t');
+    if (good) {
+      clean.append(begin, at);
+    } else {
+      clean += "\xEF\xBF\xBD";
+      at = begin + 1;
+    }
+  }
+  return clean;
+}
+
+Result<std::vector<LogLine>> logLines(const Recording& recording) {
+  const auto events = recording.events();
+  if (!events) return tl::unexpected(events.error());
+  const auto notes = recording.notes();
+  if (!notes) return tl::unexpected(notes.error());
+  std::vector<LogLine> lines;
+  for (const EventRow& row : *events) {
+    lines.push_back({.time_s = secondsInto(recording.info(), row.when),
+                     .kind = toString(row.event.kind),
+                     .text = describeEvent(row.event),
+                     .value = row.event.value,
+                     .weight = weigh(row.event)});
+  }
+  for (const Note& note : *notes) {
+    lines.push_back({.time_s = secondsInto(recording.info(), note.when),
+                     .kind = toString(note.kind),
+                     .text = cleanText(note.text),
+                     .weight = note.kind == NoteKind::alarm ? LogWeight::serious : LogWeight::marked});
+  }
+  std::ranges::stable_sort(lines, {}, &LogLine::time_s);
+  return lines;
+}
+
+}  // namespace fyd::session

@@ -1,0 +1,111 @@
+#include "core/session/touches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/session/export_selection.h"
+
+namespace fyd::session {
+namespace {
+
+constexpr Duration kLongestBreak = std::chrono::milliseconds(100);
+constexpr double kSettledBand = 0.05;
+
+void takeLarger(double& peak, double value) {
+  if (std::isfinite(value) && !(peak >= value)) peak = value;
+}
+
+/// A measured stiffness, in the touch's time.
+struct Measured {
+  double time_s = 0.0;
+  double stiffness_N_per_mm = 0.0;
+};
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return pipeline::kNone;
+  const auto upper = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, upper);
+  if (values.size() % 2 == 1) return *upper;
+  return (*std::max_element(values.begin(), upper) + *upper) / 2.0;
+}
+
+/// One touch while its rows go by. Memory: 16 bytes for each step of this touch.
+class OpenTouch {
+ public:
+  explicit OpenTouch(double start_s) { touch_.start_s = touch_.end_s = start_s; }
+
+  /// A row in contact.
+  void add(const pipeline::TelemetrySample& row, double time_s) {
+    touch_.end_s = std::max(touch_.end_s, time_s);
+    takeLarger(touch_.peak_force_N, row.force_N);
+    takeLarger(touch_.peak_indentation_mm, row.indentation_mm);
+    if (std::isfinite(row.reachable_target_N_per_mm)) touch_.target_N_per_mm = row.reachable_target_N_per_mm;
+    if (row.stiffness_observable && std::isfinite(row.stiffness_N_per_mm)) {
+      measured_.push_back({time_s, row.stiffness_N_per_mm});
+    }
+    if (std::isfinite(row.vibration_duty_percent)) {
+      duty_squares_ += row.vibration_duty_percent * row.vibration_duty_percent;
+      ++duty_rows_;
+    }
+  }
+
+  [[nodiscard]] Touch finish() {
+    if (duty_rows_ > 0) touch_.vibration_rms_percent = std::sqrt(duty_squares_ / static_cast<double>(duty_rows_));
+    const double band = kSettledBand * std::abs(touch_.target_N_per_mm);
+    // From the last backward while within the band: what stays.
+    auto settled = measured_.end();
+    while (settled != measured_.begin() &&
+           std::abs(std::prev(settled)->stiffness_N_per_mm - touch_.target_N_per_mm) <= band) {
+      --settled;
+    }
+    if (settled != measured_.end()) {
+      touch_.settling_s = settled->time_s - touch_.start_s;
+    } else {  // never settled: its second half is what it came to
+      const double half_s = (touch_.start_s + touch_.end_s) / 2.0;
+      settled = std::ranges::find_if(measured_, [&](const Measured& m) { return m.time_s >= half_s; });
+    }
+    std::vector<double> values;
+    for (auto m = settled; m != measured_.end(); ++m) values.push_back(m->stiffness_N_per_mm);
+    touch_.stiffness_N_per_mm = medianOf(std::move(values));
+    return touch_;
+  }
+
+ private:
+  Touch touch_;
+  std::vector<Measured> measured_;
+  double duty_squares_ = 0.0;
+  std::uint64_t duty_rows_ = 0;
+};
+
+}  // namespace
+
+Result<std::vector<Touch>> findTouches(const Recording& recording) {
+  std::vector<Touch> touches;
+  std::optional<OpenTouch> open;
+  Instant last_contact{};
+  const ExportSelection all{.first = 0, .end = recording.info().committed_samples};
+  const auto read = forEachBlock(recording, all, [&](std::span<const pipeline::TelemetrySample> rows) -> Result<void> {
+    for (const pipeline::TelemetrySample& row : rows) {
+      if (!row.contact) continue;
+      const double time_s = secondsInto(recording.info(), row.now);
+      // Lost rows count as a break: nobody knows what the finger did meanwhile.
+      if (open && row.now - last_contact >= kLongestBreak) {
+        touches.push_back(open->finish());
+        open.reset();
+      }
+      if (!open) {
+        open.emplace(time_s);
+        last_contact = row.now;
+      }
+      open->add(row, time_s);
+      last_contact = std::max(last_contact, row.now);
+    }
+    return {};
+  });
+  if (!read) return tl::unexpected(read.error());
+  if (open) touches.push_back(open->finish());
+  return touches;
+}
+
+}  // namespace fyd::session
