@@ -1,0 +1,26 @@
+// A session's report as one file: .html (self-contained, the figure as inline SVG) or .pdf (A4), drawn by the same
+// code.
+#pragma once
+
+#include <string>
+
+#include "core/base/error.h"
+#include "core/session/recording.h"
+#include "core/session/report_content.h"
+
+namespace fyd::session {
+
+/// @param path ends in .html or .pdf
+/// @return an error when the recording cannot be read or the file not be written; then there is no file
+[[nodiscard]] Result<void> writeReport(const Recording& recording, const std::string& path, bool replace);
+
+[[nodiscard]] Result<std::string> reportHtml(const ReportContent& content);
+[[nodiscard]] Result<std::string> reportPdf(const ReportContent& content);
+
+inline constexpr double kReportWidth = 515.0;  ///< of an A4 page between its margins, points
+/// Height of the figure with its legend; 0 when there is no strip.
+[[nodiscard]] double figureHeight(const ReportContent& content);
+/// The figure, its left upper corner at the origin.
+void drawFigure(cairo_t* cairo, const ReportContent& content);
+
+}  // namespace fyd::session
