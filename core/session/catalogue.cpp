@@ -23,6 +23,12 @@ Result<Catalogue> Catalogue::open(const std::string& word) {
   return out;
 }
 
+Result<Catalogue> Catalogue::inMemory() {
+  auto database = CatalogueDatabase::open({.target = kInMemory, .name = "memory", .key = ""}, catalogueSchema());
+  if (!database) return tl::unexpected(database.error());
+  return Catalogue(std::move(*database));
+}
+
 const std::string& Catalogue::name() const { return database_->word().name; }
 
 Result<void> Catalogue::add(const CatalogueEntry& entry) { return add(std::span(&entry, 1)); }

@@ -54,6 +54,8 @@ class Catalogue {
   /// Opens or makes it, brings its tables up to date, and delivers entries that had to wait.
   /// @return an error that names the catalogue: unreachable, locked (and by whom), damaged, newer than this program
   [[nodiscard]] static Result<Catalogue> open(const std::string& word);
+  /// An empty one that ends with this object; for searching a folder's recordings without writing anything.
+  [[nodiscard]] static Result<Catalogue> inMemory();
   Catalogue(Catalogue&&) noexcept;
   Catalogue& operator=(Catalogue&&) noexcept;
   ~Catalogue();

@@ -25,6 +25,7 @@ bool isOnNetwork(const std::string& folder) {
 
 Result<void> prepareFolder(const std::string& path) {
   namespace fs = std::filesystem;
+  if (path == kInMemory) return {};
   const fs::path folder = fs::path(path).parent_path();
   std::error_code error;
   if (!fs::exists(folder, error)) {

@@ -20,6 +20,9 @@ using SchemaSteps = std::span<const std::span<const char* const>>;
 [[nodiscard]] SchemaSteps catalogueSchema();
 [[nodiscard]] SchemaSteps pendingSchema();
 
+/// SQLite's name for a database without a file.
+inline constexpr const char* kInMemory = ":memory:";
+
 class CatalogueDatabase {
  public:
   [[nodiscard]] static Result<std::unique_ptr<CatalogueDatabase>> open(const CatalogueWord& word, SchemaSteps schema);

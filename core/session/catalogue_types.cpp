@@ -21,8 +21,9 @@ const char* toString(FileState state) {
 }
 
 std::string healthWord(Wholeness wholeness, std::uint64_t gaps) {
-  if (wholeness != Wholeness::whole) return toString(wholeness);
-  return gaps > 0 ? "gaps" : "good";
+  if (wholeness == Wholeness::crashed) return "damaged";
+  if (gaps > 0) return "gaps";
+  return wholeness == Wholeness::growing ? "growing" : "good";
 }
 
 }  // namespace fyd::session

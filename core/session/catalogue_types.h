@@ -62,7 +62,7 @@ struct SessionFilter {
 [[nodiscard]] const char* toString(Wholeness wholeness);
 [[nodiscard]] const char* toString(FileState state);
 
-/// good, gaps (samples lost), growing, or crashed (to be recovered).
+/// good, gaps (samples lost), growing, or damaged (left by a crash, to be recovered).
 [[nodiscard]] std::string healthWord(Wholeness wholeness, std::uint64_t gaps);
 
 }  // namespace fyd::session

@@ -32,7 +32,7 @@ inline void checkStoresAndFinds(const std::string& word) {
   second.started_utc = "2026-11-22T00:00:00.000Z";
   second.tags = {"pilot"};
   second.wholeness = Wholeness::crashed;
-  second.health = "crashed";
+  second.health = "damaged";
   ASSERT_TRUE(catalogue.add(first));
   ASSERT_TRUE(catalogue.add(second));
   ASSERT_TRUE(catalogue.add(first)) << "twice is once";
@@ -67,7 +67,7 @@ inline void checkStoresAndFinds(const std::string& word) {
   EXPECT_THAT(find({.until = "2026-11-21T14:04"}), IsEmpty());
   EXPECT_THAT(find({.subject = "'; DROP TABLE sessions; --"}), ElementsAre("aaaa1111"));
   EXPECT_THAT(find({.operator_name = "' OR '1'='1"}), IsEmpty());
-  EXPECT_THAT(find({.health = "crashed"}), ElementsAre("aaaa2222"));
+  EXPECT_THAT(find({.health = "damaged"}), ElementsAre("aaaa2222"));
   EXPECT_THAT(find({.station = stationName(), .limit = 1, .offset = 1}), ElementsAre("aaaa1111"));
   EXPECT_THAT(find({.offset = 5}), IsEmpty());
   EXPECT_FALSE(catalogue.search({.since = "tomorrow"}));
