@@ -15,18 +15,11 @@
 #include <span>
 #include <vector>
 
+#include "widgets/curve_source.h"
+
 namespace fyd::widgets {
 
-/// Samples of one pixel column.
-struct CurveColumn {
-  double time_s = 0.0;                                      ///< middle of the column
-  float minimum = std::numeric_limits<float>::quiet_NaN();  ///< NaN: no value in it
-  float maximum = std::numeric_limits<float>::quiet_NaN();  ///< NaN: no value in it
-  bool gap = false;                                         ///< a NaN stands in it: the line breaks here
-  bool empty = true;                                        ///< no sample in it at all, also no NaN
-};
-
-class CurveBuffer {
+class CurveBuffer : public CurveSource {
  public:
   /// @param channels values per sample, ≥ 1
   /// @param capacity samples kept, rounded up to a multiple of 65 536
@@ -49,7 +42,7 @@ class CurveBuffer {
   /// Columns of equal width from `from_s` to `to_s`. Their edges lie on multiples of the width, so that a scrolling
   /// curve does not flicker. @param out one or two more than `columns`; reused without allocating
   void decimate(std::size_t channel, double from_s, double to_s, std::size_t columns,
-                std::vector<CurveColumn>& out) const;
+                std::vector<CurveColumn>& out) const override;
 
  private:
   struct Extent {

@@ -119,11 +119,11 @@ void CurveStrip::dress() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveBuffer& buffer, const TimeWindow& window) {
+void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveSource& source, const TimeWindow& window) {
   // A column for each pixel of the screen, of which a scaled display has more than the layout.
   const auto width =
       std::max<std::size_t>(1, static_cast<std::size_t>(plot_->axisRect()->width() * plot_->devicePixelRatioF()));
-  buffer.decimate(trace.channel, window.from_s(), window.to_s(), width, columns_);
+  source.decimate(trace.channel, window.from_s(), window.to_s(), width, columns_);
   QVector<QCPGraphData> points;
   points.reserve(static_cast<qsizetype>(columns_.size()) * 2);
   double last = kNaN;
@@ -155,12 +155,12 @@ void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveBuffer& bu
   graph->data()->set(points, true);
 }
 
-void CurveStrip::draw(const CurveBuffer& buffer, const TimeWindow& window) {
+void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
   drawn_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   if (!qFuzzyCompare(plot_->bufferDevicePixelRatio(), plot_->devicePixelRatioF())) {
     plot_->setBufferDevicePixelRatio(plot_->devicePixelRatioF());
   }
-  for (std::size_t i = 0; i < traces_.size(); ++i) fill(plot_->graph(static_cast<int>(i)), traces_[i], buffer, window);
+  for (std::size_t i = 0; i < traces_.size(); ++i) fill(plot_->graph(static_cast<int>(i)), traces_[i], source, window);
   if (drawn_.lower <= drawn_.upper) range_.fit(drawn_.lower, drawn_.upper);
   Range shown = shownRange();
   if (lanes_) {

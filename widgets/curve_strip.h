@@ -1,4 +1,4 @@
-// One picture of curves over time: traces that share a unit. Draws from a CurveBuffer, one min/max pair per pixel
+// One picture of curves over time: traces that share a unit. Draws from a CurveSource, one min/max pair per pixel
 // column.
 //
 // The time axis counts from the right edge, so that scale and grid stand still while the curves move.
@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/curve_buffer.h"
+#include "widgets/curve_source.h"
 #include "widgets/theme.h"
 #include "widgets/time_window.h"
 #include "widgets/value_range.h"
@@ -36,7 +36,7 @@ class CurveStrip : public QWidget {
   CurveStrip(const QString& name, const QString& unit, Range least, std::vector<Trace> traces, bool with_time_scale,
              QWidget* parent = nullptr);
 
-  void draw(const CurveBuffer& buffer, const TimeWindow& window);
+  void draw(const CurveSource& source, const TimeWindow& window);
   /// Back to a vertical range that follows the data.
   void freeRange() { fixed_range_.reset(); }
   void fixRange(Range range) { fixed_range_ = range; }
@@ -56,7 +56,7 @@ class CurveStrip : public QWidget {
 
  private:
   void dress();
-  void fill(QCPGraph* graph, const Trace& trace, const CurveBuffer& buffer, const TimeWindow& window);
+  void fill(QCPGraph* graph, const Trace& trace, const CurveSource& source, const TimeWindow& window);
   void buildLanes();
   [[nodiscard]] double laneCentre(std::size_t trace) const;
   [[nodiscard]] double timeAt(double x_px) const;

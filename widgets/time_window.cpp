@@ -12,7 +12,7 @@ void TimeWindow::advance(double newest_s) {
 }
 
 void TimeWindow::chooseSpan(double span_s) {
-  chosen_span_s_ = std::clamp(span_s, kShortest_s, kLongest_s);
+  chosen_span_s_ = std::clamp(span_s, kShortest_s, longest_s_);
   span_s_ = chosen_span_s_;
 }
 
@@ -30,7 +30,7 @@ void TimeWindow::pan(double by_s) {
 
 void TimeWindow::zoom(double factor, double about_s) {
   if (!std::isfinite(factor) || factor <= 0.0 || !std::isfinite(about_s)) return;
-  const double span_s = std::clamp(span_s_ * factor, kShortest_s, kLongest_s);
+  const double span_s = std::clamp(span_s_ * factor, kShortest_s, longest_s_);
   if (!following_) end_s_ = about_s + (end_s_ - about_s) * (span_s / span_s_);
   span_s_ = span_s;  // while following, the newest sample stays at the right edge
 }
@@ -38,7 +38,7 @@ void TimeWindow::zoom(double factor, double about_s) {
 void TimeWindow::show(double from_s, double to_s) {
   if (!std::isfinite(from_s) || !std::isfinite(to_s) || to_s <= from_s) return;
   following_ = false;
-  span_s_ = std::clamp(to_s - from_s, kShortest_s, kLongest_s);
+  span_s_ = std::clamp(to_s - from_s, kShortest_s, longest_s_);
   end_s_ = to_s;
 }
 

@@ -8,7 +8,9 @@ namespace fyd::widgets {
 class TimeWindow {
  public:
   static constexpr double kShortest_s = 0.02;
-  static constexpr double kLongest_s = 240.0;
+  static constexpr double kLongestLive_s = 240.0;
+
+  explicit TimeWindow(double longest_s = kLongestLive_s) : longest_s_(longest_s) {}
 
   [[nodiscard]] double from_s() const { return end_s_ - span_s_; }
   [[nodiscard]] double to_s() const { return end_s_; }
@@ -29,6 +31,7 @@ class TimeWindow {
   void show(double from_s, double to_s);
 
  private:
+  double longest_s_;
   double newest_s_ = 0.0;
   double end_s_ = 0.0;
   double span_s_ = 10.0;
