@@ -9,6 +9,7 @@
 #include "core/device/camera.h"
 #include "core/device/camera_controls.h"
 #include "core/device/pacer.h"
+#include "core/device/stable_name.h"
 
 namespace fyd::device {
 
@@ -40,7 +41,7 @@ class CaptureCamera final : public Camera {
         source_(choice.source),
         number_(choice.number),
         settings_(cameraSettings(parameters)),
-        by_id_(parameters.cameras_by_id),
+        by_id_(folderOr(parameters.cameras_by_id, kCamerasById)),
         pacer_(kUsualRate_Hz) {}
   [[nodiscard]] Result<void> openCapture();
   void openDevice(const std::string& path);

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "core/base/parameter.h"
-#include "core/device/stable_name.h"
 
 namespace fyd::device {
 
@@ -35,9 +34,9 @@ struct DeviceParameters {
   // plausibility of what a device says
   double stuck_sensor_s = 2.0;
 
-  // Where the names are that belong to a device; not for the profile, tests have their own.
-  std::string serial_by_id{kSerialById};
-  std::string cameras_by_id{kCamerasById};
+  // Where the names are that belong to a device; not for the profile: tests have their own. Empty: stable_name.h's.
+  std::string serial_by_id;
+  std::string cameras_by_id;
 
   template <class Visitor>
   void describe(Visitor& v) {

@@ -16,7 +16,7 @@ constexpr int kSwitchingOnCycles = 50;  // a healthy drive needs five
 constexpr std::uint16_t kLoopRate_Hz = 1000;
 
 ModbusAddress within(ModbusAddress address, const DeviceParameters& parameters) {
-  address.by_id = parameters.serial_by_id;
+  if (!parameters.serial_by_id.empty()) address.by_id = parameters.serial_by_id;
   return address;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/device/reading_values.h"
+#include "core/device/stable_name.h"
 
 namespace fyd::device {
 namespace {
@@ -91,7 +92,7 @@ Result<protocol::QbmoveFrame> QbmoveMotors::ask(std::uint8_t command, std::size_
 }
 
 Result<void> QbmoveMotors::connect() {
-  const auto path = resolveDevice(path_, parameters_.serial_by_id);
+  const auto path = resolveDevice(path_, folderOr(parameters_.serial_by_id, kSerialById));
   if (!path) return tl::unexpected(path.error());
   auto port = SerialPort::open(*path, parameters_.qbmove_baud);
   if (!port) return tl::unexpected(port.error());

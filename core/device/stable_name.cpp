@@ -30,7 +30,7 @@ bool containsWord(std::string_view name, std::string_view word) {
 
 }  // namespace
 
-Result<std::string> resolveDevice(const std::string& text, const std::string& folder) {
+Result<std::string> resolveDevice(const std::string& text, std::string_view folder) {
   if (!text.starts_with(kPrefix)) return text;
   const std::string_view id = std::string_view(text).substr(kPrefix.size());
   if (id.empty()) return fail("'{}': expected id=SERIAL, as it stands in {}", text, folder);

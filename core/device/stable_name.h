@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/base/error.h"
 
@@ -17,6 +18,11 @@ inline constexpr std::string_view kCamerasById = "/dev/v4l/by-id";
 /// @param text a path, which is passed on, or "id=SERIAL"
 /// @param folder of links that carry maker, model and serial number; tests have their own
 /// @return the path to open, or an error when no device or more than one fits, with what there is
-[[nodiscard]] Result<std::string> resolveDevice(const std::string& text, const std::string& folder);
+[[nodiscard]] Result<std::string> resolveDevice(const std::string& text, std::string_view folder);
+
+/// The folder that a test chose, or the system's.
+[[nodiscard]] inline std::string_view folderOr(const std::string& chosen, std::string_view usual) {
+  return chosen.empty() ? usual : std::string_view(chosen);
+}
 
 }  // namespace fyd::device
