@@ -28,22 +28,29 @@ double HoldButton::progress() const {
 }
 
 void HoldButton::begin() {
-  if (holding_ || !isEnabled()) return;
+  if (holding_ || engaged_ || !isEnabled()) return;
   holding_ = true;
   held_for_.start();
   timer_.start();
 }
 
 void HoldButton::cancel() {
-  if (!holding_) return;
-  holding_ = false;
-  timer_.stop();
-  update();
+  if (holding_) {
+    holding_ = false;
+    timer_.stop();
+    update();
+  }
+  if (engaged_) {
+    engaged_ = false;
+    emit letGo();
+  }
 }
 
 void HoldButton::tick() {
   if (held_for_.elapsed() >= kHold_ms) {
-    cancel();
+    holding_ = false;
+    timer_.stop();
+    engaged_ = true;
     emit held();
   }
   update();
@@ -86,6 +93,11 @@ void HoldButton::mouseMoveEvent(QMouseEvent* event) {
 void HoldButton::changeEvent(QEvent* event) {
   if (event->type() == QEvent::EnabledChange && !isEnabled()) cancel();
   QPushButton::changeEvent(event);
+}
+
+void HoldButton::hideEvent(QHideEvent* event) {
+  cancel();
+  QPushButton::hideEvent(event);
 }
 
 void HoldButton::paintEvent(QPaintEvent* event) {

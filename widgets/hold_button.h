@@ -1,5 +1,6 @@
 // A button that acts only after it was held for a while, by mouse or by key: motion is deliberate.
 // Letting go early, leaving the button or losing the focus takes it back. The progress is drawn in the button.
+// What is to last only as long as the button is held ends with `letGo`.
 #pragma once
 
 #include <QElapsedTimer>
@@ -16,10 +17,14 @@ class HoldButton : public QPushButton {
   explicit HoldButton(const QString& text, QWidget* parent = nullptr);
   /// 0 … 1
   [[nodiscard]] double progress() const;
+  /// It has acted and is still held.
+  [[nodiscard]] bool engaged() const { return engaged_; }
 
  signals:
   /// Once for each hold.
   void held();
+  /// After `held`: released, left, hidden, disabled, or the focus is elsewhere.
+  void letGo();
 
  protected:
   bool event(QEvent* event) override;
@@ -28,6 +33,7 @@ class HoldButton : public QPushButton {
   void focusOutEvent(QFocusEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
@@ -38,6 +44,7 @@ class HoldButton : public QPushButton {
   QElapsedTimer held_for_;
   QTimer timer_;
   bool holding_ = false;
+  bool engaged_ = false;
 };
 
 }  // namespace fyd::widgets

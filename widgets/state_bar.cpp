@@ -34,6 +34,7 @@ StateBar::StateBar(QWidget* parent)
       since_label_(new QLabel(this)),
       why_(new QLabel(this)),
       parts_(new PartList(this)),
+      record_(new RecordButton(this)),
       tare_(new QPushButton(tr("Tare"), this)),
       arm_(new HoldButton(tr("Hold to arm"), this)),
       stop_(new QPushButton(tr(" STOP   Esc"), this)) {
@@ -59,7 +60,7 @@ StateBar::StateBar(QWidget* parent)
   stop_->setAccessibleName(tr("Stop"));
   stop_->setToolTip(tr("Motors off at once (Esc, from everywhere)"));
   stop_->setAutoDefault(false);
-  for (QPushButton* button : {tare_, static_cast<QPushButton*>(arm_), stop_}) {
+  for (QPushButton* button : {static_cast<QPushButton*>(record_), tare_, static_cast<QPushButton*>(arm_), stop_}) {
     button->setFixedHeight(kButtonHeight);
     button->setIconSize({20, 20});
   }
@@ -79,6 +80,7 @@ StateBar::StateBar(QWidget* parent)
   top->setSpacing(kGrid);
   top->addWidget(shape_);
   top->addLayout(words, 1);
+  top->addWidget(record_);
   top->addWidget(tare_);
   top->addWidget(arm_);
   top->addWidget(stop_);

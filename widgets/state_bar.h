@@ -1,5 +1,5 @@
 // Top of the window: the safety state in word, colour and shape, why and what to do, since when; the parts and the link
-// in words; Tare, the arming button that must be held, and Stop.
+// in words; the recording, Tare, the arming button that must be held, and Stop.
 #pragma once
 
 #include <QElapsedTimer>
@@ -12,6 +12,7 @@
 #include "core/pipeline/safety.h"
 #include "widgets/hold_button.h"
 #include "widgets/part_list.h"
+#include "widgets/record_button.h"
 
 namespace fyd::widgets {
 
@@ -28,6 +29,7 @@ class StateBar : public QFrame {
   [[nodiscard]] PartList* parts() const { return parts_; }
   [[nodiscard]] HoldButton* armButton() const { return arm_; }
   [[nodiscard]] QPushButton* stopButton() const { return stop_; }
+  [[nodiscard]] RecordButton* recordButton() const { return record_; }
   [[nodiscard]] QPushButton* tareButton() const { return tare_; }
   [[nodiscard]] QString stateWord() const { return word_->text(); }
   [[nodiscard]] QString stateReason() const { return why_->text(); }
@@ -52,6 +54,7 @@ class StateBar : public QFrame {
   QLabel* since_label_;
   QLabel* why_;
   PartList* parts_;
+  RecordButton* record_;
   QPushButton* tare_;
   HoldButton* arm_;
   QPushButton* stop_;

@@ -1,15 +1,14 @@
 // The link's panel beside the Operate place: how the link is doing, and which robot there is to be.
 #pragma once
 
-#include <QDockWidget>
-
+#include "app/console/side_dock.h"
 #include "core/pipeline/safety.h"
 #include "widgets/link_panel.h"
 #include "widgets/robot_form.h"
 
 namespace fyd::console {
 
-class LinkDock : public QDockWidget {
+class LinkDock : public SideDock {
   Q_OBJECT
  public:
   explicit LinkDock(QWidget* parent = nullptr);
@@ -27,7 +26,7 @@ class LinkDock : public QDockWidget {
   [[nodiscard]] widgets::RobotForm* form() const { return form_; }
 
  private:
-  QWidget* titleBar();
+  LinkDock(widgets::LinkPanel* panel, widgets::RobotForm* form, QWidget* parent);
   void refresh() { form_->setAllowed(mayReconnect()); }
 
   bool can_move_ = true;  // until the first sample says otherwise

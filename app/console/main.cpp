@@ -23,7 +23,7 @@ QString ownProfile() {
 }
 
 fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options, const QString& profile_path) {
-  fyd::station::StationOptions out;
+  fyd::station::StationOptions out = options.station;
   // Pictures for the manual show the defaults, whatever the operator saved.
   const bool own = options.profile.isEmpty();
   if (!own || (options.screenshot.isEmpty() && QFileInfo::exists(profile_path))) {
@@ -31,16 +31,12 @@ fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options,
     if (!loaded) return tl::unexpected(loaded.error());
     out.profile = *loaded;
   }
-  out.finger_csv = options.finger_csv.toStdString();
-  out.camera = options.camera.toStdString();
-  out.robot = options.robot.toStdString();
-  out.key_file = options.key.toStdString();
   return out;
 }
 
-/// Saves what the window shows, and leaves.
+/// Saves what the window shows, and leaves. Arms nothing that could move.
 void takePictureAfter(fyd::console::MainWindow& window, const Options& options) {
-  window.armOnce();
+  if (options.station.touchpad == "simulated" && options.station.motors.empty()) window.armOnce();
   QTimer::singleShot(static_cast<int>(options.screenshot_after_s * 1000.0), &window,
                      [&window, path = options.screenshot] {
                        const bool saved = window.grab().save(path);
@@ -74,6 +70,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   fyd::widgets::Look::instance().apply(application, options->theme);
   fyd::console::MainWindow window(std::move(*session), profile_path);
+  if (!options->page.isEmpty()) window.frame()->go(options->page);
   window.show();
   window.start();
   if (!options->screenshot.isEmpty()) takePictureAfter(window, *options);

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QScreen>
 
 #include "app/console/views.h"
@@ -22,11 +23,15 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       notices_(new widgets::NoticeStack(frame_->stack())),
       link_(new LinkDock(this)),
       robot_(new RobotChange(context(), *link_, this)),
+      recording_(new RecordingControl(context(), QFileInfo(profile_path).absolutePath() + QStringLiteral("/window.ini"),
+                                      this)),
       palette_(new CommandPalette(*commands_, this)) {
   setWindowTitle(tr("FYD Console"));
   setWindowIcon(widgets::icon(QStringLiteral("fyd-console")));
   setCentralWidget(frame_);
   buildDocks();
+  recording_->connectButton(stateBar()->recordButton());
+  recording_->addCommands(*commands_);
   commands_->fill(*menuBar());
   connectFeed();
   connectStateBar();
@@ -71,6 +76,8 @@ void MainWindow::buildDocks() {
   log_dock_->hide();
   addDockWidget(Qt::RightDockWidgetArea, link_);
   link_->hide();
+  addDockWidget(Qt::RightDockWidgetArea, recording_->dock());
+  recording_->dock()->hide();
 }
 
 void MainWindow::connectFeed() {

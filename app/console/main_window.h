@@ -12,6 +12,7 @@
 #include "app/console/key_guard.h"
 #include "app/console/link_dock.h"
 #include "app/console/operate_page.h"
+#include "app/console/recording_control.h"
 #include "app/console/robot_change.h"
 #include "app/console/session.h"
 #include "app/console/session_feed.h"
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] widgets::LogView* log() const { return log_; }
   [[nodiscard]] CommandRegistry& commands() { return *commands_; }
   [[nodiscard]] LinkDock* link() const { return link_; }
+  [[nodiscard]] RecordingControl* recording() const { return recording_; }
   [[nodiscard]] CommandPalette* palette() const { return palette_; }
   void tell(widgets::Severity severity, const QString& text, bool slide_in = true);
 
@@ -72,6 +74,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* log_dock_ = nullptr;
   LinkDock* link_;
   RobotChange* robot_;
+  RecordingControl* recording_;
   CommandPalette* palette_;
   bool arm_once_ = false;
 };

@@ -2,25 +2,103 @@
 
 #include <QCommandLineParser>
 #include <QFileInfo>
+#include <algorithm>
 
+#include "app/console/page.h"
+#include "core/station/option_words.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
 namespace {
 
+namespace words = station::words;
+
 QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
+
+struct OptionInfo {
+  const char* name;
+  const char* argument;  ///< empty: a switch
+  const char* help;
+};
+
+// In the order of the help.
+constexpr OptionInfo kOptions[] = {
+    {"help", "", QT_TRANSLATE_NOOP("Options", "Show this help.")},
+    {"version", "", QT_TRANSLATE_NOOP("Options", "Show the version.")},
+    {"simulate", "", QT_TRANSLATE_NOOP("Options", "The same as --touchpad simulated, which is the default.")},
+    {"touchpad", "TOUCHPAD", words::kTouchpad},
+    {"motors", "MOTORS", words::kMotors},
+    {"finger", "CSV", words::kFinger},
+    {"camera", "SOURCE", words::kCamera},
+    {"robot", "ROBOT", words::kRobot},
+    {"key", "FILE", words::kKey},
+    {"surface", "FILE", words::kSurface},
+    {"record", "FILE", words::kRecord},
+    {"operator", "NAME", words::kOperator},
+    {"subject", "CODE", words::kSubject},
+    {"notes", "TEXT", words::kNotes},
+    {"tag", "WORD", words::kTag},
+    {"profile", "FILE", QT_TRANSLATE_NOOP("Options", "Profile to load and to save to.")},
+    {"theme", "NAME", QT_TRANSLATE_NOOP("Options", "dark, light or system; default: system.")},
+    {"page", "NAME", QT_TRANSLATE_NOOP("Options", "Place of the window to begin with, such as operate or devices.")},
+    {"screenshot", "FILE",
+     QT_TRANSLATE_NOOP("Options", "Save a picture of the window and leave; arms once in simulation.")},
+    {"after", "S", QT_TRANSLATE_NOOP("Options", "Seconds before the picture is taken; default: 5.")},
+};
 
 Result<widgets::ThemeChoice> readTheme(const QString& name) {
   if (name == QLatin1String("dark")) return widgets::ThemeChoice::dark;
   if (name == QLatin1String("light")) return widgets::ThemeChoice::light;
-  if (name == QLatin1String("system")) return widgets::ThemeChoice::system;
+  if (name.isEmpty() || name == QLatin1String("system")) return widgets::ThemeChoice::system;
   return fail("--theme {}: expected dark, light or system", name.toStdString());
 }
 
-Result<void> checkReadable(const char* option, const QString& path) {
-  const QFileInfo file(path);
-  if (path.isEmpty() || (file.isFile() && file.isReadable())) return {};
-  return fail("{} {}: no such file, or it may not be read", option, path.toStdString());
+Result<void> checkPage(const QString& name) {
+  QStringList known;
+  for (const PlaceInfo& place : places()) known << QLatin1String(place.id);
+  if (name.isEmpty() || known.contains(name)) return {};
+  return fail("--page {}: expected one of {}", name.toStdString(), known.join(QStringLiteral(", ")).toStdString());
+}
+
+Result<void> checkReadable(const char* option, const std::string& path) {
+  const QFileInfo file(QString::fromStdString(path));
+  if (path.empty() || (file.isFile() && file.isReadable())) return {};
+  return fail("{} {}: no such file, or it may not be read", option, path);
+}
+
+Result<double> readSeconds(const QString& text) {
+  if (text.isEmpty()) return Options{}.screenshot_after_s;
+  const double seconds = widgets::readNumber(text);
+  if (seconds >= 0.0 && seconds <= 3600.0) return seconds;
+  return fail("--after {}: expected a number of seconds from 0 to 3600", text.toStdString());
+}
+
+/// What the station is to be.
+Result<station::StationOptions> readStation(const QCommandLineParser& parser) {
+  const auto value = [&](const char* name) { return parser.value(QLatin1String(name)).toStdString(); };
+  station::StationOptions out;
+  if (parser.isSet(QStringLiteral("touchpad"))) out.touchpad = value("touchpad");
+  if (parser.isSet(QStringLiteral("simulate")) && out.touchpad != "simulated") {
+    return fail("{}{}", words::kContradiction, out.touchpad);
+  }
+  out.motors = value("motors");
+  out.finger_csv = value("finger");
+  out.camera = value("camera");
+  if (parser.isSet(QStringLiteral("robot"))) out.robot = value("robot");
+  out.key_file = value("key");
+  out.surface = value("surface");
+  session::RecordingRequest record{.path = value("record"),
+                                   .operator_name = value("operator"),
+                                   .subject = value("subject"),
+                                   .notes = value("notes"),
+                                   .tags = {}};
+  for (const QString& tag : parser.values(QStringLiteral("tag"))) record.tags.push_back(tag.toStdString());
+  const bool described =
+      !record.operator_name.empty() || !record.subject.empty() || !record.notes.empty() || !record.tags.empty();
+  if (record.path.empty() && described) return fail("{}", words::kRecordMissing);
+  if (!record.path.empty()) out.record = record;
+  if (const auto ok = checkReadable("--finger", out.finger_csv); !ok) return tl::unexpected(ok.error());
+  return out;
 }
 
 }  // namespace
@@ -28,40 +106,18 @@ Result<void> checkReadable(const char* option, const QString& path) {
 Result<Options> readOptions(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(tr("FYD Console: the operator's window of the FYD Touchpad."));
-  const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this help."));
-  const QCommandLineOption version(QStringLiteral("version"), tr("Show the version."));
-  const QCommandLineOption simulate(
-      QStringLiteral("simulate"),
-      tr("Simulate the touchpad: always so in the window; a real one is driven by fyd station."));
-  const QCommandLineOption finger(QStringLiteral("finger"),
-                                  tr("Let the simulated finger follow a recording (t_s,x_mm,y_mm,z_mm)."),
-                                  QStringLiteral("CSV"));
-  const QCommandLineOption camera(QStringLiteral("camera"),
-                                  tr("Device index, video file, image folder or stream URL; "
-                                     "default: simulated."),
-                                  QStringLiteral("SOURCE"));
-  const QCommandLineOption robot(
-      QStringLiteral("robot"),
-      tr("simulated, none, or link:HOST:PORT or classic:HOST:PORT to listen there; classic is not secured."),
-      QStringLiteral("ROBOT"), QStringLiteral("simulated"));
-  const QCommandLineOption key(QStringLiteral("key"), tr("Key file of a link: robot."), QStringLiteral("FILE"));
-  const QCommandLineOption profile(QStringLiteral("profile"), tr("Profile to load and to save to."),
-                                   QStringLiteral("FILE"));
-  const QCommandLineOption theme_name(QStringLiteral("theme"), tr("dark, light or system."), QStringLiteral("NAME"),
-                                      QStringLiteral("system"));
-  const QCommandLineOption screenshot(QStringLiteral("screenshot"),
-                                      tr("Arm once, save a picture of the window and leave; simulation only."),
-                                      QStringLiteral("FILE"));
-  const QCommandLineOption after(QStringLiteral("after"), tr("Seconds before the picture is taken; default: 5."),
-                                 QStringLiteral("S"), QStringLiteral("5"));
-  parser.addOptions({help, version, simulate, finger, camera, robot, key, profile, theme_name, screenshot, after});
+  for (const OptionInfo& each : kOptions) {
+    QStringList names = {QLatin1String(each.name)};
+    if (names.first() == QLatin1String("help")) names.prepend(QStringLiteral("h"));
+    parser.addOption(QCommandLineOption(names, tr(each.help), QLatin1String(each.argument)));
+  }
   if (!parser.parse(arguments)) return fail("{}", parser.errorText().toStdString());
   Options options;
-  if (parser.isSet(help)) {
+  if (parser.isSet(QStringLiteral("help"))) {
     options.help = parser.helpText();
     return options;
   }
-  if (parser.isSet(version)) {
+  if (parser.isSet(QStringLiteral("version"))) {
     options.help = QStringLiteral("fyd-console " FYD_VERSION "\n");
     return options;
   }
@@ -69,20 +125,19 @@ Result<Options> readOptions(const QStringList& arguments) {
     return fail("unexpected argument '{}'; --help shows the options",
                 parser.positionalArguments().first().toStdString());
   }
-  options.finger_csv = parser.value(finger);
-  options.camera = parser.value(camera);
-  options.robot = parser.value(robot);
-  options.key = parser.value(key);
-  options.profile = parser.value(profile);
-  options.screenshot = parser.value(screenshot);
-  options.screenshot_after_s = widgets::readNumber(parser.value(after));
-  if (!(options.screenshot_after_s >= 0.0 && options.screenshot_after_s <= 3600.0)) {
-    return fail("--after {}: expected a number of seconds from 0 to 3600", parser.value(after).toStdString());
-  }
-  const auto choice = readTheme(parser.value(theme_name));
-  if (!choice) return tl::unexpected(choice.error());
-  options.theme = *choice;
-  if (const auto ok = checkReadable("--finger", options.finger_csv); !ok) return tl::unexpected(ok.error());
+  const auto seconds = readSeconds(parser.value(QStringLiteral("after")));
+  if (!seconds) return tl::unexpected(seconds.error());
+  const auto theme = readTheme(parser.value(QStringLiteral("theme")));
+  if (!theme) return tl::unexpected(theme.error());
+  auto station = readStation(parser);
+  if (!station) return tl::unexpected(station.error());
+  options.station = std::move(*station);
+  options.profile = parser.value(QStringLiteral("profile"));
+  options.theme = *theme;
+  options.page = parser.value(QStringLiteral("page"));
+  options.screenshot = parser.value(QStringLiteral("screenshot"));
+  options.screenshot_after_s = *seconds;
+  if (const auto ok = checkPage(options.page); !ok) return tl::unexpected(ok.error());
   return options;
 }
 

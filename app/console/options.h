@@ -1,21 +1,20 @@
-// fyd-console's command line.
+// fyd-console's command line: the station's options in the words of `fyd station`, and the window's own.
 #pragma once
 
 #include <QString>
 #include <QStringList>
 
 #include "core/base/error.h"
+#include "core/station/station.h"
 #include "widgets/theme.h"
 
 namespace fyd::console {
 
 struct Options {
-  QString finger_csv;                           ///< empty: the built-in gesture
-  QString camera;                               ///< empty: simulated
-  QString robot = QStringLiteral("simulated");  ///< as StationOptions::robot
-  QString key;                                  ///< key file of a "link:" robot
-  QString profile;                              ///< empty: defaults
+  station::StationOptions station;  ///< without the profile: that is read from `profile`
+  QString profile;                  ///< empty: defaults
   widgets::ThemeChoice theme = widgets::ThemeChoice::system;
+  QString page;        ///< place to begin with; empty: the first
   QString screenshot;  ///< empty: none
   double screenshot_after_s = 5.0;
   QString help;  ///< not empty: print this and leave

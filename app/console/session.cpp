@@ -8,7 +8,9 @@ namespace {
 class StationSession : public Session {
  public:
   StationSession(station::StationOptions options, std::unique_ptr<station::Station> station)
-      : options_(std::move(options)), station_(std::move(station)) {}
+      : options_(std::move(options)), station_(std::move(station)) {
+    options_.record.reset();  // asked for once, at the start: a change of the robot does not begin it again
+  }
 
   void start() override {
     if (station_) station_->start();
@@ -37,6 +39,39 @@ class StationSession : public Session {
   std::vector<station::ReadinessLine> readiness() const override {
     return station_ ? station_->readiness() : std::vector<station::ReadinessLine>{};
   }
+  std::vector<device::DeviceReport> devices() const override {
+    return station_ ? station_->devices() : std::vector<device::DeviceReport>{};
+  }
+
+  Result<void> startDeviceTest(device::DeviceTest test) override {
+    if (!station_) return fail("device test: the session is closed");
+    return station_->startDeviceTest(test);
+  }
+  void keepDeviceTest() override {
+    if (station_) station_->keepDeviceTest();
+  }
+  void stopDeviceTest() override {
+    if (station_) station_->stopDeviceTest();
+  }
+  station::DeviceTestStatus deviceTestStatus() const override {
+    return station_ ? station_->deviceTestStatus() : station::DeviceTestStatus{};
+  }
+
+  Result<void> startRecording(const session::RecordingRequest& request) override {
+    if (!station_) return fail("{}: the session is closed", request.path);
+    return station_->startRecording(request);
+  }
+  Result<void> stopRecording() override {
+    if (!station_) return fail("the session is closed");
+    return station_->stopRecording();
+  }
+  void note(session::NoteKind kind, const std::string& text) override {
+    if (station_) station_->note(kind, text);
+  }
+  session::RecorderStatus recorderStatus() const override {
+    return station_ ? station_->recorderStatus() : session::RecorderStatus{};
+  }
+
   void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
     if (station_) station_->moveSimulatedFinger(x_mm, y_mm, indentation_mm);
   }

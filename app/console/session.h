@@ -35,6 +35,17 @@ class Session {
   [[nodiscard]] virtual station::CameraView cameraView() const = 0;
   [[nodiscard]] virtual station::StationStatus status() const = 0;
   [[nodiscard]] virtual std::vector<station::ReadinessLine> readiness() const = 0;
+  [[nodiscard]] virtual std::vector<device::DeviceReport> devices() const = 0;
+
+  [[nodiscard]] virtual Result<void> startDeviceTest(device::DeviceTest test) = 0;
+  virtual void keepDeviceTest() = 0;
+  virtual void stopDeviceTest() = 0;
+  [[nodiscard]] virtual station::DeviceTestStatus deviceTestStatus() const = 0;
+
+  [[nodiscard]] virtual Result<void> startRecording(const session::RecordingRequest& request) = 0;
+  [[nodiscard]] virtual Result<void> stopRecording() = 0;
+  virtual void note(session::NoteKind kind, const std::string& text) = 0;
+  [[nodiscard]] virtual session::RecorderStatus recorderStatus() const = 0;
 
   virtual void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) = 0;
   virtual void releaseSimulatedFinger() = 0;

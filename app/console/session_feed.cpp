@@ -73,6 +73,7 @@ void SessionFeed::lookAtParts() {
   }
   emit parts(toParts(status, missed_now_, session_.telemetryLost()));
   emit link(toLink(status));
+  emit recorder(session_.recorderStatus());
   emit readiness(toReadiness(session_.readiness()));
   for (const station::PartStatus& part : status.parts) {
     if (part.name != "Camera" || part.ok) continue;

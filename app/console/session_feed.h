@@ -30,6 +30,7 @@ class SessionFeed : public QObject {
   void picture(const fyd::station::CameraView& view);
   void parts(const std::vector<widgets::PartView>& parts);
   void link(const widgets::LinkView& view);
+  void recorder(const fyd::session::RecorderStatus& status);
   void cameraMissing(const QString& why);
   void readiness(const std::vector<widgets::ReadinessRow>& rows);
   void notice(const fyd::station::Notice& notice);

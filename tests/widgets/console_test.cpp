@@ -273,11 +273,16 @@ class ConsoleTest : public QObject {
 
   void wrongOptionsAreRefusedWithTheirName() {
     const QString program = QStringLiteral("fyd-console");
-    for (const QStringList& wrong : {QStringList{QStringLiteral("--theme"), QStringLiteral("pink")},
-                                     QStringList{QStringLiteral("--after"), QStringLiteral("soon")},
-                                     QStringList{QStringLiteral("--after"), QStringLiteral("-1")},
-                                     QStringList{QStringLiteral("--finger"), QStringLiteral("no-such.csv")},
-                                     QStringList{QStringLiteral("--nonsense")}, QStringList{QStringLiteral("stray")}}) {
+    for (const QStringList& wrong :
+         {QStringList{QStringLiteral("--theme"), QStringLiteral("pink")},
+          QStringList{QStringLiteral("--after"), QStringLiteral("soon")},
+          QStringList{QStringLiteral("--after"), QStringLiteral("-1")},
+          QStringList{QStringLiteral("--finger"), QStringLiteral("no-such.csv")},
+          QStringList{QStringLiteral("--page"), QStringLiteral("kitchen")},
+          QStringList{QStringLiteral("--operator"), QStringLiteral("MM")},
+          QStringList{QStringLiteral("--touchpad"), QStringLiteral("modbus-tcp:10.0.0.7:502"),
+                      QStringLiteral("--simulate")},
+          QStringList{QStringLiteral("--nonsense")}, QStringList{QStringLiteral("stray")}}) {
       const auto options = console::readOptions(QStringList{program} + wrong);
       QVERIFY(!options.has_value());
       const QString name = wrong.first().mid(wrong.first().startsWith(QLatin1String("--")) ? 2 : 0);
@@ -285,7 +290,21 @@ class ConsoleTest : public QObject {
     }
     const auto options = console::readOptions({program, QStringLiteral("--theme"), QStringLiteral("light")});
     QVERIFY(options.has_value() && options->theme == widgets::ThemeChoice::light &&
-            options->robot == QLatin1String("simulated"));
+            options->station.robot == "simulated" && options->station.touchpad == "simulated" &&
+            !options->station.record);
+    const auto more = console::readOptions(
+        {program, QStringLiteral("--touchpad"), QStringLiteral("modbus-tcp:10.0.0.7:502"), QStringLiteral("--motors"),
+         QStringLiteral("qbmove:/dev/ttyUSB0"), QStringLiteral("--surface"), QStringLiteral("wood.toml"),
+         QStringLiteral("--record"), QStringLiteral("s.h5"), QStringLiteral("--operator"), QStringLiteral("MM"),
+         QStringLiteral("--subject"), QStringLiteral("S07"), QStringLiteral("--tag"), QStringLiteral("pilot"),
+         QStringLiteral("--tag"), QStringLiteral("left hand"), QStringLiteral("--page"), QStringLiteral("devices")});
+    QVERIFY2(more.has_value(), more ? "" : more.error().message.c_str());
+    QCOMPARE(more->station.touchpad, std::string("modbus-tcp:10.0.0.7:502"));
+    QCOMPARE(more->station.motors, std::string("qbmove:/dev/ttyUSB0"));
+    QCOMPARE(more->station.surface, std::string("wood.toml"));
+    QCOMPARE(more->station.record->subject, std::string("S07"));
+    QCOMPARE(more->station.record->tags, (std::vector<std::string>{"pilot", "left hand"}));
+    QCOMPARE(more->page, QStringLiteral("devices"));
   }
 };
 

@@ -46,9 +46,7 @@ station::StationStatus sealedStatus() {
 
 QString valueOf(const widgets::LinkPanel& panel, const char* label) { return panel.value(QLatin1String(label)); }
 
-QRect linkPlace(const console::MainWindow& window) {
-  return window.stateBar()->parts()->place(QStringLiteral("Link"));
-}
+QRect linkPlace(const console::MainWindow& window) { return window.stateBar()->parts()->place(QStringLiteral("Link")); }
 
 }  // namespace
 

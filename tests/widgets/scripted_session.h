@@ -1,6 +1,7 @@
 // A session that plays what a test scripts and notes what it was asked, and a window on it.
 #pragma once
 
+#include "app/console/devices_page.h"
 #include "app/console/main_window.h"
 
 namespace fyd::tests {
@@ -13,7 +14,10 @@ class ScriptedSession : public console::Session {
     commands.push_back(command);
     return takes_commands;
   }
-  void requestStop() override { ++stops; }
+  void requestStop() override {
+    ++stops;
+    stopDeviceTest();  // as a station's does
+  }
   Result<void> setParameter(std::string_view id, double value) override {
     if (refuses) return fail("{}: refused by the script", id);
     auto bound = bindParameters(profile);
@@ -33,6 +37,33 @@ class ScriptedSession : public console::Session {
   station::CameraView cameraView() const override { return view; }
   station::StationStatus status() const override { return now; }
   std::vector<station::ReadinessLine> readiness() const override { return {{"Motors answer", true, ""}}; }
+  std::vector<device::DeviceReport> devices() const override { return reports; }
+  Result<void> startDeviceTest(device::DeviceTest test) override {
+    if (refuses) return fail("device test: refused by the script");
+    tests.push_back(test);
+    test_status = {.running = true, .test = test, .progress = 0.0, .words = "running"};
+    return {};
+  }
+  void keepDeviceTest() override { ++keeps; }
+  void stopDeviceTest() override {
+    ++test_stops;
+    if (test_status.running) test_status = {.test = test_status.test, .words = "ended: the button was released"};
+  }
+  station::DeviceTestStatus deviceTestStatus() const override { return test_status; }
+  Result<void> startRecording(const session::RecordingRequest& request) override {
+    if (refuses) return fail("{}: refused by the script", request.path);
+    recordings.push_back(request);
+    recorder = {.state = session::RecorderState::recording, .path = request.path};
+    return {};
+  }
+  Result<void> stopRecording() override {
+    ++recording_stops;
+    recorder.state = session::RecorderState::idle;
+    if (refuses) return fail("{}: refused by the script", recorder.path);
+    return {};
+  }
+  void note(session::NoteKind kind, const std::string& text) override { notes.emplace_back(kind, text); }
+  session::RecorderStatus recorderStatus() const override { return recorder; }
   void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
     finger = {x_mm, y_mm, indentation_mm};
   }
@@ -66,6 +97,15 @@ class ScriptedSession : public console::Session {
   station::CameraView view;
   station::StationStatus now;
   std::vector<double> finger;
+  std::vector<device::DeviceReport> reports;
+  std::vector<device::DeviceTest> tests;
+  station::DeviceTestStatus test_status;
+  int keeps = 0;
+  int test_stops = 0;
+  session::RecorderStatus recorder;
+  std::vector<session::RecordingRequest> recordings;
+  std::vector<std::pair<session::NoteKind, std::string>> notes;
+  int recording_stops = 0;
   int stops = 0;
   int shut_downs = 0;
   double seconds = 0;

@@ -11,5 +11,7 @@ std::unique_ptr<QObject> makeControlTest();
 std::unique_ptr<QObject> makeTuningTest();
 std::unique_ptr<QObject> makeLinkTest();
 std::unique_ptr<QObject> makeConsoleTest();
+std::unique_ptr<QObject> makeFrameTest();
+std::unique_ptr<QObject> makeRecordingTest();
 
 }  // namespace fyd::tests

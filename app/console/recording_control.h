@@ -1,0 +1,48 @@
+// Recording from the window: the form in its panel, the state bar's button, the keys, and what is told when something
+// goes wrong.
+#pragma once
+
+#include <QObject>
+
+#include "app/console/page.h"
+#include "app/console/side_dock.h"
+#include "widgets/record_button.h"
+#include "widgets/recording_form.h"
+
+namespace fyd::console {
+
+class RecordingControl : public QObject {
+  Q_OBJECT
+ public:
+  /// @param memory file that keeps the entries until the next start
+  RecordingControl(const PageContext& context, QString memory, QWidget* window);
+
+  /// Panel, button and commands are put into the window by it.
+  [[nodiscard]] SideDock* dock() const { return dock_; }
+  [[nodiscard]] widgets::RecordingForm* form() const { return form_; }
+  /// The state bar's button shows what the recorder does, and opens the panel.
+  void connectButton(widgets::RecordButton* button);
+  void addCommands(CommandRegistry& commands);
+  /// The next file: documents, a folder for sessions, date, time and subject.
+  [[nodiscard]] static QString suggestedFile(const QString& subject);
+
+ private:
+  void open();
+  void start(const widgets::RecordingEntries& entries);
+  void stop();
+  void mark();
+  void note(const QString& text);
+  void take(const session::RecorderStatus& status);
+  void remember(const widgets::RecordingEntries& entries) const;
+  [[nodiscard]] bool recording() const { return last_.state == session::RecorderState::recording; }
+
+  PageContext context_;
+  QString memory_;
+  widgets::RecordingForm* form_;
+  SideDock* dock_;
+  widgets::RecordButton* button_ = nullptr;
+  session::RecorderStatus last_;
+  int markers_ = 0;
+};
+
+}  // namespace fyd::console

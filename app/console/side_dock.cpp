@@ -1,0 +1,56 @@
+#include "app/console/side_dock.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/icon.h"
+#include "widgets/theme.h"
+
+namespace fyd::console {
+
+using widgets::kGrid;
+
+SideDock::SideDock(const QString& title, const QString& name, const QString& close_words,
+                   const std::vector<QWidget*>& parts, QWidget* parent)
+    : QDockWidget(title, parent) {
+  setFeatures(QDockWidget::NoDockWidgetFeatures);
+  setTitleBarWidget(titleBar(name, close_words));
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setFixedWidth(37 * kGrid);
+  auto* body = new QWidget(scroll);
+  auto* layout = new QVBoxLayout(body);
+  layout->setContentsMargins(0, kGrid, kGrid, kGrid);
+  layout->setSpacing(kGrid);
+  for (QWidget* part : parts) layout->addWidget(part);
+  layout->addStretch(1);
+  scroll->setWidget(body);
+  setWidget(scroll);
+}
+
+QWidget* SideDock::titleBar(const QString& name, const QString& close_words) {
+  auto* bar = new QWidget(this);
+  auto* title = new QLabel(windowTitle(), bar);
+  title->setFont(widgets::textFont(widgets::TextSize::normal, true));
+  auto* close = new QToolButton(bar);
+  close->setObjectName(name);
+  close->setProperty("flat", true);
+  close->setIcon(widgets::icon(QStringLiteral("cross")));
+  close->setIconSize({2 * kGrid, 2 * kGrid});
+  close->setAccessibleName(close_words);
+  close->setToolTip(close_words);
+  connect(close, &QToolButton::clicked, this, &QDockWidget::hide);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, 0);
+  layout->addWidget(title, 1);
+  layout->addWidget(close);
+  return bar;
+}
+
+}  // namespace fyd::console

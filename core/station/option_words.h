@@ -1,0 +1,27 @@
+// What the options of a station mean, as their help says it: the same words at the command line and in the window.
+#pragma once
+
+namespace fyd::station::words {
+
+inline constexpr const char* kTouchpad = "simulated, modbus-tcp:HOST:PORT, modbus-rtu:TTY[:BAUD] or recording:FILE";
+inline constexpr const char* kMotors = "qbmove:TTY, the original motor board in place of the touchpad's own motors";
+inline constexpr const char* kFinger = "Recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)";
+inline constexpr const char* kCamera =
+    "Device index, video file, folder of pictures, stream URL or recording:FILE; the touchpad's own (simulated, "
+    "recorded) when left out";
+inline constexpr const char* kRobot = "simulated, none, or link:HOST:PORT or classic:HOST:PORT to listen there";
+inline constexpr const char* kKey = "Key file of FYD Link, for --robot link:HOST:PORT";
+inline constexpr const char* kSurface = "Stored surface to feel with --robot none (TOML)";
+inline constexpr const char* kRecord = "Record the session into this new file (.h5)";
+inline constexpr const char* kOperator = "Who operates, for the recording";
+inline constexpr const char* kSubject = "Code of the subject, never a name, for the recording";
+inline constexpr const char* kNotes = "A line about the session, for the recording";
+inline constexpr const char* kTag = "A word to find the recording by; may be given again";
+
+/// When a recording is described and none is asked for.
+inline constexpr const char* kRecordMissing =
+    "--operator, --subject, --notes and --tag describe a recording; add --record FILE";
+/// "--simulate contradicts --touchpad X".
+inline constexpr const char* kContradiction = "--simulate contradicts --touchpad ";
+
+}  // namespace fyd::station::words

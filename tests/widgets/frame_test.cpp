@@ -1,0 +1,297 @@
+// The window's frame and the place "Devices": the rail by keys and clicks, devices that come and go, tests of the
+// motors that last only while a button is held, and a search that stops nothing.
+#include <atomic>
+
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+
+using pipeline::SafetyState;
+
+namespace {
+
+device::DeviceReport touchpad() {
+  device::DeviceReport out{.name = "Touchpad", .kind = "Modbus TCP", .description = "10.0.0.7:502, firmware 1.2"};
+  out.ok = true;
+  out.rate_hz = 249.7;
+  out.age_ms = 3.6;
+  out.values = {{.name = "IR sensor 1", .number = 2048.0, .unit = "counts"},
+                {.name = "load cell", .number = 0.12345, .unit = "mV/V"},
+                {.name = "motors", .text = "switched off"},
+                {.name = "current 1", .unit = "mA"}};
+  return out;
+}
+
+device::DeviceReport camera() {
+  device::DeviceReport out{.name = "Camera", .kind = "camera device", .description = "/dev/video0"};
+  out.problem = "no picture for 2.1 s; check the cable";
+  out.errors = 3;
+  out.counters = {{.kind = "frozen picture", .count = 2}, {.kind = "no picture", .count = 1}, {.kind = "other"}};
+  out.controls = {{.name = "brightness", .wanted = 40.0, .actual = 40.0, .supported = true, .words = "set to 40 %"},
+                  {.name = "exposure", .words = "this source has none"}};
+  return out;
+}
+
+console::DevicesPage* devicesOf(const Fixture& f) {
+  return qobject_cast<console::DevicesPage*>(f.window->frame()->page(QStringLiteral("devices")));
+}
+
+QToolButton* railButton(const Fixture& f, const char* place) {
+  return f.window->frame()->rail()->findChild<QToolButton*>(QStringLiteral("rail_place.") + QLatin1String(place));
+}
+
+}  // namespace
+
+class FrameTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void theRailGoesByKeysAndByClicksAndSaysWhereItIs() {
+    Fixture f;
+    QCOMPARE(f.window->frame()->place(), QStringLiteral("operate"));
+    QVERIFY(railButton(f, "operate")->isChecked());
+    QTest::keyClick(f.window.get(), Qt::Key_5, Qt::ControlModifier);
+    QCOMPARE(f.window->frame()->place(), QStringLiteral("devices"));
+    QVERIFY(devicesOf(f)->isVisible() && !f.window->operate()->isVisible());
+    QVERIFY(railButton(f, "devices")->isChecked() && !railButton(f, "operate")->isChecked());
+    QTest::mouseClick(railButton(f, "operate"), Qt::LeftButton);
+    QVERIFY(f.window->operate()->isVisible());
+    QTest::mouseClick(railButton(f, "operate"), Qt::LeftButton);  // where one is already
+    QVERIFY(railButton(f, "operate")->isChecked());
+    railButton(f, "devices")->setFocus();
+    QTest::keyClick(railButton(f, "devices"), Qt::Key_Space);
+    QVERIFY(devicesOf(f)->isVisible());
+    QVERIFY(f.window->operate()->curves()->following());  // the space bar was the button's
+    for (QToolButton* each : f.window->frame()->rail()->findChildren<QToolButton*>()) {
+      QVERIFY(!each->accessibleName().isEmpty() && !each->text().isEmpty() && !each->icon().isNull());
+      QVERIFY2(each->toolTip().contains(QLatin1String("Ctrl+")), qPrintable(each->toolTip()));
+    }
+    f.window->frame()->go(QStringLiteral("kitchen"));
+    QCOMPARE(f.window->frame()->place(), QStringLiteral("devices"));
+  }
+
+  void stopWorksFromEveryPlace() {
+    Fixture f;
+    for (const console::PlaceInfo& place : console::places()) {
+      f.window->frame()->go(QLatin1String(place.id));
+      int before = f.session->stops;
+      QTest::keyClick(f.window->frame()->stack()->currentWidget(), Qt::Key_Escape);
+      QVERIFY2(f.session->stops > before, place.id);
+      before = f.session->stops;
+      QVERIFY(f.window->stateBar()->stopButton()->isVisible());
+      QTest::mouseClick(f.window->stateBar()->stopButton(), Qt::LeftButton);
+      QVERIFY2(f.session->stops > before, place.id);
+    }
+  }
+
+  void aPlacesCommandsExistOnlyWhileItIsShown() {
+    Fixture f;
+    QAction* pause = f.window->commands().action(QStringLiteral("curves.pause"));
+    QAction* undo = f.window->commands().action(QStringLiteral("edit.undo"));
+    QVERIFY(pause->isVisible() && pause->isEnabled());
+    f.row("texture.k_vib")->slider()->setValue(200);
+    const double changed = f.session->profile.step.texture.k_vib;
+    f.window->frame()->go(QStringLiteral("devices"));
+    QVERIFY(!pause->isVisible() && !pause->isEnabled() && !undo->isEnabled());
+    f.window->setFocus();
+    QTest::keyClick(f.window.get(), Qt::Key_Space);
+    QTest::keyClick(f.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(f.window->operate()->curves()->following());
+    QCOMPARE(f.session->profile.step.texture.k_vib, changed);  // no gain changes unseen
+    f.window->palette()->open();
+    QTest::keyClicks(f.window->palette()->field(), QStringLiteral("undo"));
+    QCOMPARE(f.window->palette()->list()->count(), 0);
+    f.window->palette()->hide();
+    f.window->frame()->go(QStringLiteral("operate"));
+    QVERIFY(pause->isEnabled());
+    QTest::keyClick(f.window.get(), Qt::Key_Space);
+    QVERIFY(!f.window->operate()->curves()->following());
+  }
+
+  void aDeviceSaysWhatItIsHowItDoesAndWhatToDo() {
+    widgets::DeviceCard card;
+    card.setReport(touchpad());
+    QCOMPARE(card.stateWord(), QStringLiteral("Well"));
+    QVERIFY(card.problem().isEmpty());
+    for (const auto& [label, text] : {std::pair{"Answers", "250 a second"},
+                                      {"Last answer", "4 ms ago"},
+                                      {"Errors", "none since the start"},
+                                      {"IR sensor 1", "2048 counts"},
+                                      {"Load cell", "0.1235 mV/V"},
+                                      {"Motors", "Switched off"},
+                                      {"Current 1", "—"}}) {
+      QCOMPARE(card.value(QLatin1String(label)), QString::fromUtf8(text));
+    }
+    card.setReport(camera());
+    QCOMPARE(card.stateWord(), QStringLiteral("Problem"));
+    QVERIFY(card.problem().contains(QStringLiteral("check the cable")));
+    for (const auto& [label, text] : {std::pair{"Pictures", "—"},
+                                      {"Last picture", "—"},
+                                      {"Errors", "3"},
+                                      {"Frozen picture", "2"},
+                                      {"Brightness", "Set to 40 %"},
+                                      {"Exposure", "This source has none"},
+                                      {"Other", ""},           // none of this kind
+                                      {"IR sensor 1", ""}}) {  // of the former device
+      QCOMPARE(card.value(QLatin1String(label)), QString::fromUtf8(text));
+    }
+  }
+
+  void devicesComeAndGoWhileThePageIsOpen() {
+    Fixture f;
+    f.session->reports = {touchpad(), camera()};
+    f.window->frame()->go(QStringLiteral("devices"));
+    console::DevicesPage* page = devicesOf(f);
+    QCOMPARE(page->cardCount(), std::size_t{2});
+    QCOMPARE(page->card(1)->stateWord(), QStringLiteral("Problem"));
+    f.session->reports[1].ok = true;
+    f.session->reports[1].problem.clear();
+    QTRY_COMPARE(page->card(1)->stateWord(), QStringLiteral("Well"));  // by itself
+    f.session->reports.resize(1);
+    QTRY_COMPARE(page->cardCount(), std::size_t{1});
+    QVERIFY(!page->card(1)->isVisible());
+    f.session->reports.clear();
+    QTRY_COMPARE(page->cardCount(), std::size_t{0});
+    f.session->reports = {touchpad(), camera(), camera()};
+    QTRY_COMPARE(page->cardCount(), std::size_t{3});
+    QVERIFY(page->card(2)->isVisible());
+    QVERIFY2(f.window->minimumSizeHint().width() <= 1280,
+             qPrintable(QString::number(f.window->minimumSizeHint().width())));
+    f.window->frame()->go(QStringLiteral("operate"));
+    f.session->reports.clear();
+    QTest::qWait(500);
+    QCOMPARE(page->cardCount(), std::size_t{3});  // a hidden page asks nothing
+  }
+
+  void aTestRunsOnlyWhileItsButtonIsHeldAndNothingRenders() {
+    Fixture f;
+    f.session->reports = {touchpad()};
+    f.window->frame()->go(QStringLiteral("devices"));
+    console::DevicesPage* page = devicesOf(f);
+    widgets::HoldButton* button = page->card(0)->testButton(1);
+    for (const auto& [state, allowed] : {std::pair{SafetyState::disconnected, false},
+                                         {SafetyState::active, false},
+                                         {SafetyState::held, false},
+                                         {SafetyState::connected, true},
+                                         {SafetyState::stopped, true},
+                                         {SafetyState::ready, true}}) {
+      f.session->say(state);
+      f.window->feed().pump();
+      page->refresh();
+      QCOMPARE(button->isEnabled(), allowed);
+    }
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(f.session->tests.empty());
+    QTest::mousePress(button, Qt::LeftButton);
+    QTRY_COMPARE(f.session->tests.size(), std::size_t{1});
+    QCOMPARE(f.session->tests[0], device::DeviceTest::motor_2);
+    const int keeps = f.session->keeps;
+    QTRY_VERIFY(f.session->keeps > keeps + 2);
+    f.session->test_status.progress = 0.4;
+    page->refresh();
+    QVERIFY2(page->card(0)->testText().contains(QStringLiteral("40 %")), qPrintable(page->card(0)->testText()));
+    QTest::mouseRelease(button, Qt::LeftButton);
+    QVERIFY(f.session->test_stops >= 1);
+    QVERIFY(page->card(0)->testText().contains(QStringLiteral("released")));
+    const int after = f.session->keeps;
+    QTest::qWait(400);
+    QCOMPARE(f.session->keeps, after);
+    QCOMPARE(f.session->tests.size(), std::size_t{1});
+
+    // By key; and another place, or the state, takes it back as letting go does.
+    button->setFocus();
+    QTest::keyPress(button, Qt::Key_Space);
+    QTRY_COMPARE(f.session->tests.size(), std::size_t{2});
+    int stops = f.session->test_stops;
+    f.window->frame()->go(QStringLiteral("operate"));
+    QVERIFY(f.session->test_stops > stops);
+    QVERIFY(!button->engaged());
+    QTest::keyRelease(button, Qt::Key_Space);
+    f.window->frame()->go(QStringLiteral("devices"));
+    QTest::mousePress(button, Qt::LeftButton);
+    QTRY_COMPARE(f.session->tests.size(), std::size_t{3});
+    stops = f.session->test_stops;
+    f.session->say(SafetyState::active);
+    f.window->feed().pump();
+    page->refresh();
+    QVERIFY(f.session->test_stops > stops && !button->isEnabled());
+    QTest::mouseRelease(button, Qt::LeftButton);
+  }
+
+  void aTestThatIsRefusedSaysWhy() {
+    Fixture f;
+    f.session->reports = {touchpad()};
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    f.window->frame()->go(QStringLiteral("devices"));
+    f.session->refuses = true;
+    widgets::HoldButton* button = devicesOf(f)->card(0)->testButton(0);
+    QTest::mousePress(button, Qt::LeftButton);
+    QTRY_VERIFY(f.window->notices()->count() == 1);
+    QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("refused by the script")));
+    QTest::mouseRelease(button, Qt::LeftButton);
+  }
+
+  void escEndsATestAndNothingStartsItAgain() {
+    Fixture f;
+    f.session->reports = {touchpad()};
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    f.window->frame()->go(QStringLiteral("devices"));
+    widgets::HoldButton* button = devicesOf(f)->card(0)->testButton(0);
+    QTest::mousePress(button, Qt::LeftButton);
+    QTRY_COMPARE(f.session->tests.size(), std::size_t{1});
+    const int stops = f.session->test_stops;
+    QTest::keyClick(button, Qt::Key_Escape);
+    QVERIFY(f.session->stops >= 1);
+    QVERIFY(f.session->test_stops > stops);
+    QTest::qWait(800);  // still pressed
+    QCOMPARE(f.session->tests.size(), std::size_t{1});
+    QTest::mouseRelease(button, Qt::LeftButton);
+  }
+
+  void aSlowSearchBlocksNothingAndTellsHowFarItIs() {
+    Fixture f;
+    console::DevicesPage* page = devicesOf(f);
+    std::atomic<bool> go{false};
+    std::atomic<int> looks{0};
+    page->setSearch(
+        {{QStringLiteral("Serial port"), QStringLiteral("Looking at serial ports …"),
+          [&]() -> std::vector<device::FoundDevice> {
+            ++looks;
+            while (!go) QThread::msleep(5);
+            return {{.path = "/dev/serial/by-id/usb-x", .node = "/dev/ttyUSB0", .name = "x 1"}};
+          }},
+         {QStringLiteral("Camera"), QStringLiteral("Looking at cameras …"), [&]() -> std::vector<device::FoundDevice> {
+            return {{.path = "/dev/video0", .problem = "permission denied; join the group video"}};
+          }}});
+    f.window->frame()->go(QStringLiteral("devices"));  // looks by itself the first time
+    QTRY_COMPARE(looks.load(), 1);
+    QVERIFY(!page->found()->lookButton()->isEnabled());
+    QVERIFY(page->found()->summary().contains(QStringLiteral("serial ports")));
+    QTest::keyClick(f.window.get(), Qt::Key_F5);  // one at a time
+    QTest::keyClick(page, Qt::Key_Escape);        // and the window answers meanwhile
+    QVERIFY(f.session->stops >= 1);
+    go = true;
+    QTRY_COMPARE(page->found()->count(), 2);
+    QCOMPARE(looks.load(), 1);
+    bool remedy = false;
+    for (const QLabel* label : page->found()->findChildren<QLabel*>()) {
+      remedy = remedy || label->text().contains(QStringLiteral("join the group video"));
+    }
+    QVERIFY(remedy);
+    QTest::mouseClick(page->found()->lookButton(), Qt::LeftButton);
+    QTRY_COMPARE(looks.load(), 2);
+    QTRY_VERIFY(page->found()->lookButton()->isEnabled());
+    page->setSearch({});
+    QTest::keyClick(f.window.get(), Qt::Key_F5);
+    QTRY_COMPARE(page->found()->count(), 0);
+    QVERIFY(page->found()->summary().contains(QStringLiteral("No serial port and no camera")));
+  }
+};
+
+std::unique_ptr<QObject> makeFrameTest() { return std::make_unique<FrameTest>(); }
+
+}  // namespace fyd::tests
+
+#include "frame_test.moc"

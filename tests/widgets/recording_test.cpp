@@ -1,0 +1,207 @@
+// Recording from the window: the journey from Ctrl+R to a closed file, entries that cannot be taken, notes and markers,
+// and what is told when something goes wrong.
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+
+using session::RecorderState;
+
+namespace {
+
+void write(QLineEdit* field, const QString& text) {
+  field->setFocus();
+  field->selectAll();
+  if (text.isEmpty()) QTest::keyClick(field, Qt::Key_Delete);
+  QTest::keyClicks(field, text);
+}
+
+/// A window with the panel open and entries that can be taken.
+struct RecordingFixture : Fixture {
+  RecordingFixture() {
+    QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
+    form = window->recording()->form();
+    write(form->operatorField(), QStringLiteral("M. Muster"));
+    write(form->fileField(), folder.filePath(QStringLiteral("new folder/one.h5")));
+  }
+  [[nodiscard]] QString button() const { return window->stateBar()->recordButton()->text(); }
+  [[nodiscard]] QString told() const {
+    const int count = window->notices()->count();
+    return count == 0 ? QString() : window->notices()->text(count - 1);
+  }
+  widgets::RecordingForm* form;
+};
+
+}  // namespace
+
+class RecordingTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void fromTheKeyToAClosedFile() {
+    RecordingFixture f;
+    QVERIFY(f.window->recording()->dock()->isVisible());
+    write(f.form->subjectField(), QStringLiteral("S07"));
+    write(f.form->tagsField(), QStringLiteral(" pilot,left hand ,, pilot"));
+    QTest::keyClicks(f.form->notesField(), QStringLiteral("first try"));
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    QCOMPARE(f.session->recordings.size(), std::size_t{1});
+    const session::RecordingRequest& asked = f.session->recordings[0];
+    QCOMPARE(asked.path, f.folder.filePath(QStringLiteral("new folder/one.h5")).toStdString());
+    QCOMPARE(asked.operator_name, std::string("M. Muster"));
+    QCOMPARE(asked.subject, std::string("S07"));
+    QCOMPARE(asked.notes, std::string("first try"));
+    QCOMPARE(asked.tags, (std::vector<std::string>{"pilot", "left hand"}));
+    QVERIFY(QFileInfo(f.folder.filePath(QStringLiteral("new folder"))).isDir());
+
+    f.session->recorder.seconds = 751.4;
+    f.session->recorder.bytes = 24'100'000;
+    f.session->recorder.minutes_left = 41.7;
+    f.window->feed().pump();
+    QCOMPARE(f.button(), QStringLiteral("REC 00:12:31\n24.1 MB · 41 min left"));
+    QVERIFY(f.form->stopButton()->isVisible() && !f.form->startButton()->isVisible());
+    QVERIFY(!f.form->subjectField()->isVisible());
+
+    // Ctrl+R again only shows where to stop.
+    f.window->recording()->dock()->hide();
+    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    QCOMPARE(f.session->recording_stops, 0);
+    QVERIFY(f.form->stopButton()->hasFocus());
+    QTest::keyClick(f.form->stopButton(), Qt::Key_Return);
+    QCOMPARE(f.session->recording_stops, 1);
+    QVERIFY(f.told().contains(QStringLiteral("one.h5")));
+    QCOMPARE(f.button(), QStringLiteral("Record"));
+    QVERIFY(f.form->fileField()->text() != QString::fromStdString(asked.path));
+  }
+
+  void entriesThatCannotBeTakenAreMarkedAndSaidInWords() {
+    RecordingFixture f;
+    const QString present = f.folder.filePath(QStringLiteral("present.h5"));
+    QFile file(present);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    struct Case {
+      QLineEdit* field;
+      QString wrong;
+      QString word;
+    };
+    for (const Case& each :
+         {Case{f.form->operatorField(), QString(), QStringLiteral("Operator")},
+          {f.form->operatorField(), QString(81, QLatin1Char('x')), QStringLiteral("80")},
+          {f.form->subjectField(), QStringLiteral("Erika Muster"), QStringLiteral("never a name")},
+          {f.form->subjectField(), QString(33, QLatin1Char('S')), QStringLiteral("32")},
+          {f.form->tagsField(), QString(33, QLatin1Char('t')), QStringLiteral("Tag")},
+          {f.form->tagsField(), QStringLiteral("a,b,c,d,e,f,g,h,i,j,k,l,m,n,o,p,q"), QStringLiteral("17")},
+          {f.form->fileField(), QString(), QStringLiteral("File")},
+          {f.form->fileField(), QStringLiteral("here.h5"), QStringLiteral("whole path")},
+          {f.form->fileField(), f.folder.filePath(QStringLiteral("one.csv")), QStringLiteral(".h5")},
+          {f.form->fileField(), f.folder.filePath(QStringLiteral(".h5")), QStringLiteral(".h5")},
+          {f.form->fileField(), present, QStringLiteral("never written over")}}) {
+      const QString right = each.field->text();
+      write(each.field, each.wrong);
+      QTest::keyClick(each.field, Qt::Key_Return);
+      QVERIFY2(f.session->recordings.empty(), qPrintable(each.wrong));
+      QVERIFY2(f.form->hint().contains(each.word), qPrintable(f.form->hint()));
+      QVERIFY(each.field->property("refused").toBool() && each.field->hasFocus());
+      write(each.field, right);
+      QVERIFY(!each.field->property("refused").toBool());
+    }
+    f.form->notesField()->setPlainText(QString(2001, QLatin1Char('n')));
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    QVERIFY(f.form->hint().contains(QStringLiteral("2000")));
+    f.form->notesField()->clear();
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    QCOMPARE(f.session->recordings.size(), std::size_t{1});
+  }
+
+  void markersAndNotesGoIntoTheRecordingAndOnlyThere() {
+    RecordingFixture f;
+    QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
+    QVERIFY(f.session->notes.empty());
+    QVERIFY(f.told().contains(QStringLiteral("nothing is being recorded")));
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.session->recorder.seconds = 3.0;
+    f.window->feed().pump();
+    f.window->frame()->go(QStringLiteral("devices"));  // from every place
+    QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
+    QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
+    write(f.form->noteField(), QStringLiteral("  cloth  changed "));
+    QTest::keyClick(f.form->noteField(), Qt::Key_Return);
+    QTest::keyClick(f.form->noteField(), Qt::Key_Return);  // an empty line is no note
+    using Noted = std::pair<session::NoteKind, std::string>;
+    QCOMPARE(f.session->notes, (std::vector<Noted>{{session::NoteKind::bookmark, "Marker 1"},
+                                                   {session::NoteKind::bookmark, "Marker 2"},
+                                                   {session::NoteKind::note, "cloth changed"}}));
+  }
+
+  void lostSamplesAreAnErrorAndToldOnce() {
+    RecordingFixture f;
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.window->notices()->dismissAll();
+    f.session->recorder.lost = 120;
+    f.window->feed().pump();
+    f.session->recorder.lost = 130;
+    f.window->feed().pump();
+    QVERIFY(f.button().contains(QStringLiteral("130 samples lost")));
+    QCOMPARE(f.window->stateBar()->recordButton()->property("role").toString(), QStringLiteral("danger"));
+    QVERIFY(f.form->hint().contains(QStringLiteral("safe")));
+    QCOMPARE(f.window->log()->lines(), 2);  // the start and this
+  }
+
+  void aFailureSaysWhatHappenedWhatIsSafeAndWhatToDo() {
+    RecordingFixture f;
+    f.session->refuses = true;
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    QVERIFY(f.told().contains(QStringLiteral("refused by the script")));
+    QVERIFY(f.form->startButton()->isVisible());
+    f.session->refuses = false;
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.session->recorder.state = RecorderState::failed;
+    f.session->recorder.problem = "the disk is full; what was written is safe; free some space";
+    f.window->feed().pump();
+    f.window->feed().pump();
+    QVERIFY(f.told().contains(QStringLiteral("free some space")));
+    QVERIFY(f.button().contains(QStringLiteral("failed")));
+    QVERIFY(f.form->startButton()->isVisible());
+    QVERIFY(f.form->hint().contains(QStringLiteral("what was written is safe")));
+    // And one that does not close as it should.
+    write(f.form->fileField(), f.folder.filePath(QStringLiteral("two.h5")));
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.window->feed().pump();
+    f.session->refuses = true;
+    QTest::mouseClick(f.form->stopButton(), Qt::LeftButton);
+    QVERIFY2(f.told().contains(QStringLiteral("did not close")), qPrintable(f.told()));
+  }
+
+  void whatIsAlwaysTheSameIsRemembered() {
+    RecordingFixture f;
+    write(f.form->subjectField(), QStringLiteral("S07"));
+    write(f.form->tagsField(), QStringLiteral("pilot, left hand"));
+    QTest::keyClicks(f.form->notesField(), QStringLiteral("only for this one"));
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    console::MainWindow again(std::make_unique<ScriptedSession>(), f.folder.filePath(QStringLiteral("profile.toml")));
+    const widgets::RecordingEntries kept = again.recording()->form()->entries();
+    QCOMPARE(kept.operator_name, QStringLiteral("M. Muster"));
+    QCOMPARE(kept.subject, QStringLiteral("S07"));
+    QCOMPARE(kept.tags, (QStringList{QStringLiteral("pilot"), QStringLiteral("left hand")}));
+    QVERIFY(kept.notes.isEmpty());
+    QVERIFY2(kept.file.contains(QStringLiteral("FYD sessions/")) && kept.file.endsWith(QStringLiteral(" S07.h5")),
+             qPrintable(kept.file));
+  }
+
+  void figuresAreWrittenAsAnOperatorReadsThem() {
+    QCOMPARE(widgets::clockText(0.0), QStringLiteral("00:00:00"));
+    QCOMPARE(widgets::clockText(359'999.9), QStringLiteral("99:59:59"));
+    QCOMPARE(widgets::clockText(-3.0), QStringLiteral("00:00:00"));
+    QCOMPARE(widgets::clockText(std::nan("")), QStringLiteral("00:00:00"));
+    QCOMPARE(widgets::bytesText(640'000), QStringLiteral("640 kB"));
+    QCOMPARE(widgets::bytesText(1'250'000'000), QStringLiteral("1.25 GB"));
+    QCOMPARE(widgets::timeLeftText(0.4), QStringLiteral("less than a minute left"));
+    QCOMPARE(widgets::timeLeftText(400.0), QStringLiteral("6 h left"));
+    QVERIFY(widgets::timeLeftText(std::nan("")).isEmpty());
+  }
+};
+
+std::unique_ptr<QObject> makeRecordingTest() { return std::make_unique<RecordingTest>(); }
+
+}  // namespace fyd::tests
+
+#include "recording_test.moc"
