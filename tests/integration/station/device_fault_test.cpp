@@ -1,0 +1,163 @@
+// Every fault of the simulated touchpad on every backend, cables that come out, and the test buttons, through a whole
+// station. Waits end as soon as what they wait for has come.
+#include "tests/integration/station/device_rig.h"
+
+namespace fyd::station {
+namespace {
+
+using pipeline::SafetyState;
+using sim::TouchpadFault;
+using testing::HasSubstr;
+
+constexpr const char* kMotors = "Motors answer";
+constexpr const char* kDistance = "Distance sensors measure";
+constexpr const char* kCamera = "Camera sees";
+
+struct Cell {
+  TouchpadFault fault;
+  const char* lack;   ///< line of the readiness list that must go; nullptr: nothing that is needed goes
+  const char* words;  ///< that the part's problem must contain meanwhile
+  double seconds = 1.2;
+};
+
+const std::vector<Cell> kTouchpadCells = {
+    {TouchpadFault::late_reply, kMotors, "answer"},
+    {TouchpadFault::silence, kMotors, "answer"},
+    {TouchpadFault::stuck_sensor, nullptr, "IR sensor 1 is stuck", 2.5},
+    {TouchpadFault::brown_out, kMotors, ""},
+    {TouchpadFault::encoder_jump, kMotors, "encoder 1 jumped"},
+    {TouchpadFault::camera_freeze, nullptr, ""},
+    {TouchpadFault::garbage, kMotors, ""},
+};
+const std::vector<Cell> kCameraCells = {
+    {TouchpadFault::late_reply, kCamera, nullptr}, {TouchpadFault::silence, kCamera, ""},
+    {TouchpadFault::stuck_sensor, nullptr, ""},    {TouchpadFault::brown_out, kCamera, ""},
+    {TouchpadFault::encoder_jump, nullptr, ""},    {TouchpadFault::camera_freeze, kCamera, "the picture is frozen"},
+    {TouchpadFault::garbage, kCamera, ""},
+};
+
+class EveryBackend : public testing::TestWithParam<Backend> {};
+INSTANTIATE_TEST_SUITE_P(Backends, EveryBackend,
+                         testing::Values(Backend::modbus_tcp, Backend::modbus_rtu, Backend::qbmove, Backend::mjpeg),
+                         [](const auto& backend) { return kBackendNames[static_cast<std::size_t>(backend.param)]; });
+
+TEST_P(EveryBackend, EveryFaultHoldsIsNamedAndNothingReArmsAfterIt) {
+  DeviceRig rig(GetParam());
+  ASSERT_TRUE(rig.wait([&] { return rig.allOk(); })) << rig.part().problem;
+  for (const Cell& cell : GetParam() == Backend::mjpeg ? kCameraCells : kTouchpadCells) {
+    const std::string name(sim::kTouchpadFaultNames[static_cast<std::size_t>(cell.fault)]);
+    SCOPED_TRACE(name);
+    ASSERT_TRUE(rig.armed()) << rig.part().problem;
+    rig.process->inject(cell.fault, cell.seconds);
+    const Instant end = Clock::now() + fromSeconds(cell.seconds);
+    if (cell.lack == nullptr && *cell.words != '\0') {  // the step does without it
+      EXPECT_TRUE(rig.wait([&] { return rig.part().problem.find(cell.words) != std::string::npos; }));
+      EXPECT_TRUE(rig.lineOk(kDistance));
+    }
+    if (cell.lack == nullptr) {
+      EXPECT_TRUE(rig.wait([&] { return rig.allOk(); })) << rig.part().problem;
+      continue;
+    }
+    bool lacking = false;
+    bool named = cell.words == nullptr;
+    EXPECT_TRUE(rig.wait(
+        [&] {
+          const PartStatus part = rig.part();
+          lacking = lacking || !rig.lineOk(cell.lack);
+          named = named || (!part.ok && part.problem.find(cell.words) != std::string::npos);
+          return lacking && named && rig.state != SafetyState::active;
+        },
+        8.0))
+        << "lacking " << lacking << ", named " << named << ", state " << toString(rig.state) << ": "
+        << rig.part().problem;
+    while (Clock::now() < end) rig.pass(0.05);
+    rig.active_samples = 0;
+    EXPECT_TRUE(rig.wait([&] { return rig.lineOk(kDistance) && rig.lineOk(kCamera); })) << rig.part().problem;
+    rig.pass(0.1);
+    EXPECT_EQ(rig.active_samples, 0) << "its return must not arm";
+    ASSERT_TRUE(rig.stopped());
+    EXPECT_TRUE(rig.wait([&] { return rig.allOk(); })) << rig.part().problem;
+  }
+  EXPECT_EQ(rig.impossible_angles, 0);
+}
+
+TEST_P(EveryBackend, ACableThatComesOutIsShownAndItsReturnDoesNotArm) {
+  DeviceRig rig(GetParam());
+  ASSERT_TRUE(rig.armed()) << rig.part().problem;
+  const Instant out = Clock::now();
+  rig.unplug();
+  ASSERT_TRUE(rig.wait([&] { return !rig.part().ok; }));
+  const double shown_s = toSeconds(Clock::now() - out);
+  RecordProperty("shown_ms", static_cast<int>(shown_s * 1e3));
+  EXPECT_LT(shown_s, 3.0) << "1 s where nothing else runs";
+  EXPECT_TRUE(rig.wait([&] { return rig.state != SafetyState::active; }));
+  EXPECT_NE(rig.part().problem, "");
+  rig.startPeer();
+  rig.active_samples = 0;
+  ASSERT_TRUE(rig.wait([&] { return rig.lineOk(kDistance) && rig.lineOk(kCamera); })) << rig.part().problem;
+  rig.pass(0.1);
+  EXPECT_EQ(rig.active_samples, 0);
+  ASSERT_TRUE(rig.stopped());
+  EXPECT_TRUE(rig.wait([&] { return rig.allOk(); })) << rig.part().problem;
+  EXPECT_TRUE(rig.armed()) << "by the operator's act";
+}
+
+TEST(StationDevices, ReportsCarryWhatADevicesPageShows) {
+  DeviceRig rig(Backend::qbmove);
+  ASSERT_TRUE(rig.wait([&] { return rig.allOk(); }));
+  rig.pass(0.3);
+  const auto devices = rig.station->devices();
+  ASSERT_EQ(devices.size(), 3U);
+  EXPECT_EQ(devices[0].kind, "Modbus TCP");
+  EXPECT_EQ(devices[1].kind, "qbmove");
+  EXPECT_EQ(devices[2].kind, "folder");
+  for (const auto& device : devices) {
+    EXPECT_TRUE(device.ok) << device.name << ": " << device.problem;
+    EXPECT_LT(device.age_ms, 2000.0) << device.name;
+    EXPECT_FALSE(device.values.empty()) << device.name;
+  }
+  const auto has = [](const device::DeviceReport& report, std::string_view name) {
+    return std::ranges::any_of(report.values, [&](const auto& value) { return value.name == name; });
+  };
+  EXPECT_TRUE(has(devices[0], "IR sensor 3"));
+  EXPECT_TRUE(has(devices[0], "status word"));
+  EXPECT_TRUE(has(devices[1], "encoder 2"));
+  EXPECT_TRUE(has(devices[1], "current 1"));
+  EXPECT_EQ(devices[2].controls.size(), 3U);
+  EXPECT_THAT(devices[2].controls[0].words, HasSubstr("a folder has none"));
+}
+
+class TestButtons : public testing::TestWithParam<Backend> {};
+INSTANTIATE_TEST_SUITE_P(Backends, TestButtons, testing::Values(Backend::modbus_tcp, Backend::qbmove),
+                         [](const auto& backend) { return kBackendNames[static_cast<std::size_t>(backend.param)]; });
+
+TEST_P(TestButtons, AHeldButtonMovesTheMotorALittleAndItsReleaseEndsIt) {
+  DeviceRig rig(GetParam());
+  ASSERT_TRUE(rig.wait([&] { return rig.allOk(); }));
+  const auto motor = [&] { return rig.process->world().truth().motor_deg[0]; };
+  // A machine that stands still for 20 ms ends a test, rightly: the operator presses again.
+  double furthest = 0.0;
+  double start = 0.0;
+  for (int press = 0; press < 20 && furthest < 1.0; ++press) {
+    start = motor();
+    if (!rig.station->startDeviceTest(device::DeviceTest::motor_1)) rig.pass(0.1);
+    (void)rig.wait(
+        [&] {
+          rig.station->keepDeviceTest();
+          furthest = std::max(furthest, motor() - start);
+          return furthest > 1.0 || !rig.station->deviceTestStatus().running;
+        },
+        5.0);
+  }
+  EXPECT_GT(furthest, 1.0) << rig.station->deviceTestStatus().words;
+  EXPECT_LT(furthest, 3.0);
+  rig.station->stopDeviceTest();
+  EXPECT_TRUE(rig.wait([&] { return !rig.process->electronics().figures().motors_on; }));
+  EXPECT_FALSE(rig.station->deviceTestStatus().running);
+  ASSERT_TRUE(rig.armed());
+  EXPECT_THAT(rig.station->startDeviceTest(device::DeviceTest::vibration).error().message,
+              HasSubstr("stop the session"));
+}
+
+}  // namespace
+}  // namespace fyd::station

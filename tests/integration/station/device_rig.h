@@ -1,0 +1,167 @@
+// A whole station on real drivers, beside the simulated touchpad that it reaches through real protocols.
+#pragma once
+
+#include <filesystem>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/sim/picture.h"
+#include "core/sim/touchpad_process.h"
+#include "core/station/station.h"
+
+namespace fyd::station {
+
+enum class Backend : std::uint8_t { modbus_tcp, modbus_rtu, qbmove, mjpeg };
+inline constexpr std::array<const char*, 4> kBackendNames = {"modbus_tcp", "modbus_rtu", "qbmove", "mjpeg"};
+
+class DeviceRig {
+ public:
+  explicit DeviceRig(Backend backend) : backend_(backend) {
+    static int number = 0;
+    folder_ = std::filesystem::path(testing::TempDir()) / fmt::format("fyd-rig-{}-{}", ::getpid(), ++number);
+    std::filesystem::create_directories(folder_ / "by-id");
+    startPeer();
+    StationOptions options;
+    options.robot = "none";
+    // A test machine may stand still for longer than a real one.
+    options.profile.step.step.motors_maximum_age_ms = 400.0;
+    options.profile.step.step.ir_maximum_age_ms = 500.0;
+    options.profile.step.step.bridge_maximum_age_ms = 500.0;
+    options.profile.device.qbmove_timeout_ms = 30.0;
+    options.profile.device.stuck_sensor_s = 1.0;
+    options.profile.device.serial_by_id = (folder_ / "by-id").string();
+    choose(options);
+    station = std::move(*Station::open(options));
+    station->start();
+  }
+  ~DeviceRig() {
+    station.reset();
+    process.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  DeviceRig(const DeviceRig&) = delete;
+  DeviceRig& operator=(const DeviceRig&) = delete;
+
+  /// The simulated touchpad's side, again at the same addresses. Serial lines come back on another port: only the name
+  /// that belongs to the device leads there.
+  void startPeer() {
+    namespace fs = std::filesystem;
+    sim::TouchpadProcessOptions options;
+    const auto any = *protocol::parseEndpoint("127.0.0.1:0");
+    const std::string port = (folder_ / fmt::format("port{}", ++starts_)).string();
+    const auto plugIn = [&](const char* name) {
+      fs::remove(folder_ / "by-id" / name);
+      fs::create_symlink(port, folder_ / "by-id" / name);
+      return port;
+    };
+    switch (backend_) {
+      case Backend::modbus_tcp: options.modbus_tcp = any; break;
+      case Backend::modbus_rtu: options.modbus_rtu = plugIn("usb-Maker_RS485_AB12-if00-port0"); break;
+      case Backend::qbmove:
+        options.modbus_tcp = any;
+        options.qbmove = plugIn("usb-Maker_UART_CD34-if00-port0");
+        break;
+      case Backend::mjpeg: options.camera_mjpeg = any; break;
+    }
+    if (options.modbus_tcp && modbus_port_ != 0) options.modbus_tcp->port = modbus_port_;
+    if (options.camera_mjpeg && camera_port_ != 0) options.camera_mjpeg->port = camera_port_;
+    auto started = sim::TouchpadProcess::start(options);
+    ASSERT_TRUE(started) << started.error().message;
+    process = std::move(*started);
+    modbus_port_ = process->modbusPort();
+    camera_port_ = process->cameraPort();
+  }
+
+  void unplug() {
+    process.reset();
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "by-id")) std::filesystem::remove(entry);
+  }
+
+  [[nodiscard]] PartStatus part() const { return station->status().parts[backend_ == Backend::mjpeg ? 1 : 0]; }
+  [[nodiscard]] bool lineOk(std::string_view what) const {
+    for (const ReadinessLine& line : station->readiness()) {
+      if (line.what == what) return line.ok;
+    }
+    return false;
+  }
+  [[nodiscard]] bool allOk() const {
+    for (const ReadinessLine& line : station->readiness()) {
+      if (!line.ok) return false;
+    }
+    return part().ok;
+  }
+
+  /// Takes the telemetry there is. Counts Active samples, and encoders' angles that no motor can have had.
+  void drain() {
+    std::vector<pipeline::TelemetrySample> batch(2000);
+    const std::size_t taken = station->takeTelemetry(batch);
+    for (std::size_t i = 0; i < taken; ++i) {
+      const auto& sample = batch[i];
+      active_samples += sample.state == pipeline::SafetyState::active ? 1 : 0;
+      if (std::abs(sample.stretch_measured_deg - stretch_deg_) > 20.0) ++impossible_angles;
+      if (std::isfinite(sample.stretch_measured_deg)) stretch_deg_ = sample.stretch_measured_deg;
+      state = sample.state;
+    }
+  }
+  template <class Condition>
+  bool wait(Condition&& condition, double seconds = 20.0) {
+    for (const Instant end = Clock::now() + fromSeconds(seconds); Clock::now() < end;) {
+      drain();
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+  void pass(double seconds) {
+    (void)wait([] { return false; }, seconds);
+  }
+  /// Arms, again when a pause of the machine held the session at once.
+  bool armed() {
+    return wait([this] {
+      if (state == pipeline::SafetyState::active) return true;
+      if (allOk()) (void)station->command({.action = pipeline::OperatorAction::arm});
+      pass(0.05);
+      return state == pipeline::SafetyState::active;
+    });
+  }
+  bool stopped() {
+    station->requestStop();
+    return wait([this] { return state == pipeline::SafetyState::stopped; });
+  }
+
+  std::unique_ptr<sim::TouchpadProcess> process;
+  std::unique_ptr<Station> station;
+  pipeline::SafetyState state = pipeline::SafetyState::disconnected;
+  int active_samples = 0;
+  int impossible_angles = 0;
+
+ private:
+  void choose(StationOptions& options) {
+    if (backend_ == Backend::mjpeg) {
+      options.camera = fmt::format("http://127.0.0.1:{}/", camera_port_);
+      return;
+    }
+    options.camera = (folder_ / "cloth").string();
+    std::filesystem::create_directories(options.camera);
+    cv::Mat picture;
+    std::mt19937_64 random{1};
+    sim::PictureRenderer(sim::SimParameters{}).render({}, random, picture);
+    cv::imwrite(options.camera + "/cloth.png", picture);
+    options.touchpad =
+        backend_ == Backend::modbus_rtu ? "modbus-rtu:id=AB12" : fmt::format("modbus-tcp:127.0.0.1:{}", modbus_port_);
+    if (backend_ == Backend::qbmove) options.motors = "qbmove:id=CD34";
+  }
+
+  Backend backend_;
+  std::filesystem::path folder_;
+  int starts_ = 0;
+  std::uint16_t modbus_port_ = 0;
+  std::uint16_t camera_port_ = 0;
+  double stretch_deg_ = pipeline::kNone;
+};
+
+}  // namespace fyd::station
