@@ -30,6 +30,10 @@ bool checkColumn(CalibrationResult& result, std::string_view column, std::span<c
   return true;
 }
 
+bool hasFewOutliers(const CalibrationResult& result) {
+  return !result.outliers.empty() && result.outliers.size() * 5 <= result.points;
+}
+
 double rootMeanSquare(std::span<const double> values) {
   double largest = 0.0;
   for (const double value : values) {

@@ -70,6 +70,9 @@ struct CalibrationResult {
 [[nodiscard]] bool checkColumn(CalibrationResult& result, std::string_view column, std::span<const double> values,
                                double lowest, double highest);
 
+/// Whether outliers can be the cause of a large error: some, but so few that the rest still says what is right.
+[[nodiscard]] bool hasFewOutliers(const CalibrationResult& result);
+
 /// Square root of the mean square, leaving out NaN; NaN when nothing is left.
 [[nodiscard]] double rootMeanSquare(std::span<const double> values);
 

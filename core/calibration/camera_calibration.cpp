@@ -217,7 +217,7 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
     result = refused(std::move(result),
                      fmt::format("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse,
                                  p.camera_held_out_mm,
-                                 result.outliers.empty() ? "lay the target flat and set the camera square to it"
+                                 !hasFewOutliers(result) ? "lay the target flat and set the camera square to it"
                                                          : "measure the outliers again"),
                      "calibration.camera_held_out_mm");
     return out;

@@ -5,31 +5,13 @@
 #include <numeric>
 
 #include "core/calibration/cross_validation.h"
-#include "core/calibration/outliers.h"
-#include "core/calibration/polynomial_basis.h"
+#include "core/calibration/ir_choice.h"
 
 namespace fyd::calibration {
 namespace {
 
 constexpr double kSensorNearest_mm = 40.0, kSensorFarthest_mm = 300.0;
-constexpr double kSameDistance_mm = 0.25;
-constexpr double kAsGood = 1.05;
 constexpr double kFoldSigmas = 3.0;
-
-struct Judged {
-  IrCurve curve;
-  double weighted_held_out = kUnknown;  // in units of the expected noise
-};
-
-/// Volts as a cubic of 1/distance: nearly a line for such sensors, and it is the volts that are noisy.
-std::vector<std::size_t> contradicted(const IrPoints& points, double noise_mV) {
-  std::vector<double> inverse;
-  for (const double d : points.distance_mm) inverse.push_back(1.0 / d);
-  const PolynomialBasis basis(inverse, 3);
-  const Eigen::VectorXd volts =
-      Eigen::Map<const Eigen::VectorXd>(points.volts.data(), static_cast<Eigen::Index>(points.volts.size()));
-  return findOutliers(basis.design(inverse), volts, {.least_sigma = noise_mV / 1000.0});
-}
 
 /// Under some 4 cm the sensor's voltage falls again: two distances for one code. Names the first fold, if there is one.
 std::string foldIn(const IrSamples& samples, double noise_counts) {
@@ -64,29 +46,6 @@ std::string foldIn(const IrSamples& samples, double noise_counts) {
   return {};
 }
 
-Judged judge(const IrCurve& curve, const IrPoints& points, IrAttempt& attempt) {
-  const sensing::IrDistance sensor = curve.sensor(0, sensing::kAdcCodes - 1);
-  std::vector<double> residual, held_out, weighted;
-  const auto folds = foldsByTarget(points.distance_mm, Ends::kept);
-  const auto predicted = predictHeldOut(
-      folds, [&](const auto& rows) { return fitIrCurve(curve.candidate, rowsOf(points, rows)); },
-      [&](const IrCurve& fitted, std::size_t row) {
-        return fitted.sensor(0, sensing::kAdcCodes - 1).distance_mm(points.volts[row]);
-      });
-  bool complete = true;
-  for (std::size_t i = 0; i < points.volts.size(); ++i) {
-    residual.push_back(points.distance_mm[i] - sensor.distance_mm(points.volts[i]));
-    if (folds[i] == kNeverHeldOut) continue;
-    complete = complete && std::isfinite(predicted[i]);
-    held_out.push_back(points.distance_mm[i] - predicted[i]);
-    weighted.push_back(held_out.back() * std::sqrt(points.weight[i]));
-  }
-  attempt.rmse_mm = rootMeanSquare(residual);
-  attempt.held_out_rmse_mm = complete ? rootMeanSquare(held_out) : kUnknown;
-  attempt.condition_number = curve.condition_number;
-  return {curve, complete ? rootMeanSquare(weighted) : kUnknown};
-}
-
 std::string listOfValues(std::span<const double> values) {
   std::vector<double> list(values.begin(), values.end());
   return fmt::format("[{}]", fmt::join(list, ", "));
@@ -100,13 +59,10 @@ std::string withEntry(ParameterList list, std::size_t place, int value, double s
   return listOfValues(list.view());
 }
 
-void takeCurve(IrCalibration& out, const IrSamples& samples, const IrPoints& used, const IrOptions& options,
-               const sensing::IndentationParameters& present, std::span<const std::size_t> rows) {
+void takeCurve(IrCalibration& out, const IrSamples& samples, const IrChoice& choice, const IrOptions& options,
+               const sensing::IndentationParameters& present) {
   const IrCurve& curve = out.curve;
-  const auto codeOf = [](double volts) { return volts * sensing::kAdcCodes / sensing::kAdcReference_V; };
-  const auto [low, high] = std::minmax_element(used.volts.begin(), used.volts.end());
-  const int lowest = static_cast<int>(std::ceil(codeOf(*low) - 1e-6));
-  const int highest = static_cast<int>(std::floor(codeOf(*high) + 1e-6));
+  const auto [lowest, highest] = codeSpan(choice.points);
   CalibrationResult& result = out.result;
   result.curve = toString(curve.candidate);
   result.valid_from = lowest;
@@ -128,7 +84,7 @@ void takeCurve(IrCalibration& out, const IrSamples& samples, const IrPoints& use
     result.residuals.push_back(samples.distance_mm[i] - sensor.distance_mm(sensing::voltsFromCode(samples.adc[i])));
   }
   std::vector<double> fitted;
-  for (const std::size_t row : rows) fitted.push_back(result.residuals[row]);
+  for (const std::size_t row : choice.rows) fitted.push_back(result.residuals[row]);
   result.rmse = rootMeanSquare(fitted);
   result.max_residual = 0.0;
   for (const double r : fitted) result.max_residual = std::max(result.max_residual, std::abs(r));
@@ -179,17 +135,6 @@ bool enoughDistances(CalibrationResult& result, const IrSamples& samples, const 
 
 }  // namespace
 
-bool fallsAtEveryCode(const IrCurve& curve, int lowest_code, int highest_code) {
-  const sensing::IrDistance sensor = curve.sensor(lowest_code, highest_code);
-  double before = std::numeric_limits<double>::infinity();
-  for (int code = lowest_code; code <= highest_code; ++code) {
-    const sensing::IrReading reading = sensor.read(static_cast<std::uint16_t>(code));
-    if (!reading.valid || !(reading.distance_mm < before) || !(reading.distance_mm > 0)) return false;
-    before = reading.distance_mm;
-  }
-  return highest_code > lowest_code;
-}
-
 IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationParameters& present,
                           const CalibrationParameters& p, const IrOptions& options) {
   IrCalibration out;
@@ -211,63 +156,33 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
   if (!enoughDistances(result, samples, p)) return out;
 
   const IrPoints all = irPoints(samples.adc, samples.distance_mm, present.ir_noise_mV);
-  result.outliers = contradicted(all, present.ir_noise_mV);
-  std::vector<std::size_t> rows;
+  IrChoice choice = chooseIrCurve(all, rowsWithout(samples.adc.size(), {}), p);
+  result.outliers = irOutliers(all, choice, p);
+  if (options.without_outliers && !result.outliers.empty()) {
+    choice = chooseIrCurve(all, rowsWithout(samples.adc.size(), result.outliers), p);
+  }
   IrSamples kept;
-  for (std::size_t i = 0; i < samples.adc.size(); ++i) {
-    const bool outlier = std::binary_search(result.outliers.begin(), result.outliers.end(), i);
-    if (options.without_outliers && outlier) continue;
-    rows.push_back(i);
-    kept.adc.push_back(samples.adc[i]);
-    kept.distance_mm.push_back(samples.distance_mm[i]);
+  for (const std::size_t row : choice.rows) {
+    kept.adc.push_back(samples.adc[row]);
+    kept.distance_mm.push_back(samples.distance_mm[row]);
   }
-  if (options.without_outliers && !enoughDistances(result, kept, p)) return out;
-  const IrPoints used = rowsOf(all, rows);
+  if (!enoughDistances(result, kept, p)) return out;
+  out.attempts = choice.attempts;
   const double counts_per_mV = sensing::kAdcCodes / (1000.0 * sensing::kAdcReference_V);
-  const std::string fold = foldIn(kept, present.ir_noise_mV * counts_per_mV);
-
-  const auto distinct = distinctValues(kept.distance_mm, kSameDistance_mm);
-  const auto [low, high] = std::minmax_element(kept.adc.begin(), kept.adc.end());
-  std::vector<Judged> usable;
-  double best = std::numeric_limits<double>::infinity();
-  for (const IrCandidate candidate : kIrCandidates) {
-    IrAttempt attempt{.candidate = candidate, .problem = {}};
-    const std::size_t needed = freedomOf(candidate) + 2;
-    if (distinct.size() < needed) {
-      attempt.problem = fmt::format("{} distances; needs {}", distinct.size(), needed);
-    } else if (const auto curve = fitIrCurve(candidate, used); !curve) {
-      attempt.problem = curve.error().message;
-    } else {
-      const Judged judged = judge(*curve, used, attempt);
-      if (curve->condition_number > p.condition_limit) {
-        attempt.problem = fmt::format("condition number {:.3g}", curve->condition_number);
-      } else if (!fallsAtEveryCode(*curve, static_cast<int>(std::ceil(*low)), static_cast<int>(std::floor(*high)))) {
-        attempt.problem = "does not fall over its whole span";
-      } else if (std::isnan(judged.weighted_held_out)) {
-        attempt.problem = "cannot be judged on held-out distances";
-      } else {
-        best = std::min(best, judged.weighted_held_out);
-        usable.push_back(judged);
-      }
-    }
-    out.attempts.push_back(attempt);
-  }
-  if (!fold.empty()) {
-    result = refused(std::move(result), fold);
+  if (std::string fold = foldIn(kept, present.ir_noise_mV * counts_per_mV); !fold.empty()) {
+    result = refused(std::move(result), std::move(fold));
     return out;
   }
-  if (usable.empty()) {
+  if (!choice.curve) {
     std::vector<std::string> problems;
     for (const IrAttempt& a : out.attempts) problems.push_back(fmt::format("{}: {}", toString(a.candidate), a.problem));
     result = refused(std::move(result), fmt::format("no curve can be used ({}): add points, spread over 40 to 300 mm",
                                                     fmt::join(problems, "; ")));
     return out;
   }
-  const auto chosen = std::find_if(usable.begin(), usable.end(),
-                                   [&](const Judged& j) { return j.weighted_held_out <= kAsGood * best; });
-  out.curve = chosen->curve;
+  out.curve = *choice.curve;
   result.condition_number = out.curve.condition_number;
-  takeCurve(out, samples, used, options, present, rows);
+  takeCurve(out, samples, choice, options, present);
   for (const IrAttempt& attempt : out.attempts) {
     if (attempt.candidate == out.curve.candidate) result.held_out_rmse = attempt.held_out_rmse_mm;
   }
@@ -281,7 +196,7 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
     result = refused(
         std::move(result),
         fmt::format("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse, p.ir_held_out_mm,
-                    result.outliers.empty() ? "average more readings at each distance, target square to the sensor"
+                    !hasFewOutliers(result) ? "average more readings at each distance, target square to the sensor"
                                             : "measure the outliers again, or leave them out"),
         "calibration.ir_held_out_mm");
     return out;

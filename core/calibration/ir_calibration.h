@@ -10,7 +10,7 @@
 
 #include "core/calibration/calibration_parameters.h"
 #include "core/calibration/calibration_result.h"
-#include "core/calibration/ir_curve.h"
+#include "core/calibration/ir_choice.h"
 #include "core/sensing/indentation_parameters.h"
 
 namespace fyd::calibration {
@@ -25,15 +25,6 @@ struct IrOptions {
   bool without_outliers = false;  ///< fit without the points the others contradict; they are still listed
 };
 
-/// What became of a candidate; for the table beside the chosen one.
-struct IrAttempt {
-  IrCandidate candidate = IrCandidate::degree2;
-  double rmse_mm = kUnknown;
-  double held_out_rmse_mm = kUnknown;
-  double condition_number = kUnknown;
-  std::string problem;  ///< why it cannot be chosen; empty when it can
-};
-
 struct IrCalibration {
   CalibrationResult result;  ///< valid_from…valid_to in ADC counts
   IrCurve curve;
@@ -45,8 +36,5 @@ struct IrCalibration {
 /// @param present the profile's, for the sensor's noise and the lists that the changes extend
 [[nodiscard]] IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationParameters& present,
                                         const CalibrationParameters& parameters, const IrOptions& options = {});
-
-/// Whether the curve falls strictly, and stays above 0 mm, from each code of the span to the next.
-[[nodiscard]] bool fallsAtEveryCode(const IrCurve& curve, int lowest_code, int highest_code);
 
 }  // namespace fyd::calibration

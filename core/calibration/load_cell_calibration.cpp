@@ -196,7 +196,7 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
     result = refused(
         std::move(result),
         fmt::format("held-out error {:.3f} N; expected at most {:g} N: {}", result.held_out_rmse, p.force_held_out_N,
-                    result.outliers.empty() ? "check the weights, and that nothing rubs on the cell"
+                    !hasFewOutliers(result) ? "check the weights, and that nothing rubs on the cell"
                                             : "the outliers are kept in the fit; measure them again"),
         "calibration.force_held_out_N");
     return out;

@@ -233,7 +233,7 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
         std::move(result),
         fmt::format("held-out error {:.3f} N; expected at most {:g} N: {}", result.held_out_rmse,
                     p.stiffness_held_out_N,
-                    result.outliers.empty() ? "press slower, and hold each depth" : "measure the outliers again"),
+                    !hasFewOutliers(result) ? "press slower, and hold each depth" : "measure the outliers again"),
         "calibration.stiffness_held_out_N");
     return out;
   }

@@ -1,10 +1,11 @@
-// Everything a laboratory keeps of a touchpad between sessions: the step's parameters (calibration among them),
-// the link's, the simulation's and the devices'. One TOML file.
+// Everything a laboratory keeps of a touchpad between sessions: the step's parameters (calibrated values among them),
+// the link's, the simulation's, the devices', and what a calibration must reach. One TOML file.
 #pragma once
 
 #include <string>
 
 #include "core/base/error.h"
+#include "core/calibration/calibration_parameters.h"
 #include "core/device/device_parameters.h"
 #include "core/pipeline/parameters.h"
 #include "core/protocol/link_parameters.h"
@@ -17,6 +18,7 @@ struct Profile {
   protocol::LinkParameters link;
   sim::SimParameters sim;
   device::DeviceParameters device;
+  calibration::CalibrationParameters calibration;
 
   /// The step's parameters come first, so that an index counts the same here and in the step.
   template <class Visitor>
@@ -25,6 +27,7 @@ struct Profile {
     link.describe(v);
     sim.describe(v);
     device.describe(v);
+    calibration.describe(v);
   }
 };
 

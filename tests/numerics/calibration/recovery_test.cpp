@@ -1,0 +1,403 @@
+// The fits recover what made the data, within the uncertainty they state, and hold out what they say they hold out.
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "core/calibration/camera_calibration.h"
+#include "core/calibration/cross_validation.h"
+#include "core/calibration/ir_calibration.h"
+#include "core/calibration/least_squares.h"
+#include "core/calibration/load_cell_calibration.h"
+#include "core/calibration/outliers.h"
+#include "core/calibration/polynomial_basis.h"
+#include "core/calibration/stiffness_map.h"
+#include "core/control/static_law.h"
+#include "core/sensing/finger_detector.h"
+#include "core/sensing/sensing_parameters.h"
+
+namespace fyd::calibration {
+namespace {
+
+const CalibrationParameters kStandard;
+const sensing::IndentationParameters kPresent;
+const std::vector<double> kDistances = {41, 50, 60, 70, 80, 90, 100, 120, 140, 160, 180, 200, 225, 250, 275, 299};
+
+double codeOf(double volts) { return volts * 4096 / 3.3; }
+
+template <class Curve>
+IrSamples readingsOf(Curve&& volts, const std::vector<double>& distances, int repeats, double noise_V, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> noise(0, 1);
+  IrSamples samples;
+  for (const double d : distances) {
+    for (int i = 0; i < repeats; ++i) {
+      samples.adc.push_back(codeOf(volts(d) + noise_V * noise(random)));
+      samples.distance_mm.push_back(d);
+    }
+  }
+  return samples;
+}
+
+TEST(LeastSquares, StatedErrorsHoldTheTruthAsOftenAsTheySay) {
+  // 95 % intervals of both coefficients of a line, 2000 seeded trials: expected 1900, standard deviation 9.7.
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0, 0.3);
+  int held[2] = {0, 0};
+  constexpr int kTrials = 2000, kPoints = 9;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Eigen::MatrixXd design(kPoints, 2);
+    Eigen::VectorXd y(kPoints);
+    for (int i = 0; i < kPoints; ++i) {
+      design.row(i) << i, 1.0;
+      y[i] = 2.5 * i - 4.0 + noise(random);
+    }
+    const auto fit = fitLinear(design, y);
+    ASSERT_TRUE(fit.has_value());
+    const double t = studentQuantile(0.95, fit->degrees_of_freedom);
+    held[0] += std::abs(fit->coefficients[0] - 2.5) <= t * fit->standardError(0);
+    held[1] += std::abs(fit->coefficients[1] + 4.0) <= t * fit->standardError(1);
+  }
+  for (const int count : held) EXPECT_NEAR(count, 0.95 * kTrials, 45);
+}
+
+TEST(LeastSquares, RefusesWhatCannotBeSolved) {
+  Eigen::MatrixXd same(4, 2);
+  same << 1, 2, 2, 4, 3, 6, 4, 8;
+  EXPECT_FALSE(fitLinear(same, Eigen::VectorXd::Ones(4)).has_value());
+  EXPECT_FALSE(fitLinear(Eigen::MatrixXd::Ones(1, 2), Eigen::VectorXd::Ones(1)).has_value());
+  EXPECT_FALSE(fitLinear(Eigen::MatrixXd::Zero(4, 1), Eigen::VectorXd::Ones(4)).has_value());
+  Eigen::VectorXd nan = Eigen::VectorXd::Ones(4);
+  nan[2] = std::nan("");
+  EXPECT_FALSE(fitLinear(Eigen::MatrixXd::Ones(4, 1), nan).has_value());
+}
+
+TEST(PolynomialBasis, KeepsItsDigitsWherePowersLoseThem) {
+  // A quintic in codes clustered at 3000…3100: powers of raw codes have a condition number beyond double's digits.
+  std::vector<double> codes;
+  for (int i = 0; i <= 50; ++i) codes.push_back(3000 + 2 * i);
+  const PolynomialBasis basis(codes, 5);
+  Eigen::VectorXd y(51);
+  for (int i = 0; i < 51; ++i) {
+    const double t = (codes[static_cast<std::size_t>(i)] - 3050) / 50;
+    y[i] = 100 - 20 * t + 3 * t * t - t * t * t * t * t;
+  }
+  const auto fit = fitLinear(basis.design(codes), y);
+  ASSERT_TRUE(fit.has_value());
+  EXPECT_LT(fit->condition_number, 10);
+  EXPECT_LT(fit->max_residual, 1e-11);
+  Eigen::MatrixXd raw(51, 6);
+  for (int i = 0; i < 51; ++i) {
+    for (int j = 0; j < 6; ++j) raw(i, j) = std::pow(codes[static_cast<std::size_t>(i)], j);
+  }
+  EXPECT_FALSE(fitLinear(raw, y).has_value());  // refused, not silently wrong
+}
+
+TEST(PolynomialBasis, PowersSayTheSameCurve) {
+  const std::vector<double> x = {0.4, 0.9, 1.7, 2.2, 2.75};
+  const PolynomialBasis basis(x, 4);
+  const Eigen::VectorXd c = (Eigen::VectorXd(5) << 1, -2, 0.5, 3, -0.25).finished();
+  const Eigen::VectorXd powers = basis.toPowers() * c;
+  const Eigen::VectorXd direct = basis.design(x) * c;
+  for (int i = 0; i < 5; ++i) {
+    double sum = 0;
+    for (int j = 4; j >= 0; --j) sum = sum * x[static_cast<std::size_t>(i)] + powers[j];
+    EXPECT_NEAR(sum, direct[i], 1e-11);
+  }
+}
+
+TEST(Outliers, AreFoundWhenTheyHideEachOther) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> noise(0, 0.02);
+  Eigen::MatrixXd design(24, 2);
+  Eigen::VectorXd y(24);
+  for (int i = 0; i < 24; ++i) {
+    design.row(i) << 0.1 * i, 1.0;
+    y[i] = 9.8 * 0.1 * i + noise(random);
+  }
+  for (const int bad : {21, 22, 23}) y[bad] -= 3.0;  // all at one end: they pull the line to themselves
+  EXPECT_EQ(findOutliers(design, y, {}), (std::vector<std::size_t>{21, 22, 23}));
+}
+
+TEST(Outliers, GoodPointsAreSeldomAccused) {
+  int accused = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> noise(0, 0.1);
+    Eigen::MatrixXd design(15, 2);
+    Eigen::VectorXd y(15);
+    for (int i = 0; i < 15; ++i) {
+      design.row(i) << i, 1.0;
+      y[i] = i + noise(random);
+    }
+    accused += findOutliers(design, y, {}).empty() ? 0 : 1;
+  }
+  EXPECT_LE(accused, 15);  // 1 % is meant; the search for the best half costs some
+}
+
+TEST(Outliers, ExactDataHasNoneButTheOneThatIs) {
+  Eigen::MatrixXd design(8, 2);
+  Eigen::VectorXd y(8);
+  for (int i = 0; i < 8; ++i) {
+    design.row(i) << i, 1.0;
+    y[i] = 3.0 * i + 1.0;
+  }
+  EXPECT_TRUE(findOutliers(design, y, {}).empty());
+  y[3] += 0.5;
+  EXPECT_EQ(findOutliers(design, y, {}), std::vector<std::size_t>{3});
+}
+
+TEST(IrCalibration, RecoversTheThesisPolynomialFromItsOwnPoints) {
+  const sensing::IrDistance thesis;
+  const auto found =
+      calibrateIr(readingsOf([&](double d) { return thesis.voltsAt(d); }, kDistances, 1, 0, 1), kPresent, kStandard);
+  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason;
+  EXPECT_TRUE(found.result.outliers.empty());
+  EXPECT_LT(found.result.max_residual, 1e-6) << found.result.curve;
+  const auto fitted = found.curve.sensor(0, 4095);
+  for (double d = 45; d < 295; d += 5) EXPECT_NEAR(fitted.distance_mm(thesis.voltsAt(d)), d, 1e-5);
+  // and the degree-5 candidate itself finds the six printed figures
+  const auto samples = readingsOf([&](double d) { return thesis.voltsAt(d); }, kDistances, 1, 0, 1);
+  const auto quintic = fitIrCurve(IrCandidate::degree5, irPoints(samples.adc, samples.distance_mm, 10));
+  ASSERT_TRUE(quintic.has_value());
+  const std::array printed = {790.712, -1885.623, 2208.604, -1338.297, 399.54, -46.327};
+  for (std::size_t i = 0; i < printed.size(); ++i)
+    EXPECT_NEAR(quintic->coefficients[i], printed[i], 1e-5 * std::abs(printed[i]));
+}
+
+TEST(IrCalibration, RecoversAnInverseCurveWithinItsUncertainty) {
+  int held = 0;
+  constexpr int kTrials = 60;
+  for (unsigned seed = 0; seed < kTrials; ++seed) {
+    const auto samples = readingsOf([](double d) { return 130.0 / (d + 6.0) - 0.05; }, kDistances, 4, 0.004, seed);
+    const auto curve = fitIrCurve(IrCandidate::inverse, irPoints(samples.adc, samples.distance_mm, 4));
+    ASSERT_TRUE(curve.has_value()) << curve.error().message;
+    held += std::abs(curve->coefficients[0] - 130) <= 2 * curve->standard_errors[0];
+  }
+  EXPECT_GE(held, 50);  // 95 % of 60 is 57
+}
+
+TEST(IrCalibration, TheSimplestGoodCurveIsChosenAndHeldOutErrorIsReallyHeldOut) {
+  // An inverse sensor, few noisy points: the quintic comes nearer to its points and farther from the sensor.
+  int overfitted = 0, inverse_chosen = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const auto samples = readingsOf([](double d) { return 130.0 / (d + 6.0) - 0.05; },
+                                    {40, 55, 75, 100, 130, 170, 220, 300}, 1, 0.012, seed);
+    sensing::IndentationParameters present;
+    present.ir_noise_mV = 12;
+    const auto found = calibrateIr(samples, present, kStandard);
+    const auto attempt = [&](IrCandidate c) { return found.attempts[static_cast<std::size_t>(c)]; };
+    const IrAttempt simple = attempt(IrCandidate::inverse), wild = attempt(IrCandidate::degree5);
+    overfitted += wild.held_out_rmse_mm > 1.5 * simple.held_out_rmse_mm && wild.held_out_rmse_mm > 2 * wild.rmse_mm;
+    inverse_chosen += found.curve.candidate != IrCandidate::degree5;
+  }
+  EXPECT_GE(overfitted, 8);
+  EXPECT_GE(inverse_chosen, 11);
+}
+
+TEST(IrCalibration, AStrayPointIsFoundKeptAndLeftOutOnlyWhenSaid) {
+  const sensing::IrDistance thesis;
+  IrSamples samples = readingsOf([&](double d) { return thesis.voltsAt(d); }, kDistances, 2, 0.005, 3);
+  samples.distance_mm[12] += 45;  // 100 mm written down as 145
+  const auto kept = calibrateIr(samples, kPresent, kStandard);
+  EXPECT_EQ(kept.result.outliers, std::vector<std::size_t>{12});
+  EXPECT_FALSE(kept.result.verdict.accepted);
+  const auto without = calibrateIr(samples, kPresent, kStandard, {.without_outliers = true});
+  EXPECT_TRUE(without.result.verdict.accepted) << without.result.verdict.reason;
+  EXPECT_EQ(without.result.outliers, std::vector<std::size_t>{12});
+  EXPECT_GT(std::abs(without.result.residuals[12]), 35);
+}
+
+TEST(IrCalibration, WhatTheProfileGetsIsWhatTheStepReads) {
+  // A unit 15 mm off at 100 mm. The changes go into a profile; the estimator with that profile reads the truth.
+  const auto volts = [](double d) { return 150.0 / (d + 10.0) - 0.02; };
+  const auto found = calibrateIr(readingsOf(volts, kDistances, 8, 0.005, 5), kPresent, kStandard, {.sensor = 1});
+  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason;
+  sensing::SensingParameters profile;
+  ASSERT_TRUE(applyChanges(bindParameters(profile), found.result.changes).has_value());
+  const auto& p = profile.indentation;
+  EXPECT_EQ(p.ir_lowest_code[0], 524);  // the other sensors keep theirs
+  const sensing::IrDistance sensor(p.ir_curve_mm[1].view(), static_cast<int>(p.ir_lowest_code[1]),
+                                   static_cast<int>(p.ir_highest_code[1]), p.ir_curve_form[1]);
+  for (const double d : {60.0, 80.0, 100.0, 130.0}) {
+    const auto reading = sensor.read(static_cast<std::uint16_t>(std::lround(codeOf(volts(d)))));
+    ASSERT_TRUE(reading.valid) << d;
+    EXPECT_NEAR(reading.distance_mm, d, 0.7);
+    EXPECT_GT(std::abs(sensing::IrDistance().distance_mm(volts(d)) - d), 2) << "the default would not do";
+  }
+  EXPECT_TRUE(fallsAtEveryCode(found.curve, static_cast<int>(found.result.valid_from),
+                               static_cast<int>(found.result.valid_to)));
+}
+
+TEST(IrCalibration, AWavyCurveIsNotUsed) {
+  IrCurve wavy{.candidate = IrCandidate::degree3, .coefficients = {300, -300, 150, -24}, .standard_errors = {}};
+  EXPECT_TRUE(fallsAtEveryCode(wavy, 524, 1500));
+  EXPECT_FALSE(fallsAtEveryCode(
+      {.candidate = IrCandidate::degree2, .coefficients = {300, -200, 50}, .standard_errors = {}}, 524, 3408));
+  EXPECT_FALSE(
+      fallsAtEveryCode({.candidate = IrCandidate::degree2, .coefficients = {10, -20}, .standard_errors = {}}, 0, 3408));
+}
+
+TEST(LoadCell, RecoversTheThesisFormula) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> noise(0, 0.0005);  // mV/V
+  LoadCellSamples samples;
+  for (const int g : {0, 100, 200, 300, 400, 500, 600, 700, 600, 500, 400, 300, 200, 100, 0}) {
+    samples.force_N.push_back(g / 1000.0 * 9.80665);
+    samples.value_mV_per_V.push_back((g + 20.2512) / 1004.8805 + noise(random));
+  }
+  const auto found = calibrateLoadCell(samples, kStandard);
+  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason;
+  const auto& [slope, offset] = std::tie(found.result.coefficients[0], found.result.coefficients[1]);
+  EXPECT_NEAR(slope.value, 1.0048805 * 9.80665, 3 * slope.standard_error);
+  EXPECT_NEAR(offset.value, -0.0202512 * 9.80665, 3 * offset.standard_error);
+  EXPECT_LT(slope.standard_error, 0.02);
+  sensing::LoadCellParameters profile;
+  ASSERT_TRUE(applyChanges(bindParameters(profile), found.result.changes).has_value());
+  EXPECT_NEAR(sensing::LoadCell(profile).force_N(0.8), 7.685, 0.01);  // fact sheet §10
+  EXPECT_NEAR(sensing::LoadCell(profile).force_N(0.0), -0.199, 0.01);
+}
+
+TEST(LoadCell, OutliersAreFlaggedAndKept) {
+  LoadCellSamples samples;
+  for (int i = 0; i < 12; ++i) {
+    samples.value_mV_per_V.push_back(0.06 * i);
+    samples.force_N.push_back(9.8 * 0.06 * i - 0.2 + 0.002 * ((i * 7) % 5 - 2));
+  }
+  samples.force_N[9] += 0.2;
+  const auto found = calibrateLoadCell(samples, kStandard);
+  EXPECT_EQ(found.result.outliers, std::vector<std::size_t>{9});
+  // the line over all twelve, by the textbook's sums
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t i = 0; i < 12; ++i) {
+    sx += samples.value_mV_per_V[i];
+    sy += samples.force_N[i];
+    sxx += samples.value_mV_per_V[i] * samples.value_mV_per_V[i];
+    sxy += samples.value_mV_per_V[i] * samples.force_N[i];
+  }
+  EXPECT_NEAR(found.result.coefficients[0].value, (12 * sxy - sx * sy) / (12 * sxx - sx * sx), 1e-9);
+}
+
+TEST(LoadCell, AHugeOffsetCostsNoDigits) {
+  LoadCellSamples samples;
+  for (int i = 0; i < 10; ++i) {
+    samples.value_mV_per_V.push_back(900.0 + 0.01 * i);
+    samples.force_N.push_back(98.0 * 0.01 * i);
+  }
+  const auto found = calibrateLoadCell(samples, kStandard);
+  EXPECT_NEAR(found.result.coefficients[0].value, 98.0, 1e-6);
+  EXPECT_LT(found.result.condition_number, 10);
+}
+
+TEST(LoadCell, DriftAndHysteresisAreToldApart) {
+  const auto cell = [](double hysteresis_N, double drift_N) {
+    LoadCellSamples samples;
+    int i = 0;
+    for (const double f :
+         {0., 1., 2., 3., 4., 5., 6., 5., 4., 3., 2., 1., 0., 1., 2., 3., 4., 5., 6., 5., 4., 3., 2., 1., 0.}) {
+      const bool unloading = (i > 6 && i <= 12) || i > 18;
+      samples.force_N.push_back(f);
+      samples.value_mV_per_V.push_back((f - (unloading ? hysteresis_N : 0) * (f > 0 && f < 6) - drift_N * i / 24.0) /
+                                       9.85);
+      ++i;
+    }
+    return calibrateLoadCell(samples, kStandard);
+  };
+  EXPECT_NEAR(cell(0.15, 0).hysteresis_N, -0.15, 0.04);
+  EXPECT_NEAR(cell(0, 0.2).drift_N, 0.2, 0.03);
+  EXPECT_NEAR(cell(0, 0).drift_N, 0, 1e-9);
+  EXPECT_NEAR(cell(0, 0).hysteresis_N, 0, 1e-9);
+  EXPECT_FALSE(cell(0.15, 0).result.notes.empty());
+  LoadCellSamples once;  // loaded once, upward: order and force are one and the same
+  for (int i = 0; i < 8; ++i) {
+    once.force_N.push_back(i);
+    once.value_mV_per_V.push_back(0.1 * i);
+  }
+  EXPECT_TRUE(std::isnan(calibrateLoadCell(once, kStandard).drift_N));
+}
+
+TEST(StiffnessMap, RecoversTheThesisPointsWithAWrongTare) {
+  constexpr std::array<std::pair<double, double>, 4> kThesis = {{{20, 0.501}, {45, 0.550}, {60, 0.673}, {90, 0.715}}};
+  int held = 0;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> noise(0, 0.03);
+    StiffnessSamples samples;
+    for (const auto& [angle, k] : kThesis) {
+      for (double depth = 1; depth <= 10; depth += 1) {
+        samples.angle_deg.push_back(angle + 0.2 * noise(random));
+        samples.indentation_mm.push_back(depth);
+        samples.force_N.push_back(k * depth + 0.15 + noise(random));
+      }
+    }
+    const auto map = calibrateStiffness(samples, kStandard);
+    ASSERT_TRUE(map.result.verdict.accepted) << map.result.verdict.reason;
+    ASSERT_EQ(map.angles.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i)
+      held += map.angles[i].low_95 <= kThesis[i].second && kThesis[i].second <= map.angles[i].high_95;
+    EXPECT_NEAR(map.force_offset_N, 0.15, 4 * map.force_offset_error_N);
+    control::ControlParameters control;
+    ASSERT_TRUE(applyChanges(bindParameters(control), map.result.changes).has_value());
+    const control::StaticLaw law(control);
+    EXPECT_NEAR(law.angle_deg(0.673).value, 60, 5);
+  }
+  EXPECT_GE(held, 180);  // 95 % of 200 is 190
+}
+
+TEST(Camera, RecoversScalesTurnAndMirrorAsTheDetectorUsesThem) {
+  std::mt19937_64 random(9);
+  std::normal_distribution<double> noise(0, 0.03);
+  for (const double turn : {0.0, 3.0, -12.0, 40.0, 179.0, -95.0}) {
+    for (const bool mirror : {false, true}) {
+      sensing::FingerParameters truth;
+      truth.rotation_deg = turn;
+      truth.mirror = mirror;
+      truth.scale_x_mm_per_px = 0.44;
+      truth.scale_y_mm_per_px = 0.48;
+      truth.centre_x_px = 143;
+      truth.centre_y_px = 117;
+      CameraSamples samples;
+      for (double u = 45; u <= 255; u += 35) {
+        for (double v = 50; v <= 190; v += 35) {
+          double x = 0, y = 0;
+          toMillimetres(truth, u, v, x, y);
+          samples.x_px.push_back(u);
+          samples.y_px.push_back(v);
+          samples.x_mm.push_back(x + noise(random));
+          samples.y_mm.push_back(y + noise(random));
+        }
+      }
+      const auto found = calibrateCamera(samples, kStandard);
+      ASSERT_TRUE(found.result.verdict.accepted) << turn << found.result.verdict.reason;
+      sensing::FingerParameters profile;
+      ASSERT_TRUE(applyChanges(bindParameters(profile), found.result.changes).has_value());
+      for (const auto& [u, v] : {std::pair{60.0, 60.0}, {240.0, 180.0}, {150.0, 120.0}}) {
+        double x = 0, y = 0, fx = 0, fy = 0;
+        toMillimetres(truth, u, v, x, y);
+        toMillimetres(profile, u, v, fx, fy);
+        EXPECT_NEAR(fx, x, 0.1) << turn << mirror;
+        EXPECT_NEAR(fy, y, 0.1) << turn << mirror;
+      }
+      EXPECT_EQ(found.rotated, turn != 0.0);
+      EXPECT_NEAR(found.shear_deg, 0, 0.2);
+    }
+  }
+}
+
+TEST(Camera, ATiltedViewIsFoundOut) {
+  CameraSamples samples;
+  for (double u = 45; u <= 255; u += 35) {
+    for (double v = 50; v <= 190; v += 35) {
+      const double depth = 1 + 0.002 * (v - 120);
+      samples.x_px.push_back(u);
+      samples.y_px.push_back(v);
+      samples.x_mm.push_back(0.45 * (u - 150) / depth);
+      samples.y_mm.push_back(-0.45 * (v - 120) / depth);
+    }
+  }
+  const auto found = calibrateCamera(samples, kStandard);
+  EXPECT_FALSE(found.result.verdict.accepted);
+  EXPECT_THAT(found.result.verdict.reason, testing::HasSubstr("square"));
+}
+
+}  // namespace
+}  // namespace fyd::calibration
