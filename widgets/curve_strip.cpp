@@ -13,7 +13,17 @@ namespace {
 constexpr int kLeftMargin = 48;
 constexpr int kRightMargin = 16;
 constexpr int kScaleHeight = 20;
+constexpr int kStill_px = 3;  // a press that moves no farther is a click
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+QPen penOf(const Trace& trace) {
+  QColor colour = theme().of(trace.quantity);
+  if (trace.stroke == Stroke::faint) colour.setAlphaF(0.45F);
+  const Qt::PenStyle style = trace.stroke == Stroke::dashed   ? Qt::DashLine
+                             : trace.stroke == Stroke::dotted ? Qt::DotLine
+                                                              : Qt::SolidLine;
+  return {colour, 1, style};
+}
 
 /// "−8" rather than "-8": the numbers beside the curves are typeset the same way.
 class NumberTicker : public QCPAxisTicker {
@@ -113,8 +123,7 @@ void CurveStrip::dress() {
     scale_text_->setBrush(QBrush(t.panel));
   }
   for (std::size_t i = 0; i < traces_.size(); ++i) {
-    plot_->graph(static_cast<int>(i))
-        ->setPen(QPen(t.of(traces_[i].quantity), 1, traces_[i].dashed ? Qt::DashLine : Qt::SolidLine));
+    plot_->graph(static_cast<int>(i))->setPen(penOf(traces_[i]));
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -174,9 +183,38 @@ void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
     if (!fixed_range_) shown = {-0.5, static_cast<double>(traces_.size()) - 0.5};
   }
   const double margin = fixed_range_ ? 0.0 : 0.04 * (shown.upper - shown.lower);  // the line at the end stays visible
+  drawMarks(window);
   plot_->xAxis->setRange(-window.span_s(), 0.0);
   plot_->yAxis->setRange(shown.lower - margin, shown.upper + margin);
   plot_->replot(QCustomPlot::rpQueuedRefresh);
+}
+
+void CurveStrip::drawMarks(const TimeWindow& window) {
+  while (mark_lines_.size() < marks_.size()) {
+    mark_lines_.push_back(new QCPItemStraightLine(plot_));
+    auto* name = new QCPItemText(plot_);
+    name->position->setTypeX(QCPItemPosition::ptPlotCoords);
+    name->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    name->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    name->setPadding(QMargins(3, 0, 3, 0));
+    name->setFont(textFont(TextSize::small));
+    mark_names_.push_back(name);
+  }
+  for (std::size_t i = 0; i < mark_lines_.size(); ++i) {
+    const bool shown = i < marks_.size() && marks_[i].time_s >= window.from_s() && marks_[i].time_s <= window.to_s();
+    mark_lines_[i]->setVisible(shown);
+    mark_names_[i]->setVisible(shown && !marks_[i].name.isEmpty());
+    if (!shown) continue;
+    const double x = marks_[i].time_s - window.to_s();
+    const QColor colour = marks_[i].strong ? theme().text : theme().muted;
+    mark_lines_[i]->point1->setCoords(x, 0.0);
+    mark_lines_[i]->point2->setCoords(x, 1.0);
+    mark_lines_[i]->setPen(QPen(colour, 1));
+    mark_names_[i]->position->setCoords(x, 0.0);
+    mark_names_[i]->setText(marks_[i].name);
+    mark_names_[i]->setColor(colour);
+    mark_names_[i]->setBrush(QBrush(theme().panel));
+  }
 }
 
 Range CurveStrip::shownRange() const { return fixed_range_.value_or(range_.shown()); }
@@ -206,6 +244,8 @@ bool CurveStrip::release(const QMouseEvent& event) {
   button_ = Qt::NoButton;
   band_->hide();
   const QRect rect = QRect(pressed_.toPoint(), event.position().toPoint()).normalized();
+  const bool still = std::max(rect.width(), rect.height()) <= kStill_px;
+  if (event.button() == Qt::LeftButton && still) emit clicked(std::min(0.0, timeAt(event.position().x())));
   if (box && rect.width() > 4 && rect.height() > 4) {
     fixRange({plot_->yAxis->pixelToCoord(rect.bottom()), plot_->yAxis->pixelToCoord(rect.top())});
     emit boxed(timeAt(rect.left()), std::min(0.0, timeAt(rect.right())));

@@ -16,16 +16,31 @@
 
 class QCustomPlot;
 class QCPGraph;
+class QCPItemStraightLine;
 class QCPItemText;
 class QRubberBand;
 
 namespace fyd::widgets {
 
+enum class Stroke {
+  solid,
+  dashed,  ///< a target
+  dotted,  ///< what it would have been
+  faint    ///< another session, for comparison
+};
+
 struct Trace {
-  std::size_t channel = 0;  ///< of the buffer
+  std::size_t channel = 0;  ///< of the source
   Quantity quantity = Quantity::none;
-  bool dashed = false;
+  Stroke stroke = Stroke::solid;
   QString lane;  ///< not empty: the trace has a lane of its own, named so, and shares the others' scale
+};
+
+/// A moment marked in the picture by an upright line.
+struct TimeMark {
+  double time_s = 0.0;
+  QString name;  ///< at the top of the line; empty: none
+  bool strong = false;
 };
 
 class CurveStrip : public QWidget {
@@ -37,6 +52,8 @@ class CurveStrip : public QWidget {
              QWidget* parent = nullptr);
 
   void draw(const CurveSource& source, const TimeWindow& window);
+  /// Drawn with the next `draw`.
+  void setMarks(std::vector<TimeMark> marks) { marks_ = std::move(marks); }
   /// Back to a vertical range that follows the data.
   void freeRange() { fixed_range_.reset(); }
   void fixRange(Range range) { fixed_range_ = range; }
@@ -50,6 +67,7 @@ class CurveStrip : public QWidget {
   void zoomed(double factor, double about_s);  ///< about_s counts from the right edge, ≤ 0
   void boxed(double from_s, double to_s);      ///< from the right edge, ≤ 0
   void followAsked();
+  void clicked(double at_s);  ///< without dragging; from the right edge, ≤ 0
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -58,6 +76,7 @@ class CurveStrip : public QWidget {
   void dress();
   void fill(QCPGraph* graph, const Trace& trace, const CurveSource& source, const TimeWindow& window);
   void buildLanes();
+  void drawMarks(const TimeWindow& window);
   [[nodiscard]] double laneCentre(std::size_t trace) const;
   [[nodiscard]] double timeAt(double x_px) const;
   bool press(const QMouseEvent& event);
@@ -74,6 +93,9 @@ class CurveStrip : public QWidget {
   QCPItemText* scale_text_ = nullptr;  ///< what a lane's height means
   Range drawn_;
   std::vector<CurveColumn> columns_;
+  std::vector<TimeMark> marks_;
+  std::vector<QCPItemStraightLine*> mark_lines_;  ///< as many as were ever needed; spare ones are hidden
+  std::vector<QCPItemText*> mark_names_;
   bool with_time_scale_;
   QRubberBand* band_;
   Qt::MouseButton button_ = Qt::NoButton;

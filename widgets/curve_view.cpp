@@ -47,14 +47,14 @@ CurveView::CurveView(QWidget* parent) : QWidget(parent), buffer_(kChannelCount, 
   addStrip(tr("Indentation"), tr("mm"), {0, 5}, {{kIndentation, Quantity::indentation}},
            {{{}, Quantity::indentation, false, 2}}, true, false);
   addStrip(tr("Stiffness"), tr("N/mm"), {0, 1},
-           {{kTarget, Quantity::stiffness, true}, {kStiffness, Quantity::stiffness}},
+           {{kTarget, Quantity::stiffness, Stroke::dashed}, {kStiffness, Quantity::stiffness}},
            {{{}, Quantity::stiffness, false, 2}, {tr("target"), Quantity::stiffness, true, 2}}, true, false);
   addStrip(tr("Vibration, peak"), tr("%"), {-100, 100}, {{kVibration, Quantity::vibration}},
            {{{}, Quantity::vibration, false, 0}}, true, false);
   addStrip(tr("Acceleration, peak"), tr("g"), {-1, 1},
-           {{kAccelerationX, Quantity::acceleration_x, false, tr("x")},
-            {kAccelerationY, Quantity::acceleration_y, false, tr("y")},
-            {kAccelerationZ, Quantity::acceleration_z, false, tr("z")}},
+           {{kAccelerationX, Quantity::acceleration_x, Stroke::solid, tr("x")},
+            {kAccelerationY, Quantity::acceleration_y, Stroke::solid, tr("y")},
+            {kAccelerationZ, Quantity::acceleration_z, Stroke::solid, tr("z")}},
            {{tr("x"), Quantity::acceleration_x, false, 2},
             {tr("y"), Quantity::acceleration_y, false, 2},
             {tr("z"), Quantity::acceleration_z, false, 2}},
