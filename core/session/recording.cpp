@@ -5,6 +5,7 @@
 #include "core/session/recording_header.h"
 #include "core/session/recording_place.h"
 #include "core/session/recording_rows.h"
+#include "core/session/recording_salvage.h"
 #include "core/session/recording_source.h"
 #include "core/session/recording_span.h"
 #include "core/session/recording_tables.h"
@@ -19,12 +20,11 @@ void expect(const Result<void>& result) {
   if (!result) throw RecordingFailure(result.error().message);
 }
 
-cv::Mat decoded(const std::string& bytes, const char* what) {
+cv::Mat decoded(const std::vector<std::uint8_t>& bytes, const char* what) {
   if (bytes.empty()) return {};
   cv::Mat picture;
   try {
-    const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
-    picture = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+    picture = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
     failHard("{}: {}", what, error.what());
   }
@@ -34,8 +34,8 @@ cv::Mat decoded(const std::string& bytes, const char* what) {
 
 class Hdf5Recording final : public Recording {
  public:
-  explicit Hdf5Recording(std::string path) : path_(std::move(path)), source_(path_) {
-    info_.header = readHeader(source_.file());
+  Hdf5Recording(std::string path, bool damaged_header) : path_(std::move(path)), source_(path_) {
+    info_.header = damaged_header ? readDamagedHeader(source_.file()) : readHeader(source_.file());
     tables_.emplace(source_.file());
     look();
   }
@@ -50,7 +50,14 @@ class Hdf5Recording final : public Recording {
   Result<bool> refresh() override {
     return guarded(path_, [&] {
       const Wholeness before = info_.wholeness;
-      const bool news = tables_->refresh();
+      bool news = tables_->refresh();
+      if (source_.outlivedRecorder()) {
+        const std::uint64_t before_commits = tables_->commits();
+        tables_.reset();
+        source_.reopen();
+        tables_.emplace(source_.file());
+        news = news || tables_->commits() != before_commits;
+      }
       look();
       return news || before != info_.wholeness;
     });
@@ -141,6 +148,23 @@ class Hdf5Recording final : public Recording {
     return guarded(path_, [&] { return pictureOf(index); });
   }
 
+  [[nodiscard]] Result<EncodedPicture> encoded(std::uint64_t index) const {
+    return guarded(path_, [&] {
+      const auto row = tables_->row<PictureRow>(Table::pictures, index);
+      EncodedPicture picture;
+      picture.taken = instantOf(row.taken_ns);
+      picture.number = row.number;
+      expect(valueOf(row, picture.finger));
+      picture.region_px = {row.region_x_px, row.region_y_px, row.region_width_px, row.region_height_px};
+      const std::string whole = tables_->bytes(Table::picture_bytes, row.bytes_start, row.whole_bytes);
+      const std::string region =
+          tables_->bytes(Table::picture_bytes, row.bytes_start + row.whole_bytes, row.region_bytes);
+      picture.whole.assign(whole.begin(), whole.end());
+      picture.region.assign(region.begin(), region.end());
+      return picture;
+    });
+  }
+
   Result<std::vector<EventRow>> events() const override { return all<EventTableRow, EventRow>(Table::events); }
   Result<std::vector<LinkRow>> linkRows() const override { return all<LinkTableRow, LinkRow>(Table::link); }
 
@@ -227,17 +251,14 @@ class Hdf5Recording final : public Recording {
   }
 
   [[nodiscard]] RecordedPicture pictureOf(std::uint64_t index) const {
-    const auto row = tables_->row<PictureRow>(Table::pictures, index);
-    RecordedPicture picture;
-    picture.time_s = secondsFrom(nanoseconds(info_.header.started), row.taken_ns);
-    picture.number = row.number;
-    expect(valueOf(row, picture.finger));
-    picture.region_px = {row.region_x_px, row.region_y_px, row.region_width_px, row.region_height_px};
-    picture.whole =
-        decoded(tables_->bytes(Table::picture_bytes, row.bytes_start, row.whole_bytes), "the whole picture");
-    picture.region = decoded(tables_->bytes(Table::picture_bytes, row.bytes_start + row.whole_bytes, row.region_bytes),
-                             "the region");
-    return picture;
+    const auto stored = encoded(index);
+    if (!stored) throw RecordingFailure(stored.error().message);
+    return {.time_s = secondsFrom(nanoseconds(info_.header.started), nanoseconds(stored->taken)),
+            .number = stored->number,
+            .whole = decoded(stored->whole, "the whole picture"),
+            .region = decoded(stored->region, "the region"),
+            .region_px = stored->region_px,
+            .finger = stored->finger};
   }
 
   std::string path_;
@@ -250,7 +271,17 @@ class Hdf5Recording final : public Recording {
 
 Result<std::unique_ptr<Recording>> Recording::open(const std::string& path) {
   const std::string found = existingName(path);
-  return guarded(found, [&]() -> std::unique_ptr<Recording> { return std::make_unique<Hdf5Recording>(found); });
+  return guarded(found, [&]() -> std::unique_ptr<Recording> { return std::make_unique<Hdf5Recording>(found, false); });
+}
+
+Result<std::unique_ptr<Recording>> openDamaged(const std::string& path) {
+  return guarded(path, [&]() -> std::unique_ptr<Recording> { return std::make_unique<Hdf5Recording>(path, true); });
+}
+
+Result<EncodedPicture> encodedPicture(const Recording& recording, std::uint64_t index) {
+  const auto* stored = dynamic_cast<const Hdf5Recording*>(&recording);
+  if (stored == nullptr) return fail("picture {}: not in a file", index);
+  return stored->encoded(index);
 }
 
 }  // namespace fyd::session

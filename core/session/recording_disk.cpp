@@ -154,7 +154,7 @@ int JournaledFile::commit() {
   ++sequence_;
   const auto bytes = journal();
   largest_journal_ = std::max(largest_journal_, bytes.size());
-  if (bytes.size() > kJournalBytes) return EFBIG;
+  if (bytes.size() > kJournalBytes) return EOVERFLOW;
   if (const int error = calls_->write(file_, bytes, 0); error != 0) return error;
   if (const int error = calls_->sync(file_); error != 0) return error;
   for (const Write& write : waiting_)

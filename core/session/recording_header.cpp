@@ -51,6 +51,13 @@ std::int64_t checksum(const RecordingHeader& header) {
   return crc32c(std::as_bytes(std::span(all)));
 }
 
+void checkVersion(hid_t file) {
+  if (H5Aexists(file, "fyd_recording") <= 0) failHard("an HDF5 file, but not a recording of the console");
+  const std::int64_t version = readNumber(file, "fyd_recording");
+  if (version != kFormatVersion)
+    failHard("a recording of format {}; this program reads format {}", version, kFormatVersion);
+}
+
 }  // namespace
 
 void writeHeader(hid_t file, const RecordingHeader& header) {
@@ -63,16 +70,29 @@ void writeHeader(hid_t file, const RecordingHeader& header) {
 }
 
 RecordingHeader readHeader(hid_t file) {
-  if (H5Aexists(file, "fyd_recording") <= 0) failHard("an HDF5 file, but not a recording of the console");
-  const std::int64_t version = readNumber(file, "fyd_recording");
-  if (version != kFormatVersion)
-    failHard("a recording of format {}; this program reads format {}", version, kFormatVersion);
+  checkVersion(file);
   RecordingHeader header;
   header.started = Instant(Duration(readNumber(file, "started_ns")));
   visitTexts(header, [&](const char* path, std::string& text) { text = readText(file, path); });
   header.tags = parted(readText(file, "/header/tags"));
   header.step_state = readBytes(file, "/header/step_state");
   if (readNumber(file, "header_crc32c") != checksum(header)) failHard("its header is damaged: the checksum differs");
+  return header;
+}
+
+RecordingHeader readDamagedHeader(hid_t file) {
+  checkVersion(file);
+  RecordingHeader header;
+  const auto attempt = [](auto&& read) {
+    try {
+      read();
+    } catch (const RecordingFailure&) {
+    }
+  };
+  attempt([&] { header.started = Instant(Duration(readNumber(file, "started_ns"))); });
+  visitTexts(header, [&](const char* path, std::string& text) { attempt([&] { text = readText(file, path); }); });
+  attempt([&] { header.tags = parted(readText(file, "/header/tags")); });
+  attempt([&] { header.step_state = readBytes(file, "/header/step_state"); });
   return header;
 }
 

@@ -11,5 +11,7 @@ namespace fyd::session {
 void writeHeader(hid_t file, const RecordingHeader& header);
 /// @throws RecordingFailure: no recording, another version, damaged
 [[nodiscard]] RecordingHeader readHeader(hid_t file);
+/// What can be read of a damaged one; the rest stays empty. @throws when it is no recording of this format
+[[nodiscard]] RecordingHeader readDamagedHeader(hid_t file);
 
 }  // namespace fyd::session

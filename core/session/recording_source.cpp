@@ -30,14 +30,17 @@ std::string existingName(const std::string& path) {
   return path;
 }
 
-RecordingSource::RecordingSource(const std::string& path)
-    : descriptor_(opened(path)),
-      growing_(session::recorderLives(descriptor_.number())),
-      disk_(std::make_unique<JournaledFile>(descriptor_.number(), JournaledFile::Mode::read, !growing_)) {
+RecordingSource::RecordingSource(const std::string& path) : descriptor_(opened(path)), path_(path) { reopen(); }
+
+void RecordingSource::reopen() {
+  file_.reset();
+  growing_ = recorderLives();
+  // A living recorder's journal is its own affair: it applies it while we look.
+  disk_ = std::make_unique<JournaledFile>(descriptor_.number(), JournaledFile::Mode::read, !growing_);
   const Handle access = accessThrough(*disk_);
   // A living recorder, and one that was killed, leave a mark in the file: HDF5 then opens it in this way only.
-  hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.id());
-  if (id < 0) id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
+  hid_t id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.id());
+  if (id < 0) id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access.id());
   file_ = Handle(id, H5Fclose, "not a recording, or too damaged to open");
 }
 

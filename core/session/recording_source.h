@@ -22,12 +22,15 @@ class RecordingSource {
   void close() { file_.reset(); }
   [[nodiscard]] bool recorderLives() const;
   [[nodiscard]] std::uint64_t bytes() const;
-  /// Opened while a recorder lived: what that recorder may leave in the journal is not seen.
-  [[nodiscard]] bool openedGrowing() const { return growing_; }
+  /// Its recorder lived when it was opened and is gone now: what it left in the journal has not been seen.
+  [[nodiscard]] bool outlivedRecorder() const { return growing_ && !recorderLives(); }
+  /// Opens the same file anew; the caller has closed its tables.
+  void reopen();
 
  private:
   Descriptor descriptor_;
-  bool growing_;
+  std::string path_;
+  bool growing_ = false;
   std::unique_ptr<JournaledFile> disk_;
   Handle file_;
 };

@@ -24,7 +24,7 @@ int opened(const std::string& path, int flags) {
 }
 
 void expectDone(int error) {
-  if (error == EFBIG) failHard("the disk: one commit changes more than the journal holds");
+  if (error == EOVERFLOW) failHard("the disk: one commit changes more than the journal holds");
   if (error != 0) failHard("the disk: {}", words(error));
 }
 
@@ -61,15 +61,15 @@ RecordingStorage::~RecordingStorage() {
 
 void RecordingStorage::startSwmr() { check(H5Fstart_swmr_write(file_.id()), "shared reading"); }
 
-void RecordingStorage::commit() {
-  check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "the file");
-  expectDone(disk_->commit());
-}
+void RecordingStorage::flush() { check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "the file"); }
+
+void RecordingStorage::persist() { expectDone(disk_->commit()); }
 
 void RecordingStorage::close() {
-  check(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), "the file");
+  flush();
   file_.reset();
-  expectDone(disk_->dropJournal());
 }
+
+void RecordingStorage::dropJournal() { expectDone(disk_->dropJournal()); }
 
 }  // namespace fyd::session

@@ -36,12 +36,21 @@ class RecordingStorage {
 
   [[nodiscard]] hid_t file() const { return file_.id(); }
   void startSwmr();
-  /// All or nothing of what HDF5 was given since the last one.
-  void commit();
+  /// Gives the disk what HDF5 still keeps; under the HDF5 lock.
+  void flush();
+  /// All or nothing of what was flushed since the last time lasts; waits for the disk, needs no lock.
+  void persist();
   /// From now on nothing reaches the file.
   void abandon() { disk_->abandon(); }
-  /// Ends HDF5's part; the caller has closed its tables.
+  /// Flushes and ends HDF5's part; the caller has closed its tables. Then `dropJournal`.
   void close();
+  /// Persists, and leaves nothing for a reader to apply.
+  void dropJournal();
+  /// `close` and what follows it.
+  void finish() {
+    close();
+    dropJournal();
+  }
   [[nodiscard]] std::uint64_t bytes() const { return disk_->size(); }
 
  private:

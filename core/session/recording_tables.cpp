@@ -65,11 +65,18 @@ bool RecordingTables::refresh() {
   return commit_count_ != before;
 }
 
-CommitRow RecordingTables::commit(std::uint64_t number) const {
+std::optional<CommitRow> RecordingTables::soundCommit(std::uint64_t number) const {
   const auto block = commitBlock(number);
   CommitRow row;
   std::memcpy(&row, block->bytes.data() + (number - block->first) * sizeof row, sizeof row);
+  if (!intact(row, number)) return std::nullopt;
   return row;
+}
+
+CommitRow RecordingTables::commit(std::uint64_t number) const {
+  const auto row = soundCommit(number);
+  if (!row) failHard("/commits: row {} is damaged", number);
+  return *row;
 }
 
 std::shared_ptr<const RecordingBlock> RecordingTables::commitBlock(std::uint64_t number) const {
@@ -85,11 +92,6 @@ std::shared_ptr<const RecordingBlock> RecordingTables::commitBlock(std::uint64_t
   block->count = std::min(kCommitsPerRead, commit_count_ - first);
   block->bytes.resize(block->count * sizeof(CommitRow));
   commit_table_.read(first, block->count, block->bytes);
-  for (std::uint64_t i = 0; i < block->count; ++i) {
-    CommitRow row;
-    std::memcpy(&row, block->bytes.data() + i * sizeof row, sizeof row);
-    if (!intact(row, first + i)) failHard("/commits: row {} is damaged", first + i);
-  }
   remember(key, block);
   return block;
 }
@@ -99,10 +101,14 @@ std::uint64_t RecordingTables::commitOf(Table table, std::uint64_t row) const {
   std::uint64_t high = commit_count_;
   while (low < high) {
     const std::uint64_t middle = low + (high - low) / 2;
-    if (commit(middle).rows[indexOf(table)] > row)
+    // A damaged commit says nothing: the next sound one does; with none, the row's own commit is among the damaged.
+    std::uint64_t probe = middle;
+    std::optional<CommitRow> sound;
+    while (probe < high && !(sound = soundCommit(probe))) ++probe;
+    if (!sound || sound->rows[indexOf(table)] > row)
       high = middle;
     else
-      low = middle + 1;
+      low = probe + 1;
   }
   if (low == commit_count_) failHard("{}: row {} of {}", layoutOf(table).path, row, rows(table));
   return low;
@@ -135,7 +141,12 @@ std::shared_ptr<const RecordingBlock> RecordingTables::load(Table table, std::ui
   return block;
 }
 
-void RecordingTables::checkCommit(Table table, std::uint64_t number) const { (void)load(table, number, number + 1); }
+std::uint64_t RecordingTables::rowAfterDamage(Table table, std::uint64_t row) const {
+  for (std::uint64_t number = commitOf(table, row); number < commit_count_; ++number)
+    if (const auto sound = soundCommit(number); sound && sound->rows[indexOf(table)] > row)
+      return sound->rows[indexOf(table)];
+  return rows(table);
+}
 
 std::shared_ptr<const RecordingBlock> RecordingTables::block(Table table, std::uint64_t row) const {
   const std::size_t i = indexOf(table);
@@ -148,7 +159,14 @@ std::shared_ptr<const RecordingBlock> RecordingTables::block(Table table, std::u
     newest_first_.splice(newest_first_.begin(), newest_first_, found->second);
     return recent_[i] = found->second->second;
   }
-  recent_[i] = load(table, first, std::min(first + together, commit_count_));
+  try {
+    recent_[i] = load(table, first, std::min(first + together, commit_count_));
+  } catch (const RecordingFailure&) {
+    if (together == 1) throw;
+    // One damaged commit must not take its neighbours along.
+    const std::uint64_t own = commitOf(table, row);
+    return recent_[i] = load(table, own, own + 1);
+  }
   remember(key, recent_[i]);
   return recent_[i];
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -21,12 +22,6 @@ struct RecordingBlock {
   [[nodiscard]] bool holds(std::uint64_t row) const { return row >= first && row - first < count; }
 };
 
-/// A block the disk did not keep.
-struct DamagedBlock {
-  std::uint64_t commit = 0;
-  std::string what;  ///< table, rows, and the two checksums or HDF5's reason
-};
-
 class RecordingTables {
  public:
   explicit RecordingTables(hid_t file);
@@ -40,6 +35,7 @@ class RecordingTables {
   [[nodiscard]] std::uint64_t rows(Table table) const { return last_.rows[indexOf(table)]; }
   /// Rows in the file, committed or not.
   [[nodiscard]] std::uint64_t present(Table table) const { return tables_[indexOf(table)].rows(); }
+  /// @throws when the row is damaged
   [[nodiscard]] CommitRow commit(std::uint64_t number) const;
   /// The first commit at which the table has more than `row` rows.
   [[nodiscard]] std::uint64_t commitOf(Table table, std::uint64_t row) const;
@@ -56,8 +52,8 @@ class RecordingTables {
   }
   [[nodiscard]] std::string bytes(Table table, std::uint64_t first, std::uint64_t count) const;
 
-  /// Reads the rows of one commit without the cache. @throws when they are not what was committed
-  void checkCommit(Table table, std::uint64_t number) const;
+  /// Where to go on when the block with `row` is damaged.
+  [[nodiscard]] std::uint64_t rowAfterDamage(Table table, std::uint64_t row) const;
 
  private:
   using Key = std::uint64_t;
@@ -65,6 +61,7 @@ class RecordingTables {
 
   const RecordingBlock& blockAt(Table table, std::uint64_t row) const;
   std::shared_ptr<const RecordingBlock> load(Table table, std::uint64_t first_commit, std::uint64_t end_commit) const;
+  std::optional<CommitRow> soundCommit(std::uint64_t number) const;
   std::shared_ptr<const RecordingBlock> commitBlock(std::uint64_t number) const;
   void remember(Key key, std::shared_ptr<const RecordingBlock> block) const;
   bool findLast();

@@ -34,9 +34,11 @@ class Hdf5RecordingWriter final : public RecordingWriter {
     for (std::size_t i = 0; i < kTableCount; ++i)
       tables_[i].stored = Hdf5Table::create(storage_.file(), layoutOf(static_cast<Table>(i)));
     commits_ = Hdf5Table::create(storage_.file(), commitLayout());
-    storage_.commit();
+    storage_.flush();
+    storage_.persist();
     storage_.startSwmr();
     writeCommit(false);
+    storage_.persist();
   }
 
   ~Hdf5RecordingWriter() override {
@@ -82,7 +84,10 @@ class Hdf5RecordingWriter final : public RecordingWriter {
 
   Result<void> commit() override {
     if (auto open = stillOpen(); !open) return open;
-    return endUnless(guarded(path_, [&] { writeCommit(false); }));
+    auto done = guarded(path_, [&] { writeCommit(false); });
+    if (done) done = unlocked([&] { storage_.persist(); });
+    if (done) committed_steps_ = rowsOf(Table::telemetry);
+    return endUnless(done);
   }
 
   Result<void> close() override {
@@ -92,6 +97,8 @@ class Hdf5RecordingWriter final : public RecordingWriter {
       dropTables();
       storage_.close();
     });
+    if (closed) closed = unlocked([&] { storage_.dropJournal(); });
+    if (closed) committed_steps_ = rowsOf(Table::telemetry);
     if (closed) closed = renameNew(partialOf(path_), path_);
     if (closed) closed = syncFolder(path_);
     over_ = closed ? "the recording is closed" : closed.error().message;
@@ -105,6 +112,17 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   [[nodiscard]] Result<void> stillOpen() const {
     if (!over_.empty()) return fail("{}: nothing more can be recorded: {}", path_, over_);
     return {};
+  }
+
+  /// As `guarded`, without HDF5's lock: waiting for the disk holds nobody up.
+  template <class Work>
+  Result<void> unlocked(Work&& work) {
+    try {
+      work();
+      return {};
+    } catch (const RecordingFailure& failure) {
+      return fail("{}: {}", path_, failure.what());
+    }
   }
 
   Result<void> endUnless(Result<void> result) {
@@ -198,8 +216,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
     }
     row.own_crc = crc32c(std::as_bytes(std::span(&row, 1)).first(offsetof(CommitRow, own_crc)));
     commits_.append(std::as_bytes(std::span(&row, 1)));
-    storage_.commit();
-    committed_steps_ = rowsOf(Table::telemetry);
+    storage_.flush();
   }
 
   void dropTables() {

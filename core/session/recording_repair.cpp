@@ -1,0 +1,27 @@
+#include "core/session/recording_repair.h"
+
+#include "core/session/recording_crc.h"
+#include "core/session/recording_storage.h"
+#include "core/session/recording_tables.h"
+
+namespace fyd::session {
+
+Result<void> finishRecording(const std::string& path) {
+  return guarded(path, [&] {
+    RecordingStorage storage(path);
+    {
+      CommitRow row = RecordingTables(storage.file()).last();
+      Hdf5Table commits = Hdf5Table::open(storage.file(), commitLayout());
+      if (commits.rows() != row.number + 1)
+        failHard("/commits: its last {} rows are torn", commits.rows() - row.number - 1);
+      ++row.number;
+      row.crc = {};  // no new rows
+      row.closed = 1;
+      row.own_crc = crc32c(std::as_bytes(std::span(&row, 1)).first(offsetof(CommitRow, own_crc)));
+      commits.append(std::as_bytes(std::span(&row, 1)));
+    }
+    storage.finish();
+  });
+}
+
+}  // namespace fyd::session

@@ -1,0 +1,127 @@
+#include "core/session/recover.h"
+
+#include <sys/stat.h>
+
+#include "core/session/recording_place.h"
+#include "core/session/recording_repair.h"
+#include "core/session/recording_salvage.h"
+#include "core/session/recording_source.h"
+#include "core/session/recording_writer.h"
+#include "core/session/verify.h"
+
+namespace fyd::session {
+namespace {
+
+bool exists(const std::string& path) {
+  struct stat status {};
+  return ::lstat(path.c_str(), &status) == 0;
+}
+
+/// The name the whole recording gets.
+std::string targetOf(const std::string& found) {
+  const std::string ending = kPartialEnding;
+  return found.ends_with(ending) ? found.substr(0, found.size() - ending.size()) : found;
+}
+
+Result<std::string> freeName(const std::string& wanted) {
+  if (!exists(wanted) && !exists(partialOf(wanted))) return wanted;
+  for (int i = 2; i < 1000; ++i)
+    if (const std::string name = fmt::format("{}-{}", wanted, i); !exists(name) && !exists(partialOf(name)))
+      return name;
+  return fail("{}: too many of this name; move them away", wanted);
+}
+
+Result<void> giveName(const std::string& found, const std::string& target) {
+  if (found == target) return {};
+  if (auto named = renameNew(found, target); !named) return named;
+  return syncFolder(target);
+}
+
+/// What of the recording's other lists can be read goes along; they are too few to be counted one by one.
+void copyLists(const Recording& from, RecordingWriter& to) {
+  if (const auto notes = from.notes(); notes)
+    for (const Note& note : *notes) (void)to.append(note);  // a refusing disk refuses the next step too
+  if (const auto links = from.linkRows(); links)
+    for (const LinkRow& link : *links) (void)to.append(link);
+  for (std::uint64_t i = 0; i < from.info().frames; ++i)
+    if (const auto picture = encodedPicture(from, i); picture) {
+      (void)to.append(*picture);
+      if (i % 100 == 99) (void)to.commit();
+    }
+}
+
+Result<void> copySteps(const Recording& from, RecordingWriter& to, RecoverOutcome& outcome) {
+  for (std::uint64_t row = 0; row < from.info().committed_samples; ++row) {
+    const auto record = from.step(row);
+    if (!record) {
+      ++outcome.lost_steps;
+      if (outcome.first_damage.empty()) outcome.first_damage = record.error().message;
+      continue;
+    }
+    if (auto put = to.append(*record); !put) return put;
+    ++outcome.steps;
+  }
+  return {};
+}
+
+Result<RecoverOutcome> copyWhatIsLeft(const Recording& from, const std::string& found, const std::string& target) {
+  RecoverOutcome outcome;
+  const auto copy = freeName(target + ".recovered");
+  if (!copy) return tl::unexpected(copy.error());
+  auto writer = RecordingWriter::create(*copy, from.info().header);
+  if (!writer) return tl::unexpected(writer.error());
+  if (auto steps = copySteps(from, **writer, outcome); !steps) return tl::unexpected(steps.error());
+  copyLists(from, **writer);
+  if (auto closed = (*writer)->close(); !closed) return tl::unexpected(closed.error());
+  const auto kept = freeName(target + ".damaged");
+  if (!kept) return tl::unexpected(kept.error());
+  if (auto named = giveName(found, *kept); !named) return tl::unexpected(named.error());
+  if (auto named = giveName(*copy, target); !named) return tl::unexpected(named.error());
+  outcome.result = RecoverResult::part_lost;
+  outcome.file = target;
+  outcome.kept = *kept;
+  return outcome;
+}
+
+RecoverOutcome nothing(const Error& why) {
+  RecoverOutcome outcome;
+  outcome.first_damage = why.message;
+  return outcome;
+}
+
+}  // namespace
+
+Result<RecoverOutcome> recover(const std::string& path) {
+  const std::string found = existingName(path);
+  if (!exists(found)) return fail("{}: there is no such file", path);
+  const std::string target = targetOf(found);
+  if (target != found && exists(target)) return fail("{}: exists; move one of the two away first", target);
+  RecoverOutcome outcome;
+  {
+    const auto recording = openDamaged(found);
+    if (!recording) return nothing(recording.error());
+    const RecordingInfo& info = (*recording)->info();
+    if (info.wholeness == Wholeness::growing) return fail("{}: is being recorded at this moment", found);
+    outcome.steps = info.committed_samples;
+    const auto checked = verify(found);
+    const bool sound = checked && checked->intact();
+    if (sound && info.wholeness == Wholeness::whole) {
+      if (auto named = giveName(found, target); !named) return tl::unexpected(named.error());
+      outcome.result = RecoverResult::whole;
+      outcome.file = target;
+      return outcome;
+    }
+    if (!sound) {
+      auto copied = copyWhatIsLeft(**recording, found, target);
+      if (copied) copied->first_damage = checked ? checked->first_damage : checked.error().message;
+      return copied;
+    }
+  }
+  if (auto finished = finishRecording(found); !finished) return tl::unexpected(finished.error());
+  if (auto named = giveName(found, target); !named) return tl::unexpected(named.error());
+  outcome.result = RecoverResult::whole;
+  outcome.file = target;
+  return outcome;
+}
+
+}  // namespace fyd::session

@@ -1,0 +1,26 @@
+// Reads a whole recording and checks every block against the CRC32C it was committed with.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/session/recording.h"
+
+namespace fyd::session {
+
+struct Verification {
+  Wholeness wholeness = Wholeness::whole;
+  std::uint64_t commits = 0;
+  std::uint64_t blocks = 0;  ///< checked: one table's rows over one or some commits
+  std::uint64_t bytes = 0;   ///< of rows
+  std::uint64_t damaged = 0;
+  std::string first_damage;  ///< which table and rows, both checksums; empty when nothing is damaged
+
+  [[nodiscard]] bool intact() const { return damaged == 0; }
+};
+
+/// @return an error when the file cannot be opened as a recording at all
+[[nodiscard]] Result<Verification> verify(const std::string& path);
+
+}  // namespace fyd::session
