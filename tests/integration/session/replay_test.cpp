@@ -1,0 +1,207 @@
+// Replay: the same bit for bit, what if, closed loop; and a recording in the place of a device.
+#include "core/session/recorded_camera.h"
+#include "core/session/recorded_touchpad.h"
+#include "tests/integration/session/recorder_replay_fixture.h"
+
+namespace fyd::session {
+namespace {
+
+using testing::HasSubstr;
+
+class Replay : public Recorded {
+ protected:
+  /// @param before_s how long the session ran before it was recorded
+  std::unique_ptr<Recording> record(double before_s, double seconds, double pre_trigger_s = 10.0) {
+    startRecorder({.pre_trigger_s = pre_trigger_s});
+    run(before_s);
+    const auto begun = recorder->begin({.path = file("session.h5")});
+    EXPECT_TRUE(begun) << (begun ? "" : begun.error().message);
+    run(seconds);
+    const auto ended = recorder->end();
+    EXPECT_TRUE(ended) << (ended ? "" : ended.error().message);
+    EXPECT_EQ(recorder->status().differences, 0U);
+    return open("session.h5");
+  }
+};
+
+TEST_F(Replay, IsIdenticalFromTheFirstStepOn) {
+  before_step = [this](pipeline::Inputs& in) {
+    if (steps == 1500) (void)in.changes.push({.index = 0, .value = 100.0});  // refused: not live
+    if (steps == 2500) (void)in.commands.push({.action = pipeline::OperatorAction::stop});
+    if (steps == 2600) (void)in.commands.push({.action = pipeline::OperatorAction::arm});
+  };
+  const auto recording = record(0.2, 6.0);
+  ASSERT_TRUE(recording);
+  std::uint64_t seen = 0;
+  const auto result = replay(*recording, {}, [&](const auto&, const auto&) { ++seen; });
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->identical) << result->different << " differ, first " << result->first_difference_s << " s "
+                                 << result->first_difference_field;
+  EXPECT_EQ(result->samples, 6200U);
+  EXPECT_EQ(seen, 6200U);
+  EXPECT_FALSE(result->what_if);
+  EXPECT_GT(result->speed_x, 1.0);
+}
+
+TEST_F(Replay, IsIdenticalFromTheMiddleOfASession) {
+  const auto recording = record(8.0, 3.0, 2.0);
+  ASSERT_TRUE(recording);
+  ASSERT_GT(recording->step(0)->telemetry.step, 4000U);
+  const auto result = replay(*recording, {});
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->identical) << result->first_difference_s << " s " << result->first_difference_field;
+}
+
+TEST_F(Replay, LiveChangesAndATareBeforeTheStartAreInTheState) {
+  pipeline::Parameters copy = options.parameters;
+  const auto bound = bindParameters(copy);
+  const Parameter* k_vib = findParameter(bound, "texture.k_vib");
+  ASSERT_TRUE(k_vib);
+  before_step = [&](pipeline::Inputs& in) {
+    if (steps == 500) {
+      (void)in.changes.push({.index = static_cast<std::uint16_t>(k_vib - bound.data()), .value = 2.5});
+    }
+  };
+  const auto recording = record(5.0, 1.0, 1.0);
+  ASSERT_TRUE(recording);
+  EXPECT_THAT(recording->info().header.profile, HasSubstr("k_vib = 2.5"));
+  const auto result = replay(*recording, {});
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->identical) << result->first_difference_field;
+}
+
+TEST_F(Replay, OfOtherInputsIsFoundOutWithTimeAndField) {
+  const auto recording = record(0.2, 2.0);
+  ASSERT_TRUE(recording);
+  const auto result = replay(*recording, {.settings = {"texture.k_vib=1.7"}});
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->what_if);
+  EXPECT_FALSE(result->identical);
+  EXPECT_FALSE(result->from_rest) << "k_vib is live: the recorded state serves";
+  EXPECT_GT(result->different, 100U);
+  EXPECT_GE(result->first_difference_s, 0.0);
+  EXPECT_FALSE(result->first_difference_field.empty());
+}
+
+TEST_F(Replay, AParameterThatIsNotLiveStartsFromRest) {
+  const auto recording = record(0.2, 4.0);
+  ASSERT_TRUE(recording);
+  pipeline::TelemetrySample last;
+  const auto result = replay(*recording, {.settings = {"pipeline.bridge_maximum_age_ms=90"}},
+                             [&](const auto& sample, const auto&) { last = sample; });
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->from_rest);
+  EXPECT_EQ(last.state, pipeline::SafetyState::active) << "it armed where the operator had";
+}
+
+TEST_F(Replay, WrongSettingsAreNamed) {
+  const auto recording = record(0.2, 0.5);
+  ASSERT_TRUE(recording);
+  for (const char* setting : {"control.kp", "nothing.at_all=1", "control.kp=fast", "texture.k_vib=1e9"}) {
+    const auto result = replay(*recording, {.settings = {setting}});
+    ASSERT_FALSE(result) << setting;
+    EXPECT_THAT(result.error().message, HasSubstr(std::string(setting).substr(0, std::string(setting).find('='))));
+  }
+}
+
+TEST_F(Replay, AClosedLoopWithNothingChangedGivesTheRecording) {
+  options.finger = sim::FingerPath::constant(0.0, 0.0, 6.0);
+  before_step = [this](pipeline::Inputs& in) {  // a staircase of targets excites the cloth
+    if (steps < 1000 || steps % 1500 != 0) return;
+    const double targets[] = {0.55, 0.68, 0.58, 0.65};
+    (void)in.commands.push({.action = pipeline::OperatorAction::target_by_hand, .value = targets[steps / 1500 % 4]});
+  };
+  const auto recording = record(0.2, 16.0);
+  ASSERT_TRUE(recording);
+  const auto same = replay(*recording, {.closed_loop = true});
+  ASSERT_TRUE(same) << same.error().message;
+  EXPECT_TRUE(same->identical) << same->first_difference_s << " s " << same->first_difference_field;
+  ASSERT_TRUE(same->fabric);
+  EXPECT_GT(same->fabric->residual_rms_relative, 0.0);
+  EXPECT_LT(same->fabric->residual_rms_relative, 0.2);
+
+  // Ten times slower motors of the rate limit: the loop answers, so that the measured stretch itself differs.
+  double apart_deg = 0.0;
+  const auto slow = replay(*recording, {.settings = {"control.ki=0.01"}, .closed_loop = true},
+                           [&](const auto& replayed, const auto& recorded) {
+                             const double d = std::abs(replayed.stretch_measured_deg - recorded.stretch_measured_deg);
+                             if (std::isfinite(d)) apart_deg = std::max(apart_deg, d);
+                           });
+  ASSERT_TRUE(slow) << slow.error().message;
+  EXPECT_FALSE(slow->identical);
+  EXPECT_GT(apart_deg, 1.0);
+  const auto open_loop =
+      replay(*recording, {.settings = {"control.ki=0.01"}}, [&](const auto& replayed, const auto& recorded) {
+        EXPECT_EQ(std::isnan(replayed.stretch_measured_deg), std::isnan(recorded.stretch_measured_deg));
+      });
+  ASSERT_TRUE(open_loop);
+  EXPECT_FALSE(open_loop->fabric);
+}
+
+TEST_F(Replay, AClosedLoopIsRefusedWhenTheRecordingDoesNotIdentifyTheCloth) {
+  options.finger = sim::FingerPath::constant(0.0, 0.0, 0.0);
+  const auto recording = record(0.2, 3.0);
+  ASSERT_TRUE(recording);
+  const auto result = replay(*recording, {.closed_loop = true});
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().message, HasSubstr("does not say how the cloth answers"));
+}
+
+TEST_F(Replay, ARecordingIsATouchpad) {
+  const auto recording = record(0.2, 2.0);
+  ASSERT_TRUE(recording);
+  auto opened = RecordedTouchpad::open(file("session.h5"), std::make_shared<PlaybackStart>());
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_THAT((*opened)->description(), HasSubstr("motors are not driven"));
+  const Instant start = instantAt(5000.0);
+  for (int ms = 0; ms < 2150; ms += 7) {
+    const Instant now = start + std::chrono::milliseconds(ms);
+    const auto readings = (*opened)->exchange({.active = true}, now);
+    ASSERT_TRUE(readings) << ms << ": " << readings.error().message;
+    const auto row = recording->step(static_cast<std::uint64_t>(ms));
+    ASSERT_TRUE(row);
+    EXPECT_EQ(readings->bridge.value.value_mV_per_V, row->inputs.bridge.value.value_mV_per_V) << ms;
+    EXPECT_EQ(readings->bridge.count, row->inputs.bridge.count);
+    if (readings->bridge.count > 0) {
+      EXPECT_EQ(now - readings->bridge.taken, row->inputs.now - row->inputs.bridge.taken);
+    }
+  }
+  const auto after = (*opened)->exchange({}, start + std::chrono::seconds(3));
+  ASSERT_FALSE(after);
+  EXPECT_THAT(after.error().message, HasSubstr("has ended"));
+}
+
+TEST_F(Replay, ARecordingIsACamera) {
+  startRecorder();
+  run(0.5);
+  cv::Mat picture(240, 320, CV_8UC1);
+  cv::randu(picture, 0, 255);
+  const cv::Rect region(50, 45, 220, 150);
+  for (int i = 0; i < 3; ++i) {
+    recorder->offerPicture(picture, region, {}, samples.back().now - std::chrono::milliseconds(300 - 50 * i),
+                           static_cast<std::uint64_t>(i + 1));
+  }
+  ASSERT_TRUE(recorder->begin({.path = file("seen.h5")}));
+  run(0.2);
+  ASSERT_TRUE(recorder->end());
+  auto camera = RecordedCamera::open(file("seen.h5"), std::make_shared<PlaybackStart>());
+  ASSERT_TRUE(camera) << camera.error().message;
+  Instant before{};
+  for (std::uint64_t number = 1; number <= 3; ++number) {
+    const auto frame = (*camera)->next();
+    ASSERT_TRUE(frame) << frame.error().message;
+    EXPECT_EQ(frame->number, number);
+    EXPECT_EQ(cv::norm(frame->picture(region), picture(region), cv::NORM_INF), 0.0);
+    if (number > 1) {
+      EXPECT_EQ(frame->taken - before, std::chrono::milliseconds(50));
+    }
+    before = frame->taken;
+  }
+  const auto after = (*camera)->next();
+  ASSERT_FALSE(after);
+  EXPECT_THAT(after.error().message, HasSubstr("has ended"));
+  EXPECT_FALSE(RecordedCamera::open(file("nothing.h5"), std::make_shared<PlaybackStart>()));
+}
+
+}  // namespace
+}  // namespace fyd::session
