@@ -4,6 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/profile_options.h"
+#include "core/device/camera_source.h"
 #include "core/device/device_list.h"
 #include "core/device/modbus_touchpad.h"
 #include "core/device/qbmove_motors.h"
@@ -15,6 +16,7 @@ namespace {
 struct Options {
   std::vector<std::string> touchpads;
   std::vector<std::string> motors;
+  std::vector<std::string> cameras;
   ProfileOptions profile;
   bool map = false;
   bool json = false;
@@ -47,6 +49,7 @@ Answer askTouchpad(const std::string& text, const device::DeviceParameters& para
   out.values["motor_temperature_degC"] = state.temperature_degC;
   const auto drive = protocol::driveStateOf(state.status_word);
   out.values["motors"] = drive ? toString(*drive) : "?";
+  out.values["status_word"] = protocol::statusInWords(state.status_word);
   return out;
 }
 
@@ -62,6 +65,21 @@ Answer askMotors(const std::string& text, const device::DeviceParameters& parame
   }
   out.values["encoder_counts"] = feedback->encoder_counts;
   out.values["current_mA"] = feedback->current_mA;
+  return out;
+}
+
+/// One picture, and what became of the profile's controls.
+Answer askCamera(const std::string& source, const device::DeviceParameters& parameters) {
+  Answer out{.address = source};
+  const auto camera = device::openCamera(source, parameters);
+  const auto frame = camera ? (*camera)->next() : fail("{}", camera.error().message);
+  if (camera) out.description = (*camera)->description();
+  if (!frame) {
+    out.problem = frame.error().message;
+    return out;
+  }
+  out.values["picture"] = fmt::format("{} × {}", frame->picture.cols, frame->picture.rows);
+  for (const device::CameraControl& control : (*camera)->controls()) out.values[control.name] = control.words;
   return out;
 }
 
@@ -92,6 +110,7 @@ void run(Options& options) {
   std::vector<Answer> answers;
   for (const std::string& text : options.touchpads) answers.push_back(askTouchpad(text, parameters));
   for (const std::string& text : options.motors) answers.push_back(askMotors(text, parameters));
+  for (const std::string& source : options.cameras) answers.push_back(askCamera(source, parameters));
 
   nlohmann::ordered_json json = {
       {"serial_ports", toJson(ports)}, {"cameras", toJson(cameras)}, {"asked", nlohmann::ordered_json::array()}};
@@ -129,6 +148,7 @@ void add_devices(CLI::App& app) {
   command->add_option("--touchpad", options->touchpads,
                       "Ask this one, modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]; its motors stay off; repeatable");
   command->add_option("--motors", options->motors, "Ask this motor board, qbmove:TTY; likewise");
+  command->add_option("--camera", options->cameras, "Ask this camera for one picture; repeatable");
   command->add_flag("--map", options->map, "Print the touchpad's register map as Markdown and end");
   options->profile.addTo(*command);
   command->add_flag("--json", options->json, "Result as JSON");

@@ -142,6 +142,22 @@ class Devices(fyd.Case):
         self.assertIn("plugged in", asked[1]["problem"])
         self.assertIn("HOST:PORT", self.refused(2, "devices", "--touchpad", "modbus-tcp:"))
 
+    def test_it_asks_a_camera_for_a_picture_and_says_what_became_of_its_controls(self):
+        simulator = Simulator(self, camera=True)
+        done = fyd.run("devices", "--json", "--camera", simulator.camera, "--camera", self.path("none.avi"), "--set", "device.camera_brightness_percent=100")
+        self.assertEqual(done.returncode, 1)
+        asked = fyd.json.loads(done.stdout)["asked"]
+        self.assertTrue(asked[0]["answers"], asked[0])
+        self.assertEqual(asked[0]["values"]["picture"], "320 × 240")
+        self.assertEqual(asked[0]["values"]["brightness"], "a stream has none")
+        self.assertIn("no such file or folder", asked[1]["problem"])
+
+    def test_a_serial_number_that_nothing_has_is_named(self):
+        done = fyd.run("devices", "--json", "--motors", "qbmove:id=NOBODY", "--camera", "id=NOBODY")
+        asked = fyd.json.loads(done.stdout)["asked"]
+        self.assertIn("none is plugged in", asked[0]["problem"])
+        self.assertIn("none is plugged in", asked[1]["problem"])
+
     def test_the_manual_prints_the_map_that_the_code_declares(self):
         page = os.path.join(os.environ["FYD_SOURCE_DIR"], "resources", "manual", "modbus.md")
         with open(page, encoding="utf-8") as file:
