@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "app/cli/exit_code.h"
 
 namespace fyd::cli {
 #define FYD_COMMAND(name) void add_##name(CLI::App&);
@@ -25,6 +26,9 @@ int main(int argc, char** argv) {
   } catch (const fyd::cli::UsageError& error) {
     std::cerr << "fyd: " << error.what() << '\n';
     return 2;
+  } catch (const fyd::cli::ExitCode& error) {
+    std::cerr << "fyd: " << error.what() << '\n';
+    return error.code;
   } catch (const std::exception& error) {
     std::cerr << "fyd: " << error.what() << '\n';
     return 1;

@@ -25,6 +25,7 @@ struct Options {
   double duration_s = 0.0;
   std::string telemetry;
   std::string touchpad;
+  session::RecordingRequest record;
   bool headless = false;
   bool simulate = false;
   bool json = false;
@@ -56,6 +57,23 @@ class ArmOnce {
   bool done_ = false;
 };
 
+nlohmann::ordered_json recordingOf(const session::RecorderStatus& status) {
+  return {{"path", status.path},
+          {"whole", status.state == session::RecorderState::idle},
+          {"problem", status.problem},
+          {"seconds", status.seconds},
+          {"samples", status.samples},
+          {"lost", status.lost},
+          {"bytes", status.bytes},
+          {"bytes_per_s", status.bytes_per_s},
+          {"minutes_left", jsonNumber(status.minutes_left)},
+          {"pictures", status.pictures},
+          {"pictures_lost", status.pictures_lost},
+          {"commit_p99_ms", jsonNumber(status.commit_p99_ms)},
+          {"processor_percent", status.processor_percent},
+          {"differences", status.differences}};
+}
+
 void report(const Options& options, const SessionFigures& figures, const station::Station& station) {
   const station::StationStatus status = station.status();
   const station::SimulationTruth truth = station.simulationTruth();
@@ -84,6 +102,7 @@ void report(const Options& options, const SessionFigures& figures, const station
   json["link_lost"] = status.link.figures.lost;
   json["pwm_abs_max"] = figures.pwm_abs_max;
   json["telemetry_lost"] = station.telemetryLost();
+  if (options.station.record) json["recording"] = recordingOf(station.recorderStatus());
   for (const station::PartStatus& part : status.parts) {
     json["parts"].push_back({{"name", part.name},
                              {"description", part.description},
@@ -142,9 +161,13 @@ void run(const Options& options) {
   }
   drain();
   const SessionFigures at_end = figures;
+  if (station->recorderStatus().state == session::RecorderState::recording) (void)station->stopRecording();
   report(options, at_end, *station);
   station->shutDown();
   if (csv) csv->close();
+  if (!options.station.record) return;
+  const session::RecorderStatus recorded = station->recorderStatus();
+  if (recorded.state == session::RecorderState::failed) throw Failure("recording: " + recorded.problem);
 }
 
 }  // namespace
@@ -155,7 +178,8 @@ void add_station(CLI::App& app) {
   command->add_flag("--headless", options->headless,
                     "Without a window (the only way of this program; fyd-console opens one)");
   command->add_flag("--simulate", options->simulate, "The same as --touchpad simulated");
-  command->add_option("--touchpad", options->touchpad, "simulated, modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]");
+  command->add_option("--touchpad", options->touchpad,
+                      "simulated, modbus-tcp:HOST:PORT, modbus-rtu:TTY[:BAUD] or recording:FILE");
   command->add_option("--motors", options->station.motors,
                       "qbmove:TTY, the original motor board in place of the touchpad's own motors");
   command->add_option("--duration", options->duration_s, "Seconds; 0 runs until interrupted")
@@ -163,12 +187,19 @@ void add_station(CLI::App& app) {
   command->add_option("--finger", options->station.finger_csv,
                       "Recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)");
   command->add_option("--camera", options->station.camera,
-                      "Device index, video file, folder of pictures or stream URL; simulated when left out");
+                      "Device index, video file, folder of pictures, stream URL or recording:FILE; the touchpad's own "
+                      "(simulated, recorded) when left out");
   command->add_option("--robot", options->station.robot,
                       "simulated, none, or link:HOST:PORT or classic:HOST:PORT to listen there");
   command->add_option("--key", options->station.key_file, "Key file of FYD Link, for --robot link:HOST:PORT");
   command->add_option("--surface", options->station.surface, "Stored surface to feel with --robot none (TOML)");
   options->profile.addTo(*command);
+  command->add_option("--record", options->record.path, "Record the session into this new file (.h5)");
+  command->add_option("--operator", options->record.operator_name, "Who operates, for the recording");
+  command->add_option("--subject", options->record.subject, "Code of the subject, never a name, for the recording");
+  command->add_option("--notes", options->record.notes, "A line about the session, for the recording");
+  command->add_option("--tag", options->record.tags, "A word to find the recording by; may be given again")
+      ->allow_extra_args(false);
   command->add_option("--telemetry", options->telemetry, "Write every step's sample to this CSV file");
   command->add_flag("--json", options->json, "Result as JSON");
   command->callback([options] {
@@ -179,6 +210,12 @@ void add_station(CLI::App& app) {
       throw UsageError("station: which touchpad? Add --simulate or --touchpad");
     }
     if (!options->touchpad.empty()) options->station.touchpad = options->touchpad;
+    if (!options->record.path.empty()) {
+      options->station.record = options->record;
+    } else if (!options->record.operator_name.empty() || !options->record.subject.empty() ||
+               !options->record.notes.empty() || !options->record.tags.empty()) {
+      throw UsageError("station: --operator, --subject, --notes and --tag describe a recording; add --record FILE");
+    }
     options->station.profile = options->profile.load();
     run(*options);
   });

@@ -1,0 +1,47 @@
+// fyd session info | verify | recover | replay | trials, and what stands in session_*.cpp
+#include "app/cli/session_cli.h"
+
+#include <iostream>
+
+namespace fyd::cli {
+
+void addSessionOptions(CLI::App& command, SessionOptions& options) {
+  command.add_option("file", options.file, "Recording (.h5)")->required();
+  command.add_flag("--json", options.json, "As JSON");
+}
+
+std::unique_ptr<session::Recording> openRecording(const std::string& path) {
+  return valueOrFail(session::Recording::open(path));
+}
+
+std::string_view toString(session::Wholeness wholeness) {
+  switch (wholeness) {
+    case session::Wholeness::whole: return "whole";
+    case session::Wholeness::growing: return "growing";
+    case session::Wholeness::crashed: return "crashed";
+  }
+  return "unknown";
+}
+
+void printSession(const nlohmann::ordered_json& result, bool json) {
+  if (json) {
+    printJson(result);
+    return;
+  }
+  for (const auto& [key, value] : result.items()) {
+    std::cout << fmt::format("{:<32} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+}
+
+void add_session(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("session", "Recordings: what is in them, recover, replay; lists of trials");
+  command->require_subcommand(1);
+  addSessionInfo(*command);
+  addSessionVerify(*command);
+  addSessionRecover(*command);
+  addSessionReplay(*command);
+  addSessionTrials(*command);
+  addSessionList(*command);
+}
+
+}  // namespace fyd::cli

@@ -1,0 +1,37 @@
+// The subcommands of `fyd session`, and what they share.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/cli/command.h"
+#include "core/session/recording.h"
+
+namespace fyd::cli {
+
+void addSessionInfo(CLI::App& parent);
+void addSessionVerify(CLI::App& parent);
+void addSessionRecover(CLI::App& parent);
+void addSessionReplay(CLI::App& parent);
+void addSessionTrials(CLI::App& parent);
+void addSessionExport(CLI::App& parent);
+void addSessionReport(CLI::App& parent);
+void addSessionList(CLI::App& parent);
+
+/// The positional argument FILE and --json, the same for each.
+struct SessionOptions {
+  std::string file;
+  bool json = false;
+};
+void addSessionOptions(CLI::App& command, SessionOptions& options);
+
+/// Failure when it cannot be read.
+[[nodiscard]] std::unique_ptr<session::Recording> openRecording(const std::string& path);
+
+/// "whole", "growing", "crashed".
+[[nodiscard]] std::string_view toString(session::Wholeness wholeness);
+
+/// As JSON, or one line for each key.
+void printSession(const nlohmann::ordered_json& result, bool json);
+
+}  // namespace fyd::cli

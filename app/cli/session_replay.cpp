@@ -1,0 +1,80 @@
+// fyd session replay FILE: through the step again, as it was or with other parameters.
+#include "app/cli/session_cli.h"
+#include "app/cli/telemetry_csv.h"
+#include "core/session/replay.h"
+
+namespace fyd::cli {
+namespace {
+
+struct Options {
+  SessionOptions session;
+  session::ReplayOptions replay;
+  std::string telemetry;
+};
+
+nlohmann::ordered_json toJson(const session::ReplayResult& result) {
+  nlohmann::ordered_json out;
+  out["identical"] = result.identical;
+  out["what_if"] = result.what_if;
+  out["loop"] = result.closed_loop ? "closed" : "open";
+  out["start"] = result.from_rest ? "from rest" : "recorded state";
+  out["samples"] = result.samples;
+  out["of"] = result.of;
+  out["gaps"] = result.gaps;
+  out["different"] = result.different;
+  out["first_difference_s"] = jsonNumber(result.first_difference_s);
+  out["first_difference_field"] = result.first_difference_field;
+  out["max_abs_difference"] = jsonNumber(result.max_abs_difference);
+  out["max_difference_field"] = result.max_difference_field;
+  out["stiffness_error_recorded_percent"] = jsonNumber(result.stiffness_error_recorded_percent);
+  out["stiffness_error_replayed_percent"] = jsonNumber(result.stiffness_error_replayed_percent);
+  out["duration_s"] = result.duration_s;
+  out["speed_x"] = result.speed_x;
+  if (result.fabric) {
+    out["identified"] = {{"residual_relative", result.fabric->residual_rms_relative},
+                         {"scale", result.fabric->scale},
+                         {"shape_gain", result.fabric->shape_gain},
+                         {"slope_N_per_mm_deg", result.fabric->slope_N_per_mm_deg},
+                         {"delay_s", result.fabric->delay_s},
+                         {"lag_s", result.fabric->lag_s}};
+  }
+  return out;
+}
+
+}  // namespace
+
+void addSessionReplay(CLI::App& parent) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = parent.add_subcommand("replay", "Run a recording through the step again and compare");
+  addSessionOptions(*command, options->session);
+  command->add_option("--set", options->replay.settings, "What if: id=value of the step's parameters; may be repeated")
+      ->allow_extra_args(false);
+  command->add_flag("--closed-loop", options->replay.closed_loop,
+                    "Motors and cloth answer, as identified from the recording");
+  command->add_option("--telemetry", options->telemetry, "Write every replayed step's sample to this CSV file");
+  command->callback([options] {
+    const auto recording = openRecording(options->session.file);
+    std::unique_ptr<TelemetryCsv> csv;
+    session::ReplayObserver observer;
+    if (!options->telemetry.empty()) {
+      csv = std::make_unique<TelemetryCsv>(options->telemetry);
+      observer = [&csv](const pipeline::TelemetrySample& replayed, const pipeline::TelemetrySample&) {
+        csv->write(replayed);
+      };
+    }
+    const auto result = valueOrFail(session::replay(*recording, options->replay, observer));
+    if (csv) csv->close();
+    printSession(toJson(result), options->session.json);
+    const bool proves = !result.what_if && !result.closed_loop;
+    if (proves && !result.identical) {
+      throw Failure(result.different > 0
+                        ? fmt::format("{}: {} of {} steps came out otherwise, the first at {:.3f} s in {}",
+                                      options->session.file, result.different, result.samples,
+                                      result.first_difference_s, result.first_difference_field)
+                        : fmt::format("{}: only {} of {} steps could be replayed: after them steps were lost",
+                                      options->session.file, result.samples, result.of));
+    }
+  });
+}
+
+}  // namespace fyd::cli
