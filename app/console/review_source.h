@@ -1,0 +1,64 @@
+// The curves of a review: one recording, a second one beside it, and what would have been, behind one CurveSource.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "core/session/recording.h"
+#include "widgets/curve_buffer.h"
+#include "widgets/theme.h"
+
+namespace fyd::console {
+
+enum class ReviewLayer : std::uint8_t { session, other, what_if };
+inline constexpr std::size_t kReviewLayers = 3;
+
+/// What is drawn of each layer.
+struct ReviewQuantity {
+  const char* field;  ///< name in telemetryFields()
+  const char* word;
+  const char* unit;
+  widgets::Quantity quantity;
+  int decimals;
+};
+inline constexpr std::array<ReviewQuantity, 5> kReviewQuantities = {{
+    {"force_N", QT_TRANSLATE_NOOP("Review", "Force"), "N", widgets::Quantity::force, 2},
+    {"indentation_mm", QT_TRANSLATE_NOOP("Review", "Indentation"), "mm", widgets::Quantity::indentation, 2},
+    {"stiffness_N_per_mm", QT_TRANSLATE_NOOP("Review", "Stiffness"), "N/mm", widgets::Quantity::stiffness, 3},
+    {"target_N_per_mm", QT_TRANSLATE_NOOP("Review", "Target"), "N/mm", widgets::Quantity::stiffness, 3},
+    {"vibration_duty_percent", QT_TRANSLATE_NOOP("Review", "Vibration"), "%", widgets::Quantity::vibration, 0},
+}};
+
+/// Index into telemetryFields().
+[[nodiscard]] std::size_t fieldIndex(const char* name);
+
+class ReviewSource : public widgets::CurveSource {
+ public:
+  [[nodiscard]] static std::size_t channel(ReviewLayer layer, std::size_t quantity) {
+    return static_cast<std::size_t>(layer) * kReviewQuantities.size() + quantity;
+  }
+
+  /// nullptr: none. They must outlive this.
+  void setSession(const session::Recording* recording) { layers_[0] = {recording, 0.0}; }
+  /// @param later_by_s its second 0 stands at this second of the session
+  void setOther(const session::Recording* recording, double later_by_s) { layers_[1] = {recording, later_by_s}; }
+  void setWhatIf(std::shared_ptr<const widgets::CurveBuffer> replayed) { what_if_ = std::move(replayed); }
+
+  void decimate(std::size_t channel, double from_s, double to_s, std::size_t columns,
+                std::vector<widgets::CurveColumn>& out) const override;
+  /// The value at `time_s`: of the last row at or before it; NaN outside.
+  [[nodiscard]] double valueAt(std::size_t channel, double time_s) const;
+  /// What could not be read since the last call; empty: nothing.
+  [[nodiscard]] std::string takeProblem() const { return std::exchange(problem_, {}); }
+
+ private:
+  struct Layer {
+    const session::Recording* recording = nullptr;
+    double later_by_s = 0.0;
+  };
+  std::array<Layer, 2> layers_;
+  std::shared_ptr<const widgets::CurveBuffer> what_if_;
+  mutable std::string problem_;
+};
+
+}  // namespace fyd::console
