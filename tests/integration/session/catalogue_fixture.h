@@ -2,6 +2,8 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -80,10 +82,13 @@ inline Result<CatalogueEntry> readMadeUp(const std::string& path) {
   return entry;
 }
 
-/// Runs `work` in a process of its own. @return its process id
+/// Runs `work` in a process of its own, which ends with this one at the latest. @return its process id
 inline pid_t inProcess(const std::function<bool()>& work) {
   const pid_t child = fork();
-  if (child == 0) _exit(work() ? 0 : 1);
+  if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    _exit(work() ? 0 : 1);
+  }
   return child;
 }
 

@@ -120,6 +120,52 @@ TEST_F(ArchiveMove, AFolderThatVanishesBetweenCopyAndCatalogueKeepsTheSource) {
   EXPECT_EQ(readText(source), content);
 }
 
+/// Another process spoils a file of the move while it runs. When it comes too late the round is run again.
+TEST_F(ArchiveMove, ACopyThatReadsBackDifferentlyKeepsTheSource) {
+  std::string said;
+  for (int round = 0; round < 100 && said.empty(); ++round) {
+    writeText(source, content);
+    fs::remove(target + "/a.h5");
+    const pid_t storage = inProcess([&]() -> bool {
+      for (;;) {
+        std::error_code gone;
+        for (const auto& item : fs::directory_iterator(target, gone)) {
+          std::fstream file(item.path(), std::ios::in | std::ios::out | std::ios::binary);
+          file.put('X');
+        }
+      }
+    });
+    const auto moved = moveFile(source, target, kAccept);
+    kill(storage, SIGKILL);
+    waitpid(storage, nullptr, 0);
+    if (!moved) said = moved.error().message;
+  }
+  EXPECT_THAT(said, HasSubstr("reads back differently"));
+  EXPECT_EQ(readText(source), content);
+  EXPECT_THAT(stored(), IsEmpty());
+}
+
+TEST_F(ArchiveMove, ASourceThatGrowsMeanwhileStays) {
+  std::string said;
+  for (int round = 0; round < 100 && said.empty(); ++round) {
+    writeText(source, content);
+    fs::remove(target + "/a.h5");
+    const pid_t recorder = inProcess([&]() -> bool {
+      for (;;) {
+        if (!fs::is_empty(target)) std::ofstream(source, std::ios::app | std::ios::binary) << "x";
+        usleep(200);
+      }
+    });
+    const auto moved = moveFile(source, target, kAccept);
+    kill(recorder, SIGKILL);
+    waitpid(recorder, nullptr, 0);
+    if (!moved) said = moved.error().message;
+  }
+  EXPECT_THAT(said, HasSubstr("changed while it was copied"));
+  EXPECT_EQ(readText(source).substr(0, content.size()), content);
+  EXPECT_THAT(stored(), IsEmpty());
+}
+
 TEST_F(ArchiveMove, AMoverKilledAtAnyMomentLosesNothing) {
   for (int round = 0; round < 20; ++round) {
     writeText(source, content);
