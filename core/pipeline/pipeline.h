@@ -49,7 +49,7 @@ class Pipeline {
   /// As they are now, live changes and tare included.
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
 
-  /// All that the next steps depend on, live parameters, tare and safety state included, as bytes (about 40 kB) that
+  /// All that the next steps depend on, live parameters, tare and safety state included, as bytes (15 to 45 kB) that
   /// only `restoreState` of the same program reads. Allocates.
   [[nodiscard]] std::string saveState() const;
   /// Continues where `saveState` stood: the same inputs then give the same outputs bit for bit. This pipeline must have
