@@ -41,6 +41,8 @@ void add_session(CLI::App& app) {
   addSessionRecover(*command);
   addSessionReplay(*command);
   addSessionTrials(*command);
+  addSessionExport(*command);
+  addSessionReport(*command);
   addSessionList(*command);
 }
 

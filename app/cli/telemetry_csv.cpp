@@ -1,9 +1,7 @@
 #include "app/cli/telemetry_csv.h"
 
-#include <cmath>
-#include <iterator>
-
 #include "app/cli/command.h"
+#include "core/session/export_csv_text.h"
 
 namespace fyd::cli {
 
@@ -20,12 +18,7 @@ void TelemetryCsv::write(const pipeline::TelemetrySample& sample) {
   line_.clear();
   for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
     if (!line_.empty()) line_ += ',';
-    const double value = field.read(sample);
-    if (std::isfinite(value)) {
-      fmt::format_to(std::back_inserter(line_), "{:.{}f}", value, field.decimals);
-    } else {
-      line_ += "nan";
-    }
+    session::appendNumber(line_, field.read(sample));
   }
   line_ += '\n';
   file_ << line_;

@@ -1,4 +1,4 @@
-// Telemetry as lines of CSV: the one writer of the export and of `fyd station --telemetry`.
+// Telemetry as text in CSV: numbers of the export and of `fyd station --telemetry` are written here.
 #pragma once
 
 #include <span>
