@@ -68,11 +68,11 @@ std::vector<std::pair<std::string, std::string>> headerFacts(const RecordingInfo
 
 ReportTable touchTable(const std::vector<Touch>& touches) {
   ReportTable table{.heading = "Touches",
-                    .columns = {{"No.", 0.45, true},
+                    .columns = {{"No.", 0.52, true},
                                 {"Start, s", 0.9, true},
-                                {"Length, s", 0.95, true},
+                                {"Length, s", 1.0, true},
                                 {"Peak force, N", 1.0, true},
-                                {"Peak indentation, mm", 1.15, true},
+                                {"Peak indentation, mm", 1.25, true},
                                 {"Stiffness, N/mm", 1.0, true},
                                 {"Target, N/mm", 1.0, true},
                                 {"Error, %", 0.8, true},

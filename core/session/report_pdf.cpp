@@ -15,7 +15,7 @@ constexpr double kMargin = (kPageWidth - kReportWidth) / 2.0;
 constexpr double kBottom = kPageHeight - 50.0;  ///< below it stands the page's number only
 constexpr double kText = 8.0;
 constexpr double kLine = 11.0;
-constexpr double kCellGap = 10.0;
+constexpr double kCellGap = 8.0;
 
 cairo_status_t appendTo(void* text, const unsigned char* data, unsigned length) {
   static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
