@@ -110,20 +110,26 @@ int JournaledFile::read(std::uint64_t at, std::span<std::byte> out) const {
   return 0;
 }
 
-int JournaledFile::write(std::uint64_t at, std::span<const std::byte> bytes) {
-  if (mode_ == Mode::read) return EROFS;
+void JournaledFile::write(std::uint64_t at, std::span<const std::byte> bytes) {
+  if (mode_ == Mode::read) {
+    error_ = EROFS;
+    return;
+  }
   size_ = std::max(size_, at + bytes.size());
-  const std::uint64_t kept = abandoned_ ? bytes.size() : at < committed_end_ ? committed_end_ - at : 0;
+  const bool in_memory = abandoned_ || error_ != 0;
+  const std::uint64_t kept = in_memory ? bytes.size() : at < committed_end_ ? committed_end_ - at : 0;
   const auto before = bytes.first(std::min<std::uint64_t>(kept, bytes.size()));
   if (!before.empty()) waiting_.push_back({at, {before.begin(), before.end()}});
   const auto after = bytes.subspan(before.size());
-  return after.empty() ? 0 : calls_->write(file_, after, at + before.size());
+  if (after.empty()) return;
+  error_ = calls_->write(file_, after, at + before.size());
+  if (error_ != 0) waiting_.push_back({at + before.size(), {after.begin(), after.end()}});
 }
 
-int JournaledFile::reach(std::uint64_t bytes) {
-  if (mode_ == Mode::read || bytes <= size_) return 0;
+void JournaledFile::reach(std::uint64_t bytes) {
+  if (mode_ == Mode::read || bytes <= size_) return;
   size_ = bytes;
-  return abandoned_ ? 0 : calls_->resize(file_, bytes);
+  if (!abandoned_ && error_ == 0) error_ = calls_->resize(file_, bytes);
 }
 
 std::vector<std::byte> JournaledFile::journal() const {
@@ -145,6 +151,11 @@ std::vector<std::byte> JournaledFile::journal() const {
 }
 
 int JournaledFile::commit() {
+  if (error_ == 0) error_ = persist();
+  return error_;
+}
+
+int JournaledFile::persist() {
   if (abandoned_ || mode_ == Mode::read) return 0;
   if (const int error = calls_->sync(file_); error != 0) return error;
   if (waiting_.empty()) {

@@ -37,15 +37,18 @@ class JournaledFile {
   /// @param file stays the caller's. @param with_journal take in what a recorder that is gone had committed
   JournaledFile(int file, Mode mode, bool with_journal, std::shared_ptr<DiskCalls> calls = {});
 
-  /// Bytes beyond the end are zero. @return an errno, as all of these
+  /// Bytes beyond the end are zero. @return an errno
   [[nodiscard]] int read(std::uint64_t at, std::span<std::byte> out) const;
-  [[nodiscard]] int write(std::uint64_t at, std::span<const std::byte> bytes);
+  /// A disk that refuses is `commit`'s error: HDF5, told of it in the middle of its work, leaves broken things behind
+  /// that crash the process at its end.
+  void write(std::uint64_t at, std::span<const std::byte> bytes);
   /// Makes the file at least so long.
-  [[nodiscard]] int reach(std::uint64_t bytes);
+  void reach(std::uint64_t bytes);
+  /// @return an errno, from the first thing the disk refused on; nothing is committed from then on
   [[nodiscard]] int commit();
   /// For a file that is finished: nothing is left to apply.
   [[nodiscard]] int dropJournal();
-  /// From now on nothing reaches the disk any more, and no call fails: HDF5 can put its things away.
+  /// From now on nothing reaches the disk any more: HDF5 can put its things away.
   void abandon() { abandoned_ = true; }
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
@@ -58,6 +61,7 @@ class JournaledFile {
     std::uint64_t at = 0;
     std::vector<std::byte> bytes;
   };
+  [[nodiscard]] int persist();
   [[nodiscard]] std::vector<std::byte> journal() const;
   void readJournal();
 
@@ -71,6 +75,7 @@ class JournaledFile {
   std::size_t largest_journal_ = 0;
   std::size_t replayed_ = 0;
   bool abandoned_ = false;
+  int error_ = 0;  // the first
 };
 
 }  // namespace fyd::session

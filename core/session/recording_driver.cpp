@@ -5,14 +5,15 @@
 namespace fyd::session {
 namespace {
 
-struct DriverInfo {
-  JournaledFile* file = nullptr;
+struct DriverInfo {  // HDF5 copies it byte by byte
+  const std::shared_ptr<JournaledFile>* file = nullptr;
   bool find_end = false;
 };
 
 struct DriverFile {
   H5FD_t common{};  // first: HDF5 knows the rest by its address
-  DriverInfo info;
+  std::shared_ptr<JournaledFile> disk;
+  bool find_end = false;
   haddr_t end_of_space = 0;
   std::uint64_t number = 0;
 };
@@ -25,7 +26,8 @@ H5FD_t* open(const char*, unsigned, hid_t access, haddr_t) {
   const auto* info = static_cast<const DriverInfo*>(H5Pget_driver_info(access));
   if (info == nullptr || info->file == nullptr) return nullptr;
   auto file = std::make_unique<DriverFile>();
-  file->info = *info;
+  file->disk = *info->file;
+  file->find_end = info->find_end;
   file->number = ++opened;
   return &file.release()->common;  // HDF5 owns it until `close`
 }
@@ -49,22 +51,24 @@ haddr_t endOfSpace(const H5FD_t* file, H5FD_mem_t) { return own(file).end_of_spa
 
 herr_t setEndOfSpace(H5FD_t* file, H5FD_mem_t, haddr_t end) {
   DriverFile& f = own(file);
-  f.end_of_space = f.info.find_end ? std::max<haddr_t>(end, f.info.file->size()) : end;
+  f.end_of_space = f.find_end ? std::max<haddr_t>(end, f.disk->size()) : end;
   return 0;
 }
 
-haddr_t endOfFile(const H5FD_t* file, H5FD_mem_t) { return own(file).info.file->size(); }
+haddr_t endOfFile(const H5FD_t* file, H5FD_mem_t) { return own(file).disk->size(); }
 
 herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, void* out) {
-  return own(file).info.file->read(at, {static_cast<std::byte*>(out), size}) == 0 ? 0 : -1;
+  return own(file).disk->read(at, {static_cast<std::byte*>(out), size}) == 0 ? 0 : -1;
 }
 
 herr_t write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, const void* bytes) {
-  return own(file).info.file->write(at, {static_cast<const std::byte*>(bytes), size}) == 0 ? 0 : -1;
+  own(file).disk->write(at, {static_cast<const std::byte*>(bytes), size});
+  return 0;
 }
 
 herr_t truncate(H5FD_t* file, hid_t, hbool_t) {
-  return own(file).info.file->reach(own(file).end_of_space) == 0 ? 0 : -1;
+  own(file).disk->reach(own(file).end_of_space);
+  return 0;
 }
 
 H5FD_class_t makeDriver() {
@@ -90,7 +94,7 @@ H5FD_class_t makeDriver() {
 
 }  // namespace
 
-Handle accessThrough(JournaledFile& file, bool find_end) {
+Handle accessThrough(const std::shared_ptr<JournaledFile>& file, bool find_end) {
   static const H5FD_class_t kDriver = makeDriver();
   static const hid_t kId = H5FDregister(&kDriver);
   if (kId < 0) failHard("HDF5 does not take the console's driver");

@@ -6,8 +6,10 @@
 
 namespace fyd::session {
 
-/// An access property list for `file`, which must outlive the HDF5 file; each HDF5 file is on its own, even when two
-/// of one process are the same file. @param find_end the file may be longer than its superblock knows
-[[nodiscard]] Handle accessThrough(JournaledFile& file, bool find_end = false);
+/// An access property list for `file`, to be used while the caller's pointer stands; the HDF5 file then shares it,
+/// because after a failed open HDF5 may keep one we cannot close, and visits it when the process ends. Each HDF5 file
+/// is on its own, even when two of one process are the same file. @param find_end the file may be longer than its
+/// superblock knows
+[[nodiscard]] Handle accessThrough(const std::shared_ptr<JournaledFile>& file, bool find_end = false);
 
 }  // namespace fyd::session

@@ -30,14 +30,19 @@ std::string existingName(const std::string& path) {
   return path;
 }
 
+bool isBeingRecorded(const std::string& path) { return recorderLives(Descriptor(opened(path)).number()); }
+
 RecordingSource::RecordingSource(const std::string& path) : descriptor_(opened(path)), path_(path) { reopen(); }
 
 void RecordingSource::reopen() {
   file_.reset();
   growing_ = recorderLives();
   // A living recorder's journal is its own affair: it applies it while we look.
-  disk_ = std::make_unique<JournaledFile>(descriptor_.number(), JournaledFile::Mode::read, !growing_);
-  const Handle access = accessThrough(*disk_);
+  disk_ = std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::read, !growing_);
+  const Handle access = accessThrough(disk_);
+  // HDF5 waits twice as long before each new attempt at a block whose checksum is wrong: some milliseconds in all are
+  // plenty for a recorder that is just writing it, and where nobody writes, nothing will change.
+  check(H5Pset_metadata_read_attempts(access.id(), growing_ ? 22 : 1), "access");
   // A living recorder, and one that was killed, leave a mark in the file: HDF5 then opens it in this way only.
   hid_t id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.id());
   if (id < 0) id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access.id());

@@ -11,6 +11,9 @@ namespace fyd::session {
 /// `path`, or the unfinished file beside it when only that is there.
 [[nodiscard]] std::string existingName(const std::string& path);
 
+/// @throws RecordingFailure: missing, unreadable, not a file
+[[nodiscard]] bool isBeingRecorded(const std::string& path);
+
 class RecordingSource {
  public:
   /// @throws RecordingFailure: missing, unreadable, no HDF5 file
@@ -31,7 +34,7 @@ class RecordingSource {
   Descriptor descriptor_;
   std::string path_;
   bool growing_ = false;
-  std::unique_ptr<JournaledFile> disk_;
+  std::shared_ptr<JournaledFile> disk_;
   Handle file_;
 };
 

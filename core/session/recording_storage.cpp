@@ -37,26 +37,31 @@ Descriptor::~Descriptor() {
 RecordingStorage::RecordingStorage(const std::string& partial, std::shared_ptr<DiskCalls> calls)
     : descriptor_(opened(partial, O_CREAT | O_EXCL)),
       disk_(
-          std::make_unique<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, false, std::move(calls))) {
-  const Handle access = accessThrough(*disk_);
+          std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, false, std::move(calls))) {
+  const Handle access = accessThrough(disk_);
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "the file");
   check(H5Pset_userblock(creation.id(), kJournalBytes), "the file");
-  file_ = Handle(H5Fcreate(partial.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, "the file");
+  take(H5Fcreate(partial.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()));
 }
 
 RecordingStorage::RecordingStorage(const std::string& left_behind)
     : descriptor_(opened(left_behind, 0)),
-      disk_(std::make_unique<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, true)) {
+      disk_(std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, true)) {
   expectDone(disk_->commit());  // what the journal holds goes to its places first
-  const Handle access = accessThrough(*disk_, true);
+  const Handle access = accessThrough(disk_, true);
   const hbool_t clear = true;  // the gone recorder's mark, as HDF5's own tool h5clear does it
   check(H5Pset(access.id(), "clear_status_flags", &clear), "the file");
-  file_ = Handle(H5Fopen(left_behind.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, "the file");
+  take(H5Fopen(left_behind.c_str(), H5F_ACC_RDWR, access.id()));
 }
 
 RecordingStorage::~RecordingStorage() {
   disk_->abandon();
   file_.reset();
+}
+
+void RecordingStorage::take(hid_t opened_file) {
+  if (opened_file < 0) disk_->abandon();  // what HDF5 kept of it must not be written when the process ends
+  file_ = Handle(opened_file, H5Fclose, "the file");
 }
 
 void RecordingStorage::startSwmr() { check(H5Fstart_swmr_write(file_.id()), "shared reading"); }

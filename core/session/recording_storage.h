@@ -54,8 +54,9 @@ class RecordingStorage {
   [[nodiscard]] std::uint64_t bytes() const { return disk_->size(); }
 
  private:
+  void take(hid_t opened_file);
   Descriptor descriptor_;
-  std::unique_ptr<JournaledFile> disk_;
+  std::shared_ptr<JournaledFile> disk_;
   Handle file_;
 };
 

@@ -16,7 +16,8 @@ namespace fyd::session {
   X(finger_area_px)                                                                                                    \
   X(indentation_mm)                                                                                                    \
   X(indentation_sigma_mm)                                                                                              \
-  X(force_N) X(stiffness_N_per_mm) X(target_N_per_mm) X(reachable_target_N_per_mm) X(stretch_reference_deg)            \
+  X(force_N)                                                                                                           \
+  X(stiffness_N_per_mm) X(target_N_per_mm) X(reachable_target_N_per_mm) X(stretch_reference_deg)                       \
       X(stretch_measured_deg) X(translation_measured_deg) X(acceleration_x_g) X(acceleration_y_g) X(acceleration_z_g)  \
           X(texture_signal_g) X(vibration_duty_percent) X(vibration_clipped) X(touch_x_mm) X(touch_y_mm) X(touch_z_mm) \
               X(robot_x_mm) X(robot_y_mm) X(robot_z_mm) X(finger_age_ms) X(ir_age_ms) X(bridge_age_ms)                 \

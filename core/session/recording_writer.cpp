@@ -1,5 +1,7 @@
 #include "core/session/recording_writer.h"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cstring>
 #include <optional>
@@ -30,15 +32,12 @@ class Hdf5RecordingWriter final : public RecordingWriter {
  public:
   Hdf5RecordingWriter(std::string path, const RecordingHeader& header, std::shared_ptr<DiskCalls> calls)
       : path_(std::move(path)), storage_(partialOf(path_), std::move(calls)) {
-    writeHeader(storage_.file(), header);
-    for (std::size_t i = 0; i < kTableCount; ++i)
-      tables_[i].stored = Hdf5Table::create(storage_.file(), layoutOf(static_cast<Table>(i)));
-    commits_ = Hdf5Table::create(storage_.file(), commitLayout());
-    storage_.flush();
-    storage_.persist();
-    storage_.startSwmr();
-    writeCommit(false);
-    storage_.persist();
+    try {
+      begin(header);
+    } catch (...) {
+      ::unlink(partialOf(path_).c_str());  // made this moment, holds nothing: the name is free for the next attempt
+      throw;
+    }
   }
 
   ~Hdf5RecordingWriter() override {
@@ -109,6 +108,18 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   std::uint64_t bytes() const override { return storage_.bytes(); }
 
  private:
+  void begin(const RecordingHeader& header) {
+    writeHeader(storage_.file(), header);
+    for (std::size_t i = 0; i < kTableCount; ++i)
+      tables_[i].stored = Hdf5Table::create(storage_.file(), layoutOf(static_cast<Table>(i)));
+    commits_ = Hdf5Table::create(storage_.file(), commitLayout());
+    storage_.flush();
+    storage_.persist();
+    storage_.startSwmr();
+    writeCommit(false);
+    storage_.persist();
+  }
+
   [[nodiscard]] Result<void> stillOpen() const {
     if (!over_.empty()) return fail("{}: nothing more can be recorded: {}", path_, over_);
     return {};

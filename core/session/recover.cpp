@@ -96,12 +96,14 @@ Result<RecoverOutcome> recover(const std::string& path) {
   if (!exists(found)) return fail("{}: there is no such file", path);
   const std::string target = targetOf(found);
   if (target != found && exists(target)) return fail("{}: exists; move one of the two away first", target);
+  const auto recorded = guarded(found, [&] { return isBeingRecorded(found); });
+  if (!recorded) return tl::unexpected(recorded.error());
+  if (*recorded) return fail("{}: is being recorded at this moment", found);
   RecoverOutcome outcome;
   {
     const auto recording = openDamaged(found);
     if (!recording) return nothing(recording.error());
     const RecordingInfo& info = (*recording)->info();
-    if (info.wholeness == Wholeness::growing) return fail("{}: is being recorded at this moment", found);
     outcome.steps = info.committed_samples;
     const auto checked = verify(found);
     const bool sound = checked && checked->intact();

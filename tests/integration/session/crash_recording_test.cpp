@@ -1,0 +1,369 @@
+// Recorders that are killed, power that goes, disks that refuse: nothing acknowledged is ever lost or wrong.
+// FYD_CRASHES=200 and FYD_POWER_CUTS=500 set the full counts; without them there are fewer.
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "core/session/recording_disk.h"
+#include "core/session/recording_place.h"
+#include "core/session/recording_writer_on_disk.h"
+#include "core/session/recover.h"
+#include "core/session/verify.h"
+#include "tests/unit/session/recording_samples.h"
+
+namespace fyd::session {
+namespace {
+
+using namespace samples;
+
+std::size_t countFrom(const char* variable, std::size_t otherwise) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::strtoul(text, nullptr, 10);
+}
+
+/// Every committed row is the plain step it was. @return how many rows
+std::uint64_t expectPlain(const Recording& recording, std::uint64_t at_least) {
+  const std::uint64_t rows = recording.info().committed_samples;
+  EXPECT_GE(rows, at_least);
+  for (std::uint64_t row = 0; row < rows; row += row + 300 < rows ? 7 : 1) {
+    const auto step = recording.step(row);
+    EXPECT_TRUE(step) << (step ? "" : step.error().message);
+    if (!step || !sameRecord(*step, plainStep(row))) {
+      ADD_FAILURE() << "row " << row << " of " << rows;
+      break;
+    }
+  }
+  return rows;
+}
+
+std::uint64_t expectCrashedAndWhole(const std::string& file, std::uint64_t at_least) {
+  const auto recording = Recording::open(file);
+  if (!recording) {
+    ADD_FAILURE() << recording.error().message;
+    return 0;
+  }
+  return expectPlain(**recording, at_least);
+}
+
+/// Records plain steps until it is killed, telling through the pipe what was committed.
+[[noreturn]] void recordForEver(const std::string& file, int tell) {
+  auto writer = RecordingWriter::create(file, header());
+  if (!writer) ::_exit(1);
+  std::uint64_t told = 0;
+  (void)!::write(tell, &told, sizeof told);
+  for (std::uint64_t row = 0;; ++row) {
+    if (!(*writer)->append(plainStep(row))) ::_exit(2);
+    if ((*writer)->committedSteps() == told) continue;
+    told = (*writer)->committedSteps();
+    (void)!::write(tell, &told, sizeof told);
+  }
+}
+
+TEST(CrashRecording, AKilledRecorderLosesNothingItAcknowledged) {
+  std::mt19937 random(11);
+  const std::size_t crashes = countFrom("FYD_CRASHES", 12);
+  for (std::size_t i = 0; i < crashes; ++i) {
+    const Folder folder;
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::close(ends[0]);
+      recordForEver(folder.file(), ends[1]);
+    }
+    ::close(ends[1]);
+    std::uint64_t acknowledged = 0;
+    std::uint64_t word = 0;
+    ASSERT_EQ(::read(ends[0], &word, sizeof word), static_cast<ssize_t>(sizeof word));
+    {
+      const auto growing = Recording::open(folder.file());
+      ASSERT_TRUE(growing) << growing.error().message;
+      EXPECT_EQ((*growing)->info().wholeness, Wholeness::growing);
+      EXPECT_FALSE(recover(folder.file()));
+      std::this_thread::sleep_for(std::chrono::microseconds(random() % 120'000));
+      ASSERT_EQ(::kill(child, SIGKILL), 0);
+      ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+      while (::read(ends[0], &word, sizeof word) == static_cast<ssize_t>(sizeof word)) acknowledged = word;
+      ::close(ends[0]);
+      const auto news = (*growing)->refresh();  // a reader that was there sees the recorder's end too
+      ASSERT_TRUE(news) << news.error().message;
+      EXPECT_EQ((*growing)->info().wholeness, Wholeness::crashed);
+      expectPlain(**growing, acknowledged);
+    }
+    const std::uint64_t rows = expectCrashedAndWhole(folder.file(), acknowledged);
+    const auto checked = verify(folder.file());
+    ASSERT_TRUE(checked);
+    EXPECT_TRUE(checked->intact()) << checked->first_damage;
+    const auto recovered = recover(folder.file());
+    ASSERT_TRUE(recovered) << recovered.error().message;
+    EXPECT_EQ(recovered->result, RecoverResult::whole);
+    const auto whole = Recording::open(folder.file());
+    ASSERT_TRUE(whole) << whole.error().message;
+    EXPECT_EQ((*whole)->info().wholeness, Wholeness::whole);
+    EXPECT_EQ(expectPlain(**whole, acknowledged), rows);
+    EXPECT_FALSE(std::filesystem::exists(partialOf(folder.file())));
+    if (HasFailure()) break;
+  }
+}
+
+/// Keeps what was asked of the disk, in order.
+class RememberingDisk final : public DiskCalls {
+ public:
+  struct Call {
+    bool sync = false;
+    std::uint64_t at = 0;
+    std::vector<std::byte> bytes;  // empty: resize to `at`
+  };
+  int write(int file, std::span<const std::byte> bytes, std::uint64_t at) override {
+    calls.push_back({false, at, {bytes.begin(), bytes.end()}});
+    return DiskCalls::write(file, bytes, at);
+  }
+  int sync(int) override {
+    calls.push_back({true, 0, {}});
+    return 0;
+  }
+  int resize(int file, std::uint64_t bytes) override {
+    calls.push_back({false, bytes, {}});
+    return DiskCalls::resize(file, bytes);
+  }
+  std::vector<Call> calls;
+};
+
+/// The disk after power went at call `end`: what was synced, and any mixture of sectors of what was not.
+std::vector<std::byte> diskAfterCut(const std::vector<RememberingDisk::Call>& calls, std::size_t end,
+                                    std::mt19937& random) {
+  std::size_t synced = 0;
+  for (std::size_t i = 0; i < end; ++i)
+    if (calls[i].sync) synced = i;
+  std::vector<std::byte> disk;
+  const double kept = std::array{0.0, 0.1, 0.5, 0.9, 1.0}[random() % 5];
+  std::bernoulli_distribution keep(kept);
+  for (std::size_t i = 0; i < end; ++i) {
+    const auto& call = calls[i];
+    if (call.sync) continue;
+    if (call.bytes.empty()) {
+      if (i < synced || keep(random)) disk.resize(std::max<std::size_t>(disk.size(), call.at));
+      continue;
+    }
+    for (std::size_t from = 0; from < call.bytes.size();) {
+      const std::size_t length = std::min(call.bytes.size() - from, 512 - (call.at + from) % 512);
+      if (i < synced || keep(random)) {
+        disk.resize(std::max(disk.size(), call.at + from + length));
+        std::memcpy(disk.data() + call.at + from, call.bytes.data() + from, length);
+      }
+      from += length;
+    }
+  }
+  return disk;
+}
+
+TEST(CrashRecording, APowerCutLosesNothingAcknowledged) {
+  const Folder folder;
+  const auto disk = std::make_shared<RememberingDisk>();
+  auto writer = createRecording(folder.file(), header(), disk);
+  ASSERT_TRUE(writer);
+  struct Acknowledged {
+    std::size_t calls;
+    std::uint64_t rows;
+  };
+  std::vector<Acknowledged> acknowledged{{disk->calls.size(), 0}};
+  for (std::uint64_t row = 0; row < 2600; ++row) {
+    ASSERT_TRUE((*writer)->append(plainStep(row)));
+    if (row % 700 == 99) {
+      ASSERT_TRUE((*writer)->commit());
+    }
+    acknowledged.push_back({disk->calls.size(), (*writer)->committedSteps()});
+  }
+  ASSERT_TRUE((*writer)->close());
+  acknowledged.push_back({disk->calls.size(), 2600});
+
+  std::mt19937 random(5);
+  const std::size_t cuts = countFrom("FYD_POWER_CUTS", 40);
+  for (std::size_t i = 0; i < cuts; ++i) {
+    const std::size_t end = acknowledged[0].calls + random() % (disk->calls.size() - acknowledged[0].calls + 1);
+    std::uint64_t rows = 0;
+    for (const Acknowledged& a : acknowledged)
+      if (a.calls <= end) rows = std::max(rows, a.rows);
+    const std::string after = folder.file("after.h5");
+    {
+      const auto bytes = diskAfterCut(disk->calls, end, random);
+      std::ofstream(partialOf(after), std::ios::binary)
+          .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+    const std::uint64_t found = expectCrashedAndWhole(after, rows);
+    const auto recovered = recover(after);
+    ASSERT_TRUE(recovered) << recovered.error().message;
+    EXPECT_EQ(recovered->result, RecoverResult::whole) << recovered->first_damage;
+    EXPECT_EQ(expectCrashedAndWhole(after, rows), found);
+    std::filesystem::remove(after);
+    ASSERT_FALSE(HasFailure()) << "cut " << i << " after call " << end << " of " << disk->calls.size();
+  }
+}
+
+TEST(CrashRecording, APowerCutWhileItBeginsNeverCrashesTheReader) {
+  const Folder folder;
+  const auto disk = std::make_shared<RememberingDisk>();
+  ASSERT_TRUE(createRecording(folder.file(), header(), disk));
+  std::mt19937 random(6);
+  for (std::size_t end = 0; end < disk->calls.size(); end += 1 + disk->calls.size() / 25) {
+    const auto bytes = diskAfterCut(disk->calls, end, random);
+    const std::string after = folder.file("b.h5");
+    std::ofstream(after, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    const auto recording = Recording::open(after);
+    if (recording) {
+      EXPECT_EQ((*recording)->info().committed_samples, 0U);
+    }
+    EXPECT_TRUE(recover(after));
+  }
+}
+
+/// Refuses from its n-th call on.
+class BrokenDisk final : public DiskCalls {
+ public:
+  BrokenDisk(int good_calls, int error, bool syncs_only) : left_(good_calls), error_(error), syncs_only_(syncs_only) {}
+  int write(int file, std::span<const std::byte> bytes, std::uint64_t at) override {
+    if (!syncs_only_ && left_-- <= 0) return error_;
+    return DiskCalls::write(file, bytes, at);
+  }
+  int sync(int) override { return syncs_only_ && left_-- <= 0 ? error_ : 0; }
+  int resize(int file, std::uint64_t bytes) override {
+    if (!syncs_only_ && left_-- <= 0) return error_;
+    return DiskCalls::resize(file, bytes);
+  }
+
+ private:
+  int left_;
+  int error_;
+  bool syncs_only_;
+};
+
+void expectHonestOn(const std::shared_ptr<DiskCalls>& disk, const char* words, bool& reached_the_end) {
+  const Folder folder;
+  auto writer = createRecording(folder.file(), header(), disk);
+  reached_the_end = false;
+  if (!writer) {
+    EXPECT_NE(writer.error().message.find("a.h5"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(partialOf(folder.file())));  // the name is free for the next attempt
+    return;
+  }
+  std::uint64_t row = 0;
+  Result<void> put;
+  for (; row < 1200 && put; ++row) put = (*writer)->append(plainStep(row));
+  if (put) put = (*writer)->close();
+  reached_the_end = put.has_value();
+  if (!put) {
+    EXPECT_NE(put.error().message.find(words), std::string::npos) << put.error().message;
+    EXPECT_FALSE((*writer)->append(plainStep(row)));  // over is over
+    EXPECT_FALSE((*writer)->close());
+    EXPECT_FALSE(std::filesystem::exists(folder.file()));
+  }
+  const std::uint64_t committed = (*writer)->committedSteps();
+  writer->reset();
+  expectCrashedAndWhole(folder.file(), committed);
+}
+
+TEST(CrashRecording, ADiskThatGetsFullIsAnErrorAndLosesNothingCommitted) {
+  bool through = false;
+  for (int good = 0; !through; good += 13)
+    expectHonestOn(std::make_shared<BrokenDisk>(good, ENOSPC, false), "", through);
+}
+
+TEST(CrashRecording, ASyncThatFailsIsAnError) {
+  bool through = false;
+  for (int good = 0; !through; ++good)
+    expectHonestOn(std::make_shared<BrokenDisk>(good, EIO, true), "Input/output error", through);
+}
+
+/// Runs `work` in a process of its own, whose limits may be anything. @return its exit code
+template <class Work>
+int inOwnProcess(Work&& work) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(work());
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + status;
+}
+
+TEST(CrashRecording, AFileThatMayNotGrowIsAnError) {
+  const Folder folder;
+  const int code = inOwnProcess([&] {
+    ::signal(SIGXFSZ, SIG_IGN);
+    auto writer = RecordingWriter::create(folder.file(), header());
+    if (!writer) return 1;
+    const rlimit limit{(*writer)->bytes() + 60'000, (*writer)->bytes() + 60'000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    RandomSteps random(3);
+    for (int i = 0; i < 20'000; ++i)
+      if (const auto put = (*writer)->append(random.next()); !put)
+        return put.error().message.find(folder.file()) == 0 ? 0 : 2;
+    return 3;
+  });
+  EXPECT_EQ(code, 0);
+  const auto recording = Recording::open(folder.file());
+  ASSERT_TRUE(recording) << recording.error().message;
+  EXPECT_EQ((*recording)->info().wholeness, Wholeness::crashed);
+}
+
+TEST(CrashRecording, NoFileHandleLeftIsAnError) {
+  const Folder folder;
+  EXPECT_EQ(inOwnProcess([&] {
+              const int next = ::dup(0);
+              ::close(next);
+              const rlimit limit{static_cast<rlim_t>(next), static_cast<rlim_t>(next)};
+              ::setrlimit(RLIMIT_NOFILE, &limit);
+              const auto writer = RecordingWriter::create(folder.file(), header());
+              if (writer) return 1;
+              return Recording::open(folder.file()) ? 2 : 0;
+            }),
+            0);
+}
+
+TEST(CrashRecording, PlacesThatCannotHoldARecording) {
+  const Folder folder;
+  const auto refused = [](const std::string& path) {
+    const auto writer = RecordingWriter::create(path, header());
+    return writer ? std::string() : writer.error().message;
+  };
+  EXPECT_NE(refused(folder.file("none/a.h5")), "");
+  EXPECT_NE(refused("/proc/a.h5"), "");
+  std::ofstream(folder.file("file")) << "x";
+  EXPECT_NE(refused(folder.file("file/a.h5")), "");
+  EXPECT_NE(refused(folder.file("file")).find("exists"), std::string::npos);
+  std::ofstream(folder.file("b.h5.partial")) << "x";
+  EXPECT_NE(refused(folder.file("b.h5")).find("b.h5.partial: exists"), std::string::npos);
+  std::filesystem::create_symlink("nowhere", folder.file("c.h5"));
+  EXPECT_NE(refused(folder.file("c.h5")).find("exists"), std::string::npos);
+}
+
+TEST(CrashRecording, ANameTakenMeanwhileIsNotReplaced) {
+  const Folder folder;
+  auto writer = RecordingWriter::create(folder.file(), header());
+  ASSERT_TRUE(writer);
+  for (std::uint64_t row = 0; row < 300; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
+  std::ofstream(folder.file()) << "somebody else's";
+  EXPECT_FALSE((*writer)->close());
+  EXPECT_EQ(std::filesystem::file_size(folder.file()), 15U);
+  const auto recording = Recording::open(partialOf(folder.file()));
+  ASSERT_TRUE(recording);
+  expectPlain(**recording, 300);
+}
+
+TEST(CrashRecording, AFolderThatGoesIsAnErrorAtTheEnd) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path() + "/in");
+  auto writer = RecordingWriter::create(folder.file("in/a.h5"), header());
+  ASSERT_TRUE(writer);
+  std::filesystem::remove_all(folder.path() + "/in");
+  for (std::uint64_t row = 0; row < 300; ++row) (void)(*writer)->append(plainStep(row));
+  EXPECT_FALSE((*writer)->close());
+}
+
+}  // namespace
+}  // namespace fyd::session
