@@ -74,6 +74,7 @@ void CurveView::buildBar(QVBoxLayout* layout) {
   follow_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(follow_button_, &QToolButton::clicked, this, &CurveView::togglePause);
   follow_label_ = new QLabel(this);
+  follow_label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts it first
   bar->addWidget(follow_button_);
   bar->addSpacing(kGrid);
   bar->addWidget(follow_label_, 1);

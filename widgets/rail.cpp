@@ -20,11 +20,11 @@ QToolButton* Rail::add(QAction* place) {
   button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   button->setIconSize({3 * kGrid, 3 * kGrid});
   button->setFont(textFont(TextSize::small));
-  button->setFixedSize(9 * kGrid, 8 * kGrid);
+  button->setFixedSize(8 * kGrid, 7 * kGrid);
   button->setFocusPolicy(Qt::StrongFocus);
   button->setAccessibleName(place->text());
   const QString keys = place->shortcut().toString(QKeySequence::NativeText);
-  button->setToolTip(keys.isEmpty() ? place->text() : tr("%1 (%2)").arg(place->text(), keys));
+  place->setToolTip(keys.isEmpty() ? place->text() : tr("%1 (%2)").arg(place->text(), keys));
   layout_->insertWidget(layout_->count() - 1, button);
   return button;
 }
