@@ -1,0 +1,169 @@
+// Files that are no recordings, not any more, or not of this program: an error or the right values, never a crash.
+// FYD_FLIPS=all flips every byte of the file's front.
+#include <hdf5.h>
+
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "core/session/recording_disk.h"
+#include "core/session/recording_place.h"
+#include "core/session/recover.h"
+#include "core/session/verify.h"
+#include "recording_samples.h"
+
+namespace fyd::session {
+namespace {
+
+using namespace samples;
+
+std::string contentOf(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const std::string& file, const std::string& content) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc)
+      .write(content.data(), static_cast<std::streamsize>(content.size()));
+}
+
+void record(const std::string& file, std::uint64_t rows) {
+  auto writer = RecordingWriter::create(file, header());
+  ASSERT_TRUE(writer) << writer.error().message;
+  for (std::uint64_t row = 0; row < rows; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
+  ASSERT_TRUE((*writer)->close());
+}
+
+/// Whatever opens holds what was recorded, or says that it is damaged.
+void expectErrorOrEqual(const std::string& file) {
+  const auto recording = Recording::open(file);
+  if (!recording) return;
+  EXPECT_EQ((*recording)->info().header.profile, header().profile);
+  EXPECT_EQ((*recording)->info().header.started, header().started);
+  EXPECT_EQ((*recording)->info().header.subject, header().subject);
+  for (std::uint64_t row = 0; row < (*recording)->info().committed_samples; row += 41) {
+    const auto step = (*recording)->step(row);
+    if (step) {
+      EXPECT_TRUE(sameRecord(*step, plainStep(row))) << row;
+    }
+  }
+}
+
+TEST(RecordingDamage, WhatIsNoRecordingIsAnError) {
+  const Folder folder;
+  EXPECT_FALSE(Recording::open(folder.file("none.h5")));
+  EXPECT_FALSE(Recording::open(folder.path()));
+  EXPECT_FALSE(Recording::open("/dev/null"));
+  std::mt19937 random(1);
+  for (const std::size_t size : {0, 1, 7, 511, 4096, 100'000}) {
+    std::string garbage(size, '\0');
+    for (char& c : garbage) c = static_cast<char>(random());
+    write(folder.file(), garbage);
+    EXPECT_FALSE(Recording::open(folder.file())) << size;
+    EXPECT_FALSE(verify(folder.file()));
+    const auto outcome = recover(folder.file());
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->result, RecoverResult::nothing);
+    EXPECT_TRUE(contentOf(folder.file()) == garbage);  // left as it is
+  }
+}
+
+TEST(RecordingDamage, AnotherHdf5FileAndAnotherVersionAreNamedAsSuch) {
+  const Folder folder;
+  H5Fclose(H5Fcreate(folder.file("other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  const auto other = Recording::open(folder.file("other.h5"));
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().message.find("not a recording"), std::string::npos) << other.error().message;
+
+  record(folder.file(), 10);
+  const hid_t file = H5Fopen(folder.file().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  ASSERT_GE(file, 0);  // a closed recording is a plain HDF5 file
+  const hid_t attribute = H5Aopen(file, "fyd_recording", H5P_DEFAULT);
+  const std::int64_t next = 2;
+  EXPECT_GE(H5Awrite(attribute, H5T_NATIVE_INT64, &next), 0);
+  H5Aclose(attribute);
+  H5Fclose(file);
+  const auto newer = Recording::open(folder.file());
+  ASSERT_FALSE(newer);
+  EXPECT_NE(newer.error().message.find("format 2"), std::string::npos) << newer.error().message;
+}
+
+TEST(RecordingDamage, AFlippedByteIsAnErrorOrChangesNothing) {
+  const Folder folder;
+  record(folder.file("good.h5"), 600);
+  const std::string good = contentOf(folder.file("good.h5"));
+  const char* all = std::getenv("FYD_FLIPS");
+  std::mt19937 random(2);
+  const auto flipAt = [&](std::size_t at) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ (1 << (random() % 8)));
+    write(folder.file(), bad);
+    expectErrorOrEqual(folder.file());
+  };
+  const std::size_t front = std::min<std::size_t>(good.size(), kJournalBytes + 24'000);
+  for (std::size_t at = kJournalBytes; at < front; at += all != nullptr ? 1 : 397) flipAt(at);
+  for (int i = 0; i < 60; ++i) flipAt(kJournalBytes + random() % (good.size() - kJournalBytes));
+}
+
+TEST(RecordingDamage, ATruncatedFileIsAnErrorOrChangesNothing) {
+  const Folder folder;
+  record(folder.file("good.h5"), 600);
+  const std::string good = contentOf(folder.file("good.h5"));
+  std::mt19937 random(3);
+  for (int i = 0; i < 40; ++i) {
+    const std::size_t keep = i < 20 ? random() % good.size() : good.size() - 1 - random() % 20'000;
+    write(folder.file(), good.substr(0, keep));
+    expectErrorOrEqual(folder.file());
+  }
+}
+
+/// Where a table's chunk lies in the file.
+std::pair<std::size_t, std::size_t> chunkOf(const std::string& file, const char* table, hsize_t number) {
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(id, table, H5P_DEFAULT);
+  haddr_t at = 0;
+  hsize_t size = 0;
+  const hid_t space = H5Dget_space(set);
+  EXPECT_GE(H5Dget_chunk_info(set, space, number, nullptr, nullptr, &at, &size), 0);
+  H5Sclose(space);
+  H5Dclose(set);
+  H5Fclose(id);
+  return {at + kJournalBytes, size};  // HDF5 counts from behind the user block
+}
+
+TEST(RecordingDamage, OneBadBlockCostsItselfAndRecoverSavesTheRest) {
+  const Folder folder;
+  record(folder.file("good.h5"), 5000);
+  const std::string good = contentOf(folder.file("good.h5"));
+  for (const char* table : {"/telemetry", "/inputs/steps", "/inputs/bridge", "/commits"}) {
+    std::string bad = good;
+    const bool many = std::string_view(table) == "/telemetry" || std::string_view(table) == "/inputs/steps";
+    const auto [at, size] = chunkOf(folder.file("good.h5"), table, many ? 7 : 0);
+    bad[at + size / 2] = static_cast<char>(bad[at + size / 2] ^ 0x10);
+    write(folder.file(), bad);
+    const auto checked = verify(folder.file());
+    ASSERT_TRUE(checked);
+    EXPECT_FALSE(checked->intact()) << table;
+    EXPECT_FALSE(checked->first_damage.empty());
+    const auto outcome = recover(folder.file());
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    EXPECT_EQ(outcome->result, RecoverResult::part_lost) << table;
+    EXPECT_EQ(outcome->steps + outcome->lost_steps, 5000U) << table;
+    EXPECT_GT(outcome->lost_steps, 0U) << table;
+    EXPECT_LE(outcome->lost_steps, 750U) << table;  // of values that hold for more than a block, some more
+    EXPECT_TRUE(contentOf(outcome->kept) == bad);
+    const auto saved = Recording::open(folder.file());
+    ASSERT_TRUE(saved) << saved.error().message;
+    EXPECT_EQ((*saved)->info().committed_samples, outcome->steps);
+    EXPECT_EQ((*saved)->info().gaps, outcome->lost_steps) << table;
+    const auto again = verify(folder.file());
+    ASSERT_TRUE(again);
+    EXPECT_TRUE(again->intact());
+    std::filesystem::remove(folder.file());
+    std::filesystem::remove(outcome->kept);
+  }
+}
+
+}  // namespace
+}  // namespace fyd::session
