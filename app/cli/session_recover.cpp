@@ -47,6 +47,10 @@ void addSessionRecover(CLI::App& parent) {
   addSessionOptions(*command, *options);
   command->callback([options] {
     const auto outcome = valueOrFail(session::recover(options->file));
+    if (outcome.result == session::RecoverResult::nothing) {
+      throw Failure(
+          fmt::format("{}: nothing can be read; the file was left as it is: {}", options->file, outcome.first_damage));
+    }
     printSession({{"result", toString(outcome.result)},
                   {"file", outcome.file},
                   {"kept", outcome.kept},
@@ -54,10 +58,6 @@ void addSessionRecover(CLI::App& parent) {
                   {"lost_samples", outcome.lost_steps},
                   {"first_damage", outcome.first_damage}},
                  options->json);
-    if (outcome.result == session::RecoverResult::nothing) {
-      throw Failure(
-          fmt::format("{}: nothing can be read; the file was left as it is: {}", options->file, outcome.first_damage));
-    }
     if (outcome.result == session::RecoverResult::part_lost) {
       throw ExitCode(3, fmt::format("{}: {} steps cannot be read any more, {} are saved in {}; the original is {}",
                                     options->file, outcome.lost_steps, outcome.steps, outcome.file, outcome.kept));

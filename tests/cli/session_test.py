@@ -1,0 +1,193 @@
+"""fyd station --record and fyd session: a recording from beginning to end, and what breaks it."""
+import csv
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+import fyd
+
+SESSION = ("station", "--headless", "--simulate")
+
+
+class Recorded(fyd.Case):
+    """One recording for all: making it takes as long as it lasts."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.kept = fyd.tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.kept.cleanup)
+        cls.file = os.path.join(cls.kept.name, "session.h5")
+        done = fyd.run(*SESSION, "--duration", 8, "--record", cls.file, "--operator", "Ada", "--subject", "S7",
+                       "--notes", "first try", "--tag", "soft", "--tag", "dry", "--json")
+        assert done.returncode == 0, done.stderr
+        cls.session = fyd.json.loads(done.stdout)
+
+    def test_the_session_says_what_was_recorded(self):
+        recording = self.session["recording"]
+        self.assertEqual(recording["path"], self.file)
+        self.assertTrue(recording["whole"])
+        self.assertEqual(recording["lost"], 0)
+        self.assertEqual(recording["differences"], 0)
+        self.assertAlmostEqual(recording["samples"], self.session["steps"], delta=200)
+        self.assertGreater(recording["pictures"], 30)
+        self.assertGreater(recording["bytes"], 100_000)
+        self.assertEqual(os.listdir(self.kept.name), ["session.h5"])
+
+    def test_info_tells_duration_samples_and_who(self):
+        info = self.json("session", "info", self.file, "--json")
+        self.assertEqual(info["samples"], self.session["recording"]["samples"])
+        self.assertEqual(info["committed_samples"], info["samples"])
+        self.assertAlmostEqual(info["duration_s"], 8, delta=2)
+        self.assertEqual(info["gaps"], 0)
+        self.assertEqual(info["frames"], self.session["recording"]["pictures"])
+        self.assertGreater(info["events"], 1)
+        self.assertEqual(info["health"], "good", info["health_reason"])
+        self.assertEqual((info["operator"], info["subject"], info["notes"]), ("Ada", "S7", "first try"))
+        self.assertEqual(info["tags"], ["soft", "dry"])
+        self.assertIn("[control]", info["profile"])
+        self.assertTrue(info["replayable"])
+
+    def test_a_replay_is_identical_and_many_times_faster(self):
+        replay = self.json("session", "replay", self.file, "--json")
+        self.assertTrue(replay["identical"], replay)
+        self.assertEqual(replay["samples"], self.session["recording"]["samples"])
+        self.assertEqual(replay["different"], 0)
+        self.assertIsNone(replay["first_difference_s"])
+        self.assertGreater(replay["speed_x"], 5, "far less than it does, for a busy machine")
+
+    def test_what_if_differs_and_says_which_loop(self):
+        out = self.path("what_if.csv")
+        replay = self.json("session", "replay", "--set", "texture.k_vib=2", self.file, "--telemetry", out, "--json")
+        self.assertFalse(replay["identical"])
+        self.assertEqual(replay["loop"], "open")
+        self.assertGreater(replay["different"], 100)
+        with open(out, encoding="utf-8") as file:
+            self.assertEqual(sum(1 for _ in csv.DictReader(file)), replay["samples"])
+
+    def test_a_wrong_setting_is_named(self):
+        self.assertIn("control.nothing", self.refused(1, "session", "replay", self.file, "--set", "control.nothing=1"))
+
+    def test_a_recording_drives_a_session_like_a_device(self):
+        result = self.json("station", "--headless", "--touchpad", "recording:" + self.file, "--robot", "none",
+                           "--duration", 4, "--json")
+        touchpad, camera = result["parts"][0], result["parts"][1]
+        self.assertIn("motors are not driven", touchpad["description"])
+        self.assertIn("recording", camera["description"])
+        self.assertGreater(result["contact_fraction"], 0.02)
+        self.assertIn(result["state"], ("Active", "Held"))
+
+    def test_a_file_is_never_written_over(self):
+        before = os.path.getsize(self.file)
+        self.assertIn(self.file, self.refused(1, *SESSION, "--duration", 1, "--record", self.file))
+        self.assertEqual(os.path.getsize(self.file), before)
+
+
+class Recording(fyd.Case):
+    def test_it_is_writing_within_a_second(self):
+        path = self.path("quick.h5")
+        process = subprocess.Popen([fyd.PROGRAM, *SESSION, "--record", path], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        start = time.monotonic()
+        while not os.path.exists(path + ".partial") and time.monotonic() - start < 10:
+            time.sleep(0.02)
+        self.assertTrue(os.path.exists(path + ".partial"))
+        time.sleep(2.0)
+        process.send_signal(signal.SIGINT)
+        process.wait(timeout=30)
+        self.assertFalse(os.path.exists(path + ".partial"))
+        self.assertGreater(self.json("session", "info", path, "--json")["samples"], 500)
+
+    def test_a_folder_that_is_not_there_is_an_error_at_once(self):
+        start = time.monotonic()
+        self.assertIn("/nowhere", self.refused(1, *SESSION, "--duration", 60, "--record", "/nowhere/a.h5"))
+        self.assertLess(time.monotonic() - start, 30)
+
+    def test_words_for_a_recording_need_one(self):
+        self.assertIn("--record", self.refused(2, *SESSION, "--duration", 1, "--operator", "Ada"))
+
+
+class Crashes(fyd.Case):
+    def killed(self):
+        path = self.path("killed.h5")
+        process = subprocess.Popen([fyd.PROGRAM, *SESSION, "--record", path], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        start = time.monotonic()
+        while time.monotonic() - start < 60:
+            time.sleep(0.5)
+            info = fyd.run("session", "info", path, "--json")
+            if info.returncode == 0 and fyd.json.loads(info.stdout)["committed_samples"] >= 1000:
+                break
+        process.kill()
+        process.wait()
+        return path
+
+    def test_a_killed_recorder_leaves_what_was_committed(self):
+        path = self.killed()
+        info = self.json("session", "info", path, "--json")
+        self.assertEqual(info["wholeness"], "crashed")
+        self.assertNotEqual(info["health"], "good")
+        self.assertIn("fyd session recover", info["health_reason"])
+        recovered = self.json("session", "recover", path, "--json")
+        self.assertEqual(recovered["result"], "whole")
+        self.assertGreaterEqual(recovered["samples"], 1000)
+        self.assertTrue(self.json("session", "verify", path, "--json")["intact"])
+        self.assertEqual(self.json("session", "info", path, "--json")["health"], "good")
+        self.assertTrue(self.json("session", "replay", path, "--json")["identical"])
+
+    def test_a_file_of_which_nothing_can_be_read_exits_with_1_and_stays(self):
+        path = self.write("gone.h5.partial", "\0" * 5000)
+        self.refused(1, "session", "recover", path)
+        self.assertEqual(os.path.getsize(path), 5000)
+
+    def test_a_damaged_block_is_found(self):
+        path = self.killed()
+        self.json("session", "recover", path, "--json")
+        with open(path, "r+b") as file:
+            data = file.read()
+            at = data.index(b"\xff\xd8\xff", len(data) // 4) + 200  # inside a picture
+            file.seek(at)
+            file.write(bytes([data[at] ^ 0xFF]))
+        done = fyd.run("session", "verify", path, "--json")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("picture", done.stderr)
+        recovered = fyd.run("session", "recover", path, "--json")
+        self.assertEqual(recovered.returncode, 3, recovered.stderr)
+        self.assertTrue(os.path.exists(fyd.json.loads(recovered.stdout)["kept"]))
+
+
+class BadFiles(fyd.Case):
+    def test_what_is_no_recording_is_named(self):
+        for command in ("info", "replay"):
+            self.assertIn("nothing.h5", self.refused(1, "session", command, self.path("nothing.h5")))
+            text = self.write("text.h5", "this is no recording\n" * 50)
+            self.assertIn("text.h5", self.refused(1, "session", command, text))
+            self.assertIn("empty.h5", self.refused(1, "session", command, self.write("empty.h5", "")))
+            self.refused(1, "session", command, self.folder)
+            self.refused(2, "session", command)
+
+    def test_a_touchpad_that_is_no_recording_is_named(self):
+        self.assertIn("text.h5", self.refused(1, "station", "--headless", "--touchpad", "recording:" + self.write("text.h5", "x"),
+                                              "--duration", 1))
+
+
+class Trials(fyd.Case):
+    def test_every_condition_comes_as_often_as_every_other(self):
+        trials = self.json("session", "trials", "--conditions", "a,b,c", "--repetitions", 4, "--seed", 7, "--json")
+        self.assertEqual([trial["number"] for trial in trials], list(range(1, 13)))
+        for block in range(1, 5):
+            self.assertEqual({t["condition"] for t in trials if t["block"] == block}, {"a", "b", "c"})
+        again = self.json("session", "trials", "--conditions", "a,b,c", "--repetitions", 4, "--seed", 7, "--json")
+        self.assertEqual(trials, again)
+
+    def test_bad_lists_are_wrong_usage(self):
+        self.assertIn("'a'", self.refused(2, "session", "trials", "--conditions", "a,a"))
+        self.refused(2, "session", "trials", "--conditions", "a,b", "--repetitions", 0)
+        self.refused(2, "session", "trials")
+
+
+if __name__ == "__main__":
+    unittest.main()
