@@ -19,6 +19,9 @@ namespace fyd::session {
 /// At least 2 s of steps whose every list is full, 9 s of usual ones.
 inline constexpr std::size_t kRingBytes = 2000 * kLargestPackedStep;
 
+/// Processor time of the calling thread.
+[[nodiscard]] double threadWork_s();
+
 /// What `begin` and `end` wait for.
 struct RecorderAnswer {
   bool done = false;

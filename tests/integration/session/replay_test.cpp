@@ -120,16 +120,20 @@ TEST_F(Replay, AClosedLoopWithNothingChangedGivesTheRecording) {
   EXPECT_GT(same->fabric->residual_rms_relative, 0.0);
   EXPECT_LT(same->fabric->residual_rms_relative, 0.2);
 
-  // Ten times slower motors of the rate limit: the loop answers, so that the measured stretch itself differs.
+  // A far slower integral: the loop answers, so that the measured stretch itself differs.
   double apart_deg = 0.0;
+  double apart_N = 0.0;
   const auto slow = replay(*recording, {.settings = {"control.ki=0.01"}, .closed_loop = true},
                            [&](const auto& replayed, const auto& recorded) {
                              const double d = std::abs(replayed.stretch_measured_deg - recorded.stretch_measured_deg);
                              if (std::isfinite(d)) apart_deg = std::max(apart_deg, d);
+                             const double f = std::abs(replayed.force_N - recorded.force_N);
+                             if (std::isfinite(f)) apart_N = std::max(apart_N, f);
                            });
   ASSERT_TRUE(slow) << slow.error().message;
   EXPECT_FALSE(slow->identical);
   EXPECT_GT(apart_deg, 1.0);
+  EXPECT_GT(apart_N, 0.01) << "the cloth answers";
   const auto open_loop =
       replay(*recording, {.settings = {"control.ki=0.01"}}, [&](const auto& replayed, const auto& recorded) {
         EXPECT_EQ(std::isnan(replayed.stretch_measured_deg), std::isnan(recorded.stretch_measured_deg));
