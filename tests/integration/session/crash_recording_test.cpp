@@ -142,18 +142,19 @@ std::vector<std::byte> diskAfterCut(const std::vector<RememberingDisk::Call>& ca
   for (std::size_t i = 0; i < end; ++i)
     if (calls[i].sync) synced = i;
   std::vector<std::byte> disk;
-  const double kept = std::array{0.0, 0.1, 0.5, 0.9, 1.0}[random() % 5];
-  std::bernoulli_distribution keep(kept);
+  std::bernoulli_distribution keep(std::array{0.0, 0.1, 0.5, 0.9, 1.0}[random() % 5]);
+  const bool whole_calls = random() % 2 == 0;  // else sector by sector
   for (std::size_t i = 0; i < end; ++i) {
     const auto& call = calls[i];
     if (call.sync) continue;
+    if (whole_calls && i >= synced && random() % 2 == 0) continue;
     if (call.bytes.empty()) {
       if (i < synced || keep(random)) disk.resize(std::max<std::size_t>(disk.size(), call.at));
       continue;
     }
     for (std::size_t from = 0; from < call.bytes.size();) {
       const std::size_t length = std::min(call.bytes.size() - from, 512 - (call.at + from) % 512);
-      if (i < synced || keep(random)) {
+      if (i < synced || whole_calls || keep(random)) {
         disk.resize(std::max(disk.size(), call.at + from + length));
         std::memcpy(disk.data() + call.at + from, call.bytes.data() + from, length);
       }
@@ -184,9 +185,11 @@ TEST(CrashRecording, APowerCutLosesNothingAcknowledged) {
   acknowledged.push_back({disk->calls.size(), 2600});
 
   std::mt19937 random(5);
-  const std::size_t cuts = countFrom("FYD_POWER_CUTS", 40);
+  const std::size_t cuts = countFrom("FYD_POWER_CUTS", 150);
   for (std::size_t i = 0; i < cuts; ++i) {
-    const std::size_t end = acknowledged[0].calls + random() % (disk->calls.size() - acknowledged[0].calls + 1);
+    std::size_t end = acknowledged[0].calls + random() % (disk->calls.size() - acknowledged[0].calls + 1);
+    if (i % 2 == 0)  // just before a sync is when most is at stake
+      while (end < disk->calls.size() && !disk->calls[end].sync) ++end;
     std::uint64_t rows = 0;
     for (const Acknowledged& a : acknowledged)
       if (a.calls <= end) rows = std::max(rows, a.rows);

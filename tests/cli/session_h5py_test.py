@@ -1,0 +1,50 @@
+"""A recording is an HDF5 file like any other: Debian's h5py opens it as it is and finds names and units."""
+import json
+import os
+import subprocess
+import unittest
+
+import fyd
+
+PEER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "h5py_peer.py")
+SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's own, which has Debian's h5py
+
+
+class OpenedByH5py(fyd.Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.kept = fyd.tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.kept.cleanup)
+        cls.file = os.path.join(cls.kept.name, "session.h5")
+        done = fyd.run("station", "--headless", "--simulate", "--duration", 3, "--record", cls.file,
+                       "--operator", "Zoë", "--json")
+        assert done.returncode == 0, done.stderr
+        cls.samples = json.loads(done.stdout)["recording"]["samples"]
+        peer = subprocess.run([SYSTEM_PYTHON, PEER, cls.file], capture_output=True, text=True, check=False)
+        assert peer.returncode == 0, peer.stderr
+        cls.seen = json.loads(peer.stdout)
+
+    def test_telemetry_has_a_row_for_each_step(self):
+        self.assertEqual(self.seen["rows"], self.samples)
+        self.assertEqual(self.seen["steps_in_order"], True)
+
+    def test_every_column_has_its_unit(self):
+        self.assertEqual(self.seen["units"]["force_N"], "N")
+        self.assertEqual(self.seen["units"]["indentation_mm"], "mm")
+        self.assertEqual(self.seen["units"]["now_ns"], "ns")
+        self.assertEqual(self.seen["units"]["stretch_reference_deg"], "°")
+
+    def test_the_header_is_text(self):
+        self.assertEqual(self.seen["operator"], "Zoë")
+        self.assertIn("[control]", self.seen["profile"])
+
+    def test_the_last_commit_closes_and_counts_all_rows(self):
+        self.assertEqual(self.seen["closed"], 1)
+        self.assertEqual(self.seen["committed_rows"], self.samples)
+
+    def test_the_overview_has_the_extremes_of_its_rows(self):
+        self.assertTrue(self.seen["overview_true"])
+
+
+if __name__ == "__main__":
+    unittest.main()
