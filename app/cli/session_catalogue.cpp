@@ -15,6 +15,7 @@ namespace {
 struct Options {
   std::string catalogue;
   std::vector<std::string> paths;
+  std::string file;    ///< store: the recording
   std::string target;  ///< store: a folder; tag, notes, forget: id or recording
   std::string notes;
   std::vector<std::string> add, remove;
@@ -60,13 +61,12 @@ void runAdd(const Options& options) {
 
 void runStore(const Options& options) {
   std::signal(SIGXFSZ, SIG_IGN);  // a quota becomes an error with words, instead of the end of this program
-  auto stored = nlohmann::ordered_json::array();
-  for (const std::string& file : options.paths) {
-    const auto done = valueOrFail(session::storeClosed(file, options.target, options.catalogue));
-    stored.push_back({{"from", file}, {"path", done.path}, {"bytes", done.bytes}, {"was_there", done.was_there}});
-    if (!options.json) std::cout << fmt::format("{} -> {} ({} bytes, verified)\n", file, done.path, done.bytes);
+  const auto done = valueOrFail(session::storeClosed(options.file, options.target, options.catalogue));
+  if (options.json) {
+    printJson({{"from", options.file}, {"path", done.path}, {"bytes", done.bytes}, {"was_there", done.was_there}});
+  } else {
+    std::cout << fmt::format("{} -> {} ({} bytes, verified)\n", options.file, done.path, done.bytes);
   }
-  if (options.json) printJson(stored);
 }
 
 void runTag(const Options& options) {
@@ -145,7 +145,7 @@ void addSessionCatalogue(CLI::App& session) {
   {
     const auto [command, options] =
         add("store", "Move a closed recording to another folder: copy, verify, catalogue, then remove", runStore);
-    command->add_option("file", options->paths, "Recording")->required()->expected(1);
+    command->add_option("file", options->file, "Recording")->required();
     command->add_option("folder", options->target, "Where to, such as mounted shared storage")->required();
   }
   constexpr const char* kTarget = "Session's id, its first digits, or its file";

@@ -86,7 +86,7 @@ class Catalogue(fyd.Case):
         os.mkdir(share)
         with open(self.a, "rb") as file:
             content = file.read()
-        done = self.json("session", "store", self.a, share, *self.word, "--json")[0]
+        done = self.json("session", "store", self.a, share, *self.word, "--json")
         self.assertFalse(os.path.exists(self.a))
         with open(done["path"], "rb") as file:
             self.assertEqual(file.read(), content)
