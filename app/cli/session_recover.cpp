@@ -59,7 +59,10 @@ void addSessionRecover(CLI::App& parent) {
                   {"first_damage", outcome.first_damage}},
                  options->json);
     if (outcome.result == session::RecoverResult::part_lost) {
-      throw ExitCode(3, fmt::format("{}: {} steps cannot be read any more, {} are saved in {}; the original is {}",
+      throw ExitCode(
+          3, fmt::format("{}: a part is lost ({} steps; {}); what can be read is saved in {}, the original is {}",
+                         options->file, outcome.lost_steps, outcome.first_damage, outcome.file, outcome.kept));
+      the original is {}",
                                     options->file, outcome.lost_steps, outcome.steps, outcome.file, outcome.kept));
     }
   });

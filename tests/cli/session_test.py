@@ -153,7 +153,7 @@ class Crashes(fyd.Case):
             file.write(bytes([data[at] ^ 0xFF]))
         done = fyd.run("session", "verify", path, "--json")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("picture", done.stderr)
+        self.assertIn("/camera/bytes", done.stderr)
         recovered = fyd.run("session", "recover", path, "--json")
         self.assertEqual(recovered.returncode, 3, recovered.stderr)
         self.assertTrue(os.path.exists(fyd.json.loads(recovered.stdout)["kept"]))
