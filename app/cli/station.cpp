@@ -12,10 +12,13 @@
 #include "app/cli/command.h"
 #include "app/cli/profile_options.h"
 #include "app/cli/telemetry_csv.h"
+#include "core/station/option_words.h"
 #include "core/station/station.h"
 
 namespace fyd::cli {
 namespace {
+
+namespace words = station::words;
 
 std::atomic<bool> interrupted{false};
 
@@ -178,33 +181,26 @@ void add_station(CLI::App& app) {
   command->add_flag("--headless", options->headless,
                     "Without a window (the only way of this program; fyd-console opens one)");
   command->add_flag("--simulate", options->simulate, "The same as --touchpad simulated");
-  command->add_option("--touchpad", options->touchpad,
-                      "simulated, modbus-tcp:HOST:PORT, modbus-rtu:TTY[:BAUD] or recording:FILE");
-  command->add_option("--motors", options->station.motors,
-                      "qbmove:TTY, the original motor board in place of the touchpad's own motors");
+  command->add_option("--touchpad", options->touchpad, words::kTouchpad);
+  command->add_option("--motors", options->station.motors, words::kMotors);
   command->add_option("--duration", options->duration_s, "Seconds; 0 runs until interrupted")
       ->check(CLI::Range(0.0, 1e7));
-  command->add_option("--finger", options->station.finger_csv,
-                      "Recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)");
-  command->add_option("--camera", options->station.camera,
-                      "Device index, video file, folder of pictures, stream URL or recording:FILE; the touchpad's own "
-                      "(simulated, recorded) when left out");
-  command->add_option("--robot", options->station.robot,
-                      "simulated, none, or link:HOST:PORT or classic:HOST:PORT to listen there");
-  command->add_option("--key", options->station.key_file, "Key file of FYD Link, for --robot link:HOST:PORT");
-  command->add_option("--surface", options->station.surface, "Stored surface to feel with --robot none (TOML)");
+  command->add_option("--finger", options->station.finger_csv, words::kFinger);
+  command->add_option("--camera", options->station.camera, words::kCamera);
+  command->add_option("--robot", options->station.robot, words::kRobot);
+  command->add_option("--key", options->station.key_file, words::kKey);
+  command->add_option("--surface", options->station.surface, words::kSurface);
   options->profile.addTo(*command);
-  command->add_option("--record", options->record.path, "Record the session into this new file (.h5)");
-  command->add_option("--operator", options->record.operator_name, "Who operates, for the recording");
-  command->add_option("--subject", options->record.subject, "Code of the subject, never a name, for the recording");
-  command->add_option("--notes", options->record.notes, "A line about the session, for the recording");
-  command->add_option("--tag", options->record.tags, "A word to find the recording by; may be given again")
-      ->allow_extra_args(false);
+  command->add_option("--record", options->record.path, words::kRecord);
+  command->add_option("--operator", options->record.operator_name, words::kOperator);
+  command->add_option("--subject", options->record.subject, words::kSubject);
+  command->add_option("--notes", options->record.notes, words::kNotes);
+  command->add_option("--tag", options->record.tags, words::kTag)->allow_extra_args(false);
   command->add_option("--telemetry", options->telemetry, "Write every step's sample to this CSV file");
   command->add_flag("--json", options->json, "Result as JSON");
   command->callback([options] {
     if (options->simulate && !options->touchpad.empty() && options->touchpad != "simulated") {
-      throw UsageError("station: --simulate contradicts --touchpad " + options->touchpad);
+      throw UsageError(fmt::format("station: {}{}", words::kContradiction, options->touchpad));
     }
     if (!options->simulate && options->touchpad.empty()) {
       throw UsageError("station: which touchpad? Add --simulate or --touchpad");
@@ -214,7 +210,7 @@ void add_station(CLI::App& app) {
       options->station.record = options->record;
     } else if (!options->record.operator_name.empty() || !options->record.subject.empty() ||
                !options->record.notes.empty() || !options->record.tags.empty()) {
-      throw UsageError("station: --operator, --subject, --notes and --tag describe a recording; add --record FILE");
+      throw UsageError(fmt::format("station: {}", words::kRecordMissing));
     }
     options->station.profile = options->profile.load();
     run(*options);

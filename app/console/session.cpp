@@ -22,6 +22,9 @@ class StationSession : public Session {
   void requestStop() override {
     if (station_) station_->requestStop();
   }
+  void windowAlive() override {
+    if (station_) station_->windowAlive();
+  }
   Result<void> setParameter(std::string_view id, double value) override {
     if (!station_) return fail("{}: the session is closed", id);
     return station_->setParameter(id, value);

@@ -26,6 +26,7 @@ class Session {
 
   [[nodiscard]] virtual bool command(const pipeline::OperatorCommand& command) = 0;
   virtual void requestStop() = 0;
+  virtual void windowAlive() = 0;
   [[nodiscard]] virtual Result<void> setParameter(std::string_view id, double value) = 0;
   [[nodiscard]] virtual station::Profile currentProfile() const = 0;
 

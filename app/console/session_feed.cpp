@@ -16,6 +16,7 @@ SessionFeed::SessionFeed(Session& session, QObject* parent)
     : QObject(parent), session_(session), samples_(kMostAtOnce) {
   fast_.setTimerType(Qt::PreciseTimer);
   connect(&fast_, &QTimer::timeout, this, [this] {
+    session_.windowAlive();
     drainTelemetry();
     lookAtCamera();
   });

@@ -13,11 +13,12 @@
 namespace fyd::pipeline {
 
 enum class OperatorAction : std::uint8_t {
-  arm,               ///< start, or start again after Held or Stopped
-  stop,              ///< to Stopped, from anywhere
-  tare,              ///< take the present readings as "not touched": distance offsets and load-cell zero
-  target_by_hand,    ///< value: N/mm
-  target_from_robot  ///< follow the robot's stiffness
+  arm,                ///< start, or start again after Held or Stopped
+  stop,               ///< to Stopped, from anywhere
+  tare,               ///< take the present readings as "not touched": distance offsets and load-cell zero
+  target_by_hand,     ///< value: N/mm
+  target_from_robot,  ///< follow the robot's stiffness
+  fell_silent         ///< given by the station when the window that drives it stops answering: Held while rendering
 };
 
 struct OperatorCommand {

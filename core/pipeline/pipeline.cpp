@@ -84,6 +84,7 @@ void Pipeline::applyChanges(const Inputs& inputs) {
         break;
       case OperatorAction::target_from_robot: target_by_hand_ = false; break;
       case OperatorAction::arm:
+      case OperatorAction::fell_silent:
       case OperatorAction::stop: break;  // stepSafety's
     }
   }
@@ -237,6 +238,8 @@ void Pipeline::stepSafety(const Inputs& inputs) {
       report({.kind = EventKind::arm_refused, .state = safety_.state(), .lack = InputHealth::first(lacks_)});
     }
   }
+  // After an arm, which nobody would take back.
+  if (asked(OperatorAction::fell_silent)) safety_.apply(SafetyEvent::fault, Lack::operator_silent);
   if (asked(OperatorAction::stop)) safety_.apply(SafetyEvent::stop);
   if (safety_.state() == before) return;
   report({.kind = EventKind::state_changed, .state = safety_.state(), .lack = safety_.heldBecause()});

@@ -24,6 +24,7 @@ constexpr std::array<LackText, kLackCount> kLackTexts = {{
     {"the robot has said goodbye", "Start the robot's program again."},
     {"the robot's stiffness is not a number", "Check the robot's force sensor and probe again."},
     {"no stiffness target", "Choose the robot's stiffness or set one by hand."},
+    {"the window did not answer for half a second", "Wait until it answers; close other programs on this machine."},
 }};
 
 constexpr std::array<std::string_view, kSafetyStateCount> kStateNames = {"Disconnected", "Connected", "Ready",

@@ -47,22 +47,23 @@ inline constexpr std::size_t kSafetyEventCount = 7;
 /// What is missing or went wrong; several may hold at once, the first in this order is shown.
 enum class Lack : std::uint8_t {
   none,
-  step_gap,        ///< more than 20 ms without a step
-  steps_missed,    ///< more than 5 % of the cycles of one second missed
-  motors_stale,    ///< the motor board is silent
-  ir_stale,        ///< the distance sensors are silent
-  ir_invalid,      ///< too few distance sensors within their span
-  bridge_stale,    ///< the load cell is silent
-  bridge_invalid,  ///< the load cell's value is outside its span
-  camera_stale,    ///< no new picture
-  camera_blind,    ///< pictures arrive, but black, saturated or empty
-  robot_waiting,   ///< a robot is wanted and has not connected
-  robot_lost,      ///< the robot went silent
-  robot_closed,    ///< the robot said goodbye
-  robot_frozen,    ///< the robot's link stands but its stiffness is not a number
-  no_target,       ///< no stiffness target: neither robot nor operator gives one
+  step_gap,         ///< more than 20 ms without a step
+  steps_missed,     ///< more than 5 % of the cycles of one second missed
+  motors_stale,     ///< the motor board is silent
+  ir_stale,         ///< the distance sensors are silent
+  ir_invalid,       ///< too few distance sensors within their span
+  bridge_stale,     ///< the load cell is silent
+  bridge_invalid,   ///< the load cell's value is outside its span
+  camera_stale,     ///< no new picture
+  camera_blind,     ///< pictures arrive, but black, saturated or empty
+  robot_waiting,    ///< a robot is wanted and has not connected
+  robot_lost,       ///< the robot went silent
+  robot_closed,     ///< the robot said goodbye
+  robot_frozen,     ///< the robot's link stands but its stiffness is not a number
+  no_target,        ///< no stiffness target: neither robot nor operator gives one
+  operator_silent,  ///< the operator's window does not answer
 };
-inline constexpr std::size_t kLackCount = 15;
+inline constexpr std::size_t kLackCount = 16;
 
 [[nodiscard]] std::string_view toString(SafetyState state);
 /// What is wrong, as a phrase: "robot silent".

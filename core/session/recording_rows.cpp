@@ -210,7 +210,7 @@ Result<void> valueOf(const AccelerationRow& row, pipeline::AccelerationSample& s
 }
 
 Result<void> valueOf(const CommandRow& row, pipeline::OperatorCommand& command) {
-  const auto action = word(row.action, pipeline::OperatorAction::target_from_robot, "an operator's command");
+  const auto action = word(row.action, pipeline::OperatorAction::fell_silent, "an operator's command");
   if (!action) return tl::unexpected(action.error());
   command = {*action, row.value};
   return {};
@@ -233,7 +233,7 @@ Result<void> valueOf(const EventTableRow& row, EventRow& event) {
   if (!kind) return tl::unexpected(kind.error());
   const auto state = word(row.state, pipeline::SafetyState::stopped, "an event's state");
   if (!state) return tl::unexpected(state.error());
-  const auto lack = word(row.lack, pipeline::Lack::no_target, "an event's lack");
+  const auto lack = word(row.lack, pipeline::Lack::operator_silent, "an event's lack");
   if (!lack) return tl::unexpected(lack.error());
   event = {instantOf(row.when_ns), {*kind, *state, *lack, row.index, row.value}};
   return {};

@@ -157,6 +157,8 @@ void Station::shutDown() {
 
 bool Station::command(const pipeline::OperatorCommand& command) { return impl_->commands.push(command); }
 
+void Station::windowAlive() { impl_->window.alive(Clock::now()); }
+
 void Station::requestStop() { impl_->stop_requested.store(true, std::memory_order_release); }
 
 Result<void> Station::setParameter(std::string_view id, double value) {

@@ -131,6 +131,10 @@ class Station {
   [[nodiscard]] bool command(const pipeline::OperatorCommand& command);
   /// Heard by the next step whatever else is queued; from any thread.
   void requestStop();
+  /// A window that drives the session says that it still answers: often, from its own thread. From the first call on,
+  /// silence for longer than 0.5 s leads out of rendering to Held; its return arms nothing. A session without a window
+  /// never calls this.
+  void windowAlive();
   /// Checks against the parameter's description, then queues the change; from the operator's thread.
   [[nodiscard]] Result<void> setParameter(std::string_view id, double value);
   /// The profile with every change made since (including tare); from the operator's thread.

@@ -15,6 +15,7 @@
 #include "core/station/link_thread.h"
 #include "core/station/station.h"
 #include "core/station/touchpad_thread.h"
+#include "core/station/window_watch.h"
 
 namespace fyd::station {
 
@@ -79,6 +80,7 @@ struct Station::Impl {
   Ring<pipeline::OperatorCommand> commands{64};
   Ring<pipeline::ParameterChange> changes{256};
   std::atomic<bool> stop_requested{false};
+  WindowWatch window;
   Ring<pipeline::TelemetrySample> telemetry{kTelemetryCapacity};
   std::atomic<std::uint64_t> telemetry_lost{0};
   Ring<TimedEvent> events{1024};

@@ -28,6 +28,9 @@ void Station::Impl::takeOperator() {
   if (stop_requested.exchange(false, std::memory_order_acq_rel)) {
     (void)inputs.commands.push({.action = pipeline::OperatorAction::stop});
   }
+  if (window.fellSilent(inputs.now)) {
+    (void)inputs.commands.push({.action = pipeline::OperatorAction::fell_silent});
+  }
   pipeline::OperatorCommand command;
   while (!inputs.commands.full() && commands.pop(command)) (void)inputs.commands.push(command);
   pipeline::ParameterChange change;

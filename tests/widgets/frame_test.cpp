@@ -70,6 +70,18 @@ class FrameTest : public QObject {
     QCOMPARE(f.window->frame()->place(), QStringLiteral("devices"));
   }
 
+  void theWindowSaysThatItAnswersAndNotWhileItIsBusy() {
+    Fixture f;
+    QTest::qWait(100);
+    QCOMPARE(f.session->beats, 0);  // not started
+    f.window->start();
+    QTRY_VERIFY(f.session->beats > 5);
+    const int before = f.session->beats;
+    QThread::msleep(300);  // the window's own thread is busy
+    QCOMPARE(f.session->beats, before);
+    QTRY_VERIFY(f.session->beats > before);
+  }
+
   void stopWorksFromEveryPlace() {
     Fixture f;
     for (const console::PlaceInfo& place : console::places()) {

@@ -18,6 +18,7 @@ class ScriptedSession : public console::Session {
     ++stops;
     stopDeviceTest();  // as a station's does
   }
+  void windowAlive() override { ++beats; }
   Result<void> setParameter(std::string_view id, double value) override {
     if (refuses) return fail("{}: refused by the script", id);
     auto bound = bindParameters(profile);
@@ -107,6 +108,7 @@ class ScriptedSession : public console::Session {
   std::vector<std::pair<session::NoteKind, std::string>> notes;
   int recording_stops = 0;
   int stops = 0;
+  int beats = 0;
   int shut_downs = 0;
   double seconds = 0;
   bool takes_commands = true;

@@ -100,6 +100,35 @@ TEST(Station, StopIsHeardAndLatches) {
   }
 }
 
+TEST(Station, AWindowThatStopsAnsweringHoldsTheTouchpadAndItsReturnDoesNotArmIt) {
+  auto station = opened({});
+  station->start();
+  pipeline::TelemetrySample held;
+  // A busy machine may hold it for another reason first: then once more.
+  for (int i = 0; i < 20 && held.lack != pipeline::Lack::operator_silent; ++i) {
+    ASSERT_TRUE(waitFor(*station, [&](const auto& sample) {
+      station->windowAlive();
+      return sample.state == SafetyState::ready || sample.state == SafetyState::held;
+    }));
+    ASSERT_TRUE(station->command({.action = OperatorAction::arm}));
+    ASSERT_TRUE(waitForState(*station, SafetyState::active));
+    ASSERT_TRUE(waitFor(*station, [&](const auto& sample) {
+      held = sample;
+      return sample.state == SafetyState::held;
+    }));
+  }
+  EXPECT_EQ(held.lack, pipeline::Lack::operator_silent);
+  std::vector<pipeline::TelemetrySample> batch(1000);
+  for (int i = 0; i < 20; ++i) {
+    station->windowAlive();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const std::size_t taken = station->takeTelemetry(batch);
+    for (std::size_t k = 0; k < taken; ++k) EXPECT_EQ(batch[k].state, SafetyState::held);
+  }
+  ASSERT_TRUE(station->command({.action = OperatorAction::arm}));
+  ASSERT_TRUE(waitForState(*station, SafetyState::active));
+}
+
 TEST(Station, ARobotThatGoesSilentHoldsTheTouchpadAndItsReturnDoesNotArmIt) {
   StationOptions options;
   options.robot = "classic:127.0.0.1:0";

@@ -171,6 +171,25 @@ TEST(StepSession, StopIsImmediateAndLatches) {
   EXPECT_EQ(session->outputs().telemetry.state, SafetyState::stopped);
 }
 
+TEST(StepSession, AWindowThatFallsSilentHoldsAndSaysSo) {
+  auto session = activeSession();
+  (void)session->next.commands.push({.action = OperatorAction::fell_silent});
+  (void)session->next.commands.push({.action = OperatorAction::arm});  // nobody would take this one back
+  session->step();
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::held);
+  EXPECT_EQ(session->outputs().telemetry.lack, Lack::operator_silent);
+  session->run(2.0);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::held);
+  (void)session->next.commands.push({.action = OperatorAction::arm});
+  session->run(0.01);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+  (void)session->next.commands.push({.action = OperatorAction::stop});
+  session->run(0.01);
+  (void)session->next.commands.push({.action = OperatorAction::fell_silent});  // nothing moves: nothing to hold
+  session->run(0.01);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::stopped);
+}
+
 TEST(StepSession, APauseOfTheRobotIsNoFaultAndIsSilent) {
   auto session = activeSession();
   session->next.robot.phase = pipeline::LinkPhase::paused;
