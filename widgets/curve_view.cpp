@@ -74,9 +74,10 @@ void CurveView::buildBar(QVBoxLayout* layout) {
   follow_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(follow_button_, &QToolButton::clicked, this, &CurveView::togglePause);
   follow_label_ = new QLabel(this);
+  follow_label_->setFont(textFont(TextSize::small));
+  follow_label_->setContentsMargins(kGrid / 2, 0, 0, 0);
   follow_label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts it first
   bar->addWidget(follow_button_);
-  bar->addSpacing(kGrid);
   bar->addWidget(follow_label_, 1);
   spans_ = new QButtonGroup(this);
   for (const double span_s : kSpans_s) {
@@ -194,6 +195,9 @@ void CurveView::sayFollowing() {
   follow_label_->setText(now ? tr("Following") : tr("Not following: press F to follow again"));
   follow_label_->setProperty("role", now ? "muted" : "warning");
   restyle(*follow_label_);
+  follow_label_->setToolTip(follow_label_->text());
+  follow_button_->setProperty("role", now ? "" : "warning");  // says it also where the words have no room
+  restyle(*follow_button_);
   follow_button_->setText(now ? tr("Pause") : tr("Follow"));
   follow_button_->setIcon(icon(now ? QStringLiteral("pause") : QStringLiteral("follow")));
   follow_button_->setToolTip(now ? tr("Hold the picture still; measuring goes on (Space)")

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <cmath>
 
+#include "widgets/device_text.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
@@ -12,18 +13,12 @@ namespace fyd::widgets {
 namespace {
 
 constexpr int kSymbol = 24;
+constexpr int kWide = 52 * kGrid;  // from here on two columns of values have room
 
 QString iconOf(const std::string& name) {
   if (name == "Camera") return QStringLiteral("camera");
   if (name == "Motor board") return QStringLiteral("arm");
   return QStringLiteral("touchpad");
-}
-
-/// Counts have no decimals, everything else as many as an operator can use.
-int decimalsOf(const std::string& unit) {
-  if (unit == "counts" || unit.empty()) return 0;
-  if (unit == "mV/V") return 4;
-  return 1;
 }
 
 QLabel* small(QLabel* label, bool muted) {
@@ -33,12 +28,6 @@ QLabel* small(QLabel* label, bool muted) {
 }
 
 }  // namespace
-
-QString deviceWord(const std::string& word) {
-  QString text = QCoreApplication::translate("DeviceCard", word.c_str());
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text;
-}
 
 DeviceCard::DeviceCard(QWidget* parent)
     : QFrame(parent),
@@ -77,10 +66,10 @@ void DeviceCard::build() {
   layout_->addLayout(head);
   layout_->addWidget(description_);
   layout_->addWidget(problem_);
-  figures_ = section({}, 1);
-  errors_ = section(tr("Errors by kind"), 1);
-  values_ = section(tr("Live values"), 2);
-  controls_ = section(tr("Controls"), 1);
+  figures_ = section({});
+  errors_ = section(tr("Errors by kind"));
+  values_ = section(tr("Live values"));
+  controls_ = section(tr("Controls"));
   auto* tests = new QVBoxLayout(test_area_);
   tests->setContentsMargins(0, kGrid, 0, 0);
   tests->setSpacing(kGrid / 2);
@@ -93,14 +82,13 @@ void DeviceCard::build() {
   showState(false);
 }
 
-DeviceCard::Section DeviceCard::section(const QString& title, int columns) {
-  Section out{.title = new QLabel(title, this), .grid = new QGridLayout, .columns = columns, .rows = {}};
+DeviceCard::Section DeviceCard::section(const QString& title) {
+  Section out{.title = new QLabel(title, this), .grid = new QGridLayout, .rows = {}};
   out.title->setFont(textFont(TextSize::normal, true));
   out.title->hide();
   out.grid->setHorizontalSpacing(kGrid);
   out.grid->setVerticalSpacing(2);
-  for (int i = 0; i < columns; ++i) out.grid->setColumnStretch(3 * i + 1, 1);
-  for (int i = 1; i < columns; ++i) out.grid->setColumnMinimumWidth(3 * i - 1, kGrid);
+  out.grid->setColumnStretch(1, 1);
   layout_->addSpacing(kGrid / 2);
   layout_->addWidget(out.title);
   layout_->addLayout(out.grid);
@@ -149,6 +137,9 @@ std::vector<DeviceCard::Entry> DeviceCard::figures(const device::DeviceReport& r
 
 std::vector<DeviceCard::Entry> DeviceCard::controls(const device::DeviceReport& report) {
   std::vector<Entry> out;
+  if (report.name == "Camera" && report.controls.empty()) {
+    out.push_back({tr("Brightness, contrast, exposure"), tr("this source has none")});
+  }
   for (const device::CameraControl& control : report.controls) {
     QString words = deviceWord(control.words);
     if (words.isEmpty()) words = control.supported ? tr("Left as it is") : tr("This source has none");
@@ -163,8 +154,8 @@ void DeviceCard::setReport(const device::DeviceReport& report) {
   setAccessibleName(deviceWord(report.name));
   symbol_->setPixmap(icon(iconOf(report.name), theme().text).pixmap(QSize(kSymbol, kSymbol), devicePixelRatioF()));
   name_->setText(deviceWord(report.name));
-  kind_->setText(deviceWord(report.kind));
-  description_->setText(deviceWord(report.description));
+  kind_->setText(QCoreApplication::translate("DeviceCard", report.kind.c_str()));
+  description_->setText(breakable(QString::fromStdString(report.description)));
   problem_->setText(deviceWord(report.problem));
   problem_->setVisible(!report.problem.empty());
   showState(report.ok);
@@ -176,12 +167,21 @@ void DeviceCard::setReport(const device::DeviceReport& report) {
   fill(errors_, errors);
   std::vector<Entry> values;
   for (const device::ReportValue& each : report.values) {
-    const QString unit = QCoreApplication::translate("DeviceCard", each.unit.c_str());
-    values.push_back({deviceWord(each.name), each.text.empty() ? quantityText(each.number, decimalsOf(each.unit), unit)
-                                                               : deviceWord(each.text)});
+    values.push_back(
+        {deviceWord(each.name), each.text.empty() ? deviceValue(each.number, each.unit) : deviceWord(each.text)});
   }
-  fill(values_, values);
+  shown_values_ = std::move(values);
+  fill(values_, shown_values_);
   fill(controls_, controls(report));
+}
+
+void DeviceCard::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  const int columns = width() >= kWide ? 2 : 1;
+  if (columns == values_.columns) return;
+  values_.columns = columns;
+  values_.grid->setColumnStretch(4, columns == 2 ? 1 : 0);
+  fill(values_, shown_values_);
 }
 
 void DeviceCard::showState(bool ok) {

@@ -33,10 +33,15 @@ class DeviceCard : public QFrame {
   [[nodiscard]] QString value(const QString& label) const;
   [[nodiscard]] HoldButton* testButton(int test) const { return tests_[static_cast<std::size_t>(test)]; }
   [[nodiscard]] QString testText() const { return test_words_->text(); }
+  /// Live values stand in this many columns, as there is room.
+  [[nodiscard]] int valueColumns() const { return values_.columns; }
 
  signals:
   void testHeld(int test);
   void testLetGo();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Row {
@@ -56,7 +61,7 @@ class DeviceCard : public QFrame {
   };
 
   void build();
-  Section section(const QString& title, int columns);
+  Section section(const QString& title);
   void fill(Section& section, const std::vector<Entry>& entries);
   void showState(bool ok);
   [[nodiscard]] static std::vector<Entry> figures(const device::DeviceReport& report);
@@ -81,9 +86,7 @@ class DeviceCard : public QFrame {
   QWidget* test_area_;
   QLabel* test_words_;
   std::vector<HoldButton*> tests_;
+  std::vector<Entry> shown_values_;
 };
-
-/// "IR sensor 1": a device's own word with a capital; translated.
-[[nodiscard]] QString deviceWord(const std::string& word);
 
 }  // namespace fyd::widgets

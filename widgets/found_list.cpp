@@ -1,5 +1,6 @@
 #include "widgets/found_list.h"
 
+#include "widgets/device_text.h"
 #include "widgets/theme.h"
 
 namespace fyd::widgets {
@@ -73,11 +74,8 @@ void FoundList::addRow(const FoundRow& row) {
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     lines->addWidget(label);
   };
-  // A long path has no place to break by itself.
-  QString path = row.path;
-  path.replace(QLatin1Char('/'), QStringLiteral("/\u200b")).replace(QLatin1Char('-'), QStringLiteral("-\u200b"));
   add(row.name.isEmpty() ? row.kind : tr("%1: %2").arg(row.kind, row.name), true, "");
-  add(path, false, "muted");
+  add(breakable(row.path), false, "muted");
   add(row.problem, false, "warning");
   entry->setAccessibleName(row.kind + QLatin1Char(' ') + row.path);
   body_->layout()->addWidget(entry);

@@ -53,7 +53,7 @@ void RecordingForm::build() {
     words->setFont(textFont(TextSize::small));
     words->setProperty("role", "muted");
     const int line = grid->rowCount();
-    grid->addWidget(words, line, 0, Qt::AlignTop);
+    grid->addWidget(words, line, 0, field == notes_ ? Qt::AlignTop : Qt::AlignVCenter);
     grid->addWidget(field, line, 1, 1, columns);
     field->setObjectName(QLatin1String(name));
     field->setAccessibleName(label);
@@ -142,10 +142,11 @@ void RecordingForm::setRecording(const RecordingView& view) {
                          timeLeftText(view.minutes_left)};
     words.removeAll(QString());
     figures_->setText(words.join(QLatin1Char('\n')));
-    hint_->setText(view.lost > 0 ? tr("%1 samples are not in the file: the computer is too busy. What is written is "
-                                      "safe. Close other programs.")
-                                       .arg(view.lost)
-                                 : QString());
+    say(view.lost > 0 ? tr("%1 samples are not in the file: the computer is too busy. What is written is safe. Close "
+                           "other programs.")
+                            .arg(view.lost)
+                      : QString(),
+        "danger");
   } else if (was || hint_->text().isEmpty()) {
     mark(Field::none);
   }
@@ -161,8 +162,7 @@ void RecordingForm::start() {
     emit startAsked(wanted);
     return;
   }
-  hint_->setText(problem.words);
-  hint_->setAccessibleName(problem.words);
+  say(problem.words, "warning");
   widgetOf(problem.field)->setFocus();
 }
 
@@ -193,12 +193,21 @@ void RecordingForm::mark(EntryProblem::Field field) {
     each->setProperty("refused", each == wrong);
     restyle(*each);
   }
-  const char* role = field == Field::none && view_.problem.isEmpty() ? "muted" : "warning";
+  if (field != Field::none) return;
+  if (!view_.problem.isEmpty()) {
+    say(view_.problem, "danger");
+  } else {
+    say(tr("The file begins up to 10 s before you start. Ctrl+M puts a marker."), "muted");
+  }
+}
+
+void RecordingForm::say(const QString& words, const char* role) {
+  hint_->setText(words);
+  hint_->setAccessibleName(words);
+  hint_->setVisible(!words.isEmpty());
+  if (hint_->property("role").toString() == QLatin1String(role)) return;
   hint_->setProperty("role", role);
   restyle(*hint_);
-  if (field != Field::none) return;
-  hint_->setText(!view_.problem.isEmpty() ? view_.problem
-                                          : tr("The file begins up to 10 s before you start. Ctrl+M puts a marker."));
 }
 
 void RecordingForm::chooseFile() {

@@ -50,6 +50,7 @@ class RecordingForm : public QFrame {
   void start();
   void sayNote();
   void mark(EntryProblem::Field field);
+  void say(const QString& words, const char* role);
   [[nodiscard]] QWidget* widgetOf(EntryProblem::Field field) const;
   void chooseFile();
 

@@ -2,7 +2,7 @@
 
 #include <QPointer>
 
-#include "widgets/device_card.h"
+#include "widgets/device_text.h"
 
 namespace fyd::console {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/device/test_motion.h"
+#include "widgets/device_text.h"
 #include "widgets/theme.h"
 
 namespace fyd::console {

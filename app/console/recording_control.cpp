@@ -6,7 +6,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 
-#include "widgets/device_card.h"
+#include "widgets/device_text.h"
 
 namespace fyd::console {
 

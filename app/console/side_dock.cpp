@@ -23,7 +23,7 @@ SideDock::SideDock(const QString& title, const QString& name, const QString& clo
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setFixedWidth(37 * kGrid);
+  scroll->setFixedWidth(35 * kGrid);
   auto* body = new QWidget(scroll);
   auto* layout = new QVBoxLayout(body);
   layout->setContentsMargins(0, kGrid, kGrid, kGrid);

@@ -1,0 +1,38 @@
+#include "widgets/device_text.h"
+
+#include <QCoreApplication>
+
+#include "widgets/number_text.h"
+
+namespace fyd::widgets {
+namespace {
+
+QString unitText(const std::string& unit) {
+  if (unit == "degC") return QStringLiteral("°C");
+  if (unit == "deg") return QStringLiteral("°");
+  return QCoreApplication::translate("DeviceCard", unit.c_str());
+}
+
+int decimalsOf(const std::string& unit) {
+  if (unit == "counts" || unit == "px" || unit.empty()) return 0;
+  if (unit == "mV/V") return 4;
+  return 1;
+}
+
+}  // namespace
+
+QString deviceWord(const std::string& words) {
+  QString text = QCoreApplication::translate("DeviceCard", words.c_str());
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+QString deviceValue(double number, const std::string& unit) {
+  return quantityText(number, decimalsOf(unit), unitText(unit));
+}
+
+QString breakable(QString path) {
+  return path.replace(QLatin1Char('/'), QStringLiteral("/\u200b")).replace(QLatin1Char('-'), QStringLiteral("-\u200b"));
+}
+
+}  // namespace fyd::widgets
