@@ -1,5 +1,7 @@
 #include "core/session/chart.h"
 
+#include <cairo.h>
+
 #include <algorithm>
 #include <cmath>
 

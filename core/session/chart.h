@@ -1,12 +1,11 @@
 // A strip chart over time, drawn with cairo: the same on an SVG and a PDF surface. Lengths are points.
 #pragma once
 
-#include <cairo.h>
-
 #include <string>
 #include <vector>
 
 #include "core/session/chart_colours.h"
+#include "core/session/chart_text.h"
 #include "core/session/recording.h"
 
 namespace fyd::session {

@@ -1,5 +1,7 @@
 #include "core/session/chart_text.h"
 
+#include <cairo.h>
+
 namespace fyd::session {
 namespace {
 

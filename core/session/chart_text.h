@@ -1,13 +1,14 @@
 // Text on a cairo drawing. Sizes and places are points, y downward to the baseline.
 #pragma once
 
-#include <cairo.h>
-
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/session/chart_colours.h"
+
+/// As cairo declares it, so that who includes this needs no cairo.
+typedef struct _cairo cairo_t;  // NOLINT(modernize-use-using,bugprone-reserved-identifier)
 
 namespace fyd::session {
 

@@ -1,5 +1,7 @@
 #include "core/session/report.h"
 
+#include <cairo.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
