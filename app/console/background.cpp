@@ -3,15 +3,16 @@
 namespace fyd::console {
 
 Background::~Background() {
-  thread_.request_stop();
-  if (thread_.joinable()) thread_.join();
+  for (auto& [number, thread] : threads_) thread.request_stop();
+  threads_.clear();
 }
 
 void Background::run(Work work) {
   cancel();
   running_ = true;
   emit runningChanged(true);
-  thread_ = std::jthread([this, work = std::move(work), number = number_](const std::stop_token& stop) {
+  const int number = ++number_;
+  threads_[number] = std::jthread([this, work = std::move(work), number](const std::stop_token& stop) {
     Finish done = work(stop);
     // The destructor waits for this thread, so that `this` lives; what is queued for it goes with it.
     QMetaObject::invokeMethod(
@@ -20,16 +21,15 @@ void Background::run(Work work) {
 }
 
 void Background::cancel() {
-  ++number_;
-  thread_.request_stop();
-  if (thread_.joinable()) thread_.join();
   if (!running_) return;
+  threads_[number_].request_stop();
   running_ = false;
   emit runningChanged(false);
 }
 
 void Background::finish(int number, const Finish& finish) {
-  if (number != number_) return;
+  threads_.erase(number);  // it has nothing more to do
+  if (number != number_ || !running_) return;
   running_ = false;
   emit runningChanged(false);
   if (finish) finish();

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <functional>
+#include <map>
 #include <stop_token>
 #include <thread>
 
@@ -13,14 +14,15 @@ class Background : public QObject {
  public:
   /// Runs on the window's thread when the work is done.
   using Finish = std::function<void()>;
-  /// Runs on the thread of its own; must hold what it needs, and end soon once asked to stop.
+  /// Runs on a thread of its own; must hold what it needs, and end soon once asked to stop.
   using Work = std::function<Finish(const std::stop_token&)>;
 
   using QObject::QObject;
-  ~Background() override;
+  ~Background() override;  ///< waits for work under way
 
-  /// Asks work under way to stop and waits for it; its result is dropped. Then starts `work`.
+  /// Starts `work`; work under way is cancelled.
   void run(Work work);
+  /// Asks work under way to stop and drops its result; never waits.
   void cancel();
   [[nodiscard]] bool running() const { return running_; }
 
@@ -30,7 +32,7 @@ class Background : public QObject {
  private:
   void finish(int number, const Finish& finish);
 
-  std::jthread thread_;
+  std::map<int, std::jthread> threads_;  // by number; those cancelled stay until they have ended
   bool running_ = false;
   int number_ = 0;  // of the newest work
 };

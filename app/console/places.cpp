@@ -4,6 +4,7 @@
 #include "app/console/devices_page.h"
 #include "app/console/operate_page.h"
 #include "app/console/page.h"
+#include "app/console/review_page.h"
 
 namespace fyd::console {
 namespace {
@@ -18,6 +19,7 @@ Page* make(const PageContext& context, QWidget* parent) {
 const std::vector<PlaceInfo>& places() {
   static const std::vector<PlaceInfo> kPlaces = {
       {"operate", QT_TRANSLATE_NOOP("Commands", "Operate"), "place-operate", "Ctrl+1", make<OperatePage>},
+      {"review", QT_TRANSLATE_NOOP("Commands", "Review"), "place-review", "Ctrl+3", make<ReviewPage>},
       {"devices", QT_TRANSLATE_NOOP("Commands", "Devices"), "place-devices", "Ctrl+5", make<DevicesPage>},
   };
   return kPlaces;

@@ -13,5 +13,6 @@ std::unique_ptr<QObject> makeLinkTest();
 std::unique_ptr<QObject> makeConsoleTest();
 std::unique_ptr<QObject> makeFrameTest();
 std::unique_ptr<QObject> makeRecordingTest();
+std::unique_ptr<QObject> makeReviewTest();
 
 }  // namespace fyd::tests

@@ -1,0 +1,146 @@
+#include "app/console/session_list.h"
+
+#include <QCompleter>
+#include <QDir>
+#include <QFileSystemModel>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "core/session/catalogue.h"
+#include "widgets/number_text.h"
+
+namespace fyd::console {
+namespace {
+
+using Found = Result<std::vector<session::CatalogueEntry>>;
+
+constexpr std::size_t kMostRows = 500;
+
+Found search(const std::string& catalogue, const std::string& text) {
+  auto opened = session::Catalogue::open(catalogue);
+  if (!opened) return tl::unexpected(opened.error());
+  return opened->search({.text = text, .limit = kMostRows});
+}
+
+QString stateWord(const session::CatalogueEntry& entry) {
+  return entry.file_state == session::FileState::present ? QString::fromStdString(entry.health)
+                                                         : QString::fromUtf8(session::toString(entry.file_state));
+}
+
+}  // namespace
+
+SessionList::SessionList(QString catalogue, QWidget* parent)
+    : QWidget(parent),
+      catalogue_(std::move(catalogue)),
+      filter_(new QLineEdit(this)),
+      table_(new QTableWidget(this)),
+      path_(new QLineEdit(this)),
+      open_(new QPushButton(tr("Open"), this)),
+      words_(new QLabel(this)) {
+  build();
+  connect(filter_, &QLineEdit::textChanged, this, &SessionList::look);
+  connect(path_, &QLineEdit::returnPressed, this, &SessionList::openPath);
+  connect(open_, &QPushButton::clicked, this, &SessionList::openPath);
+  connect(table_, &QTableWidget::cellActivated, this, [this](int row, int) {
+    emit openAsked(QString::fromStdString(entries_[static_cast<std::size_t>(row)].path));
+  });
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) {
+    if (row >= 0 && static_cast<std::size_t>(row) < entries_.size()) {
+      path_->setText(QString::fromStdString(entries_[static_cast<std::size_t>(row)].path));
+    }
+  });
+}
+
+void SessionList::build() {
+  filter_->setObjectName(QStringLiteral("session_filter"));
+  filter_->setPlaceholderText(tr("Search operator, subject, notes, tags"));
+  filter_->setAccessibleName(filter_->placeholderText());
+  filter_->setClearButtonEnabled(true);
+  const QStringList columns = {tr("Began, UTC"), tr("Length"), tr("Operator"), tr("Subject"),
+                               tr("Tags"),       tr("State"),  tr("Notes")};
+  table_->setObjectName(QStringLiteral("session_table"));
+  table_->setAccessibleName(tr("Recorded sessions"));
+  table_->setColumnCount(static_cast<int>(columns.size()));
+  table_->setHorizontalHeaderLabels(columns);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setTabKeyNavigation(false);
+  path_->setObjectName(QStringLiteral("session_path"));
+  path_->setPlaceholderText(
+      tr("Path of a recording, such as %1").arg(QDir::homePath() + QStringLiteral("/session.h5")));
+  path_->setAccessibleName(tr("Path of a recording"));
+  auto* files = new QFileSystemModel(path_);
+  files->setRootPath(QString());
+  path_->setCompleter(new QCompleter(files, path_));
+  words_->setWordWrap(true);
+  auto* layout = new QVBoxLayout(this);
+  layout->setSpacing(widgets::kGrid);
+  layout->addWidget(filter_);
+  layout->addWidget(table_, 1);
+  layout->addWidget(words_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(path_, 1);
+  row->addWidget(open_);
+  layout->addLayout(row);
+}
+
+void SessionList::look() {
+  words_->setText(tr("Searching …"));
+  work_.run([this, catalogue = catalogue_.toStdString(),
+             text = filter_->text().toStdString()](const std::stop_token&) -> Background::Finish {
+    auto found = std::make_shared<Found>(search(catalogue, text));
+    return [this, found] {
+      fill(*found ? **found : std::vector<session::CatalogueEntry>{});
+      if (!*found) words_->setText(QString::fromStdString(found->error().message));
+    };
+  });
+}
+
+void SessionList::fill(const std::vector<session::CatalogueEntry>& entries) {
+  entries_.clear();
+  table_->setRowCount(0);
+  entries_ = entries;
+  table_->setRowCount(static_cast<int>(entries.size()));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const session::CatalogueEntry& e = entries_[static_cast<std::size_t>(row)];
+    QStringList tags;
+    for (const std::string& tag : e.tags) tags << QString::fromStdString(tag);
+    const QStringList cells = {
+        QString::fromStdString(e.started_utc).left(19).replace(QLatin1Char('T'), QLatin1Char(' ')),
+        widgets::durationText(e.duration_s),
+        QString::fromStdString(e.operator_name),
+        QString::fromStdString(e.subject),
+        tags.join(QStringLiteral(", ")),
+        stateWord(e),
+        QString::fromStdString(e.notes).simplified()};
+    for (int column = 0; column < cells.size(); ++column) {
+      auto* item = new QTableWidgetItem(cells[column]);
+      item->setToolTip(QString::fromStdString(e.path));
+      table_->setItem(row, column, item);
+    }
+  }
+  if (!entries.empty()) {
+    words_->setText(tr("Enter or a double click opens a session."));
+  } else if (filter_->text().isEmpty()) {
+    words_->setText(
+        tr("No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below."));
+  } else {
+    words_->setText(tr("No session has these words."));
+  }
+}
+
+void SessionList::openPath() {
+  const QString path = path_->text().trimmed();
+  if (path.isEmpty()) {
+    words_->setText(tr("Choose a session, or write the path of a recording."));
+    return;
+  }
+  emit openAsked(path);
+}
+
+}  // namespace fyd::console

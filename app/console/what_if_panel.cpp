@@ -1,0 +1,209 @@
+#include "app/console/what_if_panel.h"
+
+#include <QCompleter>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "core/pipeline/parameters.h"
+#include "widgets/number_text.h"
+
+namespace fyd::console {
+namespace {
+
+using widgets::numberText;
+
+struct Stopped {};
+
+/// Runs on the work's thread.
+struct Replayed {
+  Result<session::ReplayResult> result;
+  std::shared_ptr<widgets::CurveBuffer> curves;
+};
+
+Replayed replayFile(const std::string& path, const session::ReplayOptions& options, const std::stop_token& stop,
+                    const std::function<void(double)>& progress) {
+  auto recording = session::Recording::open(path);
+  if (!recording) return {tl::unexpected(recording.error()), nullptr};
+  const session::RecordingInfo& info = (*recording)->info();
+  // What a picture can show of hours: every sample while memory allows, then the newest.
+  constexpr std::uint64_t kMostSamples = 8'000'000;
+  auto curves = std::make_shared<widgets::CurveBuffer>(
+      kReviewQuantities.size(),
+      static_cast<std::size_t>(std::clamp<std::uint64_t>(info.committed_samples, 1, kMostSamples)));
+  const auto fields = pipeline::telemetryFields();
+  std::array<std::size_t, kReviewQuantities.size()> indexes{};
+  for (std::size_t q = 0; q < indexes.size(); ++q) indexes[q] = fieldIndex(kReviewQuantities[q].field);
+  std::uint64_t rows = 0;
+  try {
+    auto result = session::replay(**recording, options, [&](const auto& replayed, const auto&) {
+      constexpr std::uint64_t kLook = 4096;
+      if (++rows % kLook == 0) {
+        if (stop.stop_requested()) throw Stopped{};
+        progress(static_cast<double>(rows) / static_cast<double>(info.committed_samples));
+      }
+      std::array<float, kReviewQuantities.size()> values{};
+      for (std::size_t q = 0; q < values.size(); ++q) values[q] = static_cast<float>(fields[indexes[q]].read(replayed));
+      (void)curves->append(session::secondsInto(info, replayed.now), values);
+    });
+    return {std::move(result), std::move(curves)};
+  } catch (const Stopped&) {
+    return {fail("stopped"), nullptr};
+  }
+}
+
+}  // namespace
+
+WhatIfPanel::WhatIfPanel(QWidget* parent)
+    : QWidget(parent),
+      parameter_(new QComboBox(this)),
+      value_(new QLineEdit(this)),
+      add_(new QPushButton(tr("Add"), this)),
+      settings_(new QListWidget(this)),
+      closed_loop_(new QCheckBox(tr("Cloth and robot answer (closed loop)"), this)),
+      run_(new QPushButton(tr("Run again"), this)),
+      cancel_(new QPushButton(tr("Cancel"), this)),
+      progress_(new QProgressBar(this)),
+      words_(new QLabel(this)) {
+  build();
+  connect(add_, &QPushButton::clicked, this, &WhatIfPanel::addSetting);
+  connect(value_, &QLineEdit::returnPressed, this, &WhatIfPanel::addSetting);
+  connect(settings_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { delete item; });
+  connect(run_, &QPushButton::clicked, this, &WhatIfPanel::run);
+  connect(cancel_, &QPushButton::clicked, &work_, &Background::cancel);
+  connect(&work_, &Background::runningChanged, this, [this](bool running) {
+    run_->setEnabled(!running && !path_.isEmpty());
+    cancel_->setEnabled(running);
+    progress_->setVisible(running);
+  });
+  setRecording({});
+}
+
+void WhatIfPanel::build() {
+  pipeline::Parameters parameters;
+  parameter_->setEditable(true);
+  for (const Parameter& each : bindParameters(parameters)) {
+    if (each.kind == ParameterKind::list) continue;
+    const QString id = QString::fromUtf8(each.id.data(), static_cast<qsizetype>(each.id.size()));
+    parameter_->addItem(id);
+    parameter_->setItemData(parameter_->count() - 1,
+                            tr("%1\n%2").arg(QString::fromStdString(std::string(each.info.help)),
+                                             QString::fromStdString(describeRange(each))),
+                            Qt::ToolTipRole);
+  }
+  parameter_->setCurrentText(QStringLiteral("control.kp"));
+  parameter_->completer()->setFilterMode(Qt::MatchContains);
+  parameter_->completer()->setCompletionMode(QCompleter::PopupCompletion);
+  parameter_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  parameter_->setAccessibleName(tr("Parameter to change"));
+  value_->setPlaceholderText(tr("value"));
+  value_->setAccessibleName(tr("Its value"));
+  value_->setMaximumWidth(10 * widgets::kGrid);
+  settings_->setAccessibleName(tr("Changed parameters; Enter takes one away"));
+  settings_->setMaximumHeight(10 * widgets::kGrid);
+  progress_->setTextVisible(false);
+  progress_->hide();
+  cancel_->setEnabled(false);
+  words_->setWordWrap(true);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setSpacing(widgets::kGrid);
+  auto* what = new QLabel(tr("Runs the recorded inputs through the step again. Without a change it proves that the "
+                             "recording comes out the same, bit for bit."),
+                          this);
+  what->setWordWrap(true);
+  layout->addWidget(what);
+  auto* row = new QHBoxLayout;
+  row->addWidget(parameter_, 1);
+  row->addWidget(value_);
+  row->addWidget(add_);
+  layout->addLayout(row);
+  layout->addWidget(settings_);
+  layout->addWidget(closed_loop_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(run_);
+  buttons->addWidget(cancel_);
+  buttons->addStretch(1);
+  layout->addLayout(buttons);
+  layout->addWidget(progress_);
+  layout->addWidget(words_);
+  layout->addStretch(1);
+}
+
+void WhatIfPanel::setRecording(const QString& path) {
+  work_.cancel();
+  path_ = path;
+  words_->clear();
+  run_->setEnabled(!path.isEmpty());
+  emit replayed(nullptr);
+}
+
+void WhatIfPanel::addSetting() {
+  pipeline::Parameters parameters;
+  const auto bound = bindParameters(parameters);
+  const std::string id = parameter_->currentText().trimmed().toStdString();
+  const Parameter* known = findParameter(bound, id);
+  if (known == nullptr) {
+    words_->setText(tr("There is no parameter '%1'.").arg(parameter_->currentText()));
+    return;
+  }
+  const std::string text = value_->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toStdString();
+  if (auto good = assignParameter(*known, text); !good) {
+    words_->setText(QString::fromStdString(good.error().message));
+    return;
+  }
+  const QString prefix = QString::fromStdString(id + "=");
+  for (QListWidgetItem* item : settings_->findItems(prefix, Qt::MatchStartsWith)) delete item;
+  settings_->addItem(prefix + QString::fromStdString(text));
+  value_->clear();
+  words_->clear();
+}
+
+void WhatIfPanel::run() {
+  if (path_.isEmpty()) return;
+  session::ReplayOptions options;
+  options.closed_loop = closed_loop_->isChecked();
+  for (int i = 0; i < settings_->count(); ++i) options.settings.push_back(settings_->item(i)->text().toStdString());
+  words_->setText(tr("Running …"));
+  progress_->setRange(0, 1000);
+  progress_->setValue(0);
+  work_.run([this, path = path_.toStdString(), options](const std::stop_token& stop) -> Background::Finish {
+    const auto progress = [this](double part) {
+      QMetaObject::invokeMethod(
+          progress_, [bar = progress_, part] { bar->setValue(static_cast<int>(1000.0 * part)); }, Qt::QueuedConnection);
+    };
+    auto done = std::make_shared<Replayed>(replayFile(path, options, stop, progress));
+    return [this, done] { finish(done->result, done->curves); };
+  });
+}
+
+void WhatIfPanel::finish(const Result<session::ReplayResult>& result,
+                         std::shared_ptr<const widgets::CurveBuffer> curves) {
+  if (!result) {
+    words_->setText(QString::fromStdString(result.error().message));
+    emit replayed(nullptr);
+    return;
+  }
+  QStringList lines;
+  if (!result->what_if) {
+    lines << (result->identical ? tr("Identical, bit for bit.")
+                                : tr("Different from %1 s on (%2).")
+                                      .arg(numberText(result->first_difference_s, 3),
+                                           QString::fromStdString(result->first_difference_field)));
+  } else {
+    lines << (result->closed_loop ? tr("Closed loop: cloth and robot answer as identified from this recording.")
+                                  : tr("Open loop: the recorded inputs as they were; the cloth does not answer."));
+    lines << tr("Stiffness error, RMS: %1 % recorded, %2 % so.")
+                 .arg(numberText(result->stiffness_error_recorded_percent, 1),
+                      numberText(result->stiffness_error_replayed_percent, 1));
+  }
+  lines << tr("%1 of %2 samples, %3 times real time.")
+               .arg(result->samples)
+               .arg(result->of)
+               .arg(numberText(result->speed_x, 0));
+  if (result->gaps > 0) lines << tr("It ends at the first of %1 lost samples.").arg(result->gaps);
+  words_->setText(lines.join(QLatin1Char('\n')));
+  emit replayed(result->what_if ? std::move(curves) : nullptr);
+}
+
+}  // namespace fyd::console

@@ -1,0 +1,231 @@
+// Review: from the list to a recording, its cursor, marks, notes, touches, comparison, what-if and exports; a recording
+// that is none. The recordings are made here, with numbers that are known.
+#include <cmath>
+
+#include "app/console/review_page.h"
+#include "core/session/recording_writer.h"
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+
+namespace {
+
+constexpr std::uint64_t kRows = 6000;
+constexpr std::uint64_t kPress = 2000, kRelease = 4000, kSpike = 5321;
+
+session::StepRecord row(std::uint64_t i, std::uint64_t press) {
+  session::StepRecord record;
+  const Instant now = Instant(std::chrono::seconds(100)) + std::chrono::milliseconds(i);
+  record.inputs.now = record.telemetry.now = now;
+  record.telemetry.step = i + 1;
+  const bool contact = i >= press && i < press + (kRelease - kPress);
+  record.telemetry.contact = contact;
+  record.telemetry.force_N = contact ? 2.0 : 0.001 * static_cast<double>(i);  // a slope of 1 N/s before and after
+  if (i == kSpike) record.telemetry.force_N = 7.0;
+  record.telemetry.indentation_mm = contact ? 4.0 : 0.0;
+  record.telemetry.stiffness_observable = contact;
+  record.telemetry.stiffness_N_per_mm = contact ? 0.5 : pipeline::kNone;
+  record.telemetry.target_N_per_mm = record.telemetry.reachable_target_N_per_mm = 0.5;
+  return record;
+}
+
+QString makeRecording(const QTemporaryDir& folder, const QString& name, std::uint64_t press = kPress) {
+  const QString path = folder.filePath(name);
+  session::RecordingHeader header{.id = std::string(32, 'a'),
+                                  .started_utc = "2026-11-21T10:00:00.000Z",
+                                  .started = Instant(std::chrono::seconds(100)),
+                                  .operator_name = "M. Muster",
+                                  .subject = "S07"};
+  auto writer = session::RecordingWriter::create(path.toStdString(), header);
+  if (!writer) qFatal("%s", writer.error().message.c_str());
+  bool good = true;
+  for (std::uint64_t i = 0; i < kRows; ++i) good = good && (*writer)->append(row(i, press)).has_value();
+  good = good && (*writer)->close().has_value();
+  if (!good) qFatal("the recording could not be written");
+  return path;
+}
+
+struct ReviewFixture : Fixture {
+  ReviewFixture() {
+    qputenv("XDG_DATA_HOME", folder.filePath(QStringLiteral("data")).toUtf8());
+    path = makeRecording(folder, QStringLiteral("session.h5"));
+    QTest::keyClick(window.get(), Qt::Key_3, Qt::ControlModifier);
+    page = qobject_cast<console::ReviewPage*>(window->frame()->page(QStringLiteral("review")));
+  }
+  /// As an operator does it.
+  void openByPath() {
+    page->list()->path()->setFocus();
+    page->list()->path()->setText(path);
+    QTest::keyClick(page->list()->path(), Qt::Key_Return);
+  }
+  void key(Qt::Key key, Qt::KeyboardModifiers with = {}) {
+    page->curves()->setFocus();
+    QTest::keyClick(window.get(), key, with);
+  }
+  [[nodiscard]] QString told() const {
+    const int count = window->notices()->count();
+    return count == 0 ? QString() : window->notices()->text(count - 1);
+  }
+  QString path;
+  console::ReviewPage* page = nullptr;
+};
+
+}  // namespace
+
+class ReviewTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void anEmptyCatalogueTeachesAndAWrongFileIsToldInWords() {
+    ReviewFixture f;
+    QVERIFY(f.page->showsList());
+    QTRY_VERIFY(!f.page->list()->looking());
+    QVERIFY(f.page->list()->words().contains(QStringLiteral("Ctrl+R")));
+    f.page->list()->path()->setText(f.folder.filePath(QStringLiteral("nothing.h5")));
+    QTest::keyClick(f.page->list()->path(), Qt::Key_Return);
+    QVERIFY(f.told().contains(QStringLiteral("nothing.h5")));
+    QVERIFY(f.page->showsList());
+    f.page->list()->path()->clear();
+    QTest::keyClick(f.page->list()->path(), Qt::Key_Return);
+    QVERIFY(f.page->showsList());
+  }
+
+  void aRecordingOpensWithItsTouchAndFigures() {
+    ReviewFixture f;
+    f.openByPath();
+    QVERIFY(!f.page->showsList());
+    QVERIFY(f.page->title().contains(QStringLiteral("S07")));
+    QVERIFY(f.page->title().contains(QStringLiteral("6 s")));
+    QTRY_COMPARE(f.page->touches()->rowCount(), 1);
+    QCOMPARE(f.page->touches()->item(0, 0)->text(), QStringLiteral("2.00"));
+    QCOMPARE(f.page->touches()->item(0, 2)->text(), QStringLiteral("2.00"));
+    f.page->touches()->setCurrentCell(0, 0);
+    QVERIFY(std::abs(f.page->player()->time_s() - 2.0) < 0.0011);
+    f.page->curves()->redraw();
+    QCOMPARE(f.page->curves()->readout(0)->valueText(0), QStringLiteral("2.00"));
+  }
+
+  void aSpikeOfOneSampleIsSeenAtEveryZoom() {
+    ReviewFixture f;
+    f.openByPath();
+    const double at_s = 1e-3 * static_cast<double>(kSpike);
+    for (const double span_s : {6.0, 2.0, 0.5, 0.05}) {
+      f.page->curves()->show(at_s - 0.5 * span_s, at_s + 0.5 * span_s);
+      f.page->curves()->redraw();
+      QCOMPARE(f.page->curves()->strip(0)->drawnExtent().upper, 7.0);
+    }
+  }
+
+  void theCursorStepsBySampleAndPlaysAtItsSpeed() {
+    ReviewFixture f;
+    f.openByPath();
+    f.page->player()->goTo(1.0);
+    f.key(Qt::Key_Right);
+    QVERIFY(std::abs(f.page->player()->time_s() - 1.001) < 1e-6);
+    f.key(Qt::Key_Left);
+    f.key(Qt::Key_Left);
+    QVERIFY(std::abs(f.page->player()->time_s() - 0.999) < 1e-6);
+    f.page->player()->setSpeed(16.0);
+    f.key(Qt::Key_Space);
+    QVERIFY(f.page->player()->playing());
+    QTRY_VERIFY(f.page->player()->time_s() > 5.9);
+    QTRY_VERIFY(!f.page->player()->playing());  // it stops at the end
+    QCOMPARE(f.page->player()->time_s(), f.page->recording()->info().duration_s);
+  }
+
+  void figuresBetweenAAndBAreThoseOfTheSamples() {
+    ReviewFixture f;
+    f.openByPath();
+    f.page->player()->goTo(0.5);
+    f.key(Qt::Key_BracketLeft);
+    f.page->player()->goTo(1.5);
+    f.key(Qt::Key_BracketRight);
+    QTRY_COMPARE(f.page->figures()->rowCount(), 5);
+    QCOMPARE(f.page->figures()->item(0, 3)->text(), QStringLiteral("1.000"));     // B − A, N
+    QCOMPARE(f.page->figures()->item(0, 4)->text(), QStringLiteral("1.000"));     // N/s
+    QCOMPARE(f.page->figures()->item(0, 5)->text(), QStringLiteral("1.000"));     // mean
+    QCOMPARE(f.page->figures()->item(2, 5)->text(), QString(widgets::kNoValue));  // no stiffness before the touch
+  }
+
+  void aNoteStandsBesideTheFileAndTheRecordingIsUnchanged() {
+    ReviewFixture f;
+    f.openByPath();
+    QFile recording(f.path);
+    QVERIFY(recording.open(QIODevice::ReadOnly));
+    const QByteArray before = recording.readAll();
+    f.page->player()->goTo(3.0);
+    f.key(Qt::Key_N);
+    QVERIFY(f.page->noteField()->hasFocus());
+    QTest::keyClicks(f.page->noteField(), QStringLiteral("feels soft <b>"));
+    QTest::keyClick(f.page->noteField(), Qt::Key_Return);
+    f.key(Qt::Key_B);
+    QCOMPARE(f.page->notes()->rowCount(), 2);
+    const auto notes = session::readReviewNotes(f.path.toStdString());
+    QVERIFY(notes && notes->size() == 2);
+    QCOMPARE(QString::fromStdString(notes->front().text), QStringLiteral("feels soft <b>"));
+    recording.seek(0);
+    QVERIFY(recording.readAll() == before);
+    // A damaged file of notes is told, and not written over without a word.
+    QFile beside(QString::fromStdString(session::reviewNotesPath(f.path.toStdString())));
+    QVERIFY(beside.open(QIODevice::WriteOnly));
+    beside.write("{\"notes\": [{\"kind\": 3}]}");
+    beside.close();
+    f.page->open(f.path);
+    QVERIFY(f.told().contains(QStringLiteral("note 1")));
+  }
+
+  void aSecondSessionLiesOnATouch() {
+    ReviewFixture f;
+    const QString other = makeRecording(f.folder, QStringLiteral("other.h5"), 3000);
+    f.openByPath();
+    QTRY_COMPARE(f.page->touches()->rowCount(), 1);
+    f.page->compare(other);
+    const auto* their = f.page->findChildren<QComboBox*>().last();
+    QTRY_COMPARE(their->count(), 2);
+    f.page->alignAt(0, 0);
+    // Its touch began a second later: laid on this one's, it is drawn a second earlier.
+    const std::size_t force = console::ReviewSource::channel(console::ReviewLayer::other, 0);
+    QCOMPARE(f.page->curves()->source().valueAt(force, 2.5), 2.0);
+    QVERIFY(f.page->curves()->source().valueAt(force, 1.5) > 2.2);  // 2.5 s of its slope
+  }
+
+  void wrongWhatIfEntriesAreSaidInWords() {
+    ReviewFixture f;
+    f.openByPath();
+    console::WhatIfPanel* panel = f.page->whatIf();
+    f.page->tabs()->setCurrentWidget(panel);
+    panel->parameter()->setCurrentText(QStringLiteral("control.nothing"));
+    QTest::mouseClick(panel->addButton(), Qt::LeftButton);
+    QVERIFY(panel->words().contains(QStringLiteral("control.nothing")));
+    panel->parameter()->setCurrentText(QStringLiteral("control.kp"));
+    for (const char* wrong : {"", "nan", "1e99", "soft"}) {
+      panel->value()->setText(QString::fromUtf8(wrong));
+      QTest::mouseClick(panel->addButton(), Qt::LeftButton);
+      QVERIFY2(panel->words().contains(QStringLiteral("control.kp")), wrong);
+      QCOMPARE(panel->settings()->count(), 0);
+    }
+    panel->value()->setText(QStringLiteral("20"));
+    QTest::mouseClick(panel->addButton(), Qt::LeftButton);
+    QCOMPARE(panel->settings()->count(), 1);
+    QTest::mouseClick(panel->runButton(), Qt::LeftButton);
+    QTRY_VERIFY(!panel->words().startsWith(QStringLiteral("Running")));
+    QVERIFY(!panel->words().isEmpty());  // these rows hold no state of the step: it says so
+  }
+
+  void exportsStandBesideTheFileAndAreNeverWrittenOver() {
+    ReviewFixture f;
+    f.openByPath();
+    f.page->exportAs(QStringLiteral("csv"));
+    QTRY_VERIFY(f.told().contains(QStringLiteral("session.csv is written")));
+    f.page->exportAs(QStringLiteral("csv"));
+    QTRY_VERIFY(f.told().contains(QStringLiteral("exists")));
+    f.page->exportAs(QStringLiteral("html"));
+    QTRY_VERIFY(f.told().contains(QStringLiteral("session.html is written")));
+  }
+};
+
+std::unique_ptr<QObject> makeReviewTest() { return std::make_unique<ReviewTest>(); }
+
+}  // namespace fyd::tests
+
+#include "review_test.moc"
