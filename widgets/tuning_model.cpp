@@ -97,6 +97,13 @@ void TuningModel::resetToDefault(std::string_view id) {
   if (const TunedParameter* parameter = find(id)) (void)change(id, parameter->standard);
 }
 
+void TuningModel::markSaved(std::string_view id) {
+  TunedParameter* parameter = entry(id);
+  if (parameter == nullptr || !parameter->changed()) return;
+  parameter->saved = parameter->value;
+  emit changed(QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())));
+}
+
 void TuningModel::markSaved() {
   for (TunedParameter& parameter : parameters_) parameter.saved = parameter.value;
   for (const TunedParameter& parameter : parameters_) {

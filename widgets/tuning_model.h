@@ -42,6 +42,8 @@ class TuningModel : public QObject {
   void resetToDefault(std::string_view id);
   /// The values are those of the profile on disk now.
   void markSaved();
+  /// The same of one value; an unknown id changes nothing.
+  void markSaved(std::string_view id);
 
  signals:
   /// The operator's change, also when undone or redone: to be applied.

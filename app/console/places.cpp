@@ -1,6 +1,7 @@
 // The list of the window's places. A new one is a line here.
 #include <QCoreApplication>
 
+#include "app/console/calibrate_page.h"
 #include "app/console/devices_page.h"
 #include "app/console/operate_page.h"
 #include "app/console/page.h"
@@ -19,6 +20,7 @@ Page* make(const PageContext& context, QWidget* parent) {
 const std::vector<PlaceInfo>& places() {
   static const std::vector<PlaceInfo> kPlaces = {
       {"operate", QT_TRANSLATE_NOOP("Commands", "Operate"), "place-operate", "Ctrl+1", make<OperatePage>},
+      {"calibrate", QT_TRANSLATE_NOOP("Commands", "Calibrate"), "place-calibrate", "Ctrl+2", make<CalibratePage>},
       {"review", QT_TRANSLATE_NOOP("Commands", "Review"), "place-review", "Ctrl+3", make<ReviewPage>},
       {"devices", QT_TRANSLATE_NOOP("Commands", "Devices"), "place-devices", "Ctrl+5", make<DevicesPage>},
   };

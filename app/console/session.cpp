@@ -86,6 +86,7 @@ class StationSession : public Session {
   RobotWords robot() const override { return {.robot = options_.robot, .key_file = options_.key_file}; }
   bool isOpen() const override { return station_ != nullptr; }
   Result<void> reconnect(const RobotWords& wanted) override;
+  Result<void> beginAnew(const station::Profile& profile) override;
 
  private:
   Result<void> open(const station::StationOptions& options);
@@ -126,6 +127,19 @@ Result<void> StationSession::reconnect(const RobotWords& wanted) {
   const std::string former = options_.robot;
   if (const auto again = open(options_); !again) {
     return fail("{}; robot {} could not be had again either: {}", opened.error().message, former,
+                again.error().message);
+  }
+  return opened;
+}
+
+Result<void> StationSession::beginAnew(const station::Profile& profile) {
+  close();
+  station::StationOptions changed = options_;
+  changed.profile = profile;
+  const auto opened = open(changed);
+  if (opened) return {};
+  if (const auto again = open(options_); !again) {
+    return fail("{}; the former session could not be had again either: {}", opened.error().message,
                 again.error().message);
   }
   return opened;

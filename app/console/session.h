@@ -56,7 +56,11 @@ class Session {
   /// Ends the session and begins another with this robot and the present profile; motors are off then. For a time
   /// when nothing can move. @return an error when that robot cannot be had: the former one is back then, if `isOpen`
   [[nodiscard]] virtual Result<void> reconnect(const RobotWords& wanted) = 0;
-  /// False only after a `reconnect` whose former robot could not be had again either.
+  /// Ends the session and begins another with this profile and the present devices, for values that cannot change while
+  /// it runs; motors are off then. For a time when nothing can move.
+  /// @return an error when it cannot be begun; the former profile is back then, if `isOpen`
+  [[nodiscard]] virtual Result<void> beginAnew(const station::Profile& profile) = 0;
+  /// False only after one of these whose former session could not be had again either.
   [[nodiscard]] virtual bool isOpen() const = 0;
 };
 

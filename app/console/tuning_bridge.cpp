@@ -41,6 +41,14 @@ void TuningBridge::hear(const pipeline::Event& event) {
   if (event.kind == pipeline::EventKind::parameter_changed) model_.accept(id.toStdString(), event.value);
 }
 
+void TuningBridge::restart() {
+  under_way_.clear();
+  station::Profile current = session_.currentProfile();
+  for (const Parameter& parameter : bindParameters(current)) {
+    if (parameter.kind != ParameterKind::list) model_.accept(parameter.id, parameter.value());
+  }
+}
+
 void TuningBridge::startWithTarget(bool by_hand) {
   by_hand_ = by_hand;
   emit targetShown(by_hand);

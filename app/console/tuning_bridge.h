@@ -17,6 +17,8 @@ class TuningBridge : public QObject {
  public:
   TuningBridge(Session& session, QString profile_path, QObject* parent = nullptr);
   [[nodiscard]] widgets::TuningModel& model() { return model_; }
+  /// Where "Save profile" writes.
+  [[nodiscard]] const QString& profilePath() const { return profile_path_; }
 
   /// A parameter event of the step.
   void hear(const pipeline::Event& event);
@@ -26,8 +28,8 @@ class TuningBridge : public QObject {
   void startWithTarget(bool by_hand);
   [[nodiscard]] bool targetIsByHand() const { return by_hand_; }
   void save();
-  /// The session began anew with the present values: no echo of the former one comes any more.
-  void restart() { under_way_.clear(); }
+  /// The session began anew: no echo of the former one comes any more, and its values are shown.
+  void restart();
 
  signals:
   void targetShown(bool by_hand);

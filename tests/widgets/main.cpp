@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
   int failed = 0;
   for (auto make : {fyd::tests::makeCurveTest, fyd::tests::makeControlTest, fyd::tests::makeTuningTest,
                     fyd::tests::makeLinkTest, fyd::tests::makeConsoleTest, fyd::tests::makeFrameTest,
-                    fyd::tests::makeRecordingTest, fyd::tests::makeReviewTest}) {
+                    fyd::tests::makeRecordingTest, fyd::tests::makeCalibrateTest, fyd::tests::makeReviewTest}) {
     failed += QTest::qExec(make().get(), 1, argv);
   }
   return failed == 0 ? 0 : 1;

@@ -79,6 +79,12 @@ class ScriptedSession : public console::Session {
     open = true;
     return {};
   }
+  Result<void> beginAnew(const station::Profile& wanted) override {
+    ++begun_anew;
+    if (refuses) return fail("the station: refused by the script");
+    profile = wanted;
+    return {};
+  }
 
   [[nodiscard]] int count(pipeline::OperatorAction action) const {
     return static_cast<int>(std::ranges::count_if(commands, [&](const auto& c) { return c.action == action; }));
@@ -116,6 +122,7 @@ class ScriptedSession : public console::Session {
   console::RobotWords present;
   std::vector<console::RobotWords> asked;
   bool open = true;
+  int begun_anew = 0;
 };
 
 struct Fixture {

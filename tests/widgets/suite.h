@@ -13,6 +13,7 @@ std::unique_ptr<QObject> makeLinkTest();
 std::unique_ptr<QObject> makeConsoleTest();
 std::unique_ptr<QObject> makeFrameTest();
 std::unique_ptr<QObject> makeRecordingTest();
+std::unique_ptr<QObject> makeCalibrateTest();
 std::unique_ptr<QObject> makeReviewTest();
 
 }  // namespace fyd::tests

@@ -1,0 +1,34 @@
+// The mean of a signal over the last readings, its spread, and whether it rests.
+#pragma once
+
+#include <QString>
+#include <deque>
+#include <vector>
+
+#include "app/console/calibrate_step.h"
+
+namespace fyd::console {
+
+class CalibrationAverage {
+ public:
+  /// @param readings the mean is taken of, at least 1
+  void restart(int readings);
+  /// One reading of all signals; the oldest beyond the number wanted is forgotten.
+  void add(const std::vector<double>& reading);
+  [[nodiscard]] bool full() const { return static_cast<int>(kept_.size()) >= wanted_; }
+  [[nodiscard]] double progress() const { return static_cast<double>(kept_.size()) / wanted_; }
+  [[nodiscard]] bool empty() const { return kept_.empty(); }
+
+  [[nodiscard]] std::vector<double> mean() const;
+  /// Standard deviation of one reading; 0 with fewer than two.
+  [[nodiscard]] std::vector<double> spread() const;
+  /// Which signal moves and by how much; empty while all rest.
+  [[nodiscard]] QString moving(const std::vector<CalibrationSignal>& wanted) const;
+
+ private:
+  [[nodiscard]] std::vector<double> meanOf(std::size_t from, std::size_t to) const;
+  int wanted_ = 1;
+  std::deque<std::vector<double>> kept_;
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,131 @@
+// How points of the place "Calibrate" are taken, taken back, discarded and accepted.
+#include "app/console/calibrate_page.h"
+
+namespace fyd::console {
+namespace {
+
+constexpr int kLiftedFinger_ms = 1000;  // until the camera has seen the simulated finger leave
+
+QString words(const std::string& text) { return QString::fromStdString(text); }
+
+}  // namespace
+
+void CalibratePage::startPoint() {
+  if (taking_now_) return;
+  if (!points().empty() && simulated_[step_] && !lifted_ && !step().onePoint()) {
+    say(tr("These points are simulated: discard them before you measure."), true);
+    return;
+  }
+  const auto entered = entries_->read();
+  if (!entered) {
+    say(tr("Not taken: see the entry at the left."), true);
+    return;
+  }
+  entered_ = *entered;
+  devices_ = context_.session.devices();
+  const auto reading = step().read(scene());
+  if (!reading) {
+    endPoint(tr("Not taken: %1.").arg(words(reading.error().message)));
+    return;
+  }
+  taking_.restart(step().readings());
+  if (step().readings() == 1) {
+    taking_.add(*reading);
+    takePoint();
+    return;
+  }
+  taking_now_ = true;
+  say(tr("Averaging for %1 s: keep still.").arg(step().readings() * kPoll_ms / 1000.0), false);
+  refreshButtons();
+}
+
+void CalibratePage::endPoint(const QString& why_not) {
+  if (lifted_) context_.session.releaseSimulatedFinger();
+  lifted_ = false;
+  taking_now_ = false;
+  progress_->setValue(0);
+  if (!why_not.isEmpty()) say(why_not, true);
+  if (points_.contains(step_)) refreshButtons();
+}
+
+void CalibratePage::takePoint() {
+  std::vector<CalibrationPoint>& points = points_[step_];
+  if (step().onePoint()) points.clear();
+  points.push_back(step().point(entered_, taking_.mean(), taking_.spread()));
+  simulated_[step_] = lifted_;
+  endPoint({});
+  entries_->clear();
+  picture_->setPlace({});
+  say(step().onePoint() ? tr("Measured.") : tr("Point %1 taken.").arg(points.size()), false);
+  refit();
+  if (!step().entries().empty()) entries_->field(0)->setFocus();
+}
+
+void CalibratePage::takeBack() {
+  if (points_[step_].empty() || taking_now_) return;
+  points_[step_].pop_back();
+  say(tr("The last point is taken back."), false);
+  refit();
+}
+
+void CalibratePage::discard() {
+  if (points_[step_].empty() && !taking_now_) return;
+  endPoint({});
+  points_[step_].clear();
+  simulated_[step_] = false;
+  say(tr("Points discarded; the values in force stay."), false);
+  refit();
+}
+
+void CalibratePage::simulate() {
+  if (taking_now_ || lifted_) return;
+  if (!points().empty() && !simulated_[step_]) {
+    say(tr("These points are measured: discard them before you take simulated ones."), true);
+    return;
+  }
+  auto simulated = step().simulatedPoints(profile_);
+  if (!simulated.empty()) {
+    points_[step_] = std::move(simulated);
+    simulated_[step_] = true;
+    say(tr("Simulated points, from the simulator's own truth and noise. No part was measured."), false);
+    refit();
+    return;
+  }
+  lifted_ = true;
+  context_.session.moveSimulatedFinger(0.0, 0.0, 0.0);
+  say(tr("The simulated finger leaves the cloth…"), false);
+  QTimer::singleShot(kLiftedFinger_ms, this, [this] {
+    if (lifted_) startPoint();
+  });
+}
+
+void CalibratePage::accept() {
+  if (points().empty() || !fit_.result.verdict.accepted) {
+    say(tr("There is nothing to accept yet: %1.")
+            .arg(points().empty() ? tr("take points first") : words(fit_.result.verdict.reason)),
+        true);
+    return;
+  }
+  if (can_move_ || silent_) {
+    say(silent_ ? tr("The station is silent: wait until it answers.")
+                : tr("Accepting begins the session anew, and that is not done while motors can move: press Esc first."),
+        true);
+    return;
+  }
+  if (context_.session.recorderStatus().state == session::RecorderState::recording) {
+    say(tr("Accepting begins the session anew and would end the recording: stop the recording first."), true);
+    return;
+  }
+  AcceptedWords record = fit_panel_->words();
+  if (simulated_[step_])
+    record.conditions = "simulated points" + (record.conditions.empty() ? "" : "; " + record.conditions);
+  if (!acceptCalibration(context_, fit_.result, step().sensor(), record)) return;
+  points_[step_].clear();
+  simulated_[step_] = false;
+  profile_ = context_.session.currentProfile();
+  say(tr("Accepted. The values are in force and in the profile."), false);
+  refreshParts();
+  refit();
+}
+
+}  // namespace fyd::console

@@ -1,0 +1,92 @@
+#include "app/console/calibrate_records.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "core/station/calibration_file.h"
+
+namespace fyd::console {
+
+using widgets::Severity;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("CalibrationRecords", text); }
+QString words(const std::string& text) { return QString::fromStdString(text); }
+
+/// The profile that the file holds; the session's, when there is no file yet.
+Result<station::Profile> profileToWrite(const PageContext& context, bool exists) {
+  if (!exists) return context.session.currentProfile();
+  return station::loadProfile(context.tuning.profilePath().toStdString());
+}
+
+}  // namespace
+
+PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records, const std::string& procedure,
+                      int sensor, station::Profile profile, const std::string& today) {
+  const auto newest = std::find_if(records.rbegin(), records.rend(), [&](const auto& record) {
+    return record.procedure == procedure && record.sensor == sensor;
+  });
+  if (newest == records.rend()) return {PartState::Kind::never, tr("never calibrated")};
+  const auto age = calibration::ageOf(*newest, today, profile.calibration);
+  if (!age) return {PartState::Kind::old, words(age.error().message)};
+  if (!calibration::inForce(*newest, bindParameters(profile))) {
+    return {PartState::Kind::changed, tr("changed since it was calibrated %1 days ago").arg(age->days)};
+  }
+  switch (age->age) {
+    case calibration::Age::ageing: return {PartState::Kind::ageing, tr("ageing: %1").arg(words(age->warning))};
+    case calibration::Age::old: return {PartState::Kind::old, tr("old: %1").arg(words(age->warning))};
+    case calibration::Age::fresh: break;
+  }
+  return {PartState::Kind::fine,
+          age->days == 0 ? tr("fine: calibrated today") : tr("fine: calibrated %1 days ago").arg(age->days)};
+}
+
+std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
+
+bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result, int sensor,
+                       const AcceptedWords& said) {
+  const QString path = context.tuning.profilePath();
+  const bool exists = QFileInfo::exists(path);
+  QDir().mkpath(QFileInfo(path).absolutePath());
+  auto profile = profileToWrite(context, exists);
+  if (!profile) {
+    context.tell(Severity::error, tr("Not accepted, the old values stay. %1").arg(words(profile.error().message)));
+    return false;
+  }
+  const auto record = station::saveCalibration(
+      result, {.sensor = sensor, .who = said.who, .when = nowUtc(), .conditions = said.conditions}, *profile,
+      path.toStdString());
+  if (!record) {
+    context.tell(Severity::error, tr("Not accepted, the old values stay. %1").arg(words(record.error().message)));
+    return false;
+  }
+
+  // The values are of a kind that the running step does not change: the session takes them up from its beginning.
+  context.feed.pump();
+  Session& session = context.session;
+  station::Profile current = session.currentProfile();
+  const bool changed = calibration::applyChanges(bindParameters(current), result.changes).has_value();
+  const auto begun = changed ? session.beginAnew(current) : Result<void>(fail("the values do not fit this session"));
+  context.feed.restart();
+  context.tuning.restart();
+  if (!exists) context.tuning.model().markSaved();
+  for (const calibration::ParameterChange& change : result.changes) context.tuning.model().markSaved(change.id);
+  if (context.tuning.targetIsByHand()) context.tuning.targetByHand();
+  const QString file = QDir::toNativeSeparators(path);
+  if (begun) {
+    context.tell(Severity::information, tr("Accepted and written to %1. The session has begun anew with it; motors "
+                                           "stay off until you arm.")
+                                            .arg(file));
+  } else {
+    context.tell(Severity::error, tr("Accepted and written to %1, but the session goes on without it: %2. Start the "
+                                     "window again to use it.")
+                                      .arg(file, words(begun.error().message)));
+  }
+  return true;
+}
+
+}  // namespace fyd::console

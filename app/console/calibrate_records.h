@@ -1,0 +1,38 @@
+// The calibrations that a profile has: how old each is, and how a new one is accepted.
+#pragma once
+
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "app/console/page.h"
+#include "core/calibration/calibration_record.h"
+
+namespace fyd::console {
+
+struct PartState {
+  enum class Kind { never, fine, ageing, old, changed };
+  Kind kind = Kind::never;
+  QString words;
+};
+
+/// Of the newest record of this procedure and sensor.
+/// @param today "2026-11-21" or longer
+[[nodiscard]] PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records,
+                                    const std::string& procedure, int sensor, station::Profile profile,
+                                    const std::string& today);
+
+/// "2026-11-21T20:15:00Z"
+[[nodiscard]] std::string nowUtc();
+
+struct AcceptedWords {
+  std::string who;
+  std::string conditions;
+};
+
+/// Writes record and profile, then begins the session anew with the new values. For a time when nothing can move.
+/// What went well and what did not is told; @return whether the files were written
+[[nodiscard]] bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result,
+                                     int sensor, const AcceptedWords& words);
+
+}  // namespace fyd::console

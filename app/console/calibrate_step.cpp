@@ -1,0 +1,60 @@
+#include "app/console/calibrate_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/number_text.h"
+
+namespace fyd::console {
+
+QStringList CalibrationStep::row(const CalibrationPoint& point) const {
+  QStringList out;
+  for (const double value : point) {
+    const int digits_before = std::abs(value) >= 1.0 ? 1 + static_cast<int>(std::log10(std::abs(value))) : 1;
+    out << widgets::numberText(value, std::clamp(5 - digits_before, 0, 4));
+  }
+  return out;
+}
+
+std::vector<std::unique_ptr<CalibrationStep>> makeCalibrationSteps(const station::Profile& profile) {
+  std::vector<std::unique_ptr<CalibrationStep>> out;
+  out.push_back(makeNoTouchStep());
+  out.push_back(makeLoadCellStep());
+  const std::size_t sensors = profile.step.sensing.indentation.ir_x_mm.size();
+  for (std::size_t i = 0; i < std::min(sensors, sensing::kMaximumIrSensors); ++i) out.push_back(makeIrStep(i));
+  out.push_back(makeCameraRegionStep());
+  out.push_back(makeCameraScaleStep());
+  return out;
+}
+
+Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const std::string& name) {
+  constexpr double kStale_ms = 500.0;
+  for (const device::DeviceReport& device : devices) {
+    for (const device::ReportValue& value : device.values) {
+      if (value.name != name || !value.text.empty()) continue;
+      if (!device.ok) return fail("{} does not answer: {}", device.name, device.problem);
+      if (!(device.age_ms <= kStale_ms))
+        return fail("{}'s newest reading is {:.0f} ms old", device.name, device.age_ms);
+      if (!std::isfinite(value.number)) return fail("{} is not known: check its cable", name);
+      return value.number;
+    }
+  }
+  return fail("no device tells '{}': look under Devices whether the touchpad answers", name);
+}
+
+sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& p, std::size_t sensor) {
+  const auto code = [sensor](const ParameterList& list, int otherwise) {
+    return sensor < list.size() ? static_cast<int>(list[sensor]) : otherwise;
+  };
+  constexpr int kLowest = 524, kHighest = 3408;  // as sensing.ir_lowest_code and its fellow by default
+  return {p.ir_curve_mm[sensor].view(), code(p.ir_lowest_code, kLowest), code(p.ir_highest_code, kHighest),
+          p.ir_curve_form[sensor]};
+}
+
+CalibrationFit noPoints(const QString& missing) {
+  CalibrationFit out;
+  out.missing = missing;
+  return out;
+}
+
+}  // namespace fyd::console

@@ -1,0 +1,115 @@
+// One part of the calibration: what the operator is to do, which signals a point takes, how points are fitted, what is
+// still missing. The place "Calibrate" shows any of them in the same way.
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <QRect>
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/calibration/calibration_result.h"
+#include "core/device/device_report.h"
+#include "core/pipeline/telemetry.h"
+#include "core/station/profile.h"
+#include "widgets/fit_plot.h"
+
+namespace fyd::console {
+
+/// What the operator types for each point.
+struct CalibrationEntry {
+  QString name;
+  QStringList units;             ///< the first is what points are kept in
+  std::vector<double> per_unit;  ///< what one of each unit is in the first
+  double lowest = 0.0;           ///< in the first unit
+  double highest = 0.0;
+  int decimals = 2;
+};
+
+/// A signal that a point is averaged of.
+struct CalibrationSignal {
+  QString name;
+  QString unit;
+  int decimals = 3;
+  double largest_spread = 0.0;  ///< standard deviation beyond which it counts as moving
+};
+
+/// A point's figures, in the order of `columns`.
+using CalibrationPoint = std::vector<double>;
+
+/// What a step may look at.
+struct CalibrationScene {
+  const std::vector<device::DeviceReport>& devices;
+  const pipeline::TelemetrySample& newest;
+  const station::Profile& profile;  ///< with the values in force
+  const QImage& picture;
+  std::optional<QPointF> place_px;  ///< clicked in the picture
+  QRect rectangle_px;               ///< dragged there
+};
+
+struct CalibrationFit {
+  calibration::CalibrationResult result;
+  widgets::FitView plot;
+  QString legend;   ///< what the lines of the plot are
+  QString missing;  ///< coverage: which points to add; empty when there are enough
+};
+
+class CalibrationStep {
+ public:
+  virtual ~CalibrationStep() = default;
+  [[nodiscard]] virtual QString id() const = 0;  ///< "load-cell", "ir-2"
+  [[nodiscard]] virtual QString name() const = 0;
+  [[nodiscard]] virtual std::string procedure() const = 0;  ///< as in the record
+  [[nodiscard]] virtual int sensor() const { return 0; }
+  /// What to do now, in one sentence.
+  [[nodiscard]] virtual QString instruction(const std::vector<CalibrationPoint>& points) const = 0;
+  [[nodiscard]] virtual QStringList columns() const = 0;
+  /// A point as the table shows it, one word for each column.
+  [[nodiscard]] virtual QStringList row(const CalibrationPoint& point) const;
+  [[nodiscard]] virtual std::vector<CalibrationEntry> entries() const { return {}; }
+  [[nodiscard]] virtual std::vector<CalibrationSignal> signalsWanted(const station::Profile&) const { return {}; }
+  /// Readings that a point is the mean of, ten a second.
+  [[nodiscard]] virtual int readings() const { return 10; }
+  /// The signals now; an error says in words what is missing and what to do.
+  [[nodiscard]] virtual Result<std::vector<double>> read(const CalibrationScene& scene) const = 0;
+  [[nodiscard]] virtual CalibrationPoint point(const std::vector<double>& entered, const std::vector<double>& mean,
+                                               const std::vector<double>& spread) const = 0;
+  [[nodiscard]] virtual CalibrationFit fit(const std::vector<CalibrationPoint>& points,
+                                           const station::Profile& profile) const = 0;
+  /// Whether a new measurement replaces the former one.
+  [[nodiscard]] virtual bool onePoint() const { return false; }
+
+  enum class Picture { none, place, rectangle };
+  [[nodiscard]] virtual Picture picture() const { return Picture::none; }
+  /// Places of the points in the picture.
+  [[nodiscard]] virtual std::vector<QPointF> marks(const std::vector<CalibrationPoint>&) const { return {}; }
+
+  /// Points that the simulated touchpad would give, from its own truth and noise; empty: the operator's procedure is
+  /// run on the simulation itself, its finger lifted.
+  [[nodiscard]] virtual std::vector<CalibrationPoint> simulatedPoints(const station::Profile&) const { return {}; }
+};
+
+/// All that are built, in the order in which they are best done.
+[[nodiscard]] std::vector<std::unique_ptr<CalibrationStep>> makeCalibrationSteps(const station::Profile& profile);
+
+/// The named value of the first device that has it; an error says what was looked for.
+[[nodiscard]] Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const std::string& name);
+
+/// A distance sensor with its curve and span in force.
+[[nodiscard]] sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& parameters,
+                                                   std::size_t sensor);
+
+/// A fit that has no points yet.
+[[nodiscard]] CalibrationFit noPoints(const QString& missing);
+
+std::unique_ptr<CalibrationStep> makeNoTouchStep();
+std::unique_ptr<CalibrationStep> makeLoadCellStep();
+/// @param sensor 0…7
+std::unique_ptr<CalibrationStep> makeIrStep(std::size_t sensor);
+std::unique_ptr<CalibrationStep> makeCameraRegionStep();
+std::unique_ptr<CalibrationStep> makeCameraScaleStep();
+
+}  // namespace fyd::console

@@ -1,0 +1,370 @@
+// The place "Calibrate" by clicks and keys: points with known weights and distances, entries that are none, signals
+// that move, what is missing, what "Accept" writes and what "Discard" leaves alone.
+#include <fstream>
+
+#include "app/console/calibrate_page.h"
+#include "app/console/calibrate_records.h"
+#include "core/base/units.h"
+#include "core/sim/ir_sensor.h"
+#include "core/sim/picture.h"
+#include "core/station/calibration_file.h"
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+
+using pipeline::SafetyState;
+
+namespace {
+
+constexpr double kSlope_g = 900.0;  // of the cell that the test plays
+constexpr double kOffset_g = -10.0;
+
+device::DeviceReport touchpad(double bridge_mV_per_V, double ir_counts = 1500.0) {
+  device::DeviceReport out{.name = "Touchpad", .kind = "Modbus TCP", .description = "10.0.0.7:502"};
+  out.ok = true;
+  out.age_ms = 4.0;
+  for (int i = 1; i <= 3; ++i) {
+    out.values.push_back({.name = fmt::format("IR sensor {}", i), .number = ir_counts, .unit = "counts"});
+  }
+  out.values.push_back({.name = "load cell", .number = bridge_mV_per_V, .unit = "mV/V"});
+  return out;
+}
+
+double bridgeOf(double grams) { return (grams - kOffset_g) / kSlope_g; }
+
+struct Calibrating : Fixture {
+  explicit Calibrating(const char* part) {
+    session->reports = {touchpad(bridgeOf(0.0))};
+    QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+    page = qobject_cast<console::CalibratePage*>(window->frame()->page(QStringLiteral("calibrate")));
+    page->choose(QLatin1String(part));
+    state(SafetyState::stopped);
+  }
+  void state(SafetyState now) {
+    session->say(now);
+    window->feed().pump();
+  }
+  void type(int entry, const QString& text) {
+    QLineEdit* field = page->entries()->field(static_cast<std::size_t>(entry));
+    field->selectAll();
+    QTest::keyClick(field, Qt::Key_Delete);
+    QTest::keyClicks(field, text);
+  }
+  void click(QPushButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
+  void readings(int count) {
+    for (int i = 0; i < count; ++i) page->poll();
+  }
+  /// A point with what is played and typed now.
+  void take(const QString& text, int count = 10) {
+    type(0, text);
+    click(page->takeButton());
+    readings(count);
+  }
+  [[nodiscard]] std::string profilePath() const {
+    return folder.filePath(QStringLiteral("profile.toml")).toStdString();
+  }
+  [[nodiscard]] QString partText(const char* name) const {
+    for (int i = 0; i < page->parts()->count(); ++i) {
+      if (page->parts()->item(i)->text().contains(QLatin1String(name))) return page->parts()->item(i)->text();
+    }
+    return {};
+  }
+  console::CalibratePage* page;
+};
+
+}  // namespace
+
+class CalibrateTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void aLoadCellFromKnownWeightsToTheFiles() {
+    Calibrating c("load-cell");
+    QCOMPARE(c.window->frame()->place(), QStringLiteral("calibrate"));
+    QVERIFY(c.partText("Load cell").contains(QLatin1String("never calibrated")));
+    QVERIFY(!c.page->acceptButton()->isEnabled());
+    QComboBox* unit = c.page->entries()->unit(0);
+    QTest::keyClick(unit, Qt::Key_Down);
+    QCOMPARE(unit->currentText(), QStringLiteral("g"));
+    c.take(QStringLiteral("0"));
+    c.session->reports = {touchpad(bridgeOf(200.0))};
+    c.take(QStringLiteral("200"));
+    QCOMPARE(c.page->points().size(), std::size_t{2});
+    QVERIFY2(c.page->fitPanel()->verdict().startsWith(QLatin1String("Not yet: 2 different weights")),
+             qPrintable(c.page->fitPanel()->verdict()));
+    QVERIFY(c.page->missing().contains(QLatin1String("add weights between")));
+    QVERIFY(!c.page->acceptButton()->isEnabled());
+    QTest::keyClick(unit, Qt::Key_Up);  // the same cell in newtons
+    for (const double force_N : {4.0, 6.0}) {
+      c.session->reports = {touchpad(bridgeOf(force_N * 1000.0 / kStandardGravity))};
+      c.take(QString::number(force_N));
+    }
+    QCOMPARE(c.page->points().size(), std::size_t{4});
+    QVERIFY(std::abs(c.page->points()[1][1] - 0.2 * kStandardGravity) < 1e-9);
+    QVERIFY2(c.page->fitPanel()->verdict().startsWith(QLatin1String("Good")),
+             qPrintable(c.page->fitPanel()->verdict()));
+    QCOMPARE(c.page->fitPanel()->plot()->fit().points.size(), std::size_t{4});
+    QCOMPARE(c.page->fitPanel()->plot()->fit().residuals.size(), std::size_t{4});
+    QVERIFY(!c.page->fitPanel()->plot()->fit().former_curve.empty());
+    QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("of at most 0.100 N")));
+    QCOMPARE(c.page->fitPanel()->changes()->item(0, 1)->text(), QStringLiteral("1004.9"));
+    QCOMPARE(c.page->fitPanel()->changes()->item(0, 2)->text().toDouble(), kSlope_g);
+    QVERIFY(!QFileInfo::exists(QString::fromStdString(c.profilePath())));
+
+    c.state(SafetyState::active);
+    c.click(c.page->acceptButton());
+    QVERIFY(c.page->hint().contains(QLatin1String("press Esc first")));
+    QVERIFY(!QFileInfo::exists(QString::fromStdString(c.profilePath())));
+    QCOMPARE(c.session->begun_anew, 0);
+
+    c.state(SafetyState::stopped);
+    QTest::keyClicks(c.page->fitPanel()->who(), QStringLiteral("R. Lee"));
+    QTest::keyClicks(c.page->fitPanel()->conditions(), QStringLiteral("21 C"));
+    c.click(c.page->acceptButton());
+    const auto profile = station::loadProfile(c.profilePath());
+    QVERIFY(profile.has_value());
+    QVERIFY(std::abs(profile->step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
+    QVERIFY(std::abs(profile->step.sensing.load_cell.offset_g - kOffset_g) < 1e-6);
+    const auto records = station::loadCalibrationRecords(c.profilePath());
+    QVERIFY(records.has_value());
+    QCOMPARE(records->size(), std::size_t{1});
+    QCOMPARE(records->front().procedure, std::string("load-cell"));
+    QCOMPARE(records->front().who, std::string("R. Lee"));
+    QCOMPARE(records->front().conditions, std::string("21 C"));
+    QCOMPARE(records->front().points, std::int64_t{4});
+    QCOMPARE(c.session->begun_anew, 1);
+    QVERIFY(std::abs(c.session->profile.step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
+    QCOMPARE(c.session->commands.size(), std::size_t{0});
+    QVERIFY(c.page->points().empty());
+    QVERIFY2(c.partText("Load cell").contains(QLatin1String("calibrated today")), qPrintable(c.partText("Load cell")));
+    // "Save profile" must not bring the old values back.
+    c.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
+    QVERIFY(std::abs(station::loadProfile(c.profilePath())->step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) <
+            1e-6);
+  }
+
+  void entriesThatAreNoneAreSaidInWords() {
+    Calibrating c("load-cell");
+    const auto refused = [&](const QString& text, const char* expected) {
+      c.take(text);
+      const QString words = c.page->entries()->problem();
+      QVERIFY2(words.contains(QLatin1String(expected)), qPrintable(text + QStringLiteral(": ") + words));
+      QVERIFY(c.page->points().empty());
+    };
+    refused(QString(), "type a number first");
+    refused(QStringLiteral("two"), "\"two\" is no number");
+    refused(QStringLiteral("nan"), "is no number");
+    refused(QStringLiteral("-1"), "out of range; expected 0 to 100 N");
+    refused(QStringLiteral("1e300"), "out of range");
+    QTest::keyClick(c.page->entries()->unit(0), Qt::Key_Down);
+    refused(QStringLiteral("20000"), "expected 0 to 10197 g");
+    c.take(QStringLiteral("1,5"));  // a comma is as good as a point
+    QCOMPARE(c.page->points().size(), std::size_t{1});
+    QVERIFY(c.page->entries()->problem().isEmpty());
+    c.click(c.page->backButton());
+    QVERIFY(c.page->points().empty());
+    c.type(0, QStringLiteral("7"));
+    QTest::keyClick(c.page->entries()->field(0), Qt::Key_Return);
+    c.readings(10);
+    QCOMPARE(c.page->points().size(), std::size_t{1});
+  }
+
+  void aSignalThatMovesOrIsSilentGivesNoPoint() {
+    Calibrating c("load-cell");
+    c.type(0, QStringLiteral("1"));
+    c.click(c.page->takeButton());
+    for (int i = 0; i < 10; ++i) {
+      c.session->reports = {touchpad(0.1 + 0.02 * i)};
+      c.page->poll();
+    }
+    QVERIFY(c.page->points().empty());
+    QVERIFY2(c.page->hint().contains(QLatin1String("Bridge moves by")), qPrintable(c.page->hint()));
+    c.session->reports[0].ok = false;
+    c.session->reports[0].problem = "no answer";
+    c.click(c.page->takeButton());
+    QVERIFY2(c.page->hint().contains(QLatin1String("Touchpad does not answer: no answer")), qPrintable(c.page->hint()));
+    c.session->reports = {touchpad(0.1)};
+    c.session->reports[0].age_ms = 2000.0;
+    c.click(c.page->takeButton());
+    QVERIFY(c.page->hint().contains(QLatin1String("2000 ms old")));
+    c.session->reports.clear();
+    c.readings(1);
+    QVERIFY(c.page->live().contains(QLatin1String("no device tells 'load cell'")));
+    QVERIFY(c.page->points().empty());
+  }
+
+  void aDistanceSensorFromTypedDistances() {
+    Calibrating c("ir-2");
+    for (double distance_mm = 40.0; distance_mm <= 300.0; distance_mm += 20.0) {
+      c.session->reports = {touchpad(0.1, sim::irCode(sim::irVolts(distance_mm)))};
+      c.take(QString::number(distance_mm));
+    }
+    QVERIFY2(c.page->fitPanel()->verdict().startsWith(QLatin1String("Good")),
+             qPrintable(c.page->fitPanel()->verdict()));
+    c.click(c.page->acceptButton());
+    const auto profile = station::loadProfile(c.profilePath());
+    QVERIFY(profile.has_value());
+    const sensing::IndentationParameters& p = profile->step.sensing.indentation;
+    QVERIFY(p.ir_curve_mm[0].size() == 0 && p.ir_curve_mm[2].size() == 0);
+    const sensing::IrDistance sensor(p.ir_curve_mm[1].view(), static_cast<int>(p.ir_lowest_code[1]),
+                                     static_cast<int>(p.ir_highest_code[1]), p.ir_curve_form[1]);
+    for (const double distance_mm : {50.0, 110.0, 190.0}) {
+      const auto read = sensor.read(sim::irCode(sim::irVolts(distance_mm)));
+      QVERIFY(read.valid);
+      QVERIFY2(std::abs(read.distance_mm - distance_mm) < 2.0, qPrintable(QString::number(read.distance_mm)));
+    }
+    const auto records = station::loadCalibrationRecords(c.profilePath());
+    QCOMPARE(records->size(), std::size_t{1});
+    QCOMPARE(records->front().sensor, 2);
+    QVERIFY(c.partText("sensor 2").contains(QLatin1String("calibrated today")));
+    QVERIFY(c.partText("sensor 1").contains(QLatin1String("never calibrated")));
+  }
+
+  void discardKeepsTheOldValuesAndRefusedFilesToo() {
+    Calibrating c("load-cell");
+    c.click(c.page->simulateButton());
+    QVERIFY(c.page->acceptButton()->isEnabled());
+    c.click(c.page->discardButton());
+    QVERIFY(c.page->points().empty());
+    QVERIFY(!c.page->acceptButton()->isEnabled());
+    QVERIFY(!QFileInfo::exists(QString::fromStdString(c.profilePath())));
+    QCOMPARE(c.session->profile.step.sensing.load_cell.slope_g_per_mV_per_V, 1004.8805);
+    // A record that cannot be read stops the writing.
+    std::ofstream(station::calibrationFileOf(c.profilePath())) << "format = 99\n";
+    c.click(c.page->simulateButton());
+    c.click(c.page->acceptButton());
+    QVERIFY(!QFileInfo::exists(QString::fromStdString(c.profilePath())));
+    QCOMPARE(c.session->begun_anew, 0);
+    QVERIFY(!c.page->points().empty());
+  }
+
+  void simulatedPointsSayThatTheyAre() {
+    Calibrating c("load-cell");
+    c.take(QStringLiteral("1"));
+    c.click(c.page->simulateButton());
+    QVERIFY(c.page->hint().contains(QLatin1String("discard them before")));
+    c.click(c.page->discardButton());
+    for (const char* part : {"load-cell", "ir-1", "camera-region", "camera"}) {
+      c.page->choose(QLatin1String(part));
+      c.click(c.page->simulateButton());
+      QVERIFY(c.page->missing().contains(QLatin1String("Simulated points")));
+      QVERIFY2(c.page->acceptButton()->isEnabled(), qPrintable(QLatin1String(part) + c.page->fitPanel()->verdict()));
+      c.click(c.page->acceptButton());
+    }
+    const auto records = station::loadCalibrationRecords(c.profilePath());
+    QCOMPARE(records->size(), std::size_t{4});
+    for (const auto& record : *records) QCOMPARE(record.conditions, std::string("simulated points"));
+    QVERIFY(std::abs(c.session->profile.step.sensing.finger.scale_x_mm_per_px - 100.0 / 220.0) < 0.01);
+    // The untouched cloth is measured on the simulation itself, its finger lifted.
+    const double counts = sim::irCode(sim::irVolts(100.0));
+    c.session->reports = {touchpad(0.03, counts)};
+    c.page->choose(QStringLiteral("no-touch"));
+    c.click(c.page->simulateButton());
+    QCOMPARE(c.session->finger, (std::vector<double>{0.0, 0.0, 0.0}));
+    QTRY_VERIFY_WITH_TIMEOUT(!c.page->points().empty(), 30000);
+    QVERIFY(c.session->finger.empty());
+  }
+
+  void theUntouchedCloth() {
+    Calibrating c("no-touch");
+    c.session->reports = {touchpad(0.03, sim::irCode(sim::irVolts(110.0)))};
+    pipeline::TelemetrySample touched;
+    touched.now = instantAt(1.0);
+    touched.state = SafetyState::stopped;
+    touched.contact = true;
+    c.session->telemetry.push_back(touched);
+    c.window->feed().pump();
+    c.click(c.page->takeButton());
+    QVERIFY(c.page->hint().contains(QLatin1String("sees a finger")));
+    c.state(SafetyState::stopped);
+    c.click(c.page->takeButton());
+    c.readings(30);
+    QCOMPARE(c.page->points().size(), std::size_t{1});
+    QCOMPARE(c.session->profile.step.sensing.indentation.ir_offset_mm[0], 100.0);  // nothing before "Accept"
+    c.click(c.page->acceptButton());
+    const auto profile = station::loadProfile(c.profilePath());
+    QVERIFY(profile.has_value());
+    QVERIFY(std::abs(profile->step.sensing.indentation.ir_offset_mm[0] - 110.0) < 0.5);
+    QCOMPARE(c.session->count(pipeline::OperatorAction::tare), 0);
+  }
+
+  void aPrintedTargetByClicksAndArrowKeys() {
+    Calibrating c("camera");
+    c.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
+    c.session->view.number = 1;
+    c.window->feed().pump();
+    c.type(0, QStringLiteral("1"));
+    c.type(1, QStringLiteral("1"));
+    c.click(c.page->takeButton());
+    QVERIFY(c.page->hint().contains(QLatin1String("click a mark")));
+    for (const double y_mm : {-25.0, 25.0}) {
+      for (const double x_mm : {-40.0, 0.0, 40.0}) {
+        const sim::PicturePoint at = sim::pictureOf(x_mm, y_mm);
+        const QPointF drawn = c.page->picture()->drawnAt({at.u_px, at.v_px});
+        QTest::mouseClick(c.page->picture(), Qt::LeftButton, {}, drawn.toPoint());
+        c.type(0, QString::number(x_mm));
+        c.type(1, QString::number(y_mm));
+        c.click(c.page->takeButton());
+      }
+    }
+    QCOMPARE(c.page->points().size(), std::size_t{6});
+    QVERIFY2(c.page->fitPanel()->verdict().startsWith(QLatin1String("Good")),
+             qPrintable(c.page->fitPanel()->verdict()));
+    QTest::keyClick(c.page->picture(), Qt::Key_Right, Qt::ShiftModifier);
+    const QPointF before = *c.page->picture()->place();
+    QTest::keyClick(c.page->picture(), Qt::Key_Down);
+    QCOMPARE(*c.page->picture()->place(), before + QPointF(0, 1));
+    c.click(c.page->acceptButton());
+    const auto profile = station::loadProfile(c.profilePath());
+    QVERIFY(profile.has_value());
+    QVERIFY(std::abs(profile->step.sensing.finger.scale_x_mm_per_px - 100.0 / 220.0) < 0.01);
+  }
+
+  void theClothsRegionIsDragged() {
+    Calibrating c("camera-region");
+    cv::Mat picture(240, 320, CV_8UC1, cv::Scalar(220));
+    picture(cv::Rect(140, 110, 40, 40)).setTo(60);
+    c.session->view.picture = picture;
+    c.session->view.number = 1;
+    c.window->feed().pump();
+    widgets::PicturePick* image = c.page->picture();
+    const auto at = [image](double x, double y) { return image->drawnAt({x, y}).toPoint(); };
+    QTest::mousePress(image, Qt::LeftButton, {}, at(50, 60));
+    QTest::mouseMove(image, at(200, 150));
+    QTest::mouseRelease(image, Qt::LeftButton, {}, at(250, 190));
+    c.click(c.page->takeButton());
+    QVERIFY2(c.page->acceptButton()->isEnabled(), qPrintable(c.page->hint()));
+    c.click(c.page->acceptButton());
+    const auto profile = station::loadProfile(c.profilePath());
+    QVERIFY(profile.has_value());
+    const sensing::FingerParameters& finger = profile->step.sensing.finger;
+    QVERIFY(std::abs(finger.roi_x_px - 50) <= 2 && std::abs(finger.roi_y_px - 60) <= 2);
+    QVERIFY(std::abs(finger.roi_width_px - 200) <= 4 && std::abs(finger.roi_height_px - 130) <= 4);
+    QVERIFY(finger.threshold > 70 && finger.threshold < 215);
+  }
+
+  void agesAreSaid() {
+    calibration::CalibrationRecord record;
+    record.procedure = "load-cell";
+    record.when = "2026-01-01T08:00:00Z";
+    record.changes = {{"sensing.force_zero_N", "0.1", "0"}};
+    const station::Profile profile;
+    const auto state = [&](const char* today) {
+      return console::partStateOf({record}, "load-cell", 0, profile, today).words;
+    };
+    QCOMPARE(state("2026-01-01"), QStringLiteral("fine: calibrated today"));
+    QCOMPARE(state("2026-02-01"), QStringLiteral("fine: calibrated 31 days ago"));
+    QCOMPARE(state("2026-05-01"), QStringLiteral("ageing: calibrated 120 days ago: repeat it soon"));
+    QCOMPARE(state("2027-06-01"), QStringLiteral("old: calibrated 516 days ago: repeat it"));
+    QVERIFY(state("2025-01-01").contains(QLatin1String("in the future")));
+    QCOMPARE(console::partStateOf({record}, "ir", 1, profile, "2026-01-01").words, QStringLiteral("never calibrated"));
+    record.changes = {{"sensing.force_zero_N", "0.1", "0.2"}};
+    QCOMPARE(state("2026-01-11"), QStringLiteral("changed since it was calibrated 10 days ago"));
+  }
+};
+
+std::unique_ptr<QObject> makeCalibrateTest() { return std::make_unique<CalibrateTest>(); }
+
+}  // namespace fyd::tests
+
+#include "calibrate_test.moc"
