@@ -49,6 +49,12 @@ TableLayout sometimes(const char* path, std::vector<Column> columns) {
   return {path, sizeof(Row), std::max<std::size_t>(1, kSmallChunkBytes / sizeof(Row)), false, std::move(columns)};
 }
 
+/// Values that may come with nearly every step: a block fills several chunks, and only its last is written twice.
+template <class Row>
+TableLayout often(const char* path, std::vector<Column> columns) {
+  return {path, sizeof(Row), 64, true, std::move(columns)};
+}
+
 TableLayout telemetryLayout() {
   std::vector<Column> columns{COLUMN(TelemetryRow, now_ns, "ns")};
   std::vector<Column> known{COLUMN(TelemetryRow, t_s, "s"), COLUMN(TelemetryRow, step, "1")};
@@ -135,12 +141,12 @@ std::array<TableLayout, kTableCount> makeLayouts() {
       sometimes<IrRow>("/inputs/ir",
                        timedColumns<IrRow>({COLUMN(IrRow, counts, "ADC code"), COLUMN(IrRow, sensors, "1")})),
       sometimes<BridgeRow>("/inputs/bridge", timedColumns<BridgeRow>({COLUMN(BridgeRow, value_mV_per_V, "mV/V")})),
-      sometimes<MotorFeedbackRow>(
+      often<MotorFeedbackRow>(
           "/inputs/motor_feedback",
           timedColumns<MotorFeedbackRow>(
               {COLUMN(MotorFeedbackRow, current_mA, "mA"), COLUMN(MotorFeedbackRow, position_duty_percent, "%"),
                COLUMN(MotorFeedbackRow, encoder_counts, "count"), COLUMN(MotorFeedbackRow, position_duty_known, "1")})),
-      sometimes<RobotStateRow>(
+      often<RobotStateRow>(
           "/inputs/robot_state",
           timedColumns<RobotStateRow>({COLUMN(RobotStateRow, stiffness_N_per_mm, "N/mm"),
                                        COLUMN(RobotStateRow, x_mm, "mm"), COLUMN(RobotStateRow, y_mm, "mm"),
@@ -148,9 +154,9 @@ std::array<TableLayout, kTableCount> makeLayouts() {
       sometimes<MotorReferenceRow>("/inputs/motor_reference",
                                    timedColumns<MotorReferenceRow>({COLUMN(MotorReferenceRow, first_ticks, "tick"),
                                                                     COLUMN(MotorReferenceRow, second_ticks, "tick")})),
-      sometimes<AccelerationRow>("/inputs/accelerations",
-                                 {COLUMN(AccelerationRow, taken_ns, "ns"), COLUMN(AccelerationRow, x_g, "g"),
-                                  COLUMN(AccelerationRow, y_g, "g"), COLUMN(AccelerationRow, z_g, "g")}),
+      often<AccelerationRow>("/inputs/accelerations",
+                             {COLUMN(AccelerationRow, taken_ns, "ns"), COLUMN(AccelerationRow, x_g, "g"),
+                              COLUMN(AccelerationRow, y_g, "g"), COLUMN(AccelerationRow, z_g, "g")}),
       sometimes<CommandRow>("/inputs/commands", {COLUMN(CommandRow, value, "1"), COLUMN(CommandRow, action, "1")}),
       sometimes<RobotCommandRow>("/inputs/robot_commands", {COLUMN(RobotCommandRow, command, "1")}),
       sometimes<ChangeRow>("/inputs/changes", {COLUMN(ChangeRow, value, "1"), COLUMN(ChangeRow, index, "1")}),
@@ -168,6 +174,7 @@ std::array<TableLayout, kTableCount> makeLayouts() {
       TableLayout{"/camera/bytes", 1, kPictureChunkBytes, false, {}},
       overviewLayout("/overview/rows_25", kBlockSteps / 25, true),
       overviewLayout("/overview/rows_250", 8, false),
+      overviewLayout("/overview/rows_1000", 8, false),
       overviewLayout("/overview/rows_4000", 8, false),
       overviewLayout("/overview/rows_64000", 8, false),
   };

@@ -42,13 +42,14 @@ enum class Table : std::uint8_t {
   link,
   pictures,
   picture_bytes,
-  overview_25,  ///< smallest and largest of each field over so many rows, as the next three
+  overview_25,  ///< smallest and largest of each field over so many rows, as the next four
   overview_250,
+  overview_1000,
   overview_4000,
   overview_64000
 };
-inline constexpr std::size_t kTableCount = 23;
-inline constexpr std::array<std::uint32_t, 4> kOverviewRows{25, kBlockSteps, 4'000, 64'000};
+inline constexpr std::size_t kTableCount = 24;
+inline constexpr std::array<std::uint32_t, 5> kOverviewRows{25, kBlockSteps, 1'000, 4'000, 64'000};
 
 struct StepRow {
   std::int64_t now_ns = 0;
@@ -220,7 +221,6 @@ struct CommitRow {
   std::array<std::uint32_t, kTableCount> crc{};  ///< CRC32C of each table's rows since the last commit
   std::uint32_t closed = 0;                      ///< 1: the last one, nothing follows
   std::uint32_t own_crc = 0;                     ///< CRC32C of this row up to here
-  std::uint32_t reserved = 0;
 };
 
 enum class ColumnType : std::uint8_t { u8, u16, u32, u64, i16, i32, i64, f64 };
@@ -237,15 +237,18 @@ struct TableLayout {
   const char* path = "";
   std::size_t row_bytes = 0;
   std::size_t chunk_rows = 0;
-  bool compressed = false;      ///< only what fills whole chunks with each block
+  /// What fills whole chunks with each block, or nearly: a compressed chunk that is written again takes new space.
+  bool compressed = false;
   std::vector<Column> columns;  ///< none: plain bytes
 };
+
+static_assert(sizeof(CommitRow) == 5 * 8 + kTableCount * 12 + 8, "no unnamed gap");
 
 [[nodiscard]] const TableLayout& layoutOf(Table table);
 [[nodiscard]] const TableLayout& commitLayout();
 
-inline constexpr std::array<Table, 4> kOverviewTables{Table::overview_25, Table::overview_250, Table::overview_4000,
-                                                      Table::overview_64000};
+inline constexpr std::array<Table, kOverviewRows.size()> kOverviewTables{
+    Table::overview_25, Table::overview_250, Table::overview_1000, Table::overview_4000, Table::overview_64000};
 [[nodiscard]] constexpr std::size_t indexOf(Table table) { return static_cast<std::size_t>(table); }
 
 }  // namespace fyd::session

@@ -28,10 +28,17 @@ TEST(RecordingFormat, EveryTelemetryFieldIsAColumnAndNothingElse) {
   }
 }
 
-TEST(RecordingFormat, RowsHaveNoUnnamedGaps) {
+TEST(RecordingFormat, ColumnsLieInOrderWithinTheirRow) {
+  constexpr std::array<std::size_t, 8> kBytes{1, 2, 4, 8, 2, 4, 8, 8};
   for (std::size_t i = 0; i < kTableCount; ++i) {
     const TableLayout& layout = layoutOf(static_cast<Table>(i));
-    for (const Column& column : layout.columns) EXPECT_LE(column.offset, layout.row_bytes) << layout.path;
+    std::vector<bool> taken(layout.row_bytes);
+    for (const Column& column : layout.columns)
+      for (std::size_t b = 0; b < column.count * kBytes[static_cast<std::size_t>(column.type)]; ++b) {
+        ASSERT_LT(column.offset + b, layout.row_bytes) << layout.path;
+        EXPECT_FALSE(taken[column.offset + b]) << layout.path << " " << column.name;
+        taken[column.offset + b] = true;
+      }
   }
 }
 

@@ -63,6 +63,8 @@ inline StepRecord plainStep(std::uint64_t row) {
   record.inputs.finger.count = row / 33;
   record.inputs.bridge.count = row / 12;
   record.inputs.bridge.value.value_mV_per_V = static_cast<double>(row / 12);
+  record.inputs.motors.count = row;
+  record.inputs.motors.value.current_mA = {std::sin(static_cast<double>(row)), 1.0};
   record.motors.reference_ticks = {static_cast<std::int16_t>(row % 1000), 0};
   return record;
 }
