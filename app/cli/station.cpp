@@ -13,6 +13,7 @@
 #include "app/cli/profile_options.h"
 #include "app/cli/telemetry_csv.h"
 #include "core/station/option_words.h"
+#include "core/session/catalogue.h"
 #include "core/station/station.h"
 
 namespace fyd::cli {
@@ -29,6 +30,7 @@ struct Options {
   std::string telemetry;
   std::string touchpad;
   session::RecordingRequest record;
+  std::string catalogue;
   bool headless = false;
   bool simulate = false;
   bool json = false;
@@ -171,6 +173,9 @@ void run(const Options& options) {
   if (!options.station.record) return;
   const session::RecorderStatus recorded = station->recorderStatus();
   if (recorded.state == session::RecorderState::failed) throw Failure("recording: " + recorded.problem);
+  // The recording is closed and safe whatever becomes of its entry.
+  const auto entered = session::catalogueRecording(options.catalogue, options.station.record->path);
+  if (!entered) spdlog::warn("catalogue: {}", entered.error().message);
 }
 
 }  // namespace
@@ -196,6 +201,7 @@ void add_station(CLI::App& app) {
   command->add_option("--subject", options->record.subject, words::kSubject);
   command->add_option("--notes", options->record.notes, words::kNotes);
   command->add_option("--tag", options->record.tags, words::kTag)->allow_extra_args(false);
+  command->add_option("--catalogue", options->catalogue, words::kCatalogue);
   command->add_option("--telemetry", options->telemetry, "Write every step's sample to this CSV file");
   command->add_flag("--json", options->json, "Result as JSON");
   command->callback([options] {

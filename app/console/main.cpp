@@ -69,8 +69,9 @@ int main(int argc, char** argv) {
 
   QApplication application(argc, argv);
   fyd::widgets::Look::instance().apply(application, options->theme);
-  fyd::console::MainWindow window(std::move(*session), profile_path);
+  fyd::console::MainWindow window(std::move(*session), profile_path, options->catalogue);
   if (!options->page.isEmpty()) window.frame()->go(options->page);
+  if (!options->review.isEmpty()) window.review(options->review);
   window.show();
   window.start();
   if (!options->screenshot.isEmpty()) takePictureAfter(window, *options);

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QScreen>
 
+#include "app/console/review_page.h"
 #include "app/console/views.h"
 #include "widgets/icon.h"
 
@@ -13,8 +14,9 @@ namespace fyd::console {
 
 using widgets::Severity;
 
-MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_path)
+MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue)
     : session_(std::move(session)),
+      catalogue_(catalogue),
       tuning_(*session_, profile_path),
       feed_(new SessionFeed(*session_, this)),
       commands_(new CommandRegistry(this)),
@@ -48,9 +50,11 @@ MainWindow::~MainWindow() {
 
 PageContext MainWindow::context() {
   return {
-      .session = *session_, .feed = *feed_, .tuning = tuning_, .tell = [this](Severity severity, const QString& text) {
-        tell(severity, text);
-      }};
+      .session = *session_,
+      .feed = *feed_,
+      .tuning = tuning_,
+      .catalogue = catalogue_,
+      .tell = [this](Severity severity, const QString& text) { tell(severity, text); }};
 }
 
 OperatePage* MainWindow::operate() const { return qobject_cast<OperatePage*>(frame_->page(QStringLiteral("operate"))); }
@@ -60,8 +64,14 @@ void MainWindow::start() {
   feed_->start();
 }
 
+void MainWindow::review(const QString& recording) {
+  frame_->go(QStringLiteral("review"));
+  qobject_cast<ReviewPage*>(frame_->page(QStringLiteral("review")))->open(recording);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   session_->requestStop();
+  recording_->finish();
   session_->shutDown();
   event->accept();
 }

@@ -28,13 +28,17 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
   /// @param profile_path where "Save profile" writes
-  MainWindow(std::unique_ptr<Session> session, const QString& profile_path);
+  /// @param catalogue of sessions, word as after --catalogue
+  MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue = {});
   ~MainWindow() override;
 
   /// Starts the session's threads and the flow of news.
   void start();
   /// Arms once when first Ready, as a headless station does; for pictures of the window.
   void armOnce() { arm_once_ = true; }
+
+  /// Goes to the place "Review" and opens a recording there.
+  void review(const QString& recording);
 
   [[nodiscard]] Session& session() { return *session_; }
   [[nodiscard]] SessionFeed& feed() { return *feed_; }
@@ -64,6 +68,7 @@ class MainWindow : public QMainWindow {
   void takeNotice(const station::Notice& notice);
 
   std::unique_ptr<Session> session_;
+  QString catalogue_;
   TuningBridge tuning_;
   SessionFeed* feed_;
   CommandRegistry* commands_;

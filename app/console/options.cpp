@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/console/page.h"
+#include "core/session/catalogue_word.h"
 #include "core/station/option_words.h"
 #include "widgets/number_text.h"
 
@@ -38,6 +39,8 @@ constexpr OptionInfo kOptions[] = {
     {"subject", "CODE", words::kSubject},
     {"notes", "TEXT", words::kNotes},
     {"tag", "WORD", words::kTag},
+    {"catalogue", "CATALOGUE", words::kCatalogue},
+    {"review", "FILE", QT_TRANSLATE_NOOP("Options", "Recording to review at once.")},
     {"profile", "FILE", QT_TRANSLATE_NOOP("Options", "Profile to load and to save to.")},
     {"theme", "NAME", QT_TRANSLATE_NOOP("Options", "dark, light or system; default: system.")},
     {"page", "NAME", QT_TRANSLATE_NOOP("Options", "Place of the window to begin with, such as operate or devices.")},
@@ -133,11 +136,17 @@ Result<Options> readOptions(const QStringList& arguments) {
   if (!station) return tl::unexpected(station.error());
   options.station = std::move(*station);
   options.profile = parser.value(QStringLiteral("profile"));
+  options.catalogue = parser.value(QStringLiteral("catalogue"));
+  options.review = parser.value(QStringLiteral("review"));
   options.theme = *theme;
   options.page = parser.value(QStringLiteral("page"));
   options.screenshot = parser.value(QStringLiteral("screenshot"));
   options.screenshot_after_s = *seconds;
   if (const auto ok = checkPage(options.page); !ok) return tl::unexpected(ok.error());
+  if (const auto ok = checkReadable("--review", options.review.toStdString()); !ok) return tl::unexpected(ok.error());
+  if (const auto ok = session::parseCatalogueWord(options.catalogue.toStdString()); !ok) {
+    return fail("--catalogue: {}", ok.error().message);
+  }
   return options;
 }
 

@@ -13,6 +13,8 @@ namespace fyd::console {
 struct Options {
   station::StationOptions station;  ///< without the profile: that is read from `profile`
   QString profile;                  ///< empty: defaults
+  QString catalogue;                ///< word of the catalogue of sessions; empty: this user's own
+  QString review;                   ///< recording to review at once; empty: none
   widgets::ThemeChoice theme = widgets::ThemeChoice::system;
   QString page;        ///< place to begin with; empty: the first
   QString screenshot;  ///< empty: none

@@ -18,6 +18,7 @@ struct PageContext {
   Session& session;
   SessionFeed& feed;
   TuningBridge& tuning;
+  QString catalogue;  ///< word as after --catalogue; empty: this user's own
   std::function<void(widgets::Severity, const QString&)> tell;  ///< slides in as a notice, and goes to the log
 };
 

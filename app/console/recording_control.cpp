@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include "core/session/catalogue.h"
 #include "widgets/device_text.h"
 
 namespace fyd::console {
@@ -108,6 +109,7 @@ void RecordingControl::stop() {
   if (stopped) {
     last_.state = RecorderState::idle;
     context_.tell(Severity::information, tr("Recording closed: %1.").arg(QDir::toNativeSeparators(file)));
+    enterIntoCatalogue(file);
   } else {
     context_.tell(Severity::error,
                   tr("The recording did not close as it should. %1. What was written before is safe: it is repaired "
@@ -116,6 +118,22 @@ void RecordingControl::stop() {
   }
   form_->suggest();
   context_.feed.pump();
+}
+
+void RecordingControl::finish() {
+  if (recording()) stop();
+}
+
+// A catalogue may be a server that does not answer: never on the window's thread.
+void RecordingControl::enterIntoCatalogue(const QString& file) {
+  if (!QFileInfo::exists(file)) return;
+  catalogue_work_.run([this, catalogue = context_.catalogue.toStdString(),
+                       path = file.toStdString()](const std::stop_token&) -> Background::Finish {
+    const auto entered = session::catalogueRecording(catalogue, path);
+    return [this, entered] {
+      if (!entered) context_.tell(Severity::warning, text(entered.error().message));
+    };
+  });
 }
 
 void RecordingControl::mark() {

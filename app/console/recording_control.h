@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "app/console/background.h"
 #include "app/console/page.h"
 #include "app/console/side_dock.h"
 #include "widgets/record_button.h"
@@ -23,6 +24,8 @@ class RecordingControl : public QObject {
   /// The state bar's button shows what the recorder does, and opens the panel.
   void connectButton(widgets::RecordButton* button);
   void addCommands(CommandRegistry& commands);
+  /// The window closes: so does a recording under way.
+  void finish();
   /// The next file: documents, a folder for sessions, date, time and subject.
   [[nodiscard]] static QString suggestedFile(const QString& subject);
 
@@ -30,6 +33,7 @@ class RecordingControl : public QObject {
   void open();
   void start(const widgets::RecordingEntries& entries);
   void stop();
+  void enterIntoCatalogue(const QString& file);
   void mark();
   void note(const QString& text);
   void take(const session::RecorderStatus& status);
@@ -43,6 +47,7 @@ class RecordingControl : public QObject {
   widgets::RecordButton* button_ = nullptr;
   session::RecorderStatus last_;
   int markers_ = 0;
+  Background catalogue_work_;
 };
 
 }  // namespace fyd::console

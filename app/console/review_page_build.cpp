@@ -29,7 +29,7 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
     : Page(parent),
       context_(context),
       stack_(new QStackedWidget(this)),
-      list_(new SessionList(QString(), this)),
+      list_(new SessionList(context.catalogue, this)),
       overview_(new widgets::SessionOverview(this)),
       curves_(new ReviewCurves(this)) {
   auto* layout = new QVBoxLayout(this);

@@ -16,6 +16,8 @@ inline constexpr const char* kRecord = "Record the session into this new file (.
 inline constexpr const char* kOperator = "Who operates, for the recording";
 inline constexpr const char* kSubject = "Code of the subject, never a name, for the recording";
 inline constexpr const char* kNotes = "A line about the session, for the recording";
+inline constexpr const char* kCatalogue =
+    "Catalogue of sessions: sqlite:PATH, postgresql:host=… dbname=… user=… or none; default: this user's own";
 inline constexpr const char* kTag = "A word to find the recording by; may be given again";
 
 /// When a recording is described and none is asked for.

@@ -6,6 +6,9 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["FYD"]
+# What programs keep of a user (the catalogue of sessions) stays out of the tester's own folders.
+HOME = tempfile.TemporaryDirectory()
+os.environ["XDG_DATA_HOME"] = HOME.name
 DATA = os.path.join(os.environ["FYD_SOURCE_DIR"], "tests", "data")
 
 
