@@ -13,7 +13,7 @@ namespace {
 
 Result<void> writeRows(const Recording& recording, const ExportSelection& selection, ExportFile& file) {
   std::string text = "time_s [s]";  // from the recording's start; t_s is the station's clock, as recorded
-  for (const auto* field : selection.fields) text += "," + columnTitle(*field);
+  for (const auto* field : selection.fields) text.append(1, ',').append(columnTitle(*field));
   text += '\n';
   if (auto written = file.write(text); !written) return written;
   return forEachBlock(recording, selection, [&](std::span<const pipeline::TelemetrySample> rows) {

@@ -26,7 +26,7 @@ Result<ExportFile> ExportFile::create(const std::string& path, bool replace) {
   if (std::filesystem::is_directory(wanted)) return fail("{}: is a folder, not a file", path);
   if (!replace && exists(path)) return fail("{}: exists already", path);
   const std::string extension = wanted.extension().string();
-  std::string name = (wanted.parent_path() / ("." + wanted.stem().string() + ".part-XXXXXX" + extension)).string();
+  std::string name = (wanted.parent_path() / fmt::format(".{}.part-XXXXXX{}", wanted.stem().string(), extension)).string();
   const int file = ::mkostemps(name.data(), static_cast<int>(extension.size()), O_CLOEXEC);
   if (file < 0) return fail("{}: cannot be made: {}", path, std::strerror(errno));
   // mkstemp gives 0600; what a user exports is readable as their other files are.

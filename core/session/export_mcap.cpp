@@ -85,7 +85,7 @@ class McapExport {
   Result<void> rows(std::span<const pipeline::TelemetrySample> rows) {
     for (const pipeline::TelemetrySample& row : rows) {
       if (auto done = othersUntil(secondsInto(recording_.info(), row.now)); !done) return done;
-      text_ = "{";
+      text_.assign(1, '{');
       for (const pipeline::TelemetryField* field : fields_) {
         const double value = field->read(row);
         if (!std::isfinite(value)) continue;  // JSON has no NaN, and null is no number to a viewer

@@ -20,7 +20,7 @@ std::string describeChange(const pipeline::Event& event) {
   const Parameter& parameter = all[event.index];
   const auto choice = static_cast<std::size_t>(std::isfinite(event.value) && event.value >= 0 ? event.value : 1e6);
   if (choice < parameter.choices.size()) return fmt::format("{} = {}", parameter.id, parameter.choices[choice]);
-  const std::string unit = parameter.info.unit == "1" ? "" : " " + std::string(parameter.info.unit);
+  const std::string unit = parameter.info.unit == "1" ? std::string() : fmt::format(" {}", parameter.info.unit);
   return fmt::format("{} = {}{}", parameter.id, event.value, unit);
 }
 
