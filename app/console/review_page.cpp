@@ -91,6 +91,7 @@ void ReviewPage::open(const QString& path) {
   recording_ = std::move(*opened);
   path_ = path;
   auto notes = session::readReviewNotes(path.toStdString());
+  notes_damaged_ = !notes;
   if (notes) {
     review_notes_ = std::move(*notes);
   } else {
@@ -255,6 +256,11 @@ void ReviewPage::writeNote(session::NoteKind kind, const QString& text) {
   const QString what = text.trimmed();
   if (what.isEmpty()) {
     context_.tell(Severity::information, tr("A note needs words."));
+    return;
+  }
+  if (notes_damaged_) {
+    context_.tell(Severity::warning, tr("The note is not written: the file of notes is damaged. Mend or move %1.")
+                                         .arg(QString::fromStdString(session::reviewNotesPath(path_.toStdString()))));
     return;
   }
   const double at_s = player_.time_s();

@@ -79,6 +79,7 @@ class ReviewPage : public Page {
   std::vector<session::Touch> touches_;
   std::vector<session::Touch> other_touches_;
   std::vector<session::ReviewNote> review_notes_;
+  bool notes_damaged_ = false;  // then nothing is written over them
   ReviewPlayer player_;
 
   QStackedWidget* stack_;

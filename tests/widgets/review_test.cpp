@@ -172,6 +172,9 @@ class ReviewTest : public QObject {
     beside.close();
     f.page->open(f.path);
     QVERIFY(f.told().contains(QStringLiteral("note 1")));
+    f.page->writeNote(session::NoteKind::note, QStringLiteral("one more"));
+    QVERIFY(beside.open(QIODevice::ReadOnly));
+    QVERIFY(beside.readAll().startsWith("{\"notes\": [{\"kind\": 3}]}"));
   }
 
   void aSecondSessionLiesOnATouch() {
