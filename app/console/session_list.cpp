@@ -9,6 +9,7 @@
 
 #include "core/session/catalogue.h"
 #include "widgets/number_text.h"
+#include "widgets/theme.h"
 
 namespace fyd::console {
 namespace {
