@@ -62,8 +62,6 @@ void addSessionRecover(CLI::App& parent) {
       throw ExitCode(
           3, fmt::format("{}: a part is lost ({} steps; {}); what can be read is saved in {}, the original is {}",
                          options->file, outcome.lost_steps, outcome.first_damage, outcome.file, outcome.kept));
-      the original is {}",
-                                    options->file, outcome.lost_steps, outcome.steps, outcome.file, outcome.kept));
     }
   });
 }
