@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
   fyd::widgets::Look::instance().apply(application, options->theme);
   fyd::console::MainWindow window(std::move(*session), profile_path, options->catalogue);
   if (!options->page.isEmpty()) window.frame()->go(options->page);
+  if (!options->trials.conditions.isEmpty()) (void)window.trials()->plan(options->trials);  // read and found good
   if (!options->review.isEmpty()) window.review(options->review);
   window.show();
   window.start();

@@ -27,6 +27,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       robot_(new RobotChange(context(), *link_, this)),
       recording_(new RecordingControl(context(), QFileInfo(profile_path).absolutePath() + QStringLiteral("/window.ini"),
                                       this)),
+      trials_(new TrialRun(context(), this)),
       palette_(new CommandPalette(*commands_, this)) {
   setWindowTitle(tr("FYD Console"));
   setWindowIcon(widgets::icon(QStringLiteral("fyd-console")));
@@ -34,6 +35,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
   buildDocks();
   recording_->connectButton(stateBar()->recordButton());
   recording_->addCommands(*commands_);
+  trials_->addCommands(*commands_);
   commands_->fill(*menuBar());
   connectFeed();
   connectStateBar();
@@ -49,12 +51,11 @@ MainWindow::~MainWindow() {
 }
 
 PageContext MainWindow::context() {
-  return {
-      .session = *session_,
-      .feed = *feed_,
-      .tuning = tuning_,
-      .catalogue = catalogue_,
-      .tell = [this](Severity severity, const QString& text) { tell(severity, text); }};
+  return {.session = *session_,
+          .feed = *feed_,
+          .tuning = tuning_,
+          .catalogue = catalogue_,
+          .tell = [this](Severity severity, const QString& text) { tell(severity, text); }};
 }
 
 OperatePage* MainWindow::operate() const { return qobject_cast<OperatePage*>(frame_->page(QStringLiteral("operate"))); }

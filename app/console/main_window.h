@@ -16,6 +16,7 @@
 #include "app/console/robot_change.h"
 #include "app/console/session.h"
 #include "app/console/session_feed.h"
+#include "app/console/trial_run.h"
 #include "app/console/tuning_bridge.h"
 #include "widgets/log_view.h"
 #include "widgets/notice_stack.h"
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CommandRegistry& commands() { return *commands_; }
   [[nodiscard]] LinkDock* link() const { return link_; }
   [[nodiscard]] RecordingControl* recording() const { return recording_; }
+  [[nodiscard]] TrialRun* trials() const { return trials_; }
   [[nodiscard]] CommandPalette* palette() const { return palette_; }
   void tell(widgets::Severity severity, const QString& text, bool slide_in = true);
 
@@ -80,6 +82,7 @@ class MainWindow : public QMainWindow {
   LinkDock* link_;
   RobotChange* robot_;
   RecordingControl* recording_;
+  TrialRun* trials_;
   CommandPalette* palette_;
   bool arm_once_ = false;
 };

@@ -40,6 +40,10 @@ constexpr OptionInfo kOptions[] = {
     {"notes", "TEXT", words::kNotes},
     {"tag", "WORD", words::kTag},
     {"catalogue", "CATALOGUE", words::kCatalogue},
+    {"trials", "A,B,…",
+     QT_TRANSLATE_NOOP("Options", "Conditions of an experiment; Ctrl+Enter begins the next trial and marks it.")},
+    {"trial-repetitions", "N", QT_TRANSLATE_NOOP("Options", "How often each condition comes; default: 1.")},
+    {"trial-seed", "N", QT_TRANSLATE_NOOP("Options", "The same seed gives the same order; default: 1.")},
     {"review", "FILE", QT_TRANSLATE_NOOP("Options", "Recording to review at once.")},
     {"profile", "FILE", QT_TRANSLATE_NOOP("Options", "Profile to load and to save to.")},
     {"theme", "NAME", QT_TRANSLATE_NOOP("Options", "dark, light or system; default: system.")},
@@ -74,6 +78,28 @@ Result<double> readSeconds(const QString& text) {
   const double seconds = widgets::readNumber(text);
   if (seconds >= 0.0 && seconds <= 3600.0) return seconds;
   return fail("--after {}: expected a number of seconds from 0 to 3600", text.toStdString());
+}
+
+Result<TrialWords> readTrials(const QCommandLineParser& parser) {
+  TrialWords words;
+  const QString conditions = parser.value(QStringLiteral("trials"));
+  if (!conditions.isEmpty()) words.conditions = conditions.split(QLatin1Char(','));
+  const auto whole = [&](const char* name, auto& into) {
+    const QString text = parser.value(QLatin1String(name));
+    if (text.isEmpty()) return true;
+    bool good = false;
+    into = static_cast<std::remove_reference_t<decltype(into)>>(text.toUInt(&good));
+    return good;
+  };
+  if (!whole("trial-repetitions", words.repetitions))
+    return fail("--trial-repetitions: expected a whole number from 1");
+  if (!whole("trial-seed", words.seed)) return fail("--trial-seed: expected a whole number from 0");
+  if (words.conditions.isEmpty()) return words;
+  std::vector<std::string> names;
+  for (const QString& each : words.conditions) names.push_back(each.trimmed().toStdString());
+  const auto order = session::orderTrials(names, static_cast<std::size_t>(std::max(0, words.repetitions)), words.seed);
+  if (!order) return fail("--trials: {}", order.error().message);
+  return words;
 }
 
 /// What the station is to be.
@@ -137,6 +163,9 @@ Result<Options> readOptions(const QStringList& arguments) {
   options.station = std::move(*station);
   options.profile = parser.value(QStringLiteral("profile"));
   options.catalogue = parser.value(QStringLiteral("catalogue"));
+  auto trials = readTrials(parser);
+  if (!trials) return tl::unexpected(trials.error());
+  options.trials = std::move(*trials);
   options.review = parser.value(QStringLiteral("review"));
   options.theme = *theme;
   options.page = parser.value(QStringLiteral("page"));

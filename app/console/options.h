@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "app/console/trial_run.h"
 #include "core/base/error.h"
 #include "core/station/station.h"
 #include "widgets/theme.h"
@@ -14,7 +15,8 @@ struct Options {
   station::StationOptions station;  ///< without the profile: that is read from `profile`
   QString profile;                  ///< empty: defaults
   QString catalogue;                ///< word of the catalogue of sessions; empty: this user's own
-  QString review;                   ///< recording to review at once; empty: none
+  TrialWords trials;
+  QString review;  ///< recording to review at once; empty: none
   widgets::ThemeChoice theme = widgets::ThemeChoice::system;
   QString page;        ///< place to begin with; empty: the first
   QString screenshot;  ///< empty: none

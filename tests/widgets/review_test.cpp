@@ -192,6 +192,25 @@ class ReviewTest : public QObject {
     QVERIFY(f.page->curves()->source().valueAt(force, 1.5) > 2.2);  // 2.5 s of its slope
   }
 
+  void trialsAreBegunByAKeyAndMarkedWhileRecordingOnly() {
+    ReviewFixture f;
+    QVERIFY(!f.window->trials()->plan({.conditions = {QStringLiteral("soft"), QStringLiteral("soft")}}));
+    QVERIFY(
+        f.window->trials()->plan({.conditions = {QStringLiteral("soft"), QStringLiteral("hard")}, .repetitions = 2}));
+    QTest::keyClick(f.window.get(), Qt::Key_Return, Qt::ControlModifier);
+    QVERIFY(f.told().contains(QStringLiteral("nothing is being recorded")));
+    QCOMPARE(f.window->trials()->begun(), std::size_t{0});
+    f.session->recorder.state = session::RecorderState::recording;
+    for (int press = 0; press < 6; ++press) QTest::keyClick(f.window.get(), Qt::Key_Return, Qt::ControlModifier);
+    QCOMPARE(f.session->notes.size(), std::size_t{8});  // four trials, each begun and ended
+    for (std::size_t i = 0; i < 8; i += 2) {
+      QVERIFY(f.session->notes[i].first == session::NoteKind::trial_start);
+      QVERIFY(f.session->notes[i + 1].first == session::NoteKind::trial_end);
+      QCOMPARE(f.session->notes[i].second, f.session->notes[i + 1].second);
+    }
+    QVERIFY(f.told().contains(QStringLiteral("All 4")));
+  }
+
   void wrongWhatIfEntriesAreSaidInWords() {
     ReviewFixture f;
     f.openByPath();
