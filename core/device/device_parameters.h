@@ -1,7 +1,7 @@
 // How the console speaks with a real touchpad and its motor board.
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include "core/base/parameter.h"
 
@@ -35,8 +35,9 @@ struct DeviceParameters {
   double stuck_sensor_s = 2.0;
 
   // Where the names are that belong to a device; not for the profile: tests have their own. Empty: stable_name.h's.
-  std::string serial_by_id;
-  std::string cameras_by_id;
+  // What they point to outlives these parameters.
+  std::string_view serial_by_id;
+  std::string_view cameras_by_id;
 
   template <class Visitor>
   void describe(Visitor& v) {

@@ -21,8 +21,8 @@ inline constexpr std::string_view kCamerasById = "/dev/v4l/by-id";
 [[nodiscard]] Result<std::string> resolveDevice(const std::string& text, std::string_view folder);
 
 /// The folder that a test chose, or the system's.
-[[nodiscard]] inline std::string_view folderOr(const std::string& chosen, std::string_view usual) {
-  return chosen.empty() ? usual : std::string_view(chosen);
+[[nodiscard]] inline std::string_view folderOr(std::string_view chosen, std::string_view usual) {
+  return chosen.empty() ? usual : chosen;
 }
 
 }  // namespace fyd::device

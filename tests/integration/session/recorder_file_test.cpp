@@ -1,7 +1,10 @@
 // The recorder with its thread and a real file.
 #include <fstream>
 
+#include <opencv2/core.hpp>
+
 #include "core/session/step_compare.h"
+#include "core/session/step_history.h"
 #include "tests/integration/session/recorder_replay_fixture.h"
 
 namespace fyd::session {

@@ -1,4 +1,6 @@
 // Replay: the same bit for bit, what if, closed loop; and a recording in the place of a device.
+#include <opencv2/core.hpp>
+
 #include "core/session/recorded_camera.h"
 #include "core/session/recorded_touchpad.h"
 #include "tests/integration/session/recorder_replay_fixture.h"

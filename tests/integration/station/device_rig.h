@@ -24,6 +24,7 @@ class DeviceRig {
     static int number = 0;
     folder_ = std::filesystem::path(testing::TempDir()) / fmt::format("fyd-rig-{}-{}", ::getpid(), ++number);
     std::filesystem::create_directories(folder_ / "by-id");
+    by_id_ = (folder_ / "by-id").string();
     startPeer();
     StationOptions options;
     options.robot = "none";
@@ -33,7 +34,7 @@ class DeviceRig {
     options.profile.step.step.bridge_maximum_age_ms = 500.0;
     options.profile.device.qbmove_timeout_ms = 30.0;
     options.profile.device.stuck_sensor_s = 1.0;
-    options.profile.device.serial_by_id = (folder_ / "by-id").string();
+    options.profile.device.serial_by_id = by_id_;
     choose(options);
     station = std::move(*Station::open(options));
     station->start();
@@ -158,6 +159,7 @@ class DeviceRig {
 
   Backend backend_;
   std::filesystem::path folder_;
+  std::string by_id_;
   int starts_ = 0;
   std::uint16_t modbus_port_ = 0;
   std::uint16_t camera_port_ = 0;
