@@ -30,16 +30,24 @@ class NumberTicker : public QCPAxisTicker {
  public:
   /// @param unit_at_zero written after the axis' zero; empty: none
   explicit NumberTicker(QString unit_at_zero = {}) : unit_at_zero_(std::move(unit_at_zero)) {}
+  /// @param at_zero number written where the axis has its zero
+  void setShown(double at_zero) {
+    at_zero_ = at_zero;
+    setTickOrigin(-at_zero);
+  }
 
  protected:
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    QString text = QCPAxisTicker::getTickLabel(tick, locale, format, precision);
+    const double shown = tick + at_zero_;
+    // What rounding leaves of zero is zero.
+    QString text = QCPAxisTicker::getTickLabel(std::abs(shown) < 1e-9 ? 0.0 : shown, locale, format, precision);
     text.replace(QLatin1Char('-'), QChar(0x2212));
-    return tick == 0.0 && !unit_at_zero_.isEmpty() ? text + QLatin1Char(' ') + unit_at_zero_ : text;
+    return shown == 0.0 && !unit_at_zero_.isEmpty() ? text + QLatin1Char(' ') + unit_at_zero_ : text;
   }
 
  private:
   QString unit_at_zero_;
+  double at_zero_ = 0.0;
 };
 
 }  // namespace
@@ -183,6 +191,7 @@ void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
     if (!fixed_range_) shown = {-0.5, static_cast<double>(traces_.size()) - 0.5};
   }
   const double margin = fixed_range_ ? 0.0 : 0.04 * (shown.upper - shown.lower);  // the line at the end stays visible
+  if (time_itself_) static_cast<NumberTicker*>(plot_->xAxis->ticker().data())->setShown(window.to_s());
   drawMarks(window);
   plot_->xAxis->setRange(-window.span_s(), 0.0);
   plot_->yAxis->setRange(shown.lower - margin, shown.upper + margin);

@@ -52,6 +52,8 @@ class CurveStrip : public QWidget {
              QWidget* parent = nullptr);
 
   void draw(const CurveSource& source, const TimeWindow& window);
+  /// The scale tells the time itself, not how long before the right edge.
+  void showTimeItself() { time_itself_ = true; }
   /// Drawn with the next `draw`.
   void setMarks(std::vector<TimeMark> marks) { marks_ = std::move(marks); }
   /// Back to a vertical range that follows the data.
@@ -97,6 +99,7 @@ class CurveStrip : public QWidget {
   std::vector<QCPItemStraightLine*> mark_lines_;  ///< as many as were ever needed; spare ones are hidden
   std::vector<QCPItemText*> mark_names_;
   bool with_time_scale_;
+  bool time_itself_ = false;
   QRubberBand* band_;
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF last_;

@@ -57,6 +57,7 @@ void ReviewCurves::addStrip(const QString& title, const QString& unit, widgets::
   auto* row = new QHBoxLayout;
   row->setSpacing(widgets::kGrid);
   auto* strip = new widgets::CurveStrip(title, unit, least, std::move(traces), last, this);
+  strip->showTimeItself();
   auto* readout = new widgets::Readout(title, unit, std::move(entries), true, this);
   row->addWidget(strip, 1);
   row->addWidget(readout);

@@ -208,7 +208,7 @@ void ReviewPage::look(double time_s) {
   if (!picture) {
     shown_picture_ = 0;
     camera_->setPicture({});
-    camera_words_->setText(QString::fromStdString(picture.error().message));
+    camera_words_->setText(tr("No picture was taken before the cursor."));
     return;
   }
   if (picture->number == shown_picture_) return;

@@ -6,6 +6,7 @@
 #include "core/session/recording_writer.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
+#include "widgets/number_text.h"
 
 namespace fyd::tests {
 
