@@ -12,7 +12,7 @@ const std::vector<CommandInfo>& commandTable() {
   static const std::vector<CommandInfo> kTable = {
       {"session.stop", QT_TRANSLATE_NOOP("Commands", "Session"), QT_TRANSLATE_NOOP("Commands", "Stop"), "stop", "Esc"},
       {"session.tare", "Session", QT_TRANSLATE_NOOP("Commands", "Tare"), "tare", "Ctrl+T"},
-      {"session.next_trial", "Session", QT_TRANSLATE_NOOP("Commands", "Next trial"), "", "Ctrl+Return"},
+      {"session.next_trial", "Session", QT_TRANSLATE_NOOP("Commands", "Next trial"), "", "Ctrl+Shift+M"},
       {"session.save_profile", "Session", QT_TRANSLATE_NOOP("Commands", "Save profile"), "save", "Ctrl+S"},
       {"session.quit", "Session", QT_TRANSLATE_NOOP("Commands", "Quit"), "", "Ctrl+Q"},
       {"view.log", QT_TRANSLATE_NOOP("Commands", "View"), QT_TRANSLATE_NOOP("Commands", "Log"), "log", "Ctrl+L", true},

@@ -41,7 +41,7 @@ constexpr OptionInfo kOptions[] = {
     {"tag", "WORD", words::kTag},
     {"catalogue", "CATALOGUE", words::kCatalogue},
     {"trials", "A,B,…",
-     QT_TRANSLATE_NOOP("Options", "Conditions of an experiment; Ctrl+Enter begins the next trial and marks it.")},
+     QT_TRANSLATE_NOOP("Options", "Conditions of an experiment; Ctrl+Shift+M begins the next trial and marks it.")},
     {"trial-repetitions", "N", QT_TRANSLATE_NOOP("Options", "How often each condition comes; default: 1.")},
     {"trial-seed", "N", QT_TRANSLATE_NOOP("Options", "The same seed gives the same order; default: 1.")},
     {"review", "FILE", QT_TRANSLATE_NOOP("Options", "Recording to review at once.")},

@@ -45,7 +45,7 @@ Result<std::vector<StretchFigures>> figuresBetween(const session::Recording& rec
     return fail("figures from {} s to {} s: expected two times", a_s, b_s);
   const auto first = recording.rowAt(a_s);
   if (!first) return tl::unexpected(first.error());
-  const auto end = recording.rowAt(std::nextafter(b_s, HUGE_VAL));
+  const auto end = recording.rowAt(justAfter(b_s));
   if (!end) return tl::unexpected(end.error());
   std::vector<Sums> sums(kReviewQuantities.size());
   std::vector<pipeline::TelemetrySample> rows;

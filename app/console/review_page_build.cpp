@@ -12,7 +12,7 @@ namespace {
 
 using widgets::kGrid;
 
-constexpr int kSideWidth = 36 * kGrid;
+constexpr int kSideWidth = 30 * kGrid;
 
 QFrame* panel(QWidget* inside, QWidget* parent) {
   auto* frame = new QFrame(parent);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/console/review_source.h"
+
 namespace fyd::console {
 namespace {
 
@@ -60,7 +62,7 @@ void ReviewPlayer::stepSamples(int samples) {
   if (recording_ == nullptr || recording_->info().committed_samples == 0) return;
   stop();
   // The row the cursor stands on is the last one at or before it.
-  const auto next = recording_->rowAt(std::nextafter(time_s_, HUGE_VAL));
+  const auto next = recording_->rowAt(justAfter(time_s_));
   if (!next) return;
   const auto last = static_cast<std::int64_t>(recording_->info().committed_samples) - 1;
   const std::int64_t row = std::clamp<std::int64_t>(static_cast<std::int64_t>(*next) - 1 + samples, 0, last);

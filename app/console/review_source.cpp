@@ -55,7 +55,7 @@ double ReviewSource::valueAt(std::size_t channel, double time_s) const {
   if (layer >= layers_.size() || layers_[layer].recording == nullptr) return pipeline::kNone;
   const session::Recording& recording = *layers_[layer].recording;
   const double at_s = time_s - layers_[layer].later_by_s;
-  const auto next = recording.rowAt(std::nextafter(at_s, HUGE_VAL));
+  const auto next = recording.rowAt(justAfter(at_s));
   if (!next || *next == 0 || at_s > recording.info().duration_s + kLongestStep_s) return pipeline::kNone;
   double value = pipeline::kNone;
   if (auto read = recording.field(fieldIndex(field), *next - 1, {&value, 1}); !read) problem_ = read.error().message;

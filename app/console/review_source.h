@@ -29,6 +29,9 @@ inline constexpr std::array<ReviewQuantity, 5> kReviewQuantities = {{
     {"vibration_duty_percent", QT_TRANSLATE_NOOP("Review", "Vibration"), "%", widgets::Quantity::vibration, 0},
 }};
 
+/// The next moment a recording's clock can tell, to ask for what stands behind a row.
+[[nodiscard]] inline double justAfter(double time_s) { return time_s + 1e-9; }
+
 /// Index into telemetryFields().
 [[nodiscard]] std::size_t fieldIndex(const char* name);
 

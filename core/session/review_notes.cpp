@@ -40,7 +40,8 @@ Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_pat
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   std::vector<ReviewNote> notes;
   try {
-    for (const nlohmann::json& entry : nlohmann::json::parse(text).at("notes")) {
+    const nlohmann::json all = nlohmann::json::parse(text);  // must outlive the loop over a part of it
+    for (const nlohmann::json& entry : all.at("notes")) {
       auto note = noteOf(entry);
       if (!note) return fail("{}: note {}: {}", path, notes.size() + 1, note.error().message);
       notes.push_back(std::move(*note));
