@@ -9,7 +9,7 @@
 namespace fyd::cli {
 namespace {
 
-struct Options {
+struct BudgetOptions {
   std::string workspace;
   double precision_mm = 0.02;
   double flow_bit_per_s = 0.0;
@@ -34,7 +34,7 @@ Vec3 parseWorkspace(const std::string& text) {
   return {side[0], side[1], side[2]};
 }
 
-void run(const Options& options) {
+void runBudget(const BudgetOptions& options) {
   const protocol::TouchFields all{.force = true, .indentation = true, .orientation = true};
   const auto budget = protocol::messageBudget(parseWorkspace(options.workspace), options.precision_mm,
                                               options.flow_bit_per_s, options.period_ms, all);
@@ -58,14 +58,14 @@ void run(const Options& options) {
 }  // namespace
 
 void add_budget(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BudgetOptions>();
   CLI::App* command = app.add_subcommand("budget", "How many bits a position needs and how large a message may be");
   command->add_option("--workspace", options->workspace, "Sides in mm, such as 160x130x130")->required();
   command->add_option("--precision", options->precision_mm, "mm")->capture_default_str();
   command->add_option("--flow", options->flow_bit_per_s, "Flow of the line, bit/s")->required();
   command->add_option("--period", options->period_ms, "Between two messages, ms")->required();
   command->add_flag("--json", options->json, "Result as JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { runBudget(*options); });
 }
 
 }  // namespace fyd::cli

@@ -25,7 +25,7 @@ nlohmann::ordered_json numbers(const std::vector<double>& values) {
   return out;
 }
 
-void printText(const nlohmann::ordered_json& json) {
+void printCalibrateReport(const nlohmann::ordered_json& json) {
   for (const auto& [key, value] : json.items()) {
     if (key == "residuals" || key == "accepted" || key == "reason") continue;
     const bool rows = value.is_array() && !value.empty() && value.front().is_object();
@@ -124,7 +124,7 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
   if (options.json) {
     printJson(json);
   } else {
-    printText(json);
+    printCalibrateReport(json);
   }
   std::cout.flush();
   if (!result.verdict.accepted) {

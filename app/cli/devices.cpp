@@ -13,7 +13,7 @@
 namespace fyd::cli {
 namespace {
 
-struct Options {
+struct DevicesOptions {
   std::vector<std::string> touchpads;
   std::vector<std::string> motors;
   std::vector<std::string> cameras;
@@ -83,7 +83,7 @@ Answer askCamera(const std::string& source, const device::DeviceParameters& para
   return out;
 }
 
-nlohmann::ordered_json toJson(const std::vector<device::FoundDevice>& found) {
+nlohmann::ordered_json foundJson(const std::vector<device::FoundDevice>& found) {
   auto out = nlohmann::ordered_json::array();
   for (const device::FoundDevice& device : found) {
     out.push_back({{"path", device.path}, {"node", device.node}, {"name", device.name}, {"problem", device.problem}});
@@ -91,7 +91,7 @@ nlohmann::ordered_json toJson(const std::vector<device::FoundDevice>& found) {
   return out;
 }
 
-void print(const char* what, const std::vector<device::FoundDevice>& found) {
+void printFound(const char* what, const std::vector<device::FoundDevice>& found) {
   if (found.empty()) std::cout << fmt::format("{:<16} none\n", what);
   for (const device::FoundDevice& device : found) {
     std::cout << fmt::format("{:<16} {}{}{}\n", what, device.path, device.name.empty() ? "" : "  " + device.name,
@@ -99,7 +99,7 @@ void print(const char* what, const std::vector<device::FoundDevice>& found) {
   }
 }
 
-void run(Options& options) {
+void runDevices(DevicesOptions& options) {
   if (options.map) {
     std::cout << protocol::registerMapMarkdown();
     return;
@@ -113,7 +113,7 @@ void run(Options& options) {
   for (const std::string& source : options.cameras) answers.push_back(askCamera(source, parameters));
 
   nlohmann::ordered_json json = {
-      {"serial_ports", toJson(ports)}, {"cameras", toJson(cameras)}, {"asked", nlohmann::ordered_json::array()}};
+      {"serial_ports", foundJson(ports)}, {"cameras", foundJson(cameras)}, {"asked", nlohmann::ordered_json::array()}};
   bool all_answer = true;
   for (const Answer& answer : answers) {
     all_answer = all_answer && answer.problem.empty();
@@ -126,8 +126,8 @@ void run(Options& options) {
   if (options.json) {
     printJson(json);
   } else {
-    print("serial port", ports);
-    print("camera", cameras);
+    printFound("serial port", ports);
+    printFound("camera", cameras);
     for (const Answer& answer : answers) {
       std::cout << fmt::format("{:<16} {}  {}\n", "asked", answer.address,
                                answer.problem.empty() ? answer.description : "no: " + answer.problem);
@@ -143,7 +143,7 @@ void run(Options& options) {
 }  // namespace
 
 void add_devices(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DevicesOptions>();
   CLI::App* command = app.add_subcommand("devices", "Serial ports, cameras and touchpads: what answers and what not");
   command->add_option("--touchpad", options->touchpads,
                       "Ask this one, modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]; its motors stay off; repeatable");
@@ -152,7 +152,7 @@ void add_devices(CLI::App& app) {
   command->add_flag("--map", options->map, "Print the touchpad's register map as Markdown and end");
   options->profile.addTo(*command);
   command->add_flag("--json", options->json, "Result as JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { runDevices(*options); });
 }
 
 }  // namespace fyd::cli

@@ -48,7 +48,7 @@ device::TimedCommand parseCommandAt(std::string_view text) {
   return {.at_s = at_s, .command = static_cast<pipeline::RobotCommand>(found - kCommandNames.begin())};
 }
 
-nlohmann::ordered_json toJson(const device::RobotRunnerStatus& s) {
+nlohmann::ordered_json endJson(const device::RobotRunnerStatus& s) {
   const protocol::RobotCounters& c = s.counters;
   const Vec3& position = s.readings.position_mm;
   return {{"robot", s.description},
@@ -167,7 +167,7 @@ void runRobotEnd(const EndOptions& given, const device::RobotRunnerOptions& opti
                       [&] { teller.tell(robot->status()); });
 
   const device::RobotRunnerStatus status = robot->status();
-  nlohmann::ordered_json summary = toJson(status);
+  nlohmann::ordered_json summary = endJson(status);
   if (arm_summary) summary["arm"] = arm_summary();
   printSummary(summary, given.json);
   if (!status.prepared || (status.connections == 0 && !status.robot_problem.empty())) {

@@ -24,7 +24,7 @@ cv::Mat read(const std::string& path, std::string& problem) {
   }
 }
 
-nlohmann::ordered_json toJson(const std::string& path, const sensing::FingerDetection& found) {
+nlohmann::ordered_json detectionJson(const std::string& path, const sensing::FingerDetection& found) {
   const auto onlyInContact = [&](double value) { return jsonNumber(found.contact ? value : std::nan("")); };
   return {{"image", path},
           {"contact", found.contact},
@@ -37,7 +37,7 @@ nlohmann::ordered_json toJson(const std::string& path, const sensing::FingerDete
           {"reason", sensing::toString(found.reason)}};
 }
 
-void printText(const std::string& path, const sensing::FingerDetection& found) {
+void printFinger(const std::string& path, const sensing::FingerDetection& found) {
   if (!found.contact) {
     std::cout << fmt::format("{}: {} (area {:.0f} px)\n", path, sensing::toString(found.reason), found.area_px);
     return;
@@ -74,9 +74,9 @@ void add_finger(CLI::App& app) {
       if (!unread.empty()) problem += (problem.empty() ? "" : "\n") + unread;
       const sensing::FingerDetection found = sensing::FingerDetector(parameters).detect(device::viewOf(picture));
       if (options->json) {
-        all.push_back(toJson(path, found));
+        all.push_back(detectionJson(path, found));
       } else {
-        printText(path, found);
+        printFinger(path, found);
       }
     }
     if (options->json) printJson(all);

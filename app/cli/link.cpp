@@ -7,14 +7,14 @@
 namespace fyd::cli {
 namespace {
 
-struct Options {
+struct LinkOptions {
   std::string file;
   bool from_words = false;
   bool fingerprint_only = false;
   bool json = false;
 };
 
-void printKey(const protocol::LinkKey& key, const Options& options) {
+void printKey(const protocol::LinkKey& key, const LinkOptions& options) {
   std::string words = options.fingerprint_only ? "" : key.words();
   if (options.json) {
     nlohmann::ordered_json out{{"file", options.file}, {"fingerprint", key.fingerprint()}};
@@ -27,7 +27,7 @@ void printKey(const protocol::LinkKey& key, const Options& options) {
   protocol::wipe(words);
 }
 
-void keygen(const Options& options) {
+void keygen(const LinkOptions& options) {
   if (!options.from_words) {
     const protocol::LinkKey key = protocol::LinkKey::generate();
     valueOrFail(protocol::writeKeyFile(key, options.file));
@@ -42,7 +42,7 @@ void keygen(const Options& options) {
   protocol::wipe(words);
   const protocol::LinkKey good = valueOrFail(key);
   valueOrFail(protocol::writeKeyFile(good, options.file));
-  Options quiet = options;
+  LinkOptions quiet = options;
   quiet.fingerprint_only = true;
   printKey(good, quiet);
 }
@@ -52,7 +52,7 @@ void keygen(const Options& options) {
 void add_link(CLI::App& app) {
   CLI::App* link = app.add_subcommand("link", "Keys of FYD Link, the secured protocol between touchpad and robot");
   link->require_subcommand(1);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LinkOptions>();
 
   CLI::App* make = link->add_subcommand("keygen", "Make a key file that only its owner can read; print its words");
   make->add_option("file", options->file, "Key file to make; it must not exist yet")->required();

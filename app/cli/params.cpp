@@ -24,7 +24,7 @@ nlohmann::ordered_json describe(const Parameter& parameter, const Parameter& sta
   return json;
 }
 
-void printText(const Parameter& parameter, const Parameter& standard) {
+void printParameter(const Parameter& parameter, const Parameter& standard) {
   const std::string value = formatParameter(parameter);
   const std::string changed =
       value == formatParameter(standard) ? "" : fmt::format(" (default {})", formatParameter(standard));
@@ -76,7 +76,7 @@ void add_params(CLI::App& app) {
       if (options->json) {
         json.push_back(describe(values[i], standards[i]));
       } else {
-        printText(values[i], standards[i]);
+        printParameter(values[i], standards[i]);
       }
     }
     if (!found) throw UsageError(fmt::format("params: no parameter '{}'; 'fyd params' lists them all", options->id));

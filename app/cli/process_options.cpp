@@ -4,15 +4,13 @@
 #include <atomic>
 #include <charconv>
 #include <cmath>
-#include <csignal>
 #include <iostream>
 #include <thread>
 
+#include "app/cli/interrupt.h"
+
 namespace fyd::cli {
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-void onInterrupt(int) { interrupted = 1; }
 
 void printLines(const nlohmann::ordered_json& object, const std::string& prefix) {
   for (const auto& [key, value] : object.items()) {
@@ -79,12 +77,11 @@ void addRunOptions(CLI::App& command, double& duration_s, bool& json, const std:
 }
 
 void runUntilInterrupted(const std::function<void(const std::stop_token&)>& run, const std::function<void()>& look) {
-  std::signal(SIGINT, onInterrupt);
-  std::signal(SIGTERM, onInterrupt);
+  watchForInterrupt();
   std::stop_source source;
   std::atomic<bool> finished = false;
   std::jthread watcher([&] {
-    while (!finished && interrupted == 0) {
+    while (!finished && !wasInterrupted()) {
       if (look) look();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }

@@ -39,7 +39,7 @@ protocol::TouchMappingSettings mappingOf(const RobotCliOptions& given) {
   return {.scale_xy = scale[0], .scale_z = scale[1], .keep_xy = keep[0], .keep_z = keep[1]};
 }
 
-nlohmann::ordered_json toJson(const device::FriRobot& robot) {
+nlohmann::ordered_json armJson(const device::FriRobot& robot) {
   const device::FriCounters& c = robot.counters();
   const protocol::FriMeasurement* newest = robot.measurement();
   std::uint64_t refused = 0;
@@ -84,7 +84,7 @@ void runRobot(const RobotCliOptions& given) {
   settings.axes = *axes;
   auto arm = valueOrFail(device::FriRobot::open(settings));
   // The runner owns it from here on and is alive when the summary is made.
-  runRobotEnd(given.end, options, std::move(arm), [fri = arm.get()] { return toJson(*fri); });
+  runRobotEnd(given.end, options, std::move(arm), [fri = arm.get()] { return armJson(*fri); });
 }
 
 }  // namespace

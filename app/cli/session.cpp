@@ -14,15 +14,6 @@ std::unique_ptr<session::Recording> openRecording(const std::string& path) {
   return valueOrFail(session::Recording::open(path));
 }
 
-std::string_view toString(session::Wholeness wholeness) {
-  switch (wholeness) {
-    case session::Wholeness::whole: return "whole";
-    case session::Wholeness::growing: return "growing";
-    case session::Wholeness::crashed: return "crashed";
-  }
-  return "unknown";
-}
-
 void printSession(const nlohmann::ordered_json& result, bool json) {
   if (json) {
     printJson(result);

@@ -12,7 +12,7 @@
 namespace fyd::cli {
 namespace {
 
-struct Options {
+struct SessionCatalogueOptions {
   std::string catalogue;
   std::vector<std::string> paths;
   std::string file;    ///< store: the recording
@@ -29,7 +29,7 @@ session::CatalogueEntry entryFor(const session::Catalogue& catalogue, const std:
   return valueOrFail(catalogue.get(is_file ? valueOrFail(session::readCatalogueEntry(target)).id : target));
 }
 
-void runAdd(const Options& options) {
+void runAdd(const SessionCatalogueOptions& options) {
   session::Catalogue catalogue = openCatalogue(options.catalogue);
   session::ScanReport report;
   for (const std::string& path : options.paths) {
@@ -59,7 +59,7 @@ void runAdd(const Options& options) {
   if (!report.unreadable.empty()) throw Failure(report.unreadable.front());
 }
 
-void runStore(const Options& options) {
+void runStore(const SessionCatalogueOptions& options) {
   std::signal(SIGXFSZ, SIG_IGN);  // a quota becomes an error with words, instead of the end of this program
   const auto done = valueOrFail(session::storeClosed(options.file, options.target, options.catalogue));
   if (options.json) {
@@ -69,7 +69,7 @@ void runStore(const Options& options) {
   }
 }
 
-void runTag(const Options& options) {
+void runTag(const SessionCatalogueOptions& options) {
   session::Catalogue catalogue = openCatalogue(options.catalogue);
   const auto entry = entryFor(catalogue, options.target);
   std::set<std::string> tags(entry.tags.begin(), entry.tags.end());
@@ -86,7 +86,7 @@ void runTag(const Options& options) {
   }
 }
 
-void runNotes(const Options& options) {
+void runNotes(const SessionCatalogueOptions& options) {
   session::Catalogue catalogue = openCatalogue(options.catalogue);
   const auto entry = entryFor(catalogue, options.target);
   valueOrFail(catalogue.setNotes(entry.id, options.notes));
@@ -98,7 +98,7 @@ void runNotes(const Options& options) {
   }
 }
 
-void runForget(const Options& options) {
+void runForget(const SessionCatalogueOptions& options) {
   session::Catalogue catalogue = openCatalogue(options.catalogue);
   const auto entry = entryFor(catalogue, options.target);
   valueOrFail(catalogue.remove(entry.id));
@@ -130,8 +130,8 @@ session::Catalogue openCatalogue(const std::string& word) {
 }
 
 void addSessionCatalogue(CLI::App& session) {
-  const auto add = [&session](const char* name, const char* help, void (*run)(const Options&)) {
-    const auto options = std::make_shared<Options>();
+  const auto add = [&session](const char* name, const char* help, void (*run)(const SessionCatalogueOptions&)) {
+    const auto options = std::make_shared<SessionCatalogueOptions>();
     CLI::App* command = session.add_subcommand(name, help);
     addCatalogueOption(*command, options->catalogue);
     command->add_flag("--json", options->json, "Result as JSON");

@@ -28,9 +28,6 @@ void addSessionOptions(CLI::App& command, SessionOptions& options);
 /// Failure when it cannot be read.
 [[nodiscard]] std::unique_ptr<session::Recording> openRecording(const std::string& path);
 
-/// "whole", "growing", "crashed".
-[[nodiscard]] std::string_view toString(session::Wholeness wholeness);
-
 /// As JSON, or one line for each key.
 void printSession(const nlohmann::ordered_json& result, bool json);
 

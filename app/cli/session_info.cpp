@@ -1,5 +1,6 @@
 // fyd session info FILE: what a recording is and holds.
 #include "app/cli/session_cli.h"
+#include "core/session/catalogue_types.h"
 
 namespace fyd::cli {
 namespace {
@@ -30,7 +31,7 @@ nlohmann::ordered_json describe(const std::string& path, const session::Recordin
   out["events"] = info.events;
   out["health"] = health;
   out["health_reason"] = why;
-  out["wholeness"] = toString(info.wholeness);
+  out["wholeness"] = session::toString(info.wholeness);
   out["bytes"] = info.bytes;
   out["id"] = info.header.id;
   out["started_utc"] = info.header.started_utc;

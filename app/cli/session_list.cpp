@@ -11,7 +11,7 @@ namespace {
 using session::SessionFilter;
 using session::SessionOrder;
 
-struct Options {
+struct SessionListOptions {
   std::string folder;
   std::string catalogue;
   SessionFilter filter;
@@ -28,7 +28,7 @@ session::Catalogue catalogueOfFolder(const std::string& folder, session::ScanRep
   return catalogue;
 }
 
-void runRebuild(const Options& options) {
+void runRebuild(const SessionListOptions& options) {
   std::vector<std::string> folders;
   if (!options.folder.empty()) folders.push_back(options.folder);
   const auto report = valueOrFail(session::rebuildCatalogue(options.catalogue, folders));
@@ -47,7 +47,7 @@ void runRebuild(const Options& options) {
   printScan(report.scan);
 }
 
-void run(const Options& options) {
+void runSessionList(const SessionListOptions& options) {
   if (options.rebuild) {
     runRebuild(options);
     return;
@@ -93,7 +93,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addSessionList(CLI::App& session) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SessionListOptions>();
   CLI::App* command = session.add_subcommand("list", "Search the catalogue, or the recordings of a folder");
   command->add_option("folder", options->folder, "Read this folder instead of the catalogue; writes nothing");
   addCatalogueOption(*command, options->catalogue);
@@ -122,7 +122,7 @@ void addSessionList(CLI::App& session) {
   command->add_flag("--rebuild", options->rebuild,
                     "Read all known folders, and FOLDER, again; a damaged catalogue is moved aside first");
   command->add_flag("--json", options->json, "Result as JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { runSessionList(*options); });
   addSessionCatalogue(session);
 }
 

@@ -1,6 +1,7 @@
 // fyd session verify | recover FILE: is a recording whole, and making it so.
 #include "app/cli/exit_code.h"
 #include "app/cli/session_cli.h"
+#include "core/session/catalogue_types.h"
 #include "core/session/recover.h"
 #include "core/session/verify.h"
 
@@ -26,7 +27,7 @@ void addSessionVerify(CLI::App& parent) {
   command->callback([options] {
     const auto checked = valueOrFail(session::verify(options->file));
     printSession({{"intact", checked.intact()},
-                  {"wholeness", toString(checked.wholeness)},
+                  {"wholeness", session::toString(checked.wholeness)},
                   {"commits", checked.commits},
                   {"blocks", checked.blocks},
                   {"bytes", checked.bytes},

@@ -6,7 +6,7 @@
 namespace fyd::cli {
 namespace {
 
-struct Options {
+struct SessionReplayOptions {
   SessionOptions session;
   session::ReplayOptions replay;
   std::string telemetry;
@@ -44,7 +44,7 @@ nlohmann::ordered_json toJson(const session::ReplayResult& result) {
 }  // namespace
 
 void addSessionReplay(CLI::App& parent) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SessionReplayOptions>();
   CLI::App* command = parent.add_subcommand("replay", "Run a recording through the step again and compare");
   addSessionOptions(*command, options->session);
   command->add_option("--set", options->replay.settings, "What if: id=value of the step's parameters; may be repeated")

@@ -27,7 +27,7 @@ sim::TimedMode parseModeAt(std::string_view text) {
   throw UsageError(fmt::format("--mode-at \"{}\": expected SECONDS:off, SECONDS:monitor or SECONDS:command", text));
 }
 
-nlohmann::ordered_json toJson(const sim::KrcStatus& s) {
+nlohmann::ordered_json controllerJson(const sim::KrcStatus& s) {
   const sim::KrcCounters& c = s.counters;
   return {{"bind", protocol::toString(s.local)},
           {"mode", protocol::toString(s.mode)},
@@ -69,7 +69,7 @@ void runKrc(const KrcCliOptions& given) {
   const auto krc = valueOrFail(sim::Krc::open(options));
   runUntilInterrupted([&](const std::stop_token& stop) { krc->run(stop, runLimit(given.duration_s)); });
   const sim::KrcStatus status = krc->status();
-  printSummary(toJson(status), given.json);
+  printSummary(controllerJson(status), given.json);
   if (status.counters.answers == 0) {
     throw Failure(fmt::format("{}: no answer in {:.1f} s", given.remote, status.seconds));
   }

@@ -55,7 +55,7 @@ sim::NetworkProfile makePath(const NetworkCliOptions& given) {
   return path;
 }
 
-nlohmann::ordered_json toJson(const sim::DirectionStatistics& s) {
+nlohmann::ordered_json directionJson(const sim::DirectionStatistics& s) {
   return {{"received", s.received},
           {"delivered", s.delivered},
           {"lost", s.lost},
@@ -84,8 +84,8 @@ void runNetwork(const NetworkCliOptions& given) {
                 {"callers", status.callers},
                 {"callers_refused", status.callers_refused},
                 {"wrong_peer_datagrams", status.wrong_peer},
-                {"forward", toJson(status.forward)},
-                {"backward", toJson(status.backward)}},
+                {"forward", directionJson(status.forward)},
+                {"backward", directionJson(status.backward)}},
                given.json);
 }
 

@@ -1,10 +1,9 @@
 // fyd sim touchpad: the touchpad as its own process, behind the protocols of a real one.
-#include <atomic>
-#include <csignal>
 #include <iostream>
 #include <thread>
 
 #include "app/cli/command.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/sim_touchpad.h"
 #include "core/protocol/register_map.h"
 #include "core/sim/touchpad_process.h"
@@ -12,7 +11,7 @@
 namespace fyd::cli {
 namespace {
 
-struct Options {
+struct SimTouchpadOptions {
   std::string modbus_tcp;
   std::string camera_mjpeg;
   std::string finger;
@@ -23,8 +22,6 @@ struct Options {
   bool json = false;
 };
 
-std::atomic<bool> interrupted{false};
-
 std::optional<protocol::Endpoint> endpoint(const char* option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   auto parsed = protocol::parseEndpoint(text);
@@ -32,7 +29,7 @@ std::optional<protocol::Endpoint> endpoint(const char* option, const std::string
   return *parsed;
 }
 
-void report(const Options& options, const sim::TouchpadProcess& process, double seconds) {
+void reportSimTouchpad(const SimTouchpadOptions& options, const sim::TouchpadProcess& process, double seconds) {
   const auto figures = process.electronics().figures();
   const nlohmann::ordered_json json = {{"served", process.addresses()},
                                        {"seconds", seconds},
@@ -56,7 +53,7 @@ void report(const Options& options, const sim::TouchpadProcess& process, double 
   }
 }
 
-void run(Options& options) {
+void runSimTouchpad(SimTouchpadOptions& options) {
   if (options.print_map) {
     std::cout << protocol::registerMapMarkdown();
     return;
@@ -73,24 +70,21 @@ void run(Options& options) {
   }
   if (!options.finger.empty()) options.process.finger = valueOrFail(sim::FingerPath::fromCsv(options.finger));
 
-  interrupted = false;
-  const auto on_signal = [](int) { interrupted = true; };
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  watchForInterrupt();
   const auto process = valueOrFail(sim::TouchpadProcess::start(options.process));
   for (const std::string& address : process->addresses()) std::cerr << "serving " << address << '\n';
   const Instant start = Clock::now();
   const auto seconds = [&] { return toSeconds(Clock::now() - start); };
-  while (!interrupted && (options.duration_s <= 0.0 || seconds() < options.duration_s)) {
+  while (!wasInterrupted() && (options.duration_s <= 0.0 || seconds() < options.duration_s)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  report(options, *process, seconds());
+  reportSimTouchpad(options, *process, seconds());
 }
 
 }  // namespace
 
 void addSimTouchpad(CLI::App& sim) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimTouchpadOptions>();
   sim::TouchpadProcessOptions& process = options->process;
   CLI::App* command = sim.add_subcommand("touchpad", "The touchpad behind Modbus, its motor board and a camera stream");
   command->add_option("--modbus-tcp", options->modbus_tcp, "Serve the registers there, HOST:PORT; port 0: any");
@@ -113,7 +107,7 @@ void addSimTouchpad(CLI::App& sim) {
       ->check(CLI::Range(0.0, 1e9));
   command->add_flag("--print-map", options->print_map, "Print the register map as Markdown and end");
   command->add_flag("--json", options->json, "Summary as JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { runSimTouchpad(*options); });
 }
 
 }  // namespace fyd::cli

@@ -1,7 +1,5 @@
 // fyd station --headless …
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <fstream>
 #include <iostream>
 #include <thread>
@@ -10,10 +8,11 @@
 #include <spdlog/spdlog.h>
 
 #include "app/cli/command.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/profile_options.h"
 #include "app/cli/telemetry_csv.h"
-#include "core/station/option_words.h"
 #include "core/session/catalogue.h"
+#include "core/station/option_words.h"
 #include "core/station/station.h"
 
 namespace fyd::cli {
@@ -21,9 +20,7 @@ namespace {
 
 namespace words = station::words;
 
-std::atomic<bool> interrupted{false};
-
-struct Options {
+struct StationOptions {
   station::StationOptions station;
   ProfileOptions profile;
   double duration_s = 0.0;
@@ -79,7 +76,7 @@ nlohmann::ordered_json recordingOf(const session::RecorderStatus& status) {
           {"differences", status.differences}};
 }
 
-void report(const Options& options, const SessionFigures& figures, const station::Station& station) {
+void reportStation(const StationOptions& options, const SessionFigures& figures, const station::Station& station) {
   const station::StationStatus status = station.status();
   const station::SimulationTruth truth = station.simulationTruth();
   const double contact =
@@ -131,17 +128,14 @@ void report(const Options& options, const SessionFigures& figures, const station
   }
 }
 
-void run(const Options& options) {
+void runStation(const StationOptions& options) {
   // Standard output carries the result alone.
   spdlog::set_default_logger(spdlog::stderr_color_mt("fyd"));
   auto station = valueOrFail(station::Station::open(options.station));
   std::unique_ptr<TelemetryCsv> csv;
   if (!options.telemetry.empty()) csv = std::make_unique<TelemetryCsv>(options.telemetry);
 
-  interrupted = false;
-  const auto on_signal = [](int) { interrupted = true; };
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  watchForInterrupt();
 
   ArmOnce arm;
   SessionFigures figures;
@@ -160,14 +154,14 @@ void run(const Options& options) {
       spdlog::info("{:9.3f} s  {}", toSeconds(notice.when - start), notice.text);
     }
   };
-  while (!interrupted && (options.duration_s <= 0.0 || toSeconds(Clock::now() - start) < options.duration_s)) {
+  while (!wasInterrupted() && (options.duration_s <= 0.0 || toSeconds(Clock::now() - start) < options.duration_s)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     drain();
   }
   drain();
   const SessionFigures at_end = figures;
   if (station->recorderStatus().state == session::RecorderState::recording) (void)station->stopRecording();
-  report(options, at_end, *station);
+  reportStation(options, at_end, *station);
   station->shutDown();
   if (csv) csv->close();
   if (!options.station.record) return;
@@ -181,7 +175,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_station(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StationOptions>();
   CLI::App* command = app.add_subcommand("station", "Run a session: touchpad, camera, haptic loop and robot link");
   command->add_flag("--headless", options->headless,
                     "Without a window (the only way of this program; fyd-console opens one)");
@@ -219,7 +213,7 @@ void add_station(CLI::App& app) {
       throw UsageError(fmt::format("station: {}", words::kRecordMissing));
     }
     options->station.profile = options->profile.load();
-    run(*options);
+    runStation(*options);
   });
 }
 

@@ -24,7 +24,7 @@ void writeCourse(const std::string& path, const std::vector<sim::TrialPoint>& co
   if (!file.flush()) throw Failure(fmt::format("{}: cannot be written", path));
 }
 
-nlohmann::ordered_json toJson(const sim::TrialResult& result) {
+nlohmann::ordered_json trialJson(const sim::TrialResult& result) {
   return {{"settling_s", jsonNumber(result.settling_s)},
           {"overshoot_pct", jsonNumber(result.overshoot_percent)},
           {"steady_error_pct", jsonNumber(result.steady_error_percent)},
@@ -63,7 +63,7 @@ void add_stiffness(CLI::App& app) {
     if (options->controller == "pid") trial.parameters.control.mode = control::ControlMode::normal;
     if (options->controller == "thesis") sim::useThesisController(trial.parameters.control);
     std::vector<sim::TrialPoint> course;
-    const nlohmann::ordered_json json = toJson(sim::runTrial(trial, &course));
+    const nlohmann::ordered_json json = trialJson(sim::runTrial(trial, &course));
     if (!options->course.empty()) writeCourse(options->course, course);
     if (options->json) {
       printJson(json);

@@ -13,14 +13,14 @@ using namespace texture;
 
 constexpr std::array<const char*, 4> kEventNames = {"none", "touch", "slip", "release"};
 
-struct Options {
+struct TextureContactOptions {
   std::string input;
   double rate_Hz = 0.0;
   ContactParameters parameters;
   bool json = false;
 };
 
-void contact(const Options& options) {
+void contact(const TextureContactOptions& options) {
   const auto [recording, rate_Hz] = readInput(options.input, options.rate_Hz);
   const UniformRecording uniform = valueOrFail(makeUniform(recording, rate_Hz));
   ContactDetector detector(options.parameters, rate_Hz);
@@ -51,7 +51,7 @@ void contact(const Options& options) {
 }  // namespace
 
 void addTextureContact(CLI::App& parent) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TextureContactOptions>();
   CLI::App* command =
       parent.add_subcommand("contact", "Find touches and slip onsets in accelerations (our own method)");
   addInputOptions(*command, options->input, options->rate_Hz);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace texture;
 
-struct Options {
+struct TextureRenderOptions {
   std::string input;
   std::string output;
   double rate_Hz = 0.0;
@@ -56,13 +56,13 @@ Rendered renderAll(const std::vector<UniformStream::Step>& steps, OfflineChain& 
   return out;
 }
 
-int hopOf(const Options& options) {
+int hopOf(const TextureRenderOptions& options) {
   if (options.hop != 0) return options.hop;
   const bool overlaps = options.method == "dft321" && options.frame % 2 == 0;
   return overlaps ? options.frame / 2 : options.frame;
 }
 
-void render(const Options& options) {
+void render(const TextureRenderOptions& options) {
   const auto [recording, rate_Hz] = readInput(options.input, options.rate_Hz);
   const int hop = hopOf(options);
   auto method = makeMethod(choiceOf<MethodChoice>(kMethodNames, options.method), rate_Hz, options.frame, hop);
@@ -101,7 +101,7 @@ void render(const Options& options) {
 }  // namespace
 
 void addTextureRender(CLI::App& parent) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TextureRenderOptions>();
   CLI::App* command = parent.add_subcommand("render", "Turn three axes of acceleration into one texture signal");
   addInputOptions(*command, options->input, options->rate_Hz);
   command->add_option("-o,--output", options->output, "CSV to write: t_s,signal (before PWM)");

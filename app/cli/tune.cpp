@@ -61,7 +61,7 @@ nlohmann::ordered_json side(const control::ControlParameters& parameters, const 
   return json;
 }
 
-void printText(const nlohmann::ordered_json& json) {
+void printTune(const nlohmann::ordered_json& json) {
   const auto row = [](const std::string& name, const nlohmann::ordered_json& before,
                       const nlohmann::ordered_json& after) {
     std::cout << fmt::format("{:<28}{:>14}{:>14}\n", name, before.dump(), after.dump());
@@ -133,7 +133,7 @@ void add_tune(CLI::App& app) {
     if (options->json) {
       printJson(json);
     } else {
-      printText(json);
+      printTune(json);
     }
   });
 }
