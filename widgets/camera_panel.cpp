@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "widgets/core_text.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
@@ -74,8 +75,7 @@ void CameraPanel::setPicture(const CameraPicture& picture) {
   values_[0]->setText(quantityText(finger.contact ? finger.x_mm : none, 1, tr("mm")));
   values_[1]->setText(quantityText(finger.contact ? finger.y_mm : none, 1, tr("mm")));
   values_[2]->setText(quantityText(finger.area_px, 0, tr("px")));
-  const std::string_view reason = toString(finger.reason);
-  QString text = tr(std::string(reason).c_str());
+  QString text = coreText(toString(finger.reason));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   reason_->setText(finger.reason == sensing::FingerReason::found ? tr("Finger found") : text);
 }

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <cmath>
 
+#include "widgets/core_text.h"
 #include "widgets/device_text.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
@@ -154,7 +155,7 @@ void DeviceCard::setReport(const device::DeviceReport& report) {
   setAccessibleName(deviceWord(report.name));
   symbol_->setPixmap(icon(iconOf(report.name), theme().text).pixmap(QSize(kSymbol, kSymbol), devicePixelRatioF()));
   name_->setText(deviceWord(report.name));
-  kind_->setText(QCoreApplication::translate("DeviceCard", report.kind.c_str()));
+  kind_->setText(coreText(report.kind));
   description_->setText(breakable(QString::fromStdString(report.description)));
   problem_->setText(deviceWord(report.problem));
   problem_->setVisible(!report.problem.empty());

@@ -1,7 +1,6 @@
 #include "widgets/device_text.h"
 
-#include <QCoreApplication>
-
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 
 namespace fyd::widgets {
@@ -10,7 +9,7 @@ namespace {
 QString unitText(const std::string& unit) {
   if (unit == "degC") return QStringLiteral("°C");
   if (unit == "deg") return QStringLiteral("°");
-  return QCoreApplication::translate("DeviceCard", unit.c_str());
+  return coreText(unit);
 }
 
 int decimalsOf(const std::string& unit) {
@@ -22,7 +21,7 @@ int decimalsOf(const std::string& unit) {
 }  // namespace
 
 QString deviceWord(const std::string& words) {
-  QString text = QCoreApplication::translate("DeviceCard", words.c_str());
+  QString text = coreText(words);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }

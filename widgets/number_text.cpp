@@ -12,6 +12,9 @@ QString tr(const char* text) { return QCoreApplication::translate("NumberText", 
 
 const QChar kMinus(0x2212);
 
+/// Of the language that was chosen; thousands are never grouped.
+QString withDecimalSign(QString text) { return text.replace(QLatin1Char('.'), QLocale().decimalPoint()); }
+
 }  // namespace
 
 QString numberText(double value, int decimals) {
@@ -20,7 +23,7 @@ QString numberText(double value, int decimals) {
   if (std::abs(value) < 0.5 * step) value = 0.0;
   QString text = QString::number(value, 'f', decimals);
   if (text.startsWith(QLatin1Char('-'))) text[0] = kMinus;
-  return text;
+  return withDecimalSign(text);
 }
 
 QString quantityText(double value, int decimals, const QString& unit) {
@@ -31,7 +34,7 @@ QString quantityText(double value, int decimals, const QString& unit) {
 QString ageText(double age_ms) {
   if (!std::isfinite(age_ms)) return kNoValue;
   if (age_ms < 999.5) return tr("%1 ms").arg(std::lround(std::max(0.0, age_ms)));
-  if (age_ms < 59950.0) return tr("%1 s").arg(age_ms / 1000.0, 0, 'f', 1);
+  if (age_ms < 59950.0) return tr("%1 s").arg(numberText(age_ms / 1000.0, 1));
   return durationText(age_ms / 1000.0);
 }
 
@@ -45,7 +48,7 @@ QString durationText(double seconds) {
 
 QString plainNumber(double value) {
   // 12 digits hide the last bits of a value that a slider computed.
-  return std::isfinite(value) ? QString::number(value, 'g', 12) : kNoValue;
+  return std::isfinite(value) ? withDecimalSign(QString::number(value, 'g', 12)) : kNoValue;
 }
 
 double readNumber(const QString& text) {

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "widgets/core_text.h"
 #include "widgets/theme.h"
 
 namespace fyd::widgets {
@@ -11,9 +12,6 @@ using pipeline::Lack;
 using pipeline::SafetyState;
 
 QString tr(const char* text) { return QCoreApplication::translate("StateText", text); }
-
-/// Texts of the core are in English there and are translated here.
-QString coreText(std::string_view text) { return tr(std::string(text).c_str()); }
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QSignalBlocker>
 
+#include "widgets/core_text.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
 
@@ -115,7 +116,7 @@ void TuningRow::buildChoice() {
   choice_->setFocusPolicy(Qt::StrongFocus);
   choice_->installEventFilter(this);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
-    if (const auto ok = model_.change(id_std_, index); !ok) emit refused(QString::fromStdString(ok.error().message));
+    if (const auto ok = model_.change(id_std_, index); !ok) emit refused(coreText(ok.error().message));
   });
 }
 
@@ -135,7 +136,7 @@ int TuningRow::toPosition(double value) const {
 
 void TuningRow::takeSlider(int position) {
   if (const auto ok = model_.change(id_std_, toValue(position), true); !ok) {
-    emit refused(QString::fromStdString(ok.error().message));
+    emit refused(coreText(ok.error().message));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <cmath>
@@ -25,7 +26,7 @@ QString shortened(const QString& text) {
   for (auto all = kNumber.globalMatch(text); all.hasNext();) {
     const QRegularExpressionMatch match = all.next();
     out += text.mid(from, match.capturedStart() - from);
-    out += QString::number(match.captured().toDouble(), 'g', 5);
+    out += QString::number(match.captured().toDouble(), 'g', 5).replace(QLatin1Char('.'), QLocale().decimalPoint());
     from = match.capturedEnd();
   }
   out += text.mid(from);

@@ -4,6 +4,7 @@
 
 #include "app/console/views.h"
 #include "core/station/calibration_file.h"
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -14,8 +15,6 @@ using pipeline::SafetyState;
 namespace {
 
 constexpr int kLiveReadings = 10;  // 1 s
-
-QString words(const std::string& text) { return QString::fromStdString(text); }
 
 QString signOf(PartState::Kind kind) {
   switch (kind) {
@@ -124,8 +123,8 @@ void CalibratePage::poll() {
   const auto reading = step().read(scene());
   if (!reading) {
     recent_.restart(kLiveReadings);
-    live_->setText(words(reading.error().message) + QLatin1Char('.'));
-    if (taking_now_) endPoint(tr("Not taken: %1.").arg(words(reading.error().message)));
+    live_->setText(widgets::coreText(reading.error().message) + QLatin1Char('.'));
+    if (taking_now_) endPoint(tr("Not taken: %1.").arg(widgets::coreText(reading.error().message)));
     return;
   }
   const auto wanted = step().signalsWanted(profile_);
@@ -197,7 +196,7 @@ void CalibratePage::refreshParts() {
     if (records) {
       state = partStateOf(*records, steps_[i]->procedure(), steps_[i]->sensor(), profile_, today);
     } else {
-      state.words = words(records.error().message);
+      state.words = widgets::coreText(records.error().message);
     }
     QListWidgetItem* item = parts_->item(static_cast<int>(i));
     item->setText(signOf(state.kind) + QLatin1Char(' ') + steps_[i]->name() + QLatin1Char('\n') + state.words);

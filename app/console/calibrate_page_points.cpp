@@ -1,6 +1,8 @@
 // How points of the place "Calibrate" are taken, taken back, discarded and accepted.
 #include "app/console/calibrate_page.h"
 
+#include "widgets/core_text.h"
+
 namespace fyd::console {
 namespace {
 
@@ -25,7 +27,7 @@ void CalibratePage::startPoint() {
   devices_ = context_.session.devices();
   const auto reading = step().read(scene());
   if (!reading) {
-    endPoint(tr("Not taken: %1.").arg(words(reading.error().message)));
+    endPoint(tr("Not taken: %1.").arg(widgets::coreText(reading.error().message)));
     return;
   }
   taking_.restart(step().readings());

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/station/calibration_file.h"
+#include "widgets/core_text.h"
 
 namespace fyd::console {
 
@@ -32,7 +33,7 @@ PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records
   });
   if (newest == records.rend()) return {PartState::Kind::never, tr("never calibrated")};
   const auto age = calibration::ageOf(*newest, today, profile.calibration);
-  if (!age) return {PartState::Kind::old, words(age.error().message)};
+  if (!age) return {PartState::Kind::old, widgets::coreText(age.error().message)};
   if (!calibration::inForce(*newest, bindParameters(profile))) {
     return {PartState::Kind::changed, tr("changed since it was calibrated %1 days ago").arg(age->days)};
   }
@@ -54,14 +55,16 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   QDir().mkpath(QFileInfo(path).absolutePath());
   auto profile = profileToWrite(context, exists);
   if (!profile) {
-    context.tell(Severity::error, tr("Not accepted, the old values stay. %1").arg(words(profile.error().message)));
+    context.tell(Severity::error,
+                 tr("Not accepted, the old values stay. %1").arg(widgets::coreText(profile.error().message)));
     return false;
   }
   const auto record = station::saveCalibration(
       result, {.sensor = sensor, .who = said.who, .when = nowUtc(), .conditions = said.conditions}, *profile,
       path.toStdString());
   if (!record) {
-    context.tell(Severity::error, tr("Not accepted, the old values stay. %1").arg(words(record.error().message)));
+    context.tell(Severity::error,
+                 tr("Not accepted, the old values stay. %1").arg(widgets::coreText(record.error().message)));
     return false;
   }
 
@@ -84,7 +87,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   } else {
     context.tell(Severity::error, tr("Accepted and written to %1, but the session goes on without it: %2. Start the "
                                      "window again to use it.")
-                                      .arg(file, words(begun.error().message)));
+                                      .arg(file, widgets::coreText(begun.error().message)));
   }
   return true;
 }

@@ -21,6 +21,9 @@ const std::vector<CommandInfo>& commandTable() {
       {"view.theme_dark", "View", QT_TRANSLATE_NOOP("Commands", "Dark theme"), "theme", ""},
       {"view.theme_light", "View", QT_TRANSLATE_NOOP("Commands", "Light theme"), "theme", ""},
       {"view.theme_system", "View", QT_TRANSLATE_NOOP("Commands", "Theme of the system"), "theme", ""},
+      {"view.language_en", "View", QT_TRANSLATE_NOOP("Commands", "Language: English"), "", ""},
+      {"view.language_it", "View", QT_TRANSLATE_NOOP("Commands", "Language: Italian"), "", ""},
+      {"view.language_fr", "View", QT_TRANSLATE_NOOP("Commands", "Language: French"), "", ""},
       {"view.palette", "View", QT_TRANSLATE_NOOP("Commands", "Find a command…"), "search", "Ctrl+K"},
   };
   return kTable;

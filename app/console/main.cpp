@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <cstdio>
 
+#include "app/console/language.h"
 #include "app/console/main_window.h"
 #include "app/console/options.h"
 
@@ -68,8 +69,13 @@ int main(int argc, char** argv) {
   if (!session) return complain(session.error().message, 1);
 
   QApplication application(argc, argv);
-  fyd::widgets::Look::instance().apply(application, options->theme);
-  fyd::console::MainWindow window(std::move(*session), profile_path, options->catalogue);
+  // Pictures show the standard window, whatever was changed in it before.
+  const fyd::console::WindowMemory memory(options->screenshot.isEmpty() ? fyd::console::memoryFile(profile_path)
+                                                                        : QString());
+  fyd::console::speak(application, fyd::console::chooseLanguage({options->language, memory.language()}));
+  fyd::widgets::Look::instance().apply(
+      application, options->theme.value_or(memory.theme().value_or(fyd::widgets::ThemeChoice::system)));
+  fyd::console::MainWindow window(std::move(*session), profile_path, options->catalogue, memory);
   if (!options->page.isEmpty()) window.frame()->go(options->page);
   if (!options->trials.conditions.isEmpty()) (void)window.trials()->plan(options->trials);  // read and found good
   if (!options->review.isEmpty()) window.review(options->review);

@@ -3,20 +3,23 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QScreen>
 
+#include "app/console/language.h"
 #include "app/console/review_page.h"
 #include "app/console/views.h"
+#include "widgets/core_text.h"
 #include "widgets/icon.h"
 
 namespace fyd::console {
 
 using widgets::Severity;
 
-MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue)
+MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue,
+                       const WindowMemory& memory)
     : session_(std::move(session)),
       catalogue_(catalogue),
+      memory_(memory),
       tuning_(*session_, profile_path),
       feed_(new SessionFeed(*session_, this)),
       commands_(new CommandRegistry(this)),
@@ -25,8 +28,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       notices_(new widgets::NoticeStack(frame_->stack())),
       link_(new LinkDock(this)),
       robot_(new RobotChange(context(), *link_, this)),
-      recording_(new RecordingControl(context(), QFileInfo(profile_path).absolutePath() + QStringLiteral("/window.ini"),
-                                      this)),
+      recording_(new RecordingControl(context(), memoryFile(profile_path), this)),
       trials_(new TrialRun(context(), this)),
       palette_(new CommandPalette(*commands_, this)) {
   setWindowTitle(tr("FYD Console"));
@@ -40,6 +42,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
   connectFeed();
   connectStateBar();
   connectCommands();
+  connectLook();
   robot_->showRobot();
   frame_->go(QStringLiteral("operate"));
   resize(QSize(1280, 720).boundedTo(screen()->availableSize()));
@@ -127,11 +130,23 @@ void MainWindow::connectCommands() {
   on("view.link", [this](bool shown) { link_->setVisible(shown); });
   connect(link_, &QDockWidget::visibilityChanged, commands_->action(QStringLiteral("view.link")), &QAction::setChecked);
   on("view.notices_read", [this](bool) { notices_->dismissAll(); });
-  const auto look = [](widgets::ThemeChoice choice) { widgets::Look::instance().apply(*qApp, choice); };
-  on("view.theme_dark", [look](bool) { look(widgets::ThemeChoice::dark); });
-  on("view.theme_light", [look](bool) { look(widgets::ThemeChoice::light); });
-  on("view.theme_system", [look](bool) { look(widgets::ThemeChoice::system); });
   on("view.palette", [this](bool) { palette_->open(); });
+}
+
+void MainWindow::connectLook() {
+  for (const auto choice : {widgets::ThemeChoice::dark, widgets::ThemeChoice::light, widgets::ThemeChoice::system}) {
+    commands_->on(QStringLiteral("view.theme_") + themeWord(choice), [this, choice](bool) {
+      widgets::Look::instance().apply(*qApp, choice);
+      memory_.setTheme(choice);
+    });
+  }
+  for (const Language& language : languages()) {
+    const QString code = QLatin1String(language.code);
+    commands_->on(QStringLiteral("view.language_") + code, [this, code](bool) {
+      memory_.setLanguage(code);
+      tell(Severity::information, tr("The language changes when the window is started again."));
+    });
+  }
 }
 
 void MainWindow::stop() {
@@ -158,7 +173,7 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
 void MainWindow::takeNotice(const station::Notice& notice) {
   tuning_.hear(notice.event);
   const Telling telling = tellingOf(notice.event);
-  tell(telling.severity, QString::fromStdString(notice.text), telling.slides_in);
+  tell(telling.severity, widgets::coreText(notice.text), telling.slides_in);
 }
 
 void MainWindow::tell(Severity severity, const QString& text, bool slide_in) {

@@ -18,6 +18,7 @@
 #include "app/console/session_feed.h"
 #include "app/console/trial_run.h"
 #include "app/console/tuning_bridge.h"
+#include "app/console/window_memory.h"
 #include "widgets/log_view.h"
 #include "widgets/notice_stack.h"
 
@@ -30,7 +31,9 @@ class MainWindow : public QMainWindow {
  public:
   /// @param profile_path where "Save profile" writes
   /// @param catalogue of sessions, word as after --catalogue
-  MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue = {});
+  /// @param memory what is remembered from start to start
+  MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue = {},
+             const WindowMemory& memory = WindowMemory({}));
   ~MainWindow() override;
 
   /// Starts the session's threads and the flow of news.
@@ -64,6 +67,7 @@ class MainWindow : public QMainWindow {
   void connectFeed();
   void connectStateBar();
   void connectCommands();
+  void connectLook();
   void stop();
   void ask(pipeline::OperatorAction action);
   void takeSamples(std::span<const pipeline::TelemetrySample> samples);
@@ -71,6 +75,7 @@ class MainWindow : public QMainWindow {
 
   std::unique_ptr<Session> session_;
   QString catalogue_;
+  WindowMemory memory_;
   TuningBridge tuning_;
   SessionFeed* feed_;
   CommandRegistry* commands_;

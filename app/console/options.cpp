@@ -4,7 +4,9 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "app/console/language.h"
 #include "app/console/page.h"
+#include "app/console/window_memory.h"
 #include "core/session/catalogue_word.h"
 #include "core/station/option_words.h"
 #include "widgets/number_text.h"
@@ -14,19 +16,17 @@ namespace {
 
 namespace words = station::words;
 
-QString tr(const char* text) { return QCoreApplication::translate("Options", text); }
-
 struct OptionInfo {
   const char* name;
   const char* argument;  ///< empty: a switch
   const char* help;
 };
 
-// In the order of the help.
+// In the order of the help. In English, as all of `fyd` is: they are read before a language is chosen.
 constexpr OptionInfo kOptions[] = {
-    {"help", "", QT_TRANSLATE_NOOP("Options", "Show this help.")},
-    {"version", "", QT_TRANSLATE_NOOP("Options", "Show the version.")},
-    {"simulate", "", QT_TRANSLATE_NOOP("Options", "The same as --touchpad simulated, which is the default.")},
+    {"help", "", "Show this help."},
+    {"version", "", "Show the version."},
+    {"simulate", "", "The same as --touchpad simulated, which is the default."},
     {"touchpad", "TOUCHPAD", words::kTouchpad},
     {"motors", "MOTORS", words::kMotors},
     {"finger", "CSV", words::kFinger},
@@ -40,24 +40,29 @@ constexpr OptionInfo kOptions[] = {
     {"notes", "TEXT", words::kNotes},
     {"tag", "WORD", words::kTag},
     {"catalogue", "CATALOGUE", words::kCatalogue},
-    {"trials", "A,B,…",
-     QT_TRANSLATE_NOOP("Options", "Conditions of an experiment; Ctrl+Shift+M begins the next trial and marks it.")},
-    {"trial-repetitions", "N", QT_TRANSLATE_NOOP("Options", "How often each condition comes; default: 1.")},
-    {"trial-seed", "N", QT_TRANSLATE_NOOP("Options", "The same seed gives the same order; default: 1.")},
-    {"review", "FILE", QT_TRANSLATE_NOOP("Options", "Recording to review at once.")},
-    {"profile", "FILE", QT_TRANSLATE_NOOP("Options", "Profile to load and to save to.")},
-    {"theme", "NAME", QT_TRANSLATE_NOOP("Options", "dark, light or system; default: system.")},
-    {"page", "NAME", QT_TRANSLATE_NOOP("Options", "Place of the window to begin with, such as operate or devices.")},
-    {"screenshot", "FILE",
-     QT_TRANSLATE_NOOP("Options", "Save a picture of the window and leave; arms once in simulation.")},
-    {"after", "S", QT_TRANSLATE_NOOP("Options", "Seconds before the picture is taken; default: 5.")},
+    {"trials", "A,B,…", "Conditions of an experiment; Ctrl+Shift+M begins the next trial and marks it."},
+    {"trial-repetitions", "N", "How often each condition comes; default: 1."},
+    {"trial-seed", "N", "The same seed gives the same order; default: 1."},
+    {"review", "FILE", "Recording to review at once."},
+    {"profile", "FILE", "Profile to load and to save to."},
+    {"theme", "NAME", "dark, light or system; default: that of the last time, at first the system's."},
+    {"language", "CODE", "en, it or fr; default: that of the last time, at first the system's."},
+    {"page", "NAME", "Place of the window to begin with, such as operate or devices; default: that of the last time."},
+    {"screenshot", "FILE", "Save a picture of the window and leave; arms once in simulation."},
+    {"after", "S", "Seconds before the picture is taken; default: 5."},
 };
 
-Result<widgets::ThemeChoice> readTheme(const QString& name) {
-  if (name == QLatin1String("dark")) return widgets::ThemeChoice::dark;
-  if (name == QLatin1String("light")) return widgets::ThemeChoice::light;
-  if (name.isEmpty() || name == QLatin1String("system")) return widgets::ThemeChoice::system;
+Result<std::optional<widgets::ThemeChoice>> readTheme(const QString& name) {
+  if (name.isEmpty()) return std::nullopt;
+  if (const auto choice = themeOf(name)) return choice;
   return fail("--theme {}: expected dark, light or system", name.toStdString());
+}
+
+Result<void> checkLanguage(const QString& code) {
+  QStringList known;
+  for (const Language& language : languages()) known << QLatin1String(language.code);
+  if (code.isEmpty() || isLanguage(code)) return {};
+  return fail("--language {}: expected one of {}", code.toStdString(), known.join(QStringLiteral(", ")).toStdString());
 }
 
 Result<void> checkPage(const QString& name) {
@@ -134,11 +139,11 @@ Result<station::StationOptions> readStation(const QCommandLineParser& parser) {
 
 Result<Options> readOptions(const QStringList& arguments) {
   QCommandLineParser parser;
-  parser.setApplicationDescription(tr("FYD Console: the operator's window of the FYD Touchpad."));
+  parser.setApplicationDescription(QStringLiteral("FYD Console: the operator's window of the FYD Touchpad."));
   for (const OptionInfo& each : kOptions) {
     QStringList names = {QLatin1String(each.name)};
     if (names.first() == QLatin1String("help")) names.prepend(QStringLiteral("h"));
-    parser.addOption(QCommandLineOption(names, tr(each.help), QLatin1String(each.argument)));
+    parser.addOption(QCommandLineOption(names, QString::fromUtf8(each.help), QLatin1String(each.argument)));
   }
   if (!parser.parse(arguments)) return fail("{}", parser.errorText().toStdString());
   Options options;
@@ -171,6 +176,8 @@ Result<Options> readOptions(const QStringList& arguments) {
   options.page = parser.value(QStringLiteral("page"));
   options.screenshot = parser.value(QStringLiteral("screenshot"));
   options.screenshot_after_s = *seconds;
+  options.language = parser.value(QStringLiteral("language"));
+  if (const auto ok = checkLanguage(options.language); !ok) return tl::unexpected(ok.error());
   if (const auto ok = checkPage(options.page); !ok) return tl::unexpected(ok.error());
   if (const auto ok = checkReadable("--review", options.review.toStdString()); !ok) return tl::unexpected(ok.error());
   if (const auto ok = session::parseCatalogueWord(options.catalogue.toStdString()); !ok) {

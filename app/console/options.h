@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <optional>
 
 #include "app/console/trial_run.h"
 #include "core/base/error.h"
@@ -16,10 +17,11 @@ struct Options {
   QString profile;                  ///< empty: defaults
   QString catalogue;                ///< word of the catalogue of sessions; empty: this user's own
   TrialWords trials;
-  QString review;  ///< recording to review at once; empty: none
-  widgets::ThemeChoice theme = widgets::ThemeChoice::system;
-  QString page;        ///< place to begin with; empty: the first
-  QString screenshot;  ///< empty: none
+  QString review;                             ///< recording to review at once; empty: none
+  std::optional<widgets::ThemeChoice> theme;  ///< none: as the last time
+  QString language;                           ///< empty: as the last time
+  QString page;                               ///< place to begin with; empty: as the last time
+  QString screenshot;                         ///< empty: none
   double screenshot_after_s = 5.0;
   QString help;  ///< not empty: print this and leave
 };

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include "core/session/catalogue.h"
+#include "widgets/core_text.h"
 #include "widgets/device_text.h"
 
 namespace fyd::console {
@@ -94,7 +95,7 @@ void RecordingControl::start(const widgets::RecordingEntries& entries) {
                                     .tags = {}};
   for (const QString& tag : entries.tags) request.tags.push_back(tag.toStdString());
   if (const auto started = context_.session.startRecording(request); !started) {
-    context_.tell(Severity::error, tr("Not recording. %1.").arg(text(started.error().message)));
+    context_.tell(Severity::error, tr("Not recording. %1.").arg(widgets::coreText(started.error().message)));
     return;
   }
   markers_ = 0;
@@ -114,7 +115,7 @@ void RecordingControl::stop() {
     context_.tell(Severity::error,
                   tr("The recording did not close as it should. %1. What was written before is safe: it is repaired "
                      "when the file is opened.")
-                      .arg(text(stopped.error().message)));
+                      .arg(widgets::coreText(stopped.error().message)));
   }
   form_->suggest();
   context_.feed.pump();
@@ -131,7 +132,7 @@ void RecordingControl::enterIntoCatalogue(const QString& file) {
                        path = file.toStdString()](const std::stop_token&) -> Background::Finish {
     const auto entered = session::catalogueRecording(catalogue, path);
     return [this, entered] {
-      if (!entered) context_.tell(Severity::warning, text(entered.error().message));
+      if (!entered) context_.tell(Severity::warning, widgets::coreText(entered.error().message));
     };
   });
 }

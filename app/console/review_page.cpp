@@ -10,6 +10,7 @@
 #include "core/session/export_recording.h"
 #include "core/session/report.h"
 #include "core/station/notice.h"
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -84,7 +85,7 @@ void ReviewPage::close() {
 void ReviewPage::open(const QString& path) {
   auto opened = session::Recording::open(path.toStdString());
   if (!opened) {
-    context_.tell(Severity::warning, QString::fromStdString(opened.error().message));
+    context_.tell(Severity::warning, widgets::coreText(opened.error().message));
     return;
   }
   close();
@@ -95,7 +96,7 @@ void ReviewPage::open(const QString& path) {
   if (notes) {
     review_notes_ = std::move(*notes);
   } else {
-    context_.tell(Severity::warning, QString::fromStdString(notes.error().message));
+    context_.tell(Severity::warning, widgets::coreText(notes.error().message));
   }
   const double duration_s = recording_->info().duration_s;
   curves_->source().setSession(recording_.get());
@@ -183,7 +184,7 @@ void ReviewPage::findTouches() {
     auto found = std::make_shared<Touches>(touchesOf(path));
     return [this, found] {
       touch_table_->setEmptyText(*found ? tr("The finger never pressed in this session.")
-                                        : QString::fromStdString(found->error().message));
+                                        : widgets::coreText(found->error().message));
       if (!*found) return;
       touches_ = **found;
       touch_table_->setTouches(touches_);
@@ -242,7 +243,7 @@ void ReviewPage::computeFigures() {
         opened ? figuresBetween(**opened, a_s, b_s, stop) : tl::unexpected(opened.error()));
     return [this, figures, a_s, b_s] {
       if (!*figures) {
-        context_.tell(Severity::warning, QString::fromStdString(figures->error().message));
+        context_.tell(Severity::warning, widgets::coreText(figures->error().message));
         return;
       }
       figures_table_->setFigures(**figures);
@@ -270,7 +271,7 @@ void ReviewPage::writeNote(session::NoteKind kind, const QString& text) {
                    .text = what.toStdString(),
                    .written_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
   if (auto written = session::writeReviewNotes(path_.toStdString(), notes); !written) {
-    context_.tell(Severity::warning, QString::fromStdString(written.error().message));
+    context_.tell(Severity::warning, widgets::coreText(written.error().message));
     return;
   }
   review_notes_ = std::move(notes);
@@ -282,7 +283,7 @@ void ReviewPage::compare(const QString& path) {
   if (!recording_) return;
   auto opened = session::Recording::open(path.trimmed().toStdString());
   if (!opened) {
-    compare_words_->setText(QString::fromStdString(opened.error().message));
+    compare_words_->setText(widgets::coreText(opened.error().message));
     return;
   }
   other_touches_.clear();
@@ -294,7 +295,7 @@ void ReviewPage::compare(const QString& path) {
     auto found = std::make_shared<Touches>(touchesOf(path));
     return [this, found] {
       compare_words_->setText(*found ? tr("Drawn faint. Choose a touch of each to lay one on the other.")
-                                     : QString::fromStdString(found->error().message));
+                                     : widgets::coreText(found->error().message));
       if (*found) other_touches_ = **found;
       fillAlignment();
     };
@@ -343,9 +344,9 @@ void ReviewPage::exportAs(const QString& ending) {
       done = tl::unexpected(exported.error());
     }
     return [this, done, target] {
-      context_.tell(done ? Severity::information : Severity::warning,
-                    done ? tr("%1 is written.").arg(QString::fromStdString(target))
-                         : QString::fromStdString(done.error().message));
+      context_.tell(
+          done ? Severity::information : Severity::warning,
+          done ? tr("%1 is written.").arg(QString::fromStdString(target)) : widgets::coreText(done.error().message));
     };
   });
 }

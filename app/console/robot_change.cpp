@@ -1,5 +1,7 @@
 #include "app/console/robot_change.h"
 
+#include "widgets/core_text.h"
+
 namespace fyd::console {
 
 using widgets::Severity;
@@ -34,7 +36,7 @@ void RobotChange::reconnect(const RobotWords& wanted) {
   }
   // The former robot's station is a new one as well, and starts with the robot's target.
   if (session.isOpen() && context_.tuning.targetIsByHand()) context_.tuning.targetByHand();
-  const QString why = QString::fromStdString(done.error().message);
+  const QString why = widgets::coreText(done.error().message);
   context_.tell(Severity::error, session.isOpen() ? tr("Robot not changed. %1.").arg(why)
                                                   : tr("The session is closed. %1. Choose another robot.").arg(why));
 }

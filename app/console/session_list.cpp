@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "core/session/catalogue.h"
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -97,7 +98,7 @@ void SessionList::look() {
     auto found = std::make_shared<Found>(search(catalogue, text));
     return [this, found] {
       fill(*found ? **found : std::vector<session::CatalogueEntry>{});
-      if (!*found) words_->setText(QString::fromStdString(found->error().message));
+      if (!*found) words_->setText(widgets::coreText(found->error().message));
     };
   });
 }

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "app/console/operate_page.h"
+#include "widgets/core_text.h"
 
 namespace fyd::console {
 
@@ -22,7 +23,7 @@ TuningBridge::TuningBridge(Session& session, QString profile_path, QObject* pare
 void TuningBridge::apply(const QString& id, double value) {
   const std::string name = id.toStdString();
   if (const auto ok = session_.setParameter(name, value); !ok) {
-    emit told(Severity::warning, QString::fromStdString(ok.error().message));
+    emit told(Severity::warning, widgets::coreText(ok.error().message));
     station::Profile current = session_.currentProfile();
     const auto bound = bindParameters(current);
     if (const Parameter* real = findParameter(bound, name)) model_.accept(name, real->value());
@@ -73,7 +74,7 @@ void TuningBridge::targetFromRobot() {
 void TuningBridge::save() {
   QDir().mkpath(QFileInfo(profile_path_).absolutePath());
   if (const auto ok = station::saveProfile(session_.currentProfile(), profile_path_.toStdString()); !ok) {
-    emit told(Severity::error, tr("Profile not saved. %1").arg(QString::fromStdString(ok.error().message)));
+    emit told(Severity::error, tr("Profile not saved. %1").arg(widgets::coreText(ok.error().message)));
     return;
   }
   model_.markSaved();

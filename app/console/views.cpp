@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -20,9 +21,9 @@ QString iconOf(const std::string& part) {
 }
 
 PartView toPart(const station::PartStatus& part) {
-  PartView view{.icon = iconOf(part.name), .name = tr(part.name.c_str())};
+  PartView view{.icon = iconOf(part.name), .name = widgets::coreText(part.name)};
   view.health = part.ok ? PartView::Health::well : PartView::Health::missing;
-  view.figures = part.ok ? widgets::rateAndAge(part.rate_hz, part.age_ms) : text(part.problem);
+  view.figures = part.ok ? widgets::rateAndAge(part.rate_hz, part.age_ms) : widgets::coreText(part.problem);
   view.detail = text(part.description);
   if (part.errors > 0) view.detail += QLatin1Char('\n') + tr("%1 errors since the start").arg(part.errors);
   return view;
@@ -34,13 +35,13 @@ PartView loopPart(const station::LoopStatus& loop, double missed_now, std::uint6
   const double share = loop.steps > 0 ? 100.0 * static_cast<double>(loop.missed_cycles) /
                                             static_cast<double>(loop.steps + loop.missed_cycles)
                                       : 0.0;
-  view.figures = tr("1 kHz · %1 % missed").arg(share, 0, 'f', 2);
+  view.figures = tr("1 kHz · %1 % missed").arg(widgets::numberText(share, 2));
   view.health = missed_now > kUsualMissed ? PartView::Health::doubtful : PartView::Health::well;
   view.detail = tr("%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)")
                     .arg(loop.steps)
                     .arg(loop.missed_cycles)
-                    .arg(loop.step_ns_p50 / 1000.0, 0, 'f', 1)
-                    .arg(loop.step_ns_p99 / 1000.0, 0, 'f', 1);
+                    .arg(widgets::numberText(loop.step_ns_p50 / 1000.0, 1))
+                    .arg(widgets::numberText(loop.step_ns_p99 / 1000.0, 1));
   view.detail += QLatin1Char('\n') + (loop.real_time ? tr("Real-time priority granted.")
                                                      : tr("No real-time priority: the system may delay the loop."));
   if (telemetry_lost > 0) view.detail += QLatin1Char('\n') + tr("The curves lost %1 samples.").arg(telemetry_lost);
@@ -134,7 +135,7 @@ widgets::LinkView toLink(const station::StationStatus& status) {
   out.times_lost = figures.lost;
   out.refused = link.refused;
   for (const protocol::RefusalCount& each : figures.refusals) {
-    out.refusals.push_back({.reason = tr(std::string(each.reason).c_str()), .count = each.count});
+    out.refusals.push_back({.reason = widgets::coreText(each.reason), .count = each.count});
   }
   for (const station::PartStatus& part : status.parts) {
     if (part.name == "Robot" && link.states_received > 0) out.rate_hz = part.rate_hz;
@@ -145,9 +146,9 @@ widgets::LinkView toLink(const station::StationStatus& status) {
 std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines) {
   std::vector<widgets::ReadinessRow> out;
   for (const station::ReadinessLine& line : lines) {
-    QString remedy = text(line.remedy);
+    QString remedy = widgets::coreText(line.remedy);
     if (!remedy.isEmpty()) remedy[0] = remedy[0].toUpper();
-    out.push_back({.what = tr(line.what.c_str()), .ok = line.ok, .remedy = remedy});
+    out.push_back({.what = widgets::coreText(line.what), .ok = line.ok, .remedy = remedy});
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "core/pipeline/parameters.h"
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -149,7 +150,7 @@ void WhatIfPanel::addSetting() {
   }
   const std::string text = value_->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toStdString();
   if (auto good = assignParameter(*known, text); !good) {
-    words_->setText(QString::fromStdString(good.error().message));
+    words_->setText(widgets::coreText(good.error().message));
     return;
   }
   const QString prefix = QString::fromStdString(id + "=");
@@ -180,7 +181,7 @@ void WhatIfPanel::run() {
 void WhatIfPanel::finish(const Result<session::ReplayResult>& result,
                          std::shared_ptr<const widgets::CurveBuffer> curves) {
   if (!result) {
-    words_->setText(QString::fromStdString(result.error().message));
+    words_->setText(widgets::coreText(result.error().message));
     emit replayed(nullptr);
     return;
   }

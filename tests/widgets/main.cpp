@@ -3,6 +3,7 @@
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
+  QLocale::setDefault(QLocale(QStringLiteral("en")));  // whatever the machine speaks
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
   int failed = 0;
   for (auto make : {fyd::tests::makeCurveTest, fyd::tests::makeControlTest, fyd::tests::makeTuningTest,

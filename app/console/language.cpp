@@ -1,0 +1,55 @@
+#include "app/console/language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+#include <algorithm>
+
+namespace fyd::console {
+namespace {
+
+constexpr Language kLanguages[] = {{"en", "English"}, {"it", "Italiano"}, {"fr", "Français"}};
+
+/// The English text alone is the key, whichever class says it: one sentence has one translation, and what the core says
+/// needs no class of the window. Where the same English word needs two, tr() gets a second argument that tells them
+/// apart.
+class ByText : public QTranslator {
+ public:
+  using QTranslator::QTranslator;
+  QString translate(const char* /*context*/, const char* text, const char* which, int count) const override {
+    return QTranslator::translate("FYD", text, which, count);
+  }
+};
+
+}  // namespace
+
+std::span<const Language> languages() { return kLanguages; }
+
+bool isLanguage(const QString& code) {
+  return std::ranges::any_of(kLanguages, [&](const Language& each) { return code == QLatin1String(each.code); });
+}
+
+QString chooseLanguage(const QStringList& wanted) {
+  for (const QString& each : wanted) {
+    if (isLanguage(each)) return each;
+  }
+  for (const QString& each : QLocale::system().uiLanguages()) {
+    const QString code = each.section(QLatin1Char('-'), 0, 0);
+    if (isLanguage(code)) return code;
+  }
+  return QStringLiteral("en");
+}
+
+void speak(QCoreApplication& application, const QString& code) {
+  for (QTranslator* former : application.findChildren<QTranslator*>(Qt::FindDirectChildrenOnly)) delete former;
+  QLocale::setDefault(QLocale(code));
+  auto* qt = new QTranslator(&application);
+  if (qt->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+    QCoreApplication::installTranslator(qt);
+  }
+  auto* own = new ByText(&application);
+  if (own->load(QStringLiteral(":/fyd/translations/fyd_%1.qm").arg(code))) QCoreApplication::installTranslator(own);
+}
+
+}  // namespace fyd::console

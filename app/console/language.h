@@ -1,0 +1,27 @@
+// The window's language: which one, and the translations of it. Chosen once, before the window is made.
+#pragma once
+
+#include <QString>
+#include <span>
+
+class QCoreApplication;
+
+namespace fyd::console {
+
+struct Language {
+  const char* code;  ///< "it", of --language
+  const char* name;  ///< in the language itself
+};
+
+[[nodiscard]] std::span<const Language> languages();
+[[nodiscard]] bool isLanguage(const QString& code);
+
+/// @param wanted in the order of preference: of the command line, then of the last time; empty or unknown ones are
+/// passed over. @return the first known one, else the system's, else English
+[[nodiscard]] QString chooseLanguage(const QStringList& wanted);
+
+/// Texts, Qt's own included, and the decimal sign of numbers from now on; files keep the point. A former language goes.
+/// @param code as `chooseLanguage` returns it
+void speak(QCoreApplication& application, const QString& code);
+
+}  // namespace fyd::console

@@ -1,0 +1,3327 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>FYD</name>
+    <message>
+        <source> STOP   Esc</source>
+        <translation> STOP   Esc</translation>
+    </message>
+    <message>
+        <source> UTC</source>
+        <translation> UTC</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>%1   (%2)</source>
+        <translation>%1   (%2)</translation>
+    </message>
+    <message>
+        <source>%1 %2 ± %3</source>
+        <translation>%1 %2 ± %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation>%1 (%2 fois)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 = %2 was refused.</source>
+        <translation>%1 = %2 a été refusé.</translation>
+    </message>
+    <message>
+        <source>%1 = %2: expected %3</source>
+        <translation>%1 = %2 : attendu %3</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 Go</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 Mo</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>il y a %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s: %3</source>
+        <translation>%1 à %2 s : %3</translation>
+    </message>
+    <message>
+        <source>%1 by the operator. Motors are off. Arm to start again.</source>
+        <translation>%1 par l'opérateur. Moteurs coupés. Armer pour recommencer.</translation>
+    </message>
+    <message>
+        <source>%1 cannot change while the station runs</source>
+        <translation>%1 ne peut pas changer pendant que la station travaille</translation>
+    </message>
+    <message>
+        <source>%1 different distances in %2 points; expected at least %3: add points between %4 and %5 mm (the same distance again tells only the noise)</source>
+        <translation>%1 distances différentes en %2 points ; il en faut au moins %3 : ajouter des points entre %4 et %5 mm (la même distance répétée ne donne que le bruit)</translation>
+    </message>
+    <message>
+        <source>%1 different points; expected at least %2: add points, best at the corners of the cloth</source>
+        <translation>%1 points différents ; il en faut au moins %2 : ajouter des points, de préférence aux coins du tissu</translation>
+    </message>
+    <message>
+        <source>%1 different weights in %2 points; expected at least %3: %4</source>
+        <translation>%1 poids différents en %2 points ; il en faut au moins %3 : %4</translation>
+    </message>
+    <message>
+        <source>%1 does not answer: %2</source>
+        <translation>%1 ne répond pas : %2</translation>
+    </message>
+    <message>
+        <source>%1 errors since the start</source>
+        <translation>%1 erreurs depuis le démarrage</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 h left</source>
+        <translation>encore %1 h</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>%1 is now %2.</source>
+        <translation>%1 vaut maintenant %2.</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 est écrit.</translation>
+    </message>
+    <message>
+        <source>%1 kB</source>
+        <translation>%1 ko</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation>encore %1 min</translation>
+    </message>
+    <message>
+        <source>%1 moves by %2; at rest it stays within %3</source>
+        <translation>%1 varie de %2 ; au repos il reste dans %3</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples, %3 times real time.</source>
+        <translation>%1 sur %2 échantillons, %3 fois le temps réel.</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>vieux de %1</translation>
+    </message>
+    <message>
+        <source>%1 over time, %2</source>
+        <translation>%1 au cours du temps, %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation>%1 s : %2</translation>
+    </message>
+    <message>
+        <source>%1 samples are not in the file: the computer is too busy. What is written is safe. Close other programs.</source>
+        <translation>%1 échantillons manquent dans le fichier : l'ordinateur est trop occupé. Ce qui est écrit est en sûreté. Fermer les autres programmes.</translation>
+    </message>
+    <message>
+        <source>%1 samples lost</source>
+        <translation>%1 échantillons perdus</translation>
+    </message>
+    <message>
+        <source>%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)</source>
+        <translation>%1 pas, %2 cycles manqués ; un pas dure %3 µs (médiane), %4 µs (99e centile)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px at %3, %4</source>
+        <translation>%1 × %2 px en %3, %4</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, in review</source>
+        <translation>%1, en relecture</translation>
+    </message>
+    <message>
+        <source>%1, in the unit beside</source>
+        <translation>%1, dans l'unité à côté</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1: "%2" is no number.</source>
+        <translation>%1 : « %2 » n'est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" was not taken. Expected %3.</source>
+        <translation>%1 : « %2 » refusé. Attendu %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1 : %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 is out of range; expected %3 to %4 %5.</source>
+        <translation>%1 : %2 est hors limites ; attendu de %3 à %4 %5.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is still being recorded; stop it first</source>
+        <translation>%1 : %2 est encore en cours d'enregistrement ; l'arrêter d'abord</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1 : %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3 Then re-arm.</source>
+        <translation>%1 : %2. %3 Puis réarmer.</translation>
+    </message>
+    <message>
+        <source>%1: a report ends in .html or .pdf</source>
+        <translation>%1 : un rapport se termine par .html ou .pdf</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened for reading</source>
+        <translation>%1 : impossible à ouvrir en lecture</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened: %2</source>
+        <translation>%1 : impossible à ouvrir : %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1 : illisible : %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be replaced: %2</source>
+        <translation>%1 : impossible à remplacer : %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1 : impossible à écrire : %2</translation>
+    </message>
+    <message>
+        <source>%1: difference %2, mean %3</source>
+        <translation>%1 : différence %2, moyenne %3</translation>
+    </message>
+    <message>
+        <source>%1: everything needed is there. Arm to start.</source>
+        <translation>%1 : tout le nécessaire est là. Armer pour commencer.</translation>
+    </message>
+    <message>
+        <source>%1: exists already</source>
+        <translation>%1 : existe déjà</translation>
+    </message>
+    <message>
+        <source>%1: expected %2</source>
+        <translation>%1 : attendu %2</translation>
+    </message>
+    <message>
+        <source>%1: expected true or false</source>
+        <translation>%1 : attendu true ou false</translation>
+    </message>
+    <message>
+        <source>%1: held-out error %2 mm of at most %3 mm, falls at every code from %4 to %5</source>
+        <translation>%1 : erreur de vérification %2 mm sur au plus %3 mm, décroît à chaque code de %4 à %5</translation>
+    </message>
+    <message>
+        <source>%1: is being recorded at this moment</source>
+        <translation>%1 : est en cours d'enregistrement en ce moment</translation>
+    </message>
+    <message>
+        <source>%1: is no serial port</source>
+        <translation>%1 : n'est pas un port série</translation>
+    </message>
+    <message>
+        <source>%1: not open</source>
+        <translation>%1 : non ouvert</translation>
+    </message>
+    <message>
+        <source>%1: rendering.</source>
+        <translation>%1 : rendu en cours.</translation>
+    </message>
+    <message>
+        <source>%1: sensors are live, motors are off.</source>
+        <translation>%1 : capteurs actifs, moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>%1: the device behind the port is gone; is the cable plugged in?</source>
+        <translation>%1 : l'appareil derrière le port a disparu ; le câble est-il branché ?</translation>
+    </message>
+    <message>
+        <source>%1: the disk does not answer; nothing is recorded</source>
+        <translation>%1 : le disque ne répond pas ; rien n'est enregistré</translation>
+    </message>
+    <message>
+        <source>%1: the disk does not answer; the file is closed when it does</source>
+        <translation>%1 : le disque ne répond pas ; le fichier sera fermé quand il répondra</translation>
+    </message>
+    <message>
+        <source>%1: the disk has %2 MB left, fewer than the %3 MB a recording leaves free</source>
+        <translation>%1 : il reste %2 Mo sur le disque, moins que les %3 Mo qu'un enregistrement laisse libres</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be used: %2</source>
+        <translation>%1 : dossier inutilisable : %2</translation>
+    </message>
+    <message>
+        <source>%1: the recorder is not running</source>
+        <translation>%1 : l'enregistreur ne fonctionne pas</translation>
+    </message>
+    <message>
+        <source>%1: the recording holds no picture</source>
+        <translation>%1 : l'enregistrement ne contient pas d'image</translation>
+    </message>
+    <message>
+        <source>%1: the session is closed</source>
+        <translation>%1 : la session est fermée</translation>
+    </message>
+    <message>
+        <source>%1: the touchpad does not answer.</source>
+        <translation>%1 : le touchpad ne répond pas.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1 : ce fichier n'existe pas</translation>
+    </message>
+    <message>
+        <source>%1: too many changes at once</source>
+        <translation>%1 : trop de changements à la fois</translation>
+    </message>
+    <message>
+        <source>%1: type a number first.</source>
+        <translation>%1 : saisir d'abord un nombre.</translation>
+    </message>
+    <message>
+        <source>%1: writing failed: %2</source>
+        <translation>%1 : échec de l'écriture : %2</translation>
+    </message>
+    <message>
+        <source>%1; %2 is whole up to here. Make room or choose another disk</source>
+        <translation>%1 ; %2 est intact jusqu'ici. Faire de la place ou choisir un autre disque</translation>
+    </message>
+    <message>
+        <source>%1; now %2</source>
+        <translation>%1 ; maintenant %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) lost</source>
+        <translation><numerusform>%n échantillon perdu</numerusform><numerusform>%n échantillons perdus</numerusform><numerusform>%n échantillons perdus</numerusform></translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 s</translation>
+    </message>
+    <message>
+        <source>1 kHz · %1 % missed</source>
+        <translation>1 kHz · %1 % manqués</translation>
+    </message>
+    <message>
+        <source>: no. </source>
+        <translation> : non. </translation>
+    </message>
+    <message>
+        <source>: yes</source>
+        <translation> : oui</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>A motor goes 2° out and back; the vibration lasts half a second.</source>
+        <translation>Un moteur avance de 2° et revient ; la vibration dure une demi-seconde.</translation>
+    </message>
+    <message>
+        <source>A note into the recording</source>
+        <translation>Une note dans l'enregistrement</translation>
+    </message>
+    <message>
+        <source>A note needs words.</source>
+        <translation>Une note a besoin de mots.</translation>
+    </message>
+    <message>
+        <source>A note; Enter puts it into the recording</source>
+        <translation>Une note ; Entrée la met dans l'enregistrement</translation>
+    </message>
+    <message>
+        <source>A rectangle around the cloth, with a finger in it.</source>
+        <translation>Un rectangle autour du tissu, avec un doigt dedans.</translation>
+    </message>
+    <message>
+        <source>A test needs motors that answer.</source>
+        <translation>Un essai demande des moteurs qui répondent.</translation>
+    </message>
+    <message>
+        <source>A – B</source>
+        <translation>A – B</translation>
+    </message>
+    <message>
+        <source>Acceleration, peak</source>
+        <translation>Accélération, pic</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Accepter</translation>
+    </message>
+    <message>
+        <source>Accept the calibration</source>
+        <translation>Accepter l'étalonnage</translation>
+    </message>
+    <message>
+        <source>Accepted and written to %1, but the session goes on without it: %2. Start the window again to use it.</source>
+        <translation>Accepté et écrit dans %1, mais la session continue sans : %2. Redémarrer la fenêtre pour l'utiliser.</translation>
+    </message>
+    <message>
+        <source>Accepted and written to %1. The session has begun anew with it; motors stay off until you arm.</source>
+        <translation>Accepté et écrit dans %1. La session a recommencé avec ; les moteurs restent coupés jusqu'à l'armement.</translation>
+    </message>
+    <message>
+        <source>Accepted. The values are in force and in the profile.</source>
+        <translation>Accepté. Les valeurs sont en vigueur et dans le profil.</translation>
+    </message>
+    <message>
+        <source>Accepting begins the session anew and would end the recording: stop the recording first.</source>
+        <translation>Accepter recommence la session et mettrait fin à l'enregistrement : arrêter d'abord l'enregistrement.</translation>
+    </message>
+    <message>
+        <source>Accepting begins the session anew, and that is not done while motors can move: press Esc first.</source>
+        <translation>Accepter recommence la session, ce qui ne se fait pas tant que les moteurs peuvent bouger : appuyer d'abord sur Esc.</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Actif</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Address and port to listen on</source>
+        <translation>Adresse et port d'écoute</translation>
+    </message>
+    <message>
+        <source>Align the other session at</source>
+        <translation>Aligner l'autre session à</translation>
+    </message>
+    <message>
+        <source>Align this session at</source>
+        <translation>Aligner cette session à</translation>
+    </message>
+    <message>
+        <source>All %1 trials are done.</source>
+        <translation>Les %1 essais sont tous faits.</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Répond</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>En A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>En B</translation>
+    </message>
+    <message>
+        <source>At least %1 different distances that span %2 mm.</source>
+        <translation>Au moins %1 distances différentes couvrant %2 mm.</translation>
+    </message>
+    <message>
+        <source>At least %1 different weights that span %2 N.</source>
+        <translation>Au moins %1 poids différents couvrant %2 N.</translation>
+    </message>
+    <message>
+        <source>At least %1 places, not on one line.</source>
+        <translation>Au moins %1 positions, pas sur une droite.</translation>
+    </message>
+    <message>
+        <source>Averages the signal and adds it to the points.</source>
+        <translation>Fait la moyenne du signal et l'ajoute aux points.</translation>
+    </message>
+    <message>
+        <source>Averaging</source>
+        <translation>Moyennage</translation>
+    </message>
+    <message>
+        <source>Averaging for %1 s: keep still.</source>
+        <translation>Moyenne pendant %1 s : ne pas bouger.</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Back to the default, %1</source>
+        <translation>Revenir à la valeur par défaut, %1</translation>
+    </message>
+    <message>
+        <source>Began, UTC</source>
+        <translation>Début, UTC</translation>
+    </message>
+    <message>
+        <source>Between A and B</source>
+        <translation>Entre A et B</translation>
+    </message>
+    <message>
+        <source>Bookmark at the cursor</source>
+        <translation>Signet au curseur</translation>
+    </message>
+    <message>
+        <source>Bridge</source>
+        <translation>Pont</translation>
+    </message>
+    <message>
+        <source>Bridge, mV/V</source>
+        <translation>Pont, mV/V</translation>
+    </message>
+    <message>
+        <source>Brightness, contrast, exposure</source>
+        <translation>Luminosité, contraste, exposition</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Étalonner</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Camera picture</source>
+        <translation>Image de la caméra</translation>
+    </message>
+    <message>
+        <source>Camera picture: click a place, or move it with the arrow keys</source>
+        <translation>Image de la caméra : cliquer un point, ou le déplacer avec les flèches</translation>
+    </message>
+    <message>
+        <source>Camera sees</source>
+        <translation>La caméra voit</translation>
+    </message>
+    <message>
+        <source>Camera: region, threshold</source>
+        <translation>Caméra : région, seuil</translation>
+    </message>
+    <message>
+        <source>Camera: scale</source>
+        <translation>Caméra : échelle</translation>
+    </message>
+    <message>
+        <source>Can I trust the sensors?</source>
+        <translation>Puis-je me fier aux capteurs ?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Change the robot</source>
+        <translation>Changer le robot</translation>
+    </message>
+    <message>
+        <source>Change, mm</source>
+        <translation>Variation, mm</translation>
+    </message>
+    <message>
+        <source>Changed parameters; Enter takes one away</source>
+        <translation>Paramètres changés ; Entrée en retire un</translation>
+    </message>
+    <message>
+        <source>Changed, not saved</source>
+        <translation>Changé, non enregistré</translation>
+    </message>
+    <message>
+        <source>Changed; the profile has %1</source>
+        <translation>Changé ; le profil a %1</translation>
+    </message>
+    <message>
+        <source>Check light and lens cap.</source>
+        <translation>Vérifier la lumière et le capuchon de l'objectif.</translation>
+    </message>
+    <message>
+        <source>Check the camera's cable or choose another source.</source>
+        <translation>Vérifier le câble de la caméra ou choisir une autre source.</translation>
+    </message>
+    <message>
+        <source>Check the load cell's bridge and its cable.</source>
+        <translation>Vérifier le pont de la cellule de charge et son câble.</translation>
+    </message>
+    <message>
+        <source>Check the network and the robot's program.</source>
+        <translation>Vérifier le réseau et le programme du robot.</translation>
+    </message>
+    <message>
+        <source>Check the robot's force sensor and probe again.</source>
+        <translation>Vérifier le capteur de force du robot et palper à nouveau.</translation>
+    </message>
+    <message>
+        <source>Check the touchpad's power and cables.</source>
+        <translation>Vérifier l'alimentation et les câbles du touchpad.</translation>
+    </message>
+    <message>
+        <source>Check the touchpad's power and its serial cable.</source>
+        <translation>Vérifier l'alimentation du touchpad et son câble série.</translation>
+    </message>
+    <message>
+        <source>Choose a session, or write the path of a recording.</source>
+        <translation>Choisir une session, ou saisir le chemin d'un enregistrement.</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Choisir le fichier</translation>
+    </message>
+    <message>
+        <source>Choose the key file</source>
+        <translation>Choisir le fichier de clé</translation>
+    </message>
+    <message>
+        <source>Choose the key file that the robot has as well.</source>
+        <translation>Choisir le fichier de clé que le robot possède aussi.</translation>
+    </message>
+    <message>
+        <source>Choose the robot's stiffness or set one by hand.</source>
+        <translation>Choisir la raideur du robot ou en régler une à la main.</translation>
+    </message>
+    <message>
+        <source>Classic (not secured)</source>
+        <translation>Classique (non sécurisé)</translation>
+    </message>
+    <message>
+        <source>Click for more.</source>
+        <translation>Cliquer pour en savoir plus.</translation>
+    </message>
+    <message>
+        <source>Click the next mark, type where it lies, and take the point: best at the cloth's corners and in its middle.</source>
+        <translation>Cliquer la marque suivante, saisir sa position et prendre le point : de préférence aux coins du tissu et au milieu.</translation>
+    </message>
+    <message>
+        <source>Click to look there; drag with the right button to choose a stretch.</source>
+        <translation>Cliquer pour regarder là ; glisser avec le bouton droit pour choisir un intervalle.</translation>
+    </message>
+    <message>
+        <source>Close other programs on this machine.</source>
+        <translation>Fermer les autres programmes sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Close the link's panel</source>
+        <translation>Fermer le panneau de la liaison</translation>
+    </message>
+    <message>
+        <source>Close the recording's panel</source>
+        <translation>Fermer le panneau de l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Closed loop: cloth and robot answer as identified from this recording.</source>
+        <translation>Boucle fermée : tissu et robot répondent comme identifié dans cet enregistrement.</translation>
+    </message>
+    <message>
+        <source>Closed: the robot has said goodbye</source>
+        <translation>Fermée : le robot a pris congé</translation>
+    </message>
+    <message>
+        <source>Cloth and robot answer (closed loop)</source>
+        <translation>Tissu et robot répondent (boucle fermée)</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Commandes trouvées</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Conditions</translation>
+    </message>
+    <message>
+        <source>Conditions: light, temperature, target</source>
+        <translation>Conditions : lumière, température, cible</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Connecté</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Cursor</source>
+        <translation>Curseur</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Dark theme</source>
+        <translation>Thème sombre</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Zone morte</translation>
+    </message>
+    <message>
+        <source>Depth
+mm</source>
+        <translation>Profondeur
+mm</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>Different from %1 s on (%2).</source>
+        <translation>Différent à partir de %1 s (%2).</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Discard the points</source>
+        <translation>Écarter les points</translation>
+    </message>
+    <message>
+        <source>Disconnected</source>
+        <translation>Déconnecté</translation>
+    </message>
+    <message>
+        <source>Dismiss all notices</source>
+        <translation>Fermer tous les avis</translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>Fermer : %1</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Distance %1</source>
+        <translation>Distance %1</translation>
+    </message>
+    <message>
+        <source>Distance sensor</source>
+        <translation>Capteur de distance</translation>
+    </message>
+    <message>
+        <source>Distance sensor %1</source>
+        <translation>Capteur de distance %1</translation>
+    </message>
+    <message>
+        <source>Distance sensors measure</source>
+        <translation>Les capteurs de distance mesurent</translation>
+    </message>
+    <message>
+        <source>Distance, mm</source>
+        <translation>Distance, mm</translation>
+    </message>
+    <message>
+        <source>Distances, mm</source>
+        <translation>Distances, mm</translation>
+    </message>
+    <message>
+        <source>Dots: measured. Dashed: the offsets in force.</source>
+        <translation>Points : mesurés. Tirets : les décalages en vigueur.</translation>
+    </message>
+    <message>
+        <source>Drag to look back, wheel to zoom, drag with the right button to zoom into a box,
+Ctrl and wheel to stretch this curve, double-click or F to follow again.</source>
+        <translation>Glisser pour revenir en arrière, molette pour zoomer, glisser avec le bouton droit pour zoomer dans un cadre,
+Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouveau.</translation>
+    </message>
+    <message>
+        <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
+        <translation>Tracée en clair. Choisir un toucher de chacune pour les superposer.</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Enough points.</source>
+        <translation>Assez de points.</translation>
+    </message>
+    <message>
+        <source>Enter or a double click opens a session.</source>
+        <translation>Entrée ou un double-clic ouvre une session.</translation>
+    </message>
+    <message>
+        <source>Enter the address and port to listen on, such as 127.0.0.1:3490.</source>
+        <translation>Saisir l'adresse et le port d'écoute, comme 127.0.0.1:3490.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Erreur, mm</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Erreurs</translation>
+    </message>
+    <message>
+        <source>Errors by kind</source>
+        <translation>Erreurs par type</translation>
+    </message>
+    <message>
+        <source>Esc stops.</source>
+        <translation>Esc arrête.</translation>
+    </message>
+    <message>
+        <source>Everything needed is there; motors off.</source>
+        <translation>Tout le nécessaire est là ; moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation>Exporter en CSV</translation>
+    </message>
+    <message>
+        <source>Export as MCAP</source>
+        <translation>Exporter en MCAP</translation>
+    </message>
+    <message>
+        <source>Export for MATLAB</source>
+        <translation>Exporter pour MATLAB</translation>
+    </message>
+    <message>
+        <source>Export the camera's video</source>
+        <translation>Exporter la vidéo de la caméra</translation>
+    </message>
+    <message>
+        <source>FYD Console</source>
+        <translation>FYD Console</translation>
+    </message>
+    <message>
+        <source>FYD Link with a key</source>
+        <translation>FYD Link avec une clé</translation>
+    </message>
+    <message>
+        <source>Figures between A and B</source>
+        <translation>Valeurs entre A et B</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>File %1: expected a name that ends in .h5.</source>
+        <translation>Fichier %1 : attendu un nom qui se termine par .h5.</translation>
+    </message>
+    <message>
+        <source>File %1: expected a whole path, from / on.</source>
+        <translation>Fichier %1 : attendu un chemin complet, à partir de /.</translation>
+    </message>
+    <message>
+        <source>File %1: it is there already; a recording is never written over.</source>
+        <translation>Fichier %1 : existe déjà ; un enregistrement n'est jamais écrasé.</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Fichier de l'enregistrement</translation>
+    </message>
+    <message>
+        <source>File: where is the recording to go?</source>
+        <translation>Fichier : où mettre l'enregistrement ?</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Trouver une commande</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Trouver une commande…</translation>
+    </message>
+    <message>
+        <source>Finger area in pixels</source>
+        <translation>Aire du doigt en pixels</translation>
+    </message>
+    <message>
+        <source>Finger found</source>
+        <translation>Doigt trouvé</translation>
+    </message>
+    <message>
+        <source>Finger mask</source>
+        <translation>Masque du doigt</translation>
+    </message>
+    <message>
+        <source>Finger x in millimetres</source>
+        <translation>x du doigt en millimètres</translation>
+    </message>
+    <message>
+        <source>Finger y in millimetres</source>
+        <translation>y du doigt en millimètres</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Follow the newest values</source>
+        <translation>Suivre les valeurs les plus récentes</translation>
+    </message>
+    <message>
+        <source>Follow the newest values (F)</source>
+        <translation>Suivre les valeurs les plus récentes (F)</translation>
+    </message>
+    <message>
+        <source>Follow the stiffness of what the robot touches.</source>
+        <translation>Suit la raideur de ce que touche le robot.</translation>
+    </message>
+    <message>
+        <source>Following</source>
+        <translation>Suivi</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Force
+N</source>
+        <translation>Force
+N</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Force, N</translation>
+    </message>
+    <message>
+        <source>Forgets this part's points; the values in force stay.</source>
+        <translation>Oublie les points de cette partie ; les valeurs en vigueur restent.</translation>
+    </message>
+    <message>
+        <source>Gain k_vib</source>
+        <translation>Gain k_vib</translation>
+    </message>
+    <message>
+        <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
+        <translation>Aller jusqu'au poids le plus lourd, puis retirer les mêmes poids un à un.</translation>
+    </message>
+    <message>
+        <source>Good: %1.</source>
+        <translation>Bon : %1.</translation>
+    </message>
+    <message>
+        <source>Grey value</source>
+        <translation>Niveau de gris</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Bloqué</translation>
+    </message>
+    <message>
+        <source>Held-out error %1</source>
+        <translation>Erreur de vérification %1</translation>
+    </message>
+    <message>
+        <source>Held-out error %1 of at most %2</source>
+        <translation>Erreur de vérification %1 sur au plus %2</translation>
+    </message>
+    <message>
+        <source>Here: %1
+Robot: %2
+%3 states received, %4 touches sent, %5 datagrams refused</source>
+        <translation>Ici : %1
+Robot : %2
+%3 états reçus, %4 touchers envoyés, %5 datagrammes refusés</translation>
+    </message>
+    <message>
+        <source>Hold Arm to start.</source>
+        <translation>Maintenir Armer pour commencer.</translation>
+    </message>
+    <message>
+        <source>Hold Re-arm to start again.</source>
+        <translation>Maintenir Réarmer pour recommencer.</translation>
+    </message>
+    <message>
+        <source>Hold a flat white target over the sensor, measure its distance, type it and take the point.</source>
+        <translation>Tenir une cible blanche plane au-dessus du capteur, mesurer sa distance, la saisir et prendre le point.</translation>
+    </message>
+    <message>
+        <source>Hold for 0.6 s, by mouse or with the space bar, to start rendering: the motors switch on.</source>
+        <translation>Maintenir 0,6 s, à la souris ou avec la barre d'espace, pour commencer le rendu : les moteurs s'allument.</translation>
+    </message>
+    <message>
+        <source>Hold the picture still; measuring goes on (Space)</source>
+        <translation>Fige l'image ; la mesure continue (Espace)</translation>
+    </message>
+    <message>
+        <source>Hold the stiffness set below, whatever the robot touches.</source>
+        <translation>Maintient la raideur réglée ci-dessous, quoi que touche le robot.</translation>
+    </message>
+    <message>
+        <source>Hold to arm</source>
+        <translation>Maintenir : armer</translation>
+    </message>
+    <message>
+        <source>Hold to re-arm</source>
+        <translation>Maintenir : réarmer</translation>
+    </message>
+    <message>
+        <source>How far the time between the robot's messages strays: four mean deviations.</source>
+        <translation>De combien varie le temps entre les messages du robot : quatre écarts moyens.</translation>
+    </message>
+    <message>
+        <source>How often the robot was silent for longer than the link allows.</source>
+        <translation>Combien de fois le robot s'est tu plus longtemps que la liaison ne le permet.</translation>
+    </message>
+    <message>
+        <source>IR sensor %1</source>
+        <translation>Capteur IR %1</translation>
+    </message>
+    <message>
+        <source>Identical, bit for bit.</source>
+        <translation>Identique, bit pour bit.</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>En vigueur</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>Indentation</translation>
+    </message>
+    <message>
+        <source>It ends at the first of %1 lost samples.</source>
+        <translation>Se termine au premier de %1 échantillons perdus.</translation>
+    </message>
+    <message>
+        <source>Its value</source>
+        <translation>Sa valeur</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Gigue</translation>
+    </message>
+    <message>
+        <source>Kd</source>
+        <translation>Kd</translation>
+    </message>
+    <message>
+        <source>Key file</source>
+        <translation>Fichier de clé</translation>
+    </message>
+    <message>
+        <source>Key file of FYD Link</source>
+        <translation>Fichier de clé de FYD Link</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation>Kp</translation>
+    </message>
+    <message>
+        <source>Language: English</source>
+        <translation>Langue : anglais</translation>
+    </message>
+    <message>
+        <source>Language: French</source>
+        <translation>Langue : français</translation>
+    </message>
+    <message>
+        <source>Language: Italian</source>
+        <translation>Langue : italien</translation>
+    </message>
+    <message>
+        <source>Last answer</source>
+        <translation>Dernière réponse</translation>
+    </message>
+    <message>
+        <source>Last message</source>
+        <translation>Dernier message</translation>
+    </message>
+    <message>
+        <source>Last picture</source>
+        <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
+        <translation>Poser la cible imprimée sur le tissu, cliquer une de ses marques dans l'image, saisir sa position et prendre le point.</translation>
+    </message>
+    <message>
+        <source>Leave the cell unloaded, type 0 and take the point.</source>
+        <translation>Laisser la cellule sans charge, saisir 0 et prendre le point.</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Left as it is</source>
+        <translation>Laissé tel quel</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Length
+s</source>
+        <translation>Durée
+s</translation>
+    </message>
+    <message>
+        <source>Light theme</source>
+        <translation>Thème clair</translation>
+    </message>
+    <message>
+        <source>Line: grey values of the region. Dashed: the suggested threshold between finger and cloth.</source>
+        <translation>Ligne : niveaux de gris de la région. Tirets : le seuil proposé entre doigt et tissu.</translation>
+    </message>
+    <message>
+        <source>Line: new curve. Dashed: the one in force. Crosses: points the others contradict.</source>
+        <translation>Ligne : nouvelle courbe. Tirets : celle en vigueur. Croix : points que les autres contredisent.</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Liaison</translation>
+    </message>
+    <message>
+        <source>List of sessions</source>
+        <translation>Liste des sessions</translation>
+    </message>
+    <message>
+        <source>Listen on</source>
+        <translation>Écouter sur</translation>
+    </message>
+    <message>
+        <source>Listening on</source>
+        <translation>À l'écoute sur</translation>
+    </message>
+    <message>
+        <source>Lists serial ports and cameras as "fyd devices" does. Nothing that is in use is disturbed.</source>
+        <translation>Liste les ports série et les caméras comme « fyd devices ». Rien de ce qui est utilisé n'est dérangé.</translation>
+    </message>
+    <message>
+        <source>Live values</source>
+        <translation>Valeurs en direct</translation>
+    </message>
+    <message>
+        <source>Load cell</source>
+        <translation>Cellule de charge</translation>
+    </message>
+    <message>
+        <source>Load cell measures</source>
+        <translation>La cellule de charge mesure</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Chercher à nouveau</translation>
+    </message>
+    <message>
+        <source>Look at the offsets at the right, then accept them or measure again.</source>
+        <translation>Regarder les décalages à droite, puis les accepter ou mesurer à nouveau.</translation>
+    </message>
+    <message>
+        <source>Look for dirt or an object under the cloth; calibrate.</source>
+        <translation>Chercher de la saleté ou un objet sous le tissu ; étalonner.</translation>
+    </message>
+    <message>
+        <source>Looked for: %1
+%2
+
+To work without it, start with the simulated camera: leave --camera out.</source>
+        <translation>Cherché : %1
+%2
+
+Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</translation>
+    </message>
+    <message>
+        <source>Looking at cameras …</source>
+        <translation>Recherche des caméras …</translation>
+    </message>
+    <message>
+        <source>Looking at serial ports …</source>
+        <translation>Recherche des ports série …</translation>
+    </message>
+    <message>
+        <source>Looking for its touches …</source>
+        <translation>Recherche de ses touchers …</translation>
+    </message>
+    <message>
+        <source>Looking for touches …</source>
+        <translation>Recherche des touchers …</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>Perte</translation>
+    </message>
+    <message>
+        <source>Lost: the robot is silent</source>
+        <translation>Perdue : le robot se tait</translation>
+    </message>
+    <message>
+        <source>Marked values differ from the profile (Ctrl+S)</source>
+        <translation>Les valeurs marquées diffèrent du profil (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>Marqueur %1</translation>
+    </message>
+    <message>
+        <source>Marker %1 at %2.</source>
+        <translation>Marqueur %1 à %2.</translation>
+    </message>
+    <message>
+        <source>Marker into the recording</source>
+        <translation>Marqueur dans l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Masque</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Measured.</source>
+        <translation>Mesuré.</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Motor board</source>
+        <translation>Carte moteurs</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Moteurs</translation>
+    </message>
+    <message>
+        <source>Motors answer</source>
+        <translation>Les moteurs répondent</translation>
+    </message>
+    <message>
+        <source>Motors off at once (Esc, from everywhere)</source>
+        <translation>Moteurs coupés aussitôt (Esc, de partout)</translation>
+    </message>
+    <message>
+        <source>Move the target by some 20 mm, type the new distance and take the next point, 40 to 300 mm.</source>
+        <translation>Déplacer la cible d'environ 20 mm, saisir la nouvelle distance et prendre le point suivant, de 40 à 300 mm.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>N/mm</source>
+        <translation>N/mm</translation>
+    </message>
+    <message>
+        <source>Name a second recording: its curves are drawn faint behind these.</source>
+        <translation>Indiquer un second enregistrement : ses courbes sont tracées en clair derrière celles-ci.</translation>
+    </message>
+    <message>
+        <source>Name one with --touchpad, --motors or --camera at the start.</source>
+        <translation>En indiquer un avec --touchpad, --motors ou --camera au démarrage.</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Image suivante</translation>
+    </message>
+    <message>
+        <source>Next sample</source>
+        <translation>Échantillon suivant</translation>
+    </message>
+    <message>
+        <source>Next trial</source>
+        <translation>Essai suivant</translation>
+    </message>
+    <message>
+        <source>No link</source>
+        <translation>Pas de liaison</translation>
+    </message>
+    <message>
+        <source>No marker: nothing is being recorded. Ctrl+R starts.</source>
+        <translation>Pas de marqueur : rien n'est enregistré. Ctrl+R commence.</translation>
+    </message>
+    <message>
+        <source>No notes. N writes one at the cursor.</source>
+        <translation>Pas de notes. N en écrit une au curseur.</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Pas d'image</translation>
+    </message>
+    <message>
+        <source>No picture at the cursor.</source>
+        <translation>Pas d'image au curseur.</translation>
+    </message>
+    <message>
+        <source>No picture was taken before the cursor.</source>
+        <translation>Aucune image n'a été prise avant le curseur.</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>Pas encore d'image.</translation>
+    </message>
+    <message>
+        <source>No pictures were recorded.</source>
+        <translation>Aucune image n'a été enregistrée.</translation>
+    </message>
+    <message>
+        <source>No points yet. The values in force stay until you accept new ones.</source>
+        <translation>Pas encore de points. Les valeurs en vigueur restent jusqu'à l'acceptation de nouvelles.</translation>
+    </message>
+    <message>
+        <source>No real-time priority: the system may delay the loop.</source>
+        <translation>Pas de priorité temps réel : le système peut retarder la boucle.</translation>
+    </message>
+    <message>
+        <source>No sensor of the touchpad answers.</source>
+        <translation>Aucun capteur du touchpad ne répond.</translation>
+    </message>
+    <message>
+        <source>No serial port and no camera. A touchpad on the network is not searched for: give its address with --touchpad. Simulated parts work without any.</source>
+        <translation>Ni port série ni caméra. Un touchpad sur le réseau n'est pas cherché : donner son adresse avec --touchpad. Les parties simulées fonctionnent sans rien.</translation>
+    </message>
+    <message>
+        <source>No session has these words.</source>
+        <translation>Aucune session n'a ces mots.</translation>
+    </message>
+    <message>
+        <source>No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below.</source>
+        <translation>Aucune session n'est encore au catalogue. En enregistrer une dans Conduite (Ctrl+R), ou indiquer ci-dessous le fichier d'un enregistrement.</translation>
+    </message>
+    <message>
+        <source>No trial was begun: nothing is being recorded. Ctrl+R starts.</source>
+        <translation>Aucun essai commencé : rien n'est enregistré. Ctrl+R commence.</translation>
+    </message>
+    <message>
+        <source>No trials are planned: start with --trials soft,hard,…</source>
+        <translation>Aucun essai prévu : démarrer avec --trials soft,hard,…</translation>
+    </message>
+    <message>
+        <source>No-touch offsets</source>
+        <translation>Décalages sans contact</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Not accepted, the old values stay. %1</source>
+        <translation>Non accepté, les anciennes valeurs restent. %1</translation>
+    </message>
+    <message>
+        <source>Not armed: %1. %2</source>
+        <translation>Non armé : %1. %2</translation>
+    </message>
+    <message>
+        <source>Not following: press F to follow again</source>
+        <translation>Suivi arrêté : appuyer sur F pour suivre à nouveau</translation>
+    </message>
+    <message>
+        <source>Not recording. %1.</source>
+        <translation>Pas d'enregistrement. %1.</translation>
+    </message>
+    <message>
+        <source>Not recording. Folder %1 cannot be made: choose another file.</source>
+        <translation>Pas d'enregistrement. Le dossier %1 ne peut être créé : choisir un autre fichier.</translation>
+    </message>
+    <message>
+        <source>Not secured</source>
+        <translation>Non sécurisée</translation>
+    </message>
+    <message>
+        <source>Not taken: %1.</source>
+        <translation>Non pris : %1.</translation>
+    </message>
+    <message>
+        <source>Not taken: %1. Wait until it rests and take the point again.</source>
+        <translation>Non pris : %1. Attendre le repos et reprendre le point.</translation>
+    </message>
+    <message>
+        <source>Not taken: see the entry at the left.</source>
+        <translation>Non pris : voir la saisie à gauche.</translation>
+    </message>
+    <message>
+        <source>Not yet: %1.</source>
+        <translation>Pas encore : %1.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Note at the cursor</source>
+        <translation>Note au curseur</translation>
+    </message>
+    <message>
+        <source>Note at the cursor, then Enter</source>
+        <translation>Note au curseur, puis Entrée</translation>
+    </message>
+    <message>
+        <source>Note in the recording: %1</source>
+        <translation>Note dans l'enregistrement : %1</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Notes and events</source>
+        <translation>Notes et événements</translation>
+    </message>
+    <message>
+        <source>Notes: %1 characters are too many; at most %2.</source>
+        <translation>Notes : %1 caractères sont trop ; au plus %2.</translation>
+    </message>
+    <message>
+        <source>Nothing differs from the profile (Ctrl+S)</source>
+        <translation>Rien ne diffère du profil (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Nothing is checked or hidden: whoever reaches this address can pose as the robot. Use it on a line of its own.</source>
+        <translation>Rien n'est vérifié ni caché : quiconque atteint cette adresse peut se faire passer pour le robot. L'utiliser sur une ligne réservée.</translation>
+    </message>
+    <message>
+        <source>Nothing is checked or hidden; only programs on this computer reach it.</source>
+        <translation>Rien n'est vérifié ni caché ; seuls les programmes de cet ordinateur y accèdent.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>Rien à rétablir</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>Rien à annuler</translation>
+    </message>
+    <message>
+        <source>Notice</source>
+        <translation>Avis</translation>
+    </message>
+    <message>
+        <source>Notices</source>
+        <translation>Avis</translation>
+    </message>
+    <message>
+        <source>Offset, mm</source>
+        <translation>Décalage, mm</translation>
+    </message>
+    <message>
+        <source>One measurement of 3 s.</source>
+        <translation>Une mesure de 3 s.</translation>
+    </message>
+    <message>
+        <source>Only a robot with the same key is heard; what is said cannot be read or changed.</source>
+        <translation>Seul un robot avec la même clé est entendu ; ce qui est dit ne peut être ni lu ni changé.</translation>
+    </message>
+    <message>
+        <source>Only while nothing renders: press Esc first.</source>
+        <translation>Seulement sans rendu : appuyer d'abord sur Esc.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open loop: the recorded inputs as they were; the cloth does not answer.</source>
+        <translation>Boucle ouverte : les entrées enregistrées telles quelles ; le tissu ne répond pas.</translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>Conduite</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Operator: expected one line of at most %1 characters.</source>
+        <translation>Opérateur : attendu une ligne d'au plus %1 caractères.</translation>
+    </message>
+    <message>
+        <source>Operator: who operates? A name or initials.</source>
+        <translation>Opérateur : qui conduit ? Un nom ou des initiales.</translation>
+    </message>
+    <message>
+        <source>Parameter %1</source>
+        <translation>Paramètre %1</translation>
+    </message>
+    <message>
+        <source>Parameter to change</source>
+        <translation>Paramètre à changer</translation>
+    </message>
+    <message>
+        <source>Parts and link</source>
+        <translation>Parties et liaison</translation>
+    </message>
+    <message>
+        <source>Parts and the age of their calibration</source>
+        <translation>Parties et âge de leur étalonnage</translation>
+    </message>
+    <message>
+        <source>Path of a recording</source>
+        <translation>Chemin d'un enregistrement</translation>
+    </message>
+    <message>
+        <source>Path of a recording, such as %1</source>
+        <translation>Chemin d'un enregistrement, comme %1</translation>
+    </message>
+    <message>
+        <source>Path of a second recording</source>
+        <translation>Chemin d'un second enregistrement</translation>
+    </message>
+    <message>
+        <source>Path of a second recording, then Enter</source>
+        <translation>Chemin d'un second enregistrement, puis Entrée</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pause or follow</source>
+        <translation>Pause ou suivi</translation>
+    </message>
+    <message>
+        <source>Paused by the robot</source>
+        <translation>Mise en pause par le robot</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixels</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Lieux</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Lecture ou pause</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Lecture ou pause (Espace)</translation>
+    </message>
+    <message>
+        <source>Plugged in</source>
+        <translation>Branchés</translation>
+    </message>
+    <message>
+        <source>Point %1 taken.</source>
+        <translation>Point %1 pris.</translation>
+    </message>
+    <message>
+        <source>Points as the simulated touchpad gives them; the record says that they are simulated.</source>
+        <translation>Points tels que les donne le touchpad simulé ; le procès-verbal dit qu'ils sont simulés.</translation>
+    </message>
+    <message>
+        <source>Points discarded; the values in force stay.</source>
+        <translation>Points écartés ; les valeurs en vigueur restent.</translation>
+    </message>
+    <message>
+        <source>Points taken</source>
+        <translation>Points pris</translation>
+    </message>
+    <message>
+        <source>Points, fit and residuals</source>
+        <translation>Points, ajustement et résidus</translation>
+    </message>
+    <message>
+        <source>Press Esc, then restart the program.</source>
+        <translation>Appuyer sur Esc, puis redémarrer le programme.</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Image précédente</translation>
+    </message>
+    <message>
+        <source>Previous sample</source>
+        <translation>Échantillon précédent</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problème</translation>
+    </message>
+    <message>
+        <source>Profile not saved. %1</source>
+        <translation>Profil non enregistré. %1</translation>
+    </message>
+    <message>
+        <source>Profile saved to %1.</source>
+        <translation>Profil enregistré dans %1.</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocole</translation>
+    </message>
+    <message>
+        <source>Put the cursor somewhere and press [ for A, elsewhere and press ] for B.</source>
+        <translation>Placer le curseur quelque part et appuyer sur [ pour A, ailleurs et sur ] pour B.</translation>
+    </message>
+    <message>
+        <source>Put the next known weight on the cell, type it, wait until it rests, take the point.</source>
+        <translation>Poser le poids connu suivant sur la cellule, le saisir, attendre le repos, prendre le point.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>REC %1
+%2</source>
+        <translation>REC %1
+%2</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Readiness</source>
+        <translation>Préparation</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Reading, counts</source>
+        <translation>Lecture, incréments</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Prêt</translation>
+    </message>
+    <message>
+        <source>Ready? %1/%2</source>
+        <translation>Prêt ? %1/%2</translation>
+    </message>
+    <message>
+        <source>Ready? Waiting for the station</source>
+        <translation>Prêt ? En attente de la station</translation>
+    </message>
+    <message>
+        <source>Real-time priority granted.</source>
+        <translation>Priorité temps réel accordée.</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Reçus</translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation>Reconnecter</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Record this session into a file (Ctrl+R)</source>
+        <translation>Enregistrer cette session dans un fichier (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Recorded sessions</source>
+        <translation>Sessions enregistrées</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Recording closed: %1.</source>
+        <translation>Enregistrement fermé : %1.</translation>
+    </message>
+    <message>
+        <source>Recording failed
+Press to read why</source>
+        <translation>Échec de l'enregistrement
+Appuyer pour lire pourquoi</translation>
+    </message>
+    <message>
+        <source>Recording failed. %1</source>
+        <translation>Échec de l'enregistrement. %1</translation>
+    </message>
+    <message>
+        <source>Recording into %1.</source>
+        <translation>Enregistrement dans %1.</translation>
+    </message>
+    <message>
+        <source>Recordings (*.h5)</source>
+        <translation>Enregistrements (*.h5)</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo %1 (Ctrl+Shift+Z)</source>
+        <translation>Rétablir %1 (Ctrl+Shift+Z)</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Refusés : %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1.</source>
+        <translation>Refusé : %1.</translation>
+    </message>
+    <message>
+        <source>Refused: none</source>
+        <translation>Refusés : aucun</translation>
+    </message>
+    <message>
+        <source>Rendering; motors on.</source>
+        <translation>Rendu en cours ; moteurs en marche.</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Rapport en PDF</translation>
+    </message>
+    <message>
+        <source>Report as web page</source>
+        <translation>Rapport en page web</translation>
+    </message>
+    <message>
+        <source>Reset %1 to its default</source>
+        <translation>Ramener %1 à sa valeur par défaut</translation>
+    </message>
+    <message>
+        <source>Residual, N</source>
+        <translation>Résidu, N</translation>
+    </message>
+    <message>
+        <source>Residual, mm</source>
+        <translation>Résidu, mm</translation>
+    </message>
+    <message>
+        <source>Rest a finger on the cloth, drag a rectangle around the cloth in the picture, and take the point.</source>
+        <translation>Poser un doigt sur le tissu, tracer un rectangle autour du tissu dans l'image et prendre le point.</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Relecture</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Robot connected</source>
+        <translation>Robot connecté</translation>
+    </message>
+    <message>
+        <source>Robot is now: %1.</source>
+        <translation>Le robot est maintenant : %1.</translation>
+    </message>
+    <message>
+        <source>Robot not changed. %1.</source>
+        <translation>Robot inchangé. %1.</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Aller-retour</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation>Rejouer</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marche</translation>
+    </message>
+    <message>
+        <source>Running …</source>
+        <translation>En cours …</translation>
+    </message>
+    <message>
+        <source>Runs the recorded inputs through the step again. Without a change it proves that the recording comes out the same, bit for bit.</source>
+        <translation>Refait passer les entrées enregistrées par le pas. Sans changement, cela prouve que l'enregistrement ressort identique, bit pour bit.</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>Enregistrer le profil</translation>
+    </message>
+    <message>
+        <source>Search for devices</source>
+        <translation>Chercher des appareils</translation>
+    </message>
+    <message>
+        <source>Search operator, subject, notes, tags</source>
+        <translation>Chercher opérateur, sujet, notes, étiquettes</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>Chercher dans le journal</translation>
+    </message>
+    <message>
+        <source>Searching …</source>
+        <translation>Recherche …</translation>
+    </message>
+    <message>
+        <source>Secured</source>
+        <translation>Sécurisée</translation>
+    </message>
+    <message>
+        <source>Sensors live, motors off.</source>
+        <translation>Capteurs actifs, moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Envoyés</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Port série</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Session</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sessions</translation>
+    </message>
+    <message>
+        <source>Set A at the cursor</source>
+        <translation>Placer A au curseur</translation>
+    </message>
+    <message>
+        <source>Set B at the cursor</source>
+        <translation>Placer B au curseur</translation>
+    </message>
+    <message>
+        <source>Settled
+s</source>
+        <translation>Établi
+s</translation>
+    </message>
+    <message>
+        <source>Share of the robot's messages of the last second that did not arrive.</source>
+        <translation>Part des messages du robot de la dernière seconde qui ne sont pas arrivés.</translation>
+    </message>
+    <message>
+        <source>Show %1 seconds</source>
+        <translation>Afficher %1 secondes</translation>
+    </message>
+    <message>
+        <source>Show 10 s</source>
+        <translation>Afficher 10 s</translation>
+    </message>
+    <message>
+        <source>Show 30 s</source>
+        <translation>Afficher 30 s</translation>
+    </message>
+    <message>
+        <source>Show 5 s</source>
+        <translation>Afficher 5 s</translation>
+    </message>
+    <message>
+        <source>Show 60 s</source>
+        <translation>Afficher 60 s</translation>
+    </message>
+    <message>
+        <source>Show the last %1 s</source>
+        <translation>Afficher les %1 dernières s</translation>
+    </message>
+    <message>
+        <source>Show the whole session</source>
+        <translation>Afficher toute la session</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulés</translation>
+    </message>
+    <message>
+        <source>Simulated finger: press on the picture. Depth %1; wheel or Shift and drag changes it.</source>
+        <translation>Doigt simulé : appuyer sur l'image. Profondeur %1 ; molette ou Maj et glisser la changent.</translation>
+    </message>
+    <message>
+        <source>Simulated points, from the simulator's own truth and noise. No part was measured.</source>
+        <translation>Points simulés, d'après la vérité et le bruit du simulateur. Aucune partie n'a été mesurée.</translation>
+    </message>
+    <message>
+        <source>Simulated points.</source>
+        <translation>Points simulés.</translation>
+    </message>
+    <message>
+        <source>Slope
+per s</source>
+        <translation>Pente
+par s</translation>
+    </message>
+    <message>
+        <source>Small and slow, and only while the button is held. Esc ends it as well.</source>
+        <translation>Petit et lent, et seulement tant que le bouton est maintenu. Esc y met fin aussi.</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Souplesse</translation>
+    </message>
+    <message>
+        <source>Something needed went missing.</source>
+        <translation>Quelque chose de nécessaire est venu à manquer.</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
+        <source>Spread, counts</source>
+        <translation>Dispersion, incréments</translation>
+    </message>
+    <message>
+        <source>Spread, mV/V</source>
+        <translation>Dispersion, mV/V</translation>
+    </message>
+    <message>
+        <source>Start
+s</source>
+        <translation>Début
+s</translation>
+    </message>
+    <message>
+        <source>Start recording</source>
+        <translation>Commencer l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Start the robot's program again.</source>
+        <translation>Relancer le programme du robot.</translation>
+    </message>
+    <message>
+        <source>Start the robot's program, or set the target by hand.</source>
+        <translation>Lancer le programme du robot, ou régler la consigne à la main.</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Stiffness
+N/mm</source>
+        <translation>Raideur
+N/mm</translation>
+    </message>
+    <message>
+        <source>Stiffness error, RMS: %1 % recorded, %2 % so.</source>
+        <translation>Erreur de raideur, RMS : %1 % enregistrée, %2 % ainsi.</translation>
+    </message>
+    <message>
+        <source>Stiffness target by hand</source>
+        <translation>Raideur de consigne à la main</translation>
+    </message>
+    <message>
+        <source>Stiffness target from the robot</source>
+        <translation>Raideur de consigne du robot</translation>
+    </message>
+    <message>
+        <source>Stiffness target known</source>
+        <translation>Raideur de consigne connue</translation>
+    </message>
+    <message>
+        <source>Still missing: %1</source>
+        <translation>Il manque encore : %1</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Stopped by the operator; motors off.</source>
+        <translation>Arrêté par l'opérateur ; moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>Subject</source>
+        <translation>Sujet</translation>
+    </message>
+    <message>
+        <source>Subject: expected a code of letters, digits, - and _ such as S07, at most %1 characters; never a name.</source>
+        <translation>Sujet : attendu un code de lettres, chiffres, - et _ comme S07, au plus %1 caractères ; jamais un nom.</translation>
+    </message>
+    <message>
+        <source>Tag "%1": expected at most %2 characters.</source>
+        <translation>Étiquette « %1 » : attendu au plus %2 caractères.</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>Tags: %1 are too many; at most %2.</source>
+        <translation>Étiquettes : %1 sont trop ; au plus %2.</translation>
+    </message>
+    <message>
+        <source>Take everything off the cloth, keep your hands away, and take the point: it lasts 3 s.</source>
+        <translation>Tout retirer du tissu, éloigner les mains et prendre le point : cela dure 3 s.</translation>
+    </message>
+    <message>
+        <source>Take point</source>
+        <translation>Prendre le point</translation>
+    </message>
+    <message>
+        <source>Take simulated points</source>
+        <translation>Prendre des points simulés</translation>
+    </message>
+    <message>
+        <source>Take the last point back</source>
+        <translation>Retirer le dernier point</translation>
+    </message>
+    <message>
+        <source>Take the load off the cover; check the bridge's wiring.</source>
+        <translation>Retirer la charge du couvercle ; vérifier le câblage du pont.</translation>
+    </message>
+    <message>
+        <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (T).</source>
+        <translation>Prend les lectures présentes comme « sans contact » : décalages des distances et zéro de la cellule de charge. Lever d'abord le doigt (T).</translation>
+    </message>
+    <message>
+        <source>Takes the last point back.</source>
+        <translation>Retire le dernier point.</translation>
+    </message>
+    <message>
+        <source>Tare</source>
+        <translation>Tare</translation>
+    </message>
+    <message>
+        <source>Tare done; the largest offset moved by %1 mm.</source>
+        <translation>Tare faite ; le plus grand décalage a changé de %1 mm.</translation>
+    </message>
+    <message>
+        <source>Tare failed: %1. Keep the cloth untouched and try again.</source>
+        <translation>Échec de la tare : %1. Ne pas toucher le tissu et réessayer.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Target by hand</source>
+        <translation>Consigne à la main</translation>
+    </message>
+    <message>
+        <source>Target from robot</source>
+        <translation>Consigne du robot</translation>
+    </message>
+    <message>
+        <source>Test, while held</source>
+        <translation>Essai, tant que maintenu</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Texture</translation>
+    </message>
+    <message>
+        <source>The classic protocol cannot tell.</source>
+        <translation>Le protocole classique ne peut le dire.</translation>
+    </message>
+    <message>
+        <source>The clock went back by %1 s; that step moved nothing.</source>
+        <translation>L'horloge a reculé de %1 s ; ce pas n'a rien bougé.</translation>
+    </message>
+    <message>
+        <source>The curves lost %1 samples.</source>
+        <translation>Les courbes ont perdu %1 échantillons.</translation>
+    </message>
+    <message>
+        <source>The file begins up to 10 s before you start. Ctrl+M puts a marker.</source>
+        <translation>Le fichier commence jusqu'à 10 s avant le départ. Ctrl+M place un marqueur.</translation>
+    </message>
+    <message>
+        <source>The finger never pressed in this session.</source>
+        <translation>Le doigt n'a jamais appuyé dans cette session.</translation>
+    </message>
+    <message>
+        <source>The haptic loop says nothing; the last state was %1.</source>
+        <translation>La boucle haptique se tait ; le dernier état était %1.</translation>
+    </message>
+    <message>
+        <source>The language changes when the window is started again.</source>
+        <translation>La langue change au prochain démarrage de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>The last point is taken back.</source>
+        <translation>Le dernier point est retiré.</translation>
+    </message>
+    <message>
+        <source>The list of sessions (Ctrl+O)</source>
+        <translation>La liste des sessions (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
+        <translation>La note n'est pas écrite : le fichier de notes est endommagé. Réparer ou déplacer %1.</translation>
+    </message>
+    <message>
+        <source>The other session is drawn %1 s later than recorded.</source>
+        <translation>L'autre session est tracée %1 s plus tard qu'enregistrée.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be replayed exactly: the step gave another result the second time. The measured values are safe. Please report this fault with the file.</source>
+        <translation>L'enregistrement ne peut être rejoué exactement : le pas a donné un autre résultat la seconde fois. Les valeurs mesurées sont en sûreté. Signaler ce défaut avec le fichier.</translation>
+    </message>
+    <message>
+        <source>The recording did not close as it should. %1. What was written before is safe: it is repaired when the file is opened.</source>
+        <translation>L'enregistrement ne s'est pas fermé comme il faut. %1. Ce qui était écrit avant est en sûreté : réparé à l'ouverture du fichier.</translation>
+    </message>
+    <message>
+        <source>The recording loses samples: the computer is too busy. What is written is safe; the gap is marked in the file. Close other programs.</source>
+        <translation>L'enregistrement perd des échantillons : l'ordinateur est trop occupé. Ce qui est écrit est en sûreté ; la lacune est marquée dans le fichier. Fermer les autres programmes.</translation>
+    </message>
+    <message>
+        <source>The robot can be changed only while nothing can move. Press Esc first.</source>
+        <translation>Le robot ne peut être changé que si rien ne peut bouger. Appuyer d'abord sur Esc.</translation>
+    </message>
+    <message>
+        <source>The robot must have the same key; "fyd link keygen" makes one.</source>
+        <translation>Le robot doit avoir la même clé ; « fyd link keygen » en crée une.</translation>
+    </message>
+    <message>
+        <source>The robot's operator asks: %1.</source>
+        <translation>L'opérateur du robot demande : %1.</translation>
+    </message>
+    <message>
+        <source>The session has no devices: it is closed. Choose a robot in the link's panel to open it again.</source>
+        <translation>La session n'a pas d'appareils : elle est fermée. Choisir un robot dans le panneau de la liaison pour la rouvrir.</translation>
+    </message>
+    <message>
+        <source>The session has no robot; the target is set by hand.</source>
+        <translation>La session n'a pas de robot ; la consigne se règle à la main.</translation>
+    </message>
+    <message>
+        <source>The session is closed. %1. Choose another robot.</source>
+        <translation>La session est fermée. %1. Choisir un autre robot.</translation>
+    </message>
+    <message>
+        <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>
+        <translation>La session recommence ; paramètres et tare restent. Les moteurs restent coupés jusqu'à l'armement.</translation>
+    </message>
+    <message>
+        <source>The simulated finger leaves the cloth…</source>
+        <translation>Le doigt simulé quitte le tissu…</translation>
+    </message>
+    <message>
+        <source>The station did not take the command: too many at once. Try again.</source>
+        <translation>La station n'a pas pris la commande : trop à la fois. Réessayer.</translation>
+    </message>
+    <message>
+        <source>The station did not take the target: too many commands at once. Try again.</source>
+        <translation>La station n'a pas pris la consigne : trop de commandes à la fois. Réessayer.</translation>
+    </message>
+    <message>
+        <source>The station is silent: wait until it answers.</source>
+        <translation>La station se tait : attendre qu'elle réponde.</translation>
+    </message>
+    <message>
+        <source>The target from above. Below, how far each mark is off. Crosses: points the others contradict.</source>
+        <translation>La cible vue de dessus. Dessous, l'écart de chaque marque. Croix : points que les autres contredisent.</translation>
+    </message>
+    <message>
+        <source>The target is out of reach; rendering the nearest, %1 N/mm.</source>
+        <translation>La consigne est hors de portée ; rendu de la plus proche, %1 N/mm.</translation>
+    </message>
+    <message>
+        <source>The whole recording</source>
+        <translation>Tout l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Theme of the system</source>
+        <translation>Thème du système</translation>
+    </message>
+    <message>
+        <source>Then hold Re-arm.</source>
+        <translation>Puis maintenir Réarmer.</translation>
+    </message>
+    <message>
+        <source>There is no parameter '%1'.</source>
+        <translation>Il n'y a pas de paramètre '%1'.</translation>
+    </message>
+    <message>
+        <source>There is nothing to accept yet: %1.</source>
+        <translation>Il n'y a encore rien à accepter : %1.</translation>
+    </message>
+    <message>
+        <source>These points are measured: discard them before you take simulated ones.</source>
+        <translation>Ces points sont mesurés : les écarter avant d'en prendre de simulés.</translation>
+    </message>
+    <message>
+        <source>These points are simulated: discard them before you measure.</source>
+        <translation>Ces points sont simulés : les écarter avant de mesurer.</translation>
+    </message>
+    <message>
+        <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
+        <translation>L'adresse de cet ordinateur, HOST:PORT. Le robot y appelle ; 0.0.0.0 écoute tous les réseaux.</translation>
+    </message>
+    <message>
+        <source>This session's</source>
+        <translation>De cette session</translation>
+    </message>
+    <message>
+        <source>This source has none</source>
+        <translation>Cette source n'en a pas</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Times lost</source>
+        <translation>Fois perdue</translation>
+    </message>
+    <message>
+        <source>Tint what the detector takes for the finger (M)</source>
+        <translation>Colore ce que le détecteur prend pour le doigt (M)</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Touch %1 at %2: peak force %3, peak indentation %4, stiffness %5 of %6 asked, settled after %7</source>
+        <translation>Toucher %1 à %2 : force de pic %3, indentation de pic %4, raideur %5 sur %6 demandés, établi après %7</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>Touchers</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>Touchpad</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2: %3.</source>
+        <translation>Essai %1 sur %2 : %3.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Type a few letters of a command</source>
+        <translation>Saisir quelques lettres d'une commande</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Undo %1 (Ctrl+Z)</source>
+        <translation>Annuler %1 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Unit of: %1</source>
+        <translation>Unité de : %1</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnu</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Values in force and new values</source>
+        <translation>Valeurs en vigueur et nouvelles valeurs</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Vibration, peak</source>
+        <translation>Vibration, pic</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Wait until it answers; close other programs on this machine.</source>
+        <translation>Attendre qu'elle réponde ; fermer les autres programmes sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Waiting for a robot</source>
+        <translation>En attente d'un robot</translation>
+    </message>
+    <message>
+        <source>Waiting for the haptic loop.</source>
+        <translation>En attente de la boucle haptique.</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Poids</translation>
+    </message>
+    <message>
+        <source>Well</source>
+        <translation>Bien</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ce qui s'est passé</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Et si</translation>
+    </message>
+    <message>
+        <source>What to do now</source>
+        <translation>Que faire maintenant</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Qui</translation>
+    </message>
+    <message>
+        <source>Who measured</source>
+        <translation>Qui a mesuré</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Write a note at the cursor</source>
+        <translation>Écrire une note au curseur</translation>
+    </message>
+    <message>
+        <source>Writes the new values with their record, and begins the session anew with them.</source>
+        <translation>Écrit les nouvelles valeurs avec leur procès-verbal, et recommence la session avec elles.</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Écriture de %1 …</translation>
+    </message>
+    <message>
+        <source>a code, such as S07; never a name</source>
+        <translation>un code, comme S07 ; jamais un nom</translation>
+    </message>
+    <message>
+        <source>a motor stands beyond control.motor_limit_deg: check the encoder's zero</source>
+        <translation>un moteur est au-delà de control.motor_limit_deg : vérifier le zéro du codeur</translation>
+    </message>
+    <message>
+        <source>a second</source>
+        <translation>par seconde</translation>
+    </message>
+    <message>
+        <source>a sensor is outside its span</source>
+        <translation>un capteur est hors de sa plage</translation>
+    </message>
+    <message>
+        <source>add weights between %1 and %2 N</source>
+        <translation>ajouter des poids entre %1 et %2 N</translation>
+    </message>
+    <message>
+        <source>ageing: %1</source>
+        <translation>vieillit : %1</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>alarme</translation>
+    </message>
+    <message>
+        <source>an answer of another unit</source>
+        <translation>une réponse d'une autre unité</translation>
+    </message>
+    <message>
+        <source>an answer that does not fit the question</source>
+        <translation>une réponse qui ne correspond pas à la question</translation>
+    </message>
+    <message>
+        <source>an answer with a wrong checksum; is the speed right and the line terminated?</source>
+        <translation>une réponse à somme de contrôle erronée ; la vitesse est-elle juste et la ligne terminée ?</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>aire</translation>
+    </message>
+    <message>
+        <source>asked for %1 %, the camera took %2 %</source>
+        <translation>demandé %1 %, la caméra a pris %2 %</translation>
+    </message>
+    <message>
+        <source>at edge</source>
+        <translation>au bord</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>au repos</translation>
+    </message>
+    <message>
+        <source>at rest %1 g, spread %2 g</source>
+        <translation>au repos %1 g, dispersion %2 g</translation>
+    </message>
+    <message>
+        <source>average more readings at each distance, target square to the sensor</source>
+        <translation>moyenner plus de lectures à chaque distance, cible d'équerre avec le capteur</translation>
+    </message>
+    <message>
+        <source>black picture</source>
+        <translation>image noire</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>flou</translation>
+    </message>
+    <message>
+        <source>bookmark</source>
+        <translation>signet</translation>
+    </message>
+    <message>
+        <source>brightness</source>
+        <translation>luminosité</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>par %1</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>calibrated %1 days ago: repeat it</source>
+        <translation>étalonné il y a %1 jours : à refaire</translation>
+    </message>
+    <message>
+        <source>calibrated %1 days ago: repeat it soon</source>
+        <translation>étalonné il y a %1 jours : à refaire bientôt</translation>
+    </message>
+    <message>
+        <source>calibrated %1 days in the future: the computer's clock was or is wrong</source>
+        <translation>étalonné %1 jours dans le futur : l'horloge de l'ordinateur était ou est fausse</translation>
+    </message>
+    <message>
+        <source>camera: none given</source>
+        <translation>caméra : non indiquée</translation>
+    </message>
+    <message>
+        <source>changed since it was calibrated %1 days ago</source>
+        <translation>changé depuis l'étalonnage il y a %1 jours</translation>
+    </message>
+    <message>
+        <source>check the touchpad's connection</source>
+        <translation>vérifier la connexion du touchpad</translation>
+    </message>
+    <message>
+        <source>check the weights, and that nothing rubs on the cell</source>
+        <translation>vérifier les poids, et que rien ne frotte sur la cellule</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>horloge</translation>
+    </message>
+    <message>
+        <source>contrast</source>
+        <translation>contraste</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>incréments</translation>
+    </message>
+    <message>
+        <source>current %1</source>
+        <translation>courant %1</translation>
+    </message>
+    <message>
+        <source>curve: %1</source>
+        <translation>courbe : %1</translation>
+    </message>
+    <message>
+        <source>days left</source>
+        <translation>jours restants</translation>
+    </message>
+    <message>
+        <source>device test '%1': %2</source>
+        <translation>essai de l'appareil '%1' : %2</translation>
+    </message>
+    <message>
+        <source>device test: the session is closed</source>
+        <translation>essai de l'appareil : la session est fermée</translation>
+    </message>
+    <message>
+        <source>disconnect</source>
+        <translation>déconnecter</translation>
+    </message>
+    <message>
+        <source>distance readings missing or too old</source>
+        <translation>lectures de distance absentes ou trop vieilles</translation>
+    </message>
+    <message>
+        <source>distances to the untouched cloth %1 mm, spread %2 mm; force %3 N</source>
+        <translation>distances au tissu non touché %1 mm, dispersion %2 mm ; force %3 N</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>each ±%1 %2</source>
+        <translation>chacun ±%1 %2</translation>
+    </message>
+    <message>
+        <source>encoder %1</source>
+        <translation>codeur %1</translation>
+    </message>
+    <message>
+        <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
+        <translation>terminé : un moteur n'était pas là où il fut envoyé ; vérifier son codeur et qu'il peut tourner</translation>
+    </message>
+    <message>
+        <source>ended: the button was released</source>
+        <translation>terminé : le bouton a été relâché</translation>
+    </message>
+    <message>
+        <source>ended: the haptic loop stood still</source>
+        <translation>terminé : la boucle haptique s'est arrêtée</translation>
+    </message>
+    <message>
+        <source>ended: the session was stopped or armed</source>
+        <translation>terminé : la session a été arrêtée ou armée</translation>
+    </message>
+    <message>
+        <source>ended: the session's state changed</source>
+        <translation>terminé : l'état de la session a changé</translation>
+    </message>
+    <message>
+        <source>error of the fit %1</source>
+        <translation>erreur de l'ajustement %1</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>événement</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>exposition</translation>
+    </message>
+    <message>
+        <source>fine: calibrated %1 days ago</source>
+        <translation>bon : étalonné il y a %1 jours</translation>
+    </message>
+    <message>
+        <source>fine: calibrated today</source>
+        <translation>bon : étalonné aujourd'hui</translation>
+    </message>
+    <message>
+        <source>finger</source>
+        <translation>doigt</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>flat picture</source>
+        <translation>image plate</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>depuis %1</translation>
+    </message>
+    <message>
+        <source>force too small</source>
+        <translation>force trop petite</translation>
+    </message>
+    <message>
+        <source>force unavailable</source>
+        <translation>force indisponible</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>trouvé</translation>
+    </message>
+    <message>
+        <source>from robot</source>
+        <translation>du robot</translation>
+    </message>
+    <message>
+        <source>from the start</source>
+        <translation>depuis le début</translation>
+    </message>
+    <message>
+        <source>g</source>
+        <translation>g</translation>
+    </message>
+    <message>
+        <source>gives no picture any more</source>
+        <translation>ne donne plus d'image</translation>
+    </message>
+    <message>
+        <source>has said goodbye</source>
+        <translation>a pris congé</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>hauteur</translation>
+    </message>
+    <message>
+        <source>held-out error %1 N of at most %2 N over %3 weights</source>
+        <translation>erreur de vérification %1 N sur au plus %2 N avec %3 poids</translation>
+    </message>
+    <message>
+        <source>held-out error %1 N of at most %2 N; stiffness rises from %3 to %4 N/mm</source>
+        <translation>erreur de vérification %1 N sur au plus %2 N ; la raideur croît de %3 à %4 N/mm</translation>
+    </message>
+    <message>
+        <source>held-out error %1 N; expected at most %2 N: %3</source>
+        <translation>erreur de vérification %1 N ; attendu au plus %2 N : %3</translation>
+    </message>
+    <message>
+        <source>held-out error %1 deg of at most %2 deg</source>
+        <translation>erreur de vérification %1 deg sur au plus %2 deg</translation>
+    </message>
+    <message>
+        <source>held-out error %1 deg; expected at most %2: sweep slower, and wait at each angle</source>
+        <translation>erreur de vérification %1 deg ; attendu au plus %2 : balayer plus lentement, et attendre à chaque angle</translation>
+    </message>
+    <message>
+        <source>held-out error %1 mm of at most %2 mm</source>
+        <translation>erreur de vérification %1 mm sur au plus %2 mm</translation>
+    </message>
+    <message>
+        <source>held-out error %1 mm; expected at most %2 mm: %3</source>
+        <translation>erreur de vérification %1 mm ; attendu au plus %2 mm : %3</translation>
+    </message>
+    <message>
+        <source>holds no picture</source>
+        <translation>ne contient pas d'image</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>en attente</translation>
+    </message>
+    <message>
+        <source>images off</source>
+        <translation>images non</translation>
+    </message>
+    <message>
+        <source>images on</source>
+        <translation>images oui</translation>
+    </message>
+    <message>
+        <source>indentation too small</source>
+        <translation>indentation trop petite</translation>
+    </message>
+    <message>
+        <source>indentation unavailable</source>
+        <translation>indentation indisponible</translation>
+    </message>
+    <message>
+        <source>inverse, a/(v + b) + c</source>
+        <translation>inverse, a/(v + b) + c</translation>
+    </message>
+    <message>
+        <source>its recorder crashed: everything committed is shown; recover it with fyd session recover</source>
+        <translation>son enregistreur s'est interrompu : tout ce qui est validé est montré ; récupérer avec fyd session recover</translation>
+    </message>
+    <message>
+        <source>key file %1: %2</source>
+        <translation>fichier de clé %1 : %2</translation>
+    </message>
+    <message>
+        <source>largest residual %1</source>
+        <translation>plus grand résidu %1</translation>
+    </message>
+    <message>
+        <source>last touch</source>
+        <translation>dernier toucher</translation>
+    </message>
+    <message>
+        <source>lay the target flat and set the camera square to it</source>
+        <translation>poser la cible à plat et mettre la caméra d'équerre</translation>
+    </message>
+    <message>
+        <source>left as it is</source>
+        <translation>laissé tel quel</translation>
+    </message>
+    <message>
+        <source>less than a minute left</source>
+        <translation>moins d'une minute restante</translation>
+    </message>
+    <message>
+        <source>let the motors and the cloth come to rest, and start again</source>
+        <translation>laisser moteurs et tissu au repos, et recommencer</translation>
+    </message>
+    <message>
+        <source>lies on the other's</source>
+        <translation>repose sur celui de l'autre</translation>
+    </message>
+    <message>
+        <source>light, temperature, target</source>
+        <translation>lumière, température, cible</translation>
+    </message>
+    <message>
+        <source>load cell</source>
+        <translation>cellule de charge</translation>
+    </message>
+    <message>
+        <source>look at the distance sensors' curves and at the load cell's cable</source>
+        <translation>regarder les courbes des capteurs de distance et le câble de la cellule de charge</translation>
+    </message>
+    <message>
+        <source>measure the outliers again</source>
+        <translation>mesurer à nouveau les valeurs aberrantes</translation>
+    </message>
+    <message>
+        <source>measure the outliers again, or leave them out</source>
+        <translation>mesurer à nouveau les valeurs aberrantes, ou les exclure</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>measured without the invalid sensors</source>
+        <translation>mesuré sans les capteurs invalides</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>more than 5 % of the haptic cycles of one second were missed</source>
+        <translation>plus de 5 % des cycles haptiques d'une seconde ont été manqués</translation>
+    </message>
+    <message>
+        <source>motor %1</source>
+        <translation>moteur %1</translation>
+    </message>
+    <message>
+        <source>motor reference off</source>
+        <translation>référence moteurs non</translation>
+    </message>
+    <message>
+        <source>motor reference on</source>
+        <translation>référence moteurs oui</translation>
+    </message>
+    <message>
+        <source>motors</source>
+        <translation>moteurs</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>en mouvement</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>never calibrated</source>
+        <translation>jamais étalonné</translation>
+    </message>
+    <message>
+        <source>no catalogue was chosen</source>
+        <translation>aucun catalogue n'a été choisi</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>pas de données</translation>
+    </message>
+    <message>
+        <source>no finger</source>
+        <translation>pas de doigt</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>pas d'image</translation>
+    </message>
+    <message>
+        <source>no point between %1 and %2 mm, %3 % of the span: add points between %4 and %5 mm</source>
+        <translation>aucun point entre %1 et %2 mm, %3 % de la plage : ajouter des points entre %4 et %5 mm</translation>
+    </message>
+    <message>
+        <source>no recent picture</source>
+        <translation>pas d'image récente</translation>
+    </message>
+    <message>
+        <source>no robot has connected</source>
+        <translation>aucun robot ne s'est connecté</translation>
+    </message>
+    <message>
+        <source>no stiffness target</source>
+        <translation>pas de raideur de consigne</translation>
+    </message>
+    <message>
+        <source>none since the start</source>
+        <translation>aucune depuis le démarrage</translation>
+    </message>
+    <message>
+        <source>not a digit</source>
+        <translation>pas un chiffre</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>note</translation>
+    </message>
+    <message>
+        <source>nothing is being recorded</source>
+        <translation>rien n'est enregistré</translation>
+    </message>
+    <message>
+        <source>nothing listens there; is the touchpad on and the port right?</source>
+        <translation>rien n'y écoute ; le touchpad est-il allumé et le port juste ?</translation>
+    </message>
+    <message>
+        <source>nothing missing</source>
+        <translation>rien ne manque</translation>
+    </message>
+    <message>
+        <source>nothing received yet</source>
+        <translation>encore rien reçu</translation>
+    </message>
+    <message>
+        <source>number out of range</source>
+        <translation>nombre hors limites</translation>
+    </message>
+    <message>
+        <source>observed</source>
+        <translation>observée</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>éteint</translation>
+    </message>
+    <message>
+        <source>old: %1</source>
+        <translation>vieux : %1</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>allumé</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>pilot, left hand</source>
+        <translation>pilote, main gauche</translation>
+    </message>
+    <message>
+        <source>polynomial of degree %1</source>
+        <translation>polynôme de degré %1</translation>
+    </message>
+    <message>
+        <source>position duty %1</source>
+        <translation>rapport de position %1</translation>
+    </message>
+    <message>
+        <source>press slower, and hold each depth</source>
+        <translation>appuyer plus lentement, et tenir chaque profondeur</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>readings too unsteady</source>
+        <translation>lectures trop instables</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>enregistrement</translation>
+    </message>
+    <message>
+        <source>resume</source>
+        <translation>reprendre</translation>
+    </message>
+    <message>
+        <source>robot '%1': FYD Link needs a key file</source>
+        <translation>robot '%1' : FYD Link demande un fichier de clé</translation>
+    </message>
+    <message>
+        <source>robot '%1': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
+        <translation>robot '%1' : attendu simulated, none, link:HOST:PORT ou classic:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>robot '%1': takes no key file</source>
+        <translation>robot '%1' : ne prend pas de fichier de clé</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>saturée</translation>
+    </message>
+    <message>
+        <source>send info and pause</source>
+        <translation>envoyer les informations et pause</translation>
+    </message>
+    <message>
+        <source>sensors contradict each other</source>
+        <translation>les capteurs se contredisent</translation>
+    </message>
+    <message>
+        <source>set to %1 %</source>
+        <translation>réglé à %1 %</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>plusieurs</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>silencieux</translation>
+    </message>
+    <message>
+        <source>silent; is it plugged in and switched on?</source>
+        <translation>silencieux ; est-il branché et allumé ?</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simulé</translation>
+    </message>
+    <message>
+        <source>still being recorded</source>
+        <translation>encore en cours d'enregistrement</translation>
+    </message>
+    <message>
+        <source>subject %1</source>
+        <translation>sujet %1</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>coupés</translation>
+    </message>
+    <message>
+        <source>take points first</source>
+        <translation>prendre d'abord des points</translation>
+    </message>
+    <message>
+        <source>take the hand away and start again</source>
+        <translation>éloigner la main et recommencer</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>consigne</translation>
+    </message>
+    <message>
+        <source>target limited</source>
+        <translation>consigne limitée</translation>
+    </message>
+    <message>
+        <source>temperature %1</source>
+        <translation>température %1</translation>
+    </message>
+    <message>
+        <source>the camera sees nothing: picture black, saturated or empty</source>
+        <translation>la caméra ne voit rien : image noire, saturée ou vide</translation>
+    </message>
+    <message>
+        <source>the camera sends no pictures</source>
+        <translation>la caméra n'envoie pas d'image</translation>
+    </message>
+    <message>
+        <source>the cloth was touched</source>
+        <translation>le tissu a été touché</translation>
+    </message>
+    <message>
+        <source>the disk has less than %1 MB left: recording stopped</source>
+        <translation>il reste moins de %1 Mo sur le disque : enregistrement arrêté</translation>
+    </message>
+    <message>
+        <source>the distance sensors are silent</source>
+        <translation>les capteurs de distance sont silencieux</translation>
+    </message>
+    <message>
+        <source>the distances span only %1 mm, %2 to %3; expected at least %4: add points between %5 and %6 mm</source>
+        <translation>les distances ne couvrent que %1 mm, de %2 à %3 ; il en faut au moins %4 : ajouter des points entre %5 et %6 mm</translation>
+    </message>
+    <message>
+        <source>the haptic loop stood still for more than 20 ms</source>
+        <translation>la boucle haptique s'est arrêtée plus de 20 ms</translation>
+    </message>
+    <message>
+        <source>the load cell is silent</source>
+        <translation>la cellule de charge est silencieuse</translation>
+    </message>
+    <message>
+        <source>the load cell's value is outside its span</source>
+        <translation>la valeur de la cellule de charge est hors de sa plage</translation>
+    </message>
+    <message>
+        <source>the motor board is silent</source>
+        <translation>la carte moteurs est silencieuse</translation>
+    </message>
+    <message>
+        <source>the motors are not free: stop the session first</source>
+        <translation>les moteurs ne sont pas libres : arrêter d'abord la session</translation>
+    </message>
+    <message>
+        <source>the motors do not answer</source>
+        <translation>les moteurs ne répondent pas</translation>
+    </message>
+    <message>
+        <source>the others contradict point %1</source>
+        <translation>les autres contredisent le point %1</translation>
+    </message>
+    <message>
+        <source>the outliers are kept in the fit; measure them again</source>
+        <translation>les valeurs aberrantes restent dans l'ajustement ; les mesurer à nouveau</translation>
+    </message>
+    <message>
+        <source>the picture has one grey value only: check the camera and the light</source>
+        <translation>l'image n'a qu'un niveau de gris : vérifier la caméra et la lumière</translation>
+    </message>
+    <message>
+        <source>the picture is frozen: the camera sends one and the same</source>
+        <translation>l'image est figée : la caméra envoie toujours la même</translation>
+    </message>
+    <message>
+        <source>the recorder is not running</source>
+        <translation>l'enregistreur ne fonctionne pas</translation>
+    </message>
+    <message>
+        <source>the recording holds no picture</source>
+        <translation>l'enregistrement ne contient pas d'image</translation>
+    </message>
+    <message>
+        <source>the recording holds no step</source>
+        <translation>l'enregistrement ne contient aucun pas</translation>
+    </message>
+    <message>
+        <source>the robot has said goodbye</source>
+        <translation>le robot a pris congé</translation>
+    </message>
+    <message>
+        <source>the robot is silent</source>
+        <translation>le robot est silencieux</translation>
+    </message>
+    <message>
+        <source>the robot's stiffness is not a number</source>
+        <translation>la raideur du robot n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the session is closed</source>
+        <translation>la session est fermée</translation>
+    </message>
+    <message>
+        <source>the touchpad closed the connection</source>
+        <translation>le touchpad a fermé la connexion</translation>
+    </message>
+    <message>
+        <source>the weights span only %1 N; expected at least %2: %3</source>
+        <translation>les poids ne couvrent que %1 N ; il en faut au moins %2 : %3</translation>
+    </message>
+    <message>
+        <source>the window did not answer for half a second</source>
+        <translation>la fenêtre n'a pas répondu pendant une demi-seconde</translation>
+    </message>
+    <message>
+        <source>thesis polynomial, scaled and shifted</source>
+        <translation>polynôme de la thèse, mis à l'échelle et décalé</translation>
+    </message>
+    <message>
+        <source>this camera has none, or refuses the value</source>
+        <translation>cette caméra n'en a pas, ou refuse la valeur</translation>
+    </message>
+    <message>
+        <source>this source has none</source>
+        <translation>cette source n'en a pas</translation>
+    </message>
+    <message>
+        <source>too few distance sensors read within their span</source>
+        <translation>trop peu de capteurs de distance lisent dans leur plage</translation>
+    </message>
+    <message>
+        <source>too few readings in time</source>
+        <translation>trop peu de lectures à temps</translation>
+    </message>
+    <message>
+        <source>too few valid sensors</source>
+        <translation>trop peu de capteurs valides</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>trop petit</translation>
+    </message>
+    <message>
+        <source>too uncertain</source>
+        <translation>trop incertain</translation>
+    </message>
+    <message>
+        <source>touch %1 at %2 s</source>
+        <translation>toucher %1 à %2 s</translation>
+    </message>
+    <message>
+        <source>trial begins</source>
+        <translation>l'essai commence</translation>
+    </message>
+    <message>
+        <source>trial ends</source>
+        <translation>l'essai finit</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>unknown command</source>
+        <translation>commande inconnue</translation>
+    </message>
+    <message>
+        <source>unknown parameter '%1'</source>
+        <translation>paramètre inconnu '%1'</translation>
+    </message>
+    <message>
+        <source>untouched</source>
+        <translation>non touché</translation>
+    </message>
+    <message>
+        <source>use DFT321</source>
+        <translation>utiliser DFT321</translation>
+    </message>
+    <message>
+        <source>use SoC</source>
+        <translation>utiliser SoC</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation>vibration</translation>
+    </message>
+    <message>
+        <source>vibration down</source>
+        <translation>moins de vibration</translation>
+    </message>
+    <message>
+        <source>vibration up</source>
+        <translation>plus de vibration</translation>
+    </message>
+    <message>
+        <source>waiting for a robot on %1</source>
+        <translation>en attente d'un robot sur %1</translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation>entière</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>largeur</translation>
+    </message>
+    <message>
+        <source>wrong button</source>
+        <translation>bouton erroné</translation>
+    </message>
+    <message>
+        <source>wrong separator</source>
+        <translation>séparateur erroné</translation>
+    </message>
+    <message>
+        <source>wrong sign</source>
+        <translation>signe erroné</translation>
+    </message>
+    <message>
+        <source>wrong size</source>
+        <translation>taille erronée</translation>
+    </message>
+    <message>
+        <source>wrong start or end mark</source>
+        <translation>marque de début ou de fin erronée</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>x %1 mm   y %2 mm   area %3 px</source>
+        <translation>x %1 mm   y %2 mm   aire %3 px</translation>
+    </message>
+    <message>
+        <source>x %1 px, y %2 px</source>
+        <translation>x %1 px, y %2 px</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, mm</translation>
+    </message>
+    <message>
+        <source>x, px</source>
+        <translation>x, px</translation>
+    </message>
+    <message>
+        <source>x, to the right</source>
+        <translation>x, vers la droite</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, mm</translation>
+    </message>
+    <message>
+        <source>y, px</source>
+        <translation>y, px</translation>
+    </message>
+    <message>
+        <source>y, to the back</source>
+        <translation>y, vers le fond</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Δt %1 s</source>
+        <translation>Δt %1 s</translation>
+    </message>
+    <message>
+        <source>• Save profile</source>
+        <translation>• Enregistrer le profil</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,3327 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="it" sourcelanguage="en">
+<context>
+    <name>FYD</name>
+    <message>
+        <source> STOP   Esc</source>
+        <translation> STOP   Esc</translation>
+    </message>
+    <message>
+        <source> UTC</source>
+        <translation> UTC</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>%1   (%2)</source>
+        <translation>%1   (%2)</translation>
+    </message>
+    <message>
+        <source>%1 %2 ± %3</source>
+        <translation>%1 %2 ± %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation>%1 (%2 volte)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 = %2 was refused.</source>
+        <translation>%1 = %2 è stato rifiutato.</translation>
+    </message>
+    <message>
+        <source>%1 = %2: expected %3</source>
+        <translation>%1 = %2: atteso %3</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>%1 fa</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s: %3</source>
+        <translation>%1 a %2 s: %3</translation>
+    </message>
+    <message>
+        <source>%1 by the operator. Motors are off. Arm to start again.</source>
+        <translation>%1 dall'operatore. Motori spenti. Armare per ricominciare.</translation>
+    </message>
+    <message>
+        <source>%1 cannot change while the station runs</source>
+        <translation>%1 non può cambiare mentre la stazione lavora</translation>
+    </message>
+    <message>
+        <source>%1 different distances in %2 points; expected at least %3: add points between %4 and %5 mm (the same distance again tells only the noise)</source>
+        <translation>%1 distanze diverse in %2 punti; ne servono almeno %3: aggiungere punti tra %4 e %5 mm (la stessa distanza ripetuta dice solo il rumore)</translation>
+    </message>
+    <message>
+        <source>%1 different points; expected at least %2: add points, best at the corners of the cloth</source>
+        <translation>%1 punti diversi; ne servono almeno %2: aggiungere punti, meglio agli angoli del tessuto</translation>
+    </message>
+    <message>
+        <source>%1 different weights in %2 points; expected at least %3: %4</source>
+        <translation>%1 pesi diversi in %2 punti; ne servono almeno %3: %4</translation>
+    </message>
+    <message>
+        <source>%1 does not answer: %2</source>
+        <translation>%1 non risponde: %2</translation>
+    </message>
+    <message>
+        <source>%1 errors since the start</source>
+        <translation>%1 errori dall'avvio</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 h left</source>
+        <translation>%1 h rimaste</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>%1 is now %2.</source>
+        <translation>%1 vale ora %2.</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 è scritto.</translation>
+    </message>
+    <message>
+        <source>%1 kB</source>
+        <translation>%1 kB</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation>%1 min rimasti</translation>
+    </message>
+    <message>
+        <source>%1 moves by %2; at rest it stays within %3</source>
+        <translation>%1 varia di %2; a riposo resta entro %3</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples, %3 times real time.</source>
+        <translation>%1 di %2 campioni, %3 volte il tempo reale.</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>vecchio di %1</translation>
+    </message>
+    <message>
+        <source>%1 over time, %2</source>
+        <translation>%1 nel tempo, %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation>%1 s: %2</translation>
+    </message>
+    <message>
+        <source>%1 samples are not in the file: the computer is too busy. What is written is safe. Close other programs.</source>
+        <translation>%1 campioni mancano nel file: il computer è troppo occupato. Ciò che è scritto è al sicuro. Chiudere gli altri programmi.</translation>
+    </message>
+    <message>
+        <source>%1 samples lost</source>
+        <translation>%1 campioni persi</translation>
+    </message>
+    <message>
+        <source>%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)</source>
+        <translation>%1 passi, %2 cicli mancati; un passo dura %3 µs (mediana), %4 µs (99º percentile)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px at %3, %4</source>
+        <translation>%1 × %2 px a %3, %4</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, in review</source>
+        <translation>%1, in revisione</translation>
+    </message>
+    <message>
+        <source>%1, in the unit beside</source>
+        <translation>%1, nell'unità a fianco</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1: "%2" is no number.</source>
+        <translation>%1: "%2" non è un numero.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" was not taken. Expected %3.</source>
+        <translation>%1: "%2" non accettato. Atteso %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1: %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 is out of range; expected %3 to %4 %5.</source>
+        <translation>%1: %2 è fuori campo; atteso da %3 a %4 %5.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is still being recorded; stop it first</source>
+        <translation>%1: %2 è ancora in registrazione; fermarla prima</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3 Then re-arm.</source>
+        <translation>%1: %2. %3 Poi riarmare.</translation>
+    </message>
+    <message>
+        <source>%1: a report ends in .html or .pdf</source>
+        <translation>%1: un rapporto termina in .html o .pdf</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened for reading</source>
+        <translation>%1: non si può aprire in lettura</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened: %2</source>
+        <translation>%1: non si può aprire: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1: non si può leggere: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be replaced: %2</source>
+        <translation>%1: non si può sostituire: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: non si può scrivere: %2</translation>
+    </message>
+    <message>
+        <source>%1: difference %2, mean %3</source>
+        <translation>%1: differenza %2, media %3</translation>
+    </message>
+    <message>
+        <source>%1: everything needed is there. Arm to start.</source>
+        <translation>%1: c'è tutto il necessario. Armare per iniziare.</translation>
+    </message>
+    <message>
+        <source>%1: exists already</source>
+        <translation>%1: esiste già</translation>
+    </message>
+    <message>
+        <source>%1: expected %2</source>
+        <translation>%1: atteso %2</translation>
+    </message>
+    <message>
+        <source>%1: expected true or false</source>
+        <translation>%1: atteso true o false</translation>
+    </message>
+    <message>
+        <source>%1: held-out error %2 mm of at most %3 mm, falls at every code from %4 to %5</source>
+        <translation>%1: errore di verifica %2 mm su al più %3 mm, decresce a ogni codice da %4 a %5</translation>
+    </message>
+    <message>
+        <source>%1: is being recorded at this moment</source>
+        <translation>%1: è in registrazione in questo momento</translation>
+    </message>
+    <message>
+        <source>%1: is no serial port</source>
+        <translation>%1: non è una porta seriale</translation>
+    </message>
+    <message>
+        <source>%1: not open</source>
+        <translation>%1: non aperto</translation>
+    </message>
+    <message>
+        <source>%1: rendering.</source>
+        <translation>%1: resa in corso.</translation>
+    </message>
+    <message>
+        <source>%1: sensors are live, motors are off.</source>
+        <translation>%1: sensori vivi, motori spenti.</translation>
+    </message>
+    <message>
+        <source>%1: the device behind the port is gone; is the cable plugged in?</source>
+        <translation>%1: il dispositivo dietro la porta è sparito; il cavo è collegato?</translation>
+    </message>
+    <message>
+        <source>%1: the disk does not answer; nothing is recorded</source>
+        <translation>%1: il disco non risponde; nulla viene registrato</translation>
+    </message>
+    <message>
+        <source>%1: the disk does not answer; the file is closed when it does</source>
+        <translation>%1: il disco non risponde; il file si chiude quando risponderà</translation>
+    </message>
+    <message>
+        <source>%1: the disk has %2 MB left, fewer than the %3 MB a recording leaves free</source>
+        <translation>%1: il disco ha %2 MB liberi, meno dei %3 MB che una registrazione lascia liberi</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be used: %2</source>
+        <translation>%1: la cartella non si può usare: %2</translation>
+    </message>
+    <message>
+        <source>%1: the recorder is not running</source>
+        <translation>%1: il registratore non è attivo</translation>
+    </message>
+    <message>
+        <source>%1: the recording holds no picture</source>
+        <translation>%1: la registrazione non contiene immagini</translation>
+    </message>
+    <message>
+        <source>%1: the session is closed</source>
+        <translation>%1: la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>%1: the touchpad does not answer.</source>
+        <translation>%1: il touchpad non risponde.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1: questo file non esiste</translation>
+    </message>
+    <message>
+        <source>%1: too many changes at once</source>
+        <translation>%1: troppe modifiche in una volta</translation>
+    </message>
+    <message>
+        <source>%1: type a number first.</source>
+        <translation>%1: scrivere prima un numero.</translation>
+    </message>
+    <message>
+        <source>%1: writing failed: %2</source>
+        <translation>%1: scrittura non riuscita: %2</translation>
+    </message>
+    <message>
+        <source>%1; %2 is whole up to here. Make room or choose another disk</source>
+        <translation>%1; %2 è integro fin qui. Fare spazio o scegliere un altro disco</translation>
+    </message>
+    <message>
+        <source>%1; now %2</source>
+        <translation>%1; ora %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) lost</source>
+        <translation><numerusform>%n campione perso</numerusform><numerusform>%n campioni persi</numerusform><numerusform>%n campioni persi</numerusform></translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 s</translation>
+    </message>
+    <message>
+        <source>1 kHz · %1 % missed</source>
+        <translation>1 kHz · %1 % mancati</translation>
+    </message>
+    <message>
+        <source>: no. </source>
+        <translation>: no. </translation>
+    </message>
+    <message>
+        <source>: yes</source>
+        <translation>: sì</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>A motor goes 2° out and back; the vibration lasts half a second.</source>
+        <translation>Un motore va avanti di 2° e torna; la vibrazione dura mezzo secondo.</translation>
+    </message>
+    <message>
+        <source>A note into the recording</source>
+        <translation>Una nota nella registrazione</translation>
+    </message>
+    <message>
+        <source>A note needs words.</source>
+        <translation>Una nota ha bisogno di parole.</translation>
+    </message>
+    <message>
+        <source>A note; Enter puts it into the recording</source>
+        <translation>Una nota; Invio la mette nella registrazione</translation>
+    </message>
+    <message>
+        <source>A rectangle around the cloth, with a finger in it.</source>
+        <translation>Un rettangolo attorno al tessuto, con un dito dentro.</translation>
+    </message>
+    <message>
+        <source>A test needs motors that answer.</source>
+        <translation>Una prova richiede motori che rispondono.</translation>
+    </message>
+    <message>
+        <source>A – B</source>
+        <translation>A – B</translation>
+    </message>
+    <message>
+        <source>Acceleration, peak</source>
+        <translation>Accelerazione, picco</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Accetta</translation>
+    </message>
+    <message>
+        <source>Accept the calibration</source>
+        <translation>Accetta la calibrazione</translation>
+    </message>
+    <message>
+        <source>Accepted and written to %1, but the session goes on without it: %2. Start the window again to use it.</source>
+        <translation>Accettato e scritto in %1, ma la sessione continua senza: %2. Riavviare la finestra per usarlo.</translation>
+    </message>
+    <message>
+        <source>Accepted and written to %1. The session has begun anew with it; motors stay off until you arm.</source>
+        <translation>Accettato e scritto in %1. La sessione è ricominciata con esso; i motori restano spenti finché non si arma.</translation>
+    </message>
+    <message>
+        <source>Accepted. The values are in force and in the profile.</source>
+        <translation>Accettato. I valori sono in vigore e nel profilo.</translation>
+    </message>
+    <message>
+        <source>Accepting begins the session anew and would end the recording: stop the recording first.</source>
+        <translation>Accettare fa ricominciare la sessione e terminerebbe la registrazione: fermare prima la registrazione.</translation>
+    </message>
+    <message>
+        <source>Accepting begins the session anew, and that is not done while motors can move: press Esc first.</source>
+        <translation>Accettare fa ricominciare la sessione, e non si fa mentre i motori possono muoversi: premere prima Esc.</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Attivo</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Aggiungi</translation>
+    </message>
+    <message>
+        <source>Address and port to listen on</source>
+        <translation>Indirizzo e porta di ascolto</translation>
+    </message>
+    <message>
+        <source>Align the other session at</source>
+        <translation>Allinea l'altra sessione a</translation>
+    </message>
+    <message>
+        <source>Align this session at</source>
+        <translation>Allinea questa sessione a</translation>
+    </message>
+    <message>
+        <source>All %1 trials are done.</source>
+        <translation>Tutte le %1 prove sono fatte.</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Risponde</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>In A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>In B</translation>
+    </message>
+    <message>
+        <source>At least %1 different distances that span %2 mm.</source>
+        <translation>Almeno %1 distanze diverse che coprano %2 mm.</translation>
+    </message>
+    <message>
+        <source>At least %1 different weights that span %2 N.</source>
+        <translation>Almeno %1 pesi diversi che coprano %2 N.</translation>
+    </message>
+    <message>
+        <source>At least %1 places, not on one line.</source>
+        <translation>Almeno %1 posizioni, non su una retta.</translation>
+    </message>
+    <message>
+        <source>Averages the signal and adds it to the points.</source>
+        <translation>Fa la media del segnale e la aggiunge ai punti.</translation>
+    </message>
+    <message>
+        <source>Averaging</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Averaging for %1 s: keep still.</source>
+        <translation>Media per %1 s: restare fermi.</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Indietro</translation>
+    </message>
+    <message>
+        <source>Back to the default, %1</source>
+        <translation>Torna al valore predefinito, %1</translation>
+    </message>
+    <message>
+        <source>Began, UTC</source>
+        <translation>Inizio, UTC</translation>
+    </message>
+    <message>
+        <source>Between A and B</source>
+        <translation>Tra A e B</translation>
+    </message>
+    <message>
+        <source>Bookmark at the cursor</source>
+        <translation>Segnalibro al cursore</translation>
+    </message>
+    <message>
+        <source>Bridge</source>
+        <translation>Ponte</translation>
+    </message>
+    <message>
+        <source>Bridge, mV/V</source>
+        <translation>Ponte, mV/V</translation>
+    </message>
+    <message>
+        <source>Brightness, contrast, exposure</source>
+        <translation>Luminosità, contrasto, esposizione</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>A mano</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Calibra</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Telecamera</translation>
+    </message>
+    <message>
+        <source>Camera picture</source>
+        <translation>Immagine della telecamera</translation>
+    </message>
+    <message>
+        <source>Camera picture: click a place, or move it with the arrow keys</source>
+        <translation>Immagine della telecamera: fare clic su un punto, o spostarlo con le frecce</translation>
+    </message>
+    <message>
+        <source>Camera sees</source>
+        <translation>La telecamera vede</translation>
+    </message>
+    <message>
+        <source>Camera: region, threshold</source>
+        <translation>Telecamera: regione, soglia</translation>
+    </message>
+    <message>
+        <source>Camera: scale</source>
+        <translation>Telecamera: scala</translation>
+    </message>
+    <message>
+        <source>Can I trust the sensors?</source>
+        <translation>Posso fidarmi dei sensori?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Change the robot</source>
+        <translation>Cambia il robot</translation>
+    </message>
+    <message>
+        <source>Change, mm</source>
+        <translation>Variazione, mm</translation>
+    </message>
+    <message>
+        <source>Changed parameters; Enter takes one away</source>
+        <translation>Parametri cambiati; Invio ne toglie uno</translation>
+    </message>
+    <message>
+        <source>Changed, not saved</source>
+        <translation>Cambiato, non salvato</translation>
+    </message>
+    <message>
+        <source>Changed; the profile has %1</source>
+        <translation>Cambiato; il profilo ha %1</translation>
+    </message>
+    <message>
+        <source>Check light and lens cap.</source>
+        <translation>Controllare la luce e il coperchio dell'obiettivo.</translation>
+    </message>
+    <message>
+        <source>Check the camera's cable or choose another source.</source>
+        <translation>Controllare il cavo della telecamera o scegliere un'altra sorgente.</translation>
+    </message>
+    <message>
+        <source>Check the load cell's bridge and its cable.</source>
+        <translation>Controllare il ponte della cella di carico e il suo cavo.</translation>
+    </message>
+    <message>
+        <source>Check the network and the robot's program.</source>
+        <translation>Controllare la rete e il programma del robot.</translation>
+    </message>
+    <message>
+        <source>Check the robot's force sensor and probe again.</source>
+        <translation>Controllare il sensore di forza del robot e tastare di nuovo.</translation>
+    </message>
+    <message>
+        <source>Check the touchpad's power and cables.</source>
+        <translation>Controllare l'alimentazione e i cavi del touchpad.</translation>
+    </message>
+    <message>
+        <source>Check the touchpad's power and its serial cable.</source>
+        <translation>Controllare l'alimentazione del touchpad e il suo cavo seriale.</translation>
+    </message>
+    <message>
+        <source>Choose a session, or write the path of a recording.</source>
+        <translation>Scegliere una sessione, o scrivere il percorso di una registrazione.</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Scegli il file</translation>
+    </message>
+    <message>
+        <source>Choose the key file</source>
+        <translation>Scegli il file della chiave</translation>
+    </message>
+    <message>
+        <source>Choose the key file that the robot has as well.</source>
+        <translation>Scegliere il file della chiave che ha anche il robot.</translation>
+    </message>
+    <message>
+        <source>Choose the robot's stiffness or set one by hand.</source>
+        <translation>Scegliere la rigidezza del robot o impostarne una a mano.</translation>
+    </message>
+    <message>
+        <source>Classic (not secured)</source>
+        <translation>Classico (non protetto)</translation>
+    </message>
+    <message>
+        <source>Click for more.</source>
+        <translation>Fare clic per saperne di più.</translation>
+    </message>
+    <message>
+        <source>Click the next mark, type where it lies, and take the point: best at the cloth's corners and in its middle.</source>
+        <translation>Fare clic sul segno seguente, scrivere dove si trova e prendere il punto: meglio agli angoli del tessuto e al centro.</translation>
+    </message>
+    <message>
+        <source>Click to look there; drag with the right button to choose a stretch.</source>
+        <translation>Fare clic per guardare lì; trascinare col tasto destro per scegliere un tratto.</translation>
+    </message>
+    <message>
+        <source>Close other programs on this machine.</source>
+        <translation>Chiudere gli altri programmi su questo computer.</translation>
+    </message>
+    <message>
+        <source>Close the link's panel</source>
+        <translation>Chiudi il pannello del collegamento</translation>
+    </message>
+    <message>
+        <source>Close the recording's panel</source>
+        <translation>Chiudi il pannello della registrazione</translation>
+    </message>
+    <message>
+        <source>Closed loop: cloth and robot answer as identified from this recording.</source>
+        <translation>Anello chiuso: tessuto e robot rispondono come identificato da questa registrazione.</translation>
+    </message>
+    <message>
+        <source>Closed: the robot has said goodbye</source>
+        <translation>Chiuso: il robot si è congedato</translation>
+    </message>
+    <message>
+        <source>Cloth and robot answer (closed loop)</source>
+        <translation>Tessuto e robot rispondono (anello chiuso)</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Comandi trovati</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Confronta</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Condizioni</translation>
+    </message>
+    <message>
+        <source>Conditions: light, temperature, target</source>
+        <translation>Condizioni: luce, temperatura, bersaglio</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Connesso</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>Comandi</translation>
+    </message>
+    <message>
+        <source>Cursor</source>
+        <translation>Cursore</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Curve</translation>
+    </message>
+    <message>
+        <source>Dark theme</source>
+        <translation>Tema scuro</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Zona morta</translation>
+    </message>
+    <message>
+        <source>Depth
+mm</source>
+        <translation>Profondità
+mm</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Dispositivi</translation>
+    </message>
+    <message>
+        <source>Different from %1 s on (%2).</source>
+        <translation>Diverso da %1 s in poi (%2).</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Scarta</translation>
+    </message>
+    <message>
+        <source>Discard the points</source>
+        <translation>Scarta i punti</translation>
+    </message>
+    <message>
+        <source>Disconnected</source>
+        <translation>Disconnesso</translation>
+    </message>
+    <message>
+        <source>Dismiss all notices</source>
+        <translation>Chiudi tutti gli avvisi</translation>
+    </message>
+    <message>
+        <source>Dismiss: %1</source>
+        <translation>Chiudi: %1</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distanza</translation>
+    </message>
+    <message>
+        <source>Distance %1</source>
+        <translation>Distanza %1</translation>
+    </message>
+    <message>
+        <source>Distance sensor</source>
+        <translation>Sensore di distanza</translation>
+    </message>
+    <message>
+        <source>Distance sensor %1</source>
+        <translation>Sensore di distanza %1</translation>
+    </message>
+    <message>
+        <source>Distance sensors measure</source>
+        <translation>I sensori di distanza misurano</translation>
+    </message>
+    <message>
+        <source>Distance, mm</source>
+        <translation>Distanza, mm</translation>
+    </message>
+    <message>
+        <source>Distances, mm</source>
+        <translation>Distanze, mm</translation>
+    </message>
+    <message>
+        <source>Dots: measured. Dashed: the offsets in force.</source>
+        <translation>Punti: misurati. Tratteggio: gli offset in vigore.</translation>
+    </message>
+    <message>
+        <source>Drag to look back, wheel to zoom, drag with the right button to zoom into a box,
+Ctrl and wheel to stretch this curve, double-click or F to follow again.</source>
+        <translation>Trascinare per guardare indietro, rotella per ingrandire, trascinare col tasto destro per ingrandire un riquadro,
+Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.</translation>
+    </message>
+    <message>
+        <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
+        <translation>Disegnata tenue. Scegliere un tocco di ciascuna per sovrapporli.</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Modifica</translation>
+    </message>
+    <message>
+        <source>Enough points.</source>
+        <translation>Punti sufficienti.</translation>
+    </message>
+    <message>
+        <source>Enter or a double click opens a session.</source>
+        <translation>Invio o doppio clic apre una sessione.</translation>
+    </message>
+    <message>
+        <source>Enter the address and port to listen on, such as 127.0.0.1:3490.</source>
+        <translation>Scrivere indirizzo e porta di ascolto, come 127.0.0.1:3490.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Errore</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Errore, mm</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Errori</translation>
+    </message>
+    <message>
+        <source>Errors by kind</source>
+        <translation>Errori per tipo</translation>
+    </message>
+    <message>
+        <source>Esc stops.</source>
+        <translation>Esc arresta.</translation>
+    </message>
+    <message>
+        <source>Everything needed is there; motors off.</source>
+        <translation>C'è tutto il necessario; motori spenti.</translation>
+    </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation>Esporta come CSV</translation>
+    </message>
+    <message>
+        <source>Export as MCAP</source>
+        <translation>Esporta come MCAP</translation>
+    </message>
+    <message>
+        <source>Export for MATLAB</source>
+        <translation>Esporta per MATLAB</translation>
+    </message>
+    <message>
+        <source>Export the camera's video</source>
+        <translation>Esporta il video della telecamera</translation>
+    </message>
+    <message>
+        <source>FYD Console</source>
+        <translation>FYD Console</translation>
+    </message>
+    <message>
+        <source>FYD Link with a key</source>
+        <translation>FYD Link con una chiave</translation>
+    </message>
+    <message>
+        <source>Figures between A and B</source>
+        <translation>Valori tra A e B</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>File %1: expected a name that ends in .h5.</source>
+        <translation>File %1: atteso un nome che termina in .h5.</translation>
+    </message>
+    <message>
+        <source>File %1: expected a whole path, from / on.</source>
+        <translation>File %1: atteso un percorso completo, da / in poi.</translation>
+    </message>
+    <message>
+        <source>File %1: it is there already; a recording is never written over.</source>
+        <translation>File %1: esiste già; una registrazione non viene mai sovrascritta.</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>File della registrazione</translation>
+    </message>
+    <message>
+        <source>File: where is the recording to go?</source>
+        <translation>File: dove va la registrazione?</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Trova un comando</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Trova un comando…</translation>
+    </message>
+    <message>
+        <source>Finger area in pixels</source>
+        <translation>Area del dito in pixel</translation>
+    </message>
+    <message>
+        <source>Finger found</source>
+        <translation>Dito trovato</translation>
+    </message>
+    <message>
+        <source>Finger mask</source>
+        <translation>Maschera del dito</translation>
+    </message>
+    <message>
+        <source>Finger x in millimetres</source>
+        <translation>x del dito in millimetri</translation>
+    </message>
+    <message>
+        <source>Finger y in millimetres</source>
+        <translation>y del dito in millimetri</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Adattamento</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Segui</translation>
+    </message>
+    <message>
+        <source>Follow the newest values</source>
+        <translation>Segui i valori più recenti</translation>
+    </message>
+    <message>
+        <source>Follow the newest values (F)</source>
+        <translation>Segui i valori più recenti (F)</translation>
+    </message>
+    <message>
+        <source>Follow the stiffness of what the robot touches.</source>
+        <translation>Segue la rigidezza di ciò che il robot tocca.</translation>
+    </message>
+    <message>
+        <source>Following</source>
+        <translation>Segue</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Forza</translation>
+    </message>
+    <message>
+        <source>Force
+N</source>
+        <translation>Forza
+N</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Forza, N</translation>
+    </message>
+    <message>
+        <source>Forgets this part's points; the values in force stay.</source>
+        <translation>Dimentica i punti di questa parte; i valori in vigore restano.</translation>
+    </message>
+    <message>
+        <source>Gain k_vib</source>
+        <translation>Guadagno k_vib</translation>
+    </message>
+    <message>
+        <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
+        <translation>Arrivare al peso maggiore, poi togliere gli stessi pesi uno alla volta.</translation>
+    </message>
+    <message>
+        <source>Good: %1.</source>
+        <translation>Bene: %1.</translation>
+    </message>
+    <message>
+        <source>Grey value</source>
+        <translation>Valore di grigio</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altezza</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Bloccato</translation>
+    </message>
+    <message>
+        <source>Held-out error %1</source>
+        <translation>Errore di verifica %1</translation>
+    </message>
+    <message>
+        <source>Held-out error %1 of at most %2</source>
+        <translation>Errore di verifica %1 su al più %2</translation>
+    </message>
+    <message>
+        <source>Here: %1
+Robot: %2
+%3 states received, %4 touches sent, %5 datagrams refused</source>
+        <translation>Qui: %1
+Robot: %2
+%3 stati ricevuti, %4 tocchi inviati, %5 datagrammi rifiutati</translation>
+    </message>
+    <message>
+        <source>Hold Arm to start.</source>
+        <translation>Tenere premuto Arma per iniziare.</translation>
+    </message>
+    <message>
+        <source>Hold Re-arm to start again.</source>
+        <translation>Tenere premuto Riarma per ricominciare.</translation>
+    </message>
+    <message>
+        <source>Hold a flat white target over the sensor, measure its distance, type it and take the point.</source>
+        <translation>Tenere un bersaglio bianco piano sopra il sensore, misurarne la distanza, scriverla e prendere il punto.</translation>
+    </message>
+    <message>
+        <source>Hold for 0.6 s, by mouse or with the space bar, to start rendering: the motors switch on.</source>
+        <translation>Tenere premuto 0,6 s, col mouse o con la barra spaziatrice, per iniziare la resa: i motori si accendono.</translation>
+    </message>
+    <message>
+        <source>Hold the picture still; measuring goes on (Space)</source>
+        <translation>Ferma l'immagine; la misura continua (Spazio)</translation>
+    </message>
+    <message>
+        <source>Hold the stiffness set below, whatever the robot touches.</source>
+        <translation>Mantiene la rigidezza impostata sotto, qualunque cosa tocchi il robot.</translation>
+    </message>
+    <message>
+        <source>Hold to arm</source>
+        <translation>Tenere: arma</translation>
+    </message>
+    <message>
+        <source>Hold to re-arm</source>
+        <translation>Tenere: riarma</translation>
+    </message>
+    <message>
+        <source>How far the time between the robot's messages strays: four mean deviations.</source>
+        <translation>Quanto varia il tempo tra i messaggi del robot: quattro deviazioni medie.</translation>
+    </message>
+    <message>
+        <source>How often the robot was silent for longer than the link allows.</source>
+        <translation>Quante volte il robot ha taciuto più a lungo di quanto il collegamento permette.</translation>
+    </message>
+    <message>
+        <source>IR sensor %1</source>
+        <translation>Sensore IR %1</translation>
+    </message>
+    <message>
+        <source>Identical, bit for bit.</source>
+        <translation>Identica, bit per bit.</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>In vigore</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>Indentazione</translation>
+    </message>
+    <message>
+        <source>It ends at the first of %1 lost samples.</source>
+        <translation>Termina al primo di %1 campioni persi.</translation>
+    </message>
+    <message>
+        <source>Its value</source>
+        <translation>Il suo valore</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Fluttuazione</translation>
+    </message>
+    <message>
+        <source>Kd</source>
+        <translation>Kd</translation>
+    </message>
+    <message>
+        <source>Key file</source>
+        <translation>File della chiave</translation>
+    </message>
+    <message>
+        <source>Key file of FYD Link</source>
+        <translation>File della chiave di FYD Link</translation>
+    </message>
+    <message>
+        <source>Ki</source>
+        <translation>Ki</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Kp</source>
+        <translation>Kp</translation>
+    </message>
+    <message>
+        <source>Language: English</source>
+        <translation>Lingua: inglese</translation>
+    </message>
+    <message>
+        <source>Language: French</source>
+        <translation>Lingua: francese</translation>
+    </message>
+    <message>
+        <source>Language: Italian</source>
+        <translation>Lingua: italiano</translation>
+    </message>
+    <message>
+        <source>Last answer</source>
+        <translation>Ultima risposta</translation>
+    </message>
+    <message>
+        <source>Last message</source>
+        <translation>Ultimo messaggio</translation>
+    </message>
+    <message>
+        <source>Last picture</source>
+        <translation>Ultima immagine</translation>
+    </message>
+    <message>
+        <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
+        <translation>Posare il bersaglio stampato sul tessuto, fare clic su un suo segno nell'immagine, scrivere dove si trova e prendere il punto.</translation>
+    </message>
+    <message>
+        <source>Leave the cell unloaded, type 0 and take the point.</source>
+        <translation>Lasciare la cella scarica, scrivere 0 e prendere il punto.</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Sinistra</translation>
+    </message>
+    <message>
+        <source>Left as it is</source>
+        <translation>Lasciato com'è</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Length
+s</source>
+        <translation>Durata
+s</translation>
+    </message>
+    <message>
+        <source>Light theme</source>
+        <translation>Tema chiaro</translation>
+    </message>
+    <message>
+        <source>Line: grey values of the region. Dashed: the suggested threshold between finger and cloth.</source>
+        <translation>Linea: valori di grigio della regione. Tratteggio: la soglia proposta tra dito e tessuto.</translation>
+    </message>
+    <message>
+        <source>Line: new curve. Dashed: the one in force. Crosses: points the others contradict.</source>
+        <translation>Linea: nuova curva. Tratteggio: quella in vigore. Croci: punti che gli altri contraddicono.</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Collegamento</translation>
+    </message>
+    <message>
+        <source>List of sessions</source>
+        <translation>Elenco delle sessioni</translation>
+    </message>
+    <message>
+        <source>Listen on</source>
+        <translation>In ascolto su</translation>
+    </message>
+    <message>
+        <source>Listening on</source>
+        <translation>Ascolta su</translation>
+    </message>
+    <message>
+        <source>Lists serial ports and cameras as "fyd devices" does. Nothing that is in use is disturbed.</source>
+        <translation>Elenca porte seriali e telecamere come fa "fyd devices". Nulla che sia in uso viene disturbato.</translation>
+    </message>
+    <message>
+        <source>Live values</source>
+        <translation>Valori dal vivo</translation>
+    </message>
+    <message>
+        <source>Load cell</source>
+        <translation>Cella di carico</translation>
+    </message>
+    <message>
+        <source>Load cell measures</source>
+        <translation>La cella di carico misura</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Registro</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Cerca di nuovo</translation>
+    </message>
+    <message>
+        <source>Look at the offsets at the right, then accept them or measure again.</source>
+        <translation>Guardare gli offset a destra, poi accettarli o misurare di nuovo.</translation>
+    </message>
+    <message>
+        <source>Look for dirt or an object under the cloth; calibrate.</source>
+        <translation>Cercare sporco o un oggetto sotto il tessuto; calibrare.</translation>
+    </message>
+    <message>
+        <source>Looked for: %1
+%2
+
+To work without it, start with the simulated camera: leave --camera out.</source>
+        <translation>Cercato: %1
+%2
+
+Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</translation>
+    </message>
+    <message>
+        <source>Looking at cameras …</source>
+        <translation>Ricerca delle telecamere …</translation>
+    </message>
+    <message>
+        <source>Looking at serial ports …</source>
+        <translation>Ricerca delle porte seriali …</translation>
+    </message>
+    <message>
+        <source>Looking for its touches …</source>
+        <translation>Ricerca dei suoi tocchi …</translation>
+    </message>
+    <message>
+        <source>Looking for touches …</source>
+        <translation>Ricerca dei tocchi …</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Ciclo</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>Perdita</translation>
+    </message>
+    <message>
+        <source>Lost: the robot is silent</source>
+        <translation>Perso: il robot tace</translation>
+    </message>
+    <message>
+        <source>Marked values differ from the profile (Ctrl+S)</source>
+        <translation>I valori segnati differiscono dal profilo (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>Marcatore %1</translation>
+    </message>
+    <message>
+        <source>Marker %1 at %2.</source>
+        <translation>Marcatore %1 a %2.</translation>
+    </message>
+    <message>
+        <source>Marker into the recording</source>
+        <translation>Marcatore nella registrazione</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maschera</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Massimo</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Measured.</source>
+        <translation>Misurato.</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messaggi</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>Motor board</source>
+        <translation>Scheda motori</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>Motori</translation>
+    </message>
+    <message>
+        <source>Motors answer</source>
+        <translation>I motori rispondono</translation>
+    </message>
+    <message>
+        <source>Motors off at once (Esc, from everywhere)</source>
+        <translation>Motori subito spenti (Esc, da ovunque)</translation>
+    </message>
+    <message>
+        <source>Move the target by some 20 mm, type the new distance and take the next point, 40 to 300 mm.</source>
+        <translation>Spostare il bersaglio di circa 20 mm, scrivere la nuova distanza e prendere il punto seguente, da 40 a 300 mm.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>N/mm</source>
+        <translation>N/mm</translation>
+    </message>
+    <message>
+        <source>Name a second recording: its curves are drawn faint behind these.</source>
+        <translation>Indicare una seconda registrazione: le sue curve sono disegnate tenui dietro queste.</translation>
+    </message>
+    <message>
+        <source>Name one with --touchpad, --motors or --camera at the start.</source>
+        <translation>Indicarne uno con --touchpad, --motors o --camera all'avvio.</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nuovo</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Immagine seguente</translation>
+    </message>
+    <message>
+        <source>Next sample</source>
+        <translation>Campione seguente</translation>
+    </message>
+    <message>
+        <source>Next trial</source>
+        <translation>Prova seguente</translation>
+    </message>
+    <message>
+        <source>No link</source>
+        <translation>Nessun collegamento</translation>
+    </message>
+    <message>
+        <source>No marker: nothing is being recorded. Ctrl+R starts.</source>
+        <translation>Nessun marcatore: nulla è in registrazione. Ctrl+R inizia.</translation>
+    </message>
+    <message>
+        <source>No notes. N writes one at the cursor.</source>
+        <translation>Nessuna nota. N ne scrive una al cursore.</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Nessuna immagine</translation>
+    </message>
+    <message>
+        <source>No picture at the cursor.</source>
+        <translation>Nessuna immagine al cursore.</translation>
+    </message>
+    <message>
+        <source>No picture was taken before the cursor.</source>
+        <translation>Nessuna immagine è stata presa prima del cursore.</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>Ancora nessuna immagine.</translation>
+    </message>
+    <message>
+        <source>No pictures were recorded.</source>
+        <translation>Nessuna immagine è stata registrata.</translation>
+    </message>
+    <message>
+        <source>No points yet. The values in force stay until you accept new ones.</source>
+        <translation>Ancora nessun punto. I valori in vigore restano finché non se ne accettano di nuovi.</translation>
+    </message>
+    <message>
+        <source>No real-time priority: the system may delay the loop.</source>
+        <translation>Nessuna priorità in tempo reale: il sistema può ritardare il ciclo.</translation>
+    </message>
+    <message>
+        <source>No sensor of the touchpad answers.</source>
+        <translation>Nessun sensore del touchpad risponde.</translation>
+    </message>
+    <message>
+        <source>No serial port and no camera. A touchpad on the network is not searched for: give its address with --touchpad. Simulated parts work without any.</source>
+        <translation>Nessuna porta seriale e nessuna telecamera. Un touchpad in rete non viene cercato: darne l'indirizzo con --touchpad. Le parti simulate funzionano senza nulla.</translation>
+    </message>
+    <message>
+        <source>No session has these words.</source>
+        <translation>Nessuna sessione ha queste parole.</translation>
+    </message>
+    <message>
+        <source>No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below.</source>
+        <translation>Nessuna sessione è ancora nel catalogo. Registrarne una in Conduzione (Ctrl+R), o indicare sotto il file di una registrazione.</translation>
+    </message>
+    <message>
+        <source>No trial was begun: nothing is being recorded. Ctrl+R starts.</source>
+        <translation>Nessuna prova iniziata: nulla è in registrazione. Ctrl+R inizia.</translation>
+    </message>
+    <message>
+        <source>No trials are planned: start with --trials soft,hard,…</source>
+        <translation>Nessuna prova prevista: avviare con --trials soft,hard,…</translation>
+    </message>
+    <message>
+        <source>No-touch offsets</source>
+        <translation>Offset a riposo</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuno</translation>
+    </message>
+    <message>
+        <source>Not accepted, the old values stay. %1</source>
+        <translation>Non accettato, i vecchi valori restano. %1</translation>
+    </message>
+    <message>
+        <source>Not armed: %1. %2</source>
+        <translation>Non armato: %1. %2</translation>
+    </message>
+    <message>
+        <source>Not following: press F to follow again</source>
+        <translation>Non segue: premere F per seguire di nuovo</translation>
+    </message>
+    <message>
+        <source>Not recording. %1.</source>
+        <translation>Nessuna registrazione. %1.</translation>
+    </message>
+    <message>
+        <source>Not recording. Folder %1 cannot be made: choose another file.</source>
+        <translation>Nessuna registrazione. La cartella %1 non si può creare: scegliere un altro file.</translation>
+    </message>
+    <message>
+        <source>Not secured</source>
+        <translation>Non protetto</translation>
+    </message>
+    <message>
+        <source>Not taken: %1.</source>
+        <translation>Non preso: %1.</translation>
+    </message>
+    <message>
+        <source>Not taken: %1. Wait until it rests and take the point again.</source>
+        <translation>Non preso: %1. Attendere che sia fermo e riprendere il punto.</translation>
+    </message>
+    <message>
+        <source>Not taken: see the entry at the left.</source>
+        <translation>Non preso: vedere il campo a sinistra.</translation>
+    </message>
+    <message>
+        <source>Not yet: %1.</source>
+        <translation>Non ancora: %1.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Note at the cursor</source>
+        <translation>Nota al cursore</translation>
+    </message>
+    <message>
+        <source>Note at the cursor, then Enter</source>
+        <translation>Nota al cursore, poi Invio</translation>
+    </message>
+    <message>
+        <source>Note in the recording: %1</source>
+        <translation>Nota nella registrazione: %1</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Notes and events</source>
+        <translation>Note ed eventi</translation>
+    </message>
+    <message>
+        <source>Notes: %1 characters are too many; at most %2.</source>
+        <translation>Note: %1 caratteri sono troppi; al più %2.</translation>
+    </message>
+    <message>
+        <source>Nothing differs from the profile (Ctrl+S)</source>
+        <translation>Nulla differisce dal profilo (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Nothing is checked or hidden: whoever reaches this address can pose as the robot. Use it on a line of its own.</source>
+        <translation>Nulla è controllato o nascosto: chi raggiunge questo indirizzo può fingersi il robot. Usarlo su una linea riservata.</translation>
+    </message>
+    <message>
+        <source>Nothing is checked or hidden; only programs on this computer reach it.</source>
+        <translation>Nulla è controllato o nascosto; solo i programmi di questo computer vi arrivano.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>Nulla da ripetere</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>Nulla da annullare</translation>
+    </message>
+    <message>
+        <source>Notice</source>
+        <translation>Avviso</translation>
+    </message>
+    <message>
+        <source>Notices</source>
+        <translation>Avvisi</translation>
+    </message>
+    <message>
+        <source>Offset, mm</source>
+        <translation>Offset, mm</translation>
+    </message>
+    <message>
+        <source>One measurement of 3 s.</source>
+        <translation>Una misura di 3 s.</translation>
+    </message>
+    <message>
+        <source>Only a robot with the same key is heard; what is said cannot be read or changed.</source>
+        <translation>Si ascolta solo un robot con la stessa chiave; ciò che si dice non si può leggere né cambiare.</translation>
+    </message>
+    <message>
+        <source>Only while nothing renders: press Esc first.</source>
+        <translation>Solo mentre nulla è reso: premere prima Esc.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Apri</translation>
+    </message>
+    <message>
+        <source>Open loop: the recorded inputs as they were; the cloth does not answer.</source>
+        <translation>Anello aperto: gli ingressi registrati com'erano; il tessuto non risponde.</translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>Conduzione</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operatore</translation>
+    </message>
+    <message>
+        <source>Operator: expected one line of at most %1 characters.</source>
+        <translation>Operatore: attesa una riga di al più %1 caratteri.</translation>
+    </message>
+    <message>
+        <source>Operator: who operates? A name or initials.</source>
+        <translation>Operatore: chi conduce? Un nome o le iniziali.</translation>
+    </message>
+    <message>
+        <source>Parameter %1</source>
+        <translation>Parametro %1</translation>
+    </message>
+    <message>
+        <source>Parameter to change</source>
+        <translation>Parametro da cambiare</translation>
+    </message>
+    <message>
+        <source>Parts and link</source>
+        <translation>Parti e collegamento</translation>
+    </message>
+    <message>
+        <source>Parts and the age of their calibration</source>
+        <translation>Parti ed età della loro calibrazione</translation>
+    </message>
+    <message>
+        <source>Path of a recording</source>
+        <translation>Percorso di una registrazione</translation>
+    </message>
+    <message>
+        <source>Path of a recording, such as %1</source>
+        <translation>Percorso di una registrazione, come %1</translation>
+    </message>
+    <message>
+        <source>Path of a second recording</source>
+        <translation>Percorso di una seconda registrazione</translation>
+    </message>
+    <message>
+        <source>Path of a second recording, then Enter</source>
+        <translation>Percorso di una seconda registrazione, poi Invio</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Pause or follow</source>
+        <translation>Pausa o segui</translation>
+    </message>
+    <message>
+        <source>Paused by the robot</source>
+        <translation>Messo in pausa dal robot</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Immagini</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Luoghi</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Riproduci</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Riproduci o pausa</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Riproduci o pausa (Spazio)</translation>
+    </message>
+    <message>
+        <source>Plugged in</source>
+        <translation>Collegati</translation>
+    </message>
+    <message>
+        <source>Point %1 taken.</source>
+        <translation>Punto %1 preso.</translation>
+    </message>
+    <message>
+        <source>Points as the simulated touchpad gives them; the record says that they are simulated.</source>
+        <translation>Punti come li dà il touchpad simulato; il verbale dice che sono simulati.</translation>
+    </message>
+    <message>
+        <source>Points discarded; the values in force stay.</source>
+        <translation>Punti scartati; i valori in vigore restano.</translation>
+    </message>
+    <message>
+        <source>Points taken</source>
+        <translation>Punti presi</translation>
+    </message>
+    <message>
+        <source>Points, fit and residuals</source>
+        <translation>Punti, adattamento e residui</translation>
+    </message>
+    <message>
+        <source>Press Esc, then restart the program.</source>
+        <translation>Premere Esc, poi riavviare il programma.</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Immagine precedente</translation>
+    </message>
+    <message>
+        <source>Previous sample</source>
+        <translation>Campione precedente</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problema</translation>
+    </message>
+    <message>
+        <source>Profile not saved. %1</source>
+        <translation>Profilo non salvato. %1</translation>
+    </message>
+    <message>
+        <source>Profile saved to %1.</source>
+        <translation>Profilo salvato in %1.</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protocollo</translation>
+    </message>
+    <message>
+        <source>Put the cursor somewhere and press [ for A, elsewhere and press ] for B.</source>
+        <translation>Mettere il cursore da qualche parte e premere [ per A, altrove e premere ] per B.</translation>
+    </message>
+    <message>
+        <source>Put the next known weight on the cell, type it, wait until it rests, take the point.</source>
+        <translation>Mettere sulla cella il peso noto seguente, scriverlo, attendere che sia fermo, prendere il punto.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Esci</translation>
+    </message>
+    <message>
+        <source>REC %1
+%2</source>
+        <translation>REC %1
+%2</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>Readiness</source>
+        <translation>Prontezza</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>Reading, counts</source>
+        <translation>Lettura, conteggi</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Pronto</translation>
+    </message>
+    <message>
+        <source>Ready? %1/%2</source>
+        <translation>Pronto? %1/%2</translation>
+    </message>
+    <message>
+        <source>Ready? Waiting for the station</source>
+        <translation>Pronto? In attesa della stazione</translation>
+    </message>
+    <message>
+        <source>Real-time priority granted.</source>
+        <translation>Priorità in tempo reale concessa.</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Ricevuti</translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation>Ricollega</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Registra</translation>
+    </message>
+    <message>
+        <source>Record this session into a file (Ctrl+R)</source>
+        <translation>Registra questa sessione in un file (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Recorded sessions</source>
+        <translation>Sessioni registrate</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Registrazione</translation>
+    </message>
+    <message>
+        <source>Recording closed: %1.</source>
+        <translation>Registrazione chiusa: %1.</translation>
+    </message>
+    <message>
+        <source>Recording failed
+Press to read why</source>
+        <translation>Registrazione fallita
+Premere per leggere perché</translation>
+    </message>
+    <message>
+        <source>Recording failed. %1</source>
+        <translation>Registrazione fallita. %1</translation>
+    </message>
+    <message>
+        <source>Recording into %1.</source>
+        <translation>Registrazione in %1.</translation>
+    </message>
+    <message>
+        <source>Recordings (*.h5)</source>
+        <translation>Registrazioni (*.h5)</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>Registra…</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Ripeti</translation>
+    </message>
+    <message>
+        <source>Redo %1 (Ctrl+Shift+Z)</source>
+        <translation>Ripeti %1 (Ctrl+Shift+Z)</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Rifiutati: %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1.</source>
+        <translation>Rifiutato: %1.</translation>
+    </message>
+    <message>
+        <source>Refused: none</source>
+        <translation>Rifiutati: nessuno</translation>
+    </message>
+    <message>
+        <source>Rendering; motors on.</source>
+        <translation>Resa in corso; motori accesi.</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Rapporto come PDF</translation>
+    </message>
+    <message>
+        <source>Report as web page</source>
+        <translation>Rapporto come pagina web</translation>
+    </message>
+    <message>
+        <source>Reset %1 to its default</source>
+        <translation>Riporta %1 al valore predefinito</translation>
+    </message>
+    <message>
+        <source>Residual, N</source>
+        <translation>Residuo, N</translation>
+    </message>
+    <message>
+        <source>Residual, mm</source>
+        <translation>Residuo, mm</translation>
+    </message>
+    <message>
+        <source>Rest a finger on the cloth, drag a rectangle around the cloth in the picture, and take the point.</source>
+        <translation>Appoggiare un dito sul tessuto, trascinare un rettangolo attorno al tessuto nell'immagine e prendere il punto.</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Revisione</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Robot connected</source>
+        <translation>Robot connesso</translation>
+    </message>
+    <message>
+        <source>Robot is now: %1.</source>
+        <translation>Il robot ora è: %1.</translation>
+    </message>
+    <message>
+        <source>Robot not changed. %1.</source>
+        <translation>Robot non cambiato. %1.</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Andata e ritorno</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation>Riesegui</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>In funzione</translation>
+    </message>
+    <message>
+        <source>Running …</source>
+        <translation>In corso …</translation>
+    </message>
+    <message>
+        <source>Runs the recorded inputs through the step again. Without a change it proves that the recording comes out the same, bit for bit.</source>
+        <translation>Fa ripassare gli ingressi registrati attraverso il passo. Senza modifiche prova che la registrazione risulta la stessa, bit per bit.</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>Salva il profilo</translation>
+    </message>
+    <message>
+        <source>Search for devices</source>
+        <translation>Cerca dispositivi</translation>
+    </message>
+    <message>
+        <source>Search operator, subject, notes, tags</source>
+        <translation>Cerca operatore, soggetto, note, etichette</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>Cerca nel registro</translation>
+    </message>
+    <message>
+        <source>Searching …</source>
+        <translation>Ricerca …</translation>
+    </message>
+    <message>
+        <source>Secured</source>
+        <translation>Protetto</translation>
+    </message>
+    <message>
+        <source>Sensors live, motors off.</source>
+        <translation>Sensori vivi, motori spenti.</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Inviati</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Porta seriale</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sessione</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sessioni</translation>
+    </message>
+    <message>
+        <source>Set A at the cursor</source>
+        <translation>Metti A al cursore</translation>
+    </message>
+    <message>
+        <source>Set B at the cursor</source>
+        <translation>Metti B al cursore</translation>
+    </message>
+    <message>
+        <source>Settled
+s</source>
+        <translation>Assestato
+s</translation>
+    </message>
+    <message>
+        <source>Share of the robot's messages of the last second that did not arrive.</source>
+        <translation>Quota dei messaggi del robot dell'ultimo secondo che non sono arrivati.</translation>
+    </message>
+    <message>
+        <source>Show %1 seconds</source>
+        <translation>Mostra %1 secondi</translation>
+    </message>
+    <message>
+        <source>Show 10 s</source>
+        <translation>Mostra 10 s</translation>
+    </message>
+    <message>
+        <source>Show 30 s</source>
+        <translation>Mostra 30 s</translation>
+    </message>
+    <message>
+        <source>Show 5 s</source>
+        <translation>Mostra 5 s</translation>
+    </message>
+    <message>
+        <source>Show 60 s</source>
+        <translation>Mostra 60 s</translation>
+    </message>
+    <message>
+        <source>Show the last %1 s</source>
+        <translation>Mostra gli ultimi %1 s</translation>
+    </message>
+    <message>
+        <source>Show the whole session</source>
+        <translation>Mostra tutta la sessione</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulati</translation>
+    </message>
+    <message>
+        <source>Simulated finger: press on the picture. Depth %1; wheel or Shift and drag changes it.</source>
+        <translation>Dito simulato: premere sull'immagine. Profondità %1; rotella o Maiusc e trascinamento la cambiano.</translation>
+    </message>
+    <message>
+        <source>Simulated points, from the simulator's own truth and noise. No part was measured.</source>
+        <translation>Punti simulati, dalla verità e dal rumore del simulatore. Nessuna parte è stata misurata.</translation>
+    </message>
+    <message>
+        <source>Simulated points.</source>
+        <translation>Punti simulati.</translation>
+    </message>
+    <message>
+        <source>Slope
+per s</source>
+        <translation>Pendenza
+al s</translation>
+    </message>
+    <message>
+        <source>Small and slow, and only while the button is held. Esc ends it as well.</source>
+        <translation>Piccolo e lento, e solo finché il pulsante è premuto. Anche Esc lo termina.</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Cedevolezza</translation>
+    </message>
+    <message>
+        <source>Something needed went missing.</source>
+        <translation>È venuto a mancare qualcosa di necessario.</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Velocità di riproduzione</translation>
+    </message>
+    <message>
+        <source>Spread, counts</source>
+        <translation>Dispersione, conteggi</translation>
+    </message>
+    <message>
+        <source>Spread, mV/V</source>
+        <translation>Dispersione, mV/V</translation>
+    </message>
+    <message>
+        <source>Start
+s</source>
+        <translation>Inizio
+s</translation>
+    </message>
+    <message>
+        <source>Start recording</source>
+        <translation>Inizia la registrazione</translation>
+    </message>
+    <message>
+        <source>Start the robot's program again.</source>
+        <translation>Riavviare il programma del robot.</translation>
+    </message>
+    <message>
+        <source>Start the robot's program, or set the target by hand.</source>
+        <translation>Avviare il programma del robot, o impostare il bersaglio a mano.</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Avvio</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stato</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidezza</translation>
+    </message>
+    <message>
+        <source>Stiffness
+N/mm</source>
+        <translation>Rigidezza
+N/mm</translation>
+    </message>
+    <message>
+        <source>Stiffness error, RMS: %1 % recorded, %2 % so.</source>
+        <translation>Errore di rigidezza, RMS: %1 % registrato, %2 % così.</translation>
+    </message>
+    <message>
+        <source>Stiffness target by hand</source>
+        <translation>Rigidezza desiderata impostata a mano</translation>
+    </message>
+    <message>
+        <source>Stiffness target from the robot</source>
+        <translation>Rigidezza desiderata dal robot</translation>
+    </message>
+    <message>
+        <source>Stiffness target known</source>
+        <translation>Rigidezza desiderata nota</translation>
+    </message>
+    <message>
+        <source>Still missing: %1</source>
+        <translation>Manca ancora: %1</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Ferma la registrazione</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Fermo</translation>
+    </message>
+    <message>
+        <source>Stopped by the operator; motors off.</source>
+        <translation>Fermato dall'operatore; motori spenti.</translation>
+    </message>
+    <message>
+        <source>Subject</source>
+        <translation>Soggetto</translation>
+    </message>
+    <message>
+        <source>Subject: expected a code of letters, digits, - and _ such as S07, at most %1 characters; never a name.</source>
+        <translation>Soggetto: atteso un codice di lettere, cifre, - e _ come S07, al più %1 caratteri; mai un nome.</translation>
+    </message>
+    <message>
+        <source>Tag "%1": expected at most %2 characters.</source>
+        <translation>Etichetta "%1": attesi al più %2 caratteri.</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Etichette</translation>
+    </message>
+    <message>
+        <source>Tags: %1 are too many; at most %2.</source>
+        <translation>Etichette: %1 sono troppe; al più %2.</translation>
+    </message>
+    <message>
+        <source>Take everything off the cloth, keep your hands away, and take the point: it lasts 3 s.</source>
+        <translation>Togliere tutto dal tessuto, tenere lontane le mani e prendere il punto: dura 3 s.</translation>
+    </message>
+    <message>
+        <source>Take point</source>
+        <translation>Prendi il punto</translation>
+    </message>
+    <message>
+        <source>Take simulated points</source>
+        <translation>Prendi punti simulati</translation>
+    </message>
+    <message>
+        <source>Take the last point back</source>
+        <translation>Riprendi l'ultimo punto</translation>
+    </message>
+    <message>
+        <source>Take the load off the cover; check the bridge's wiring.</source>
+        <translation>Togliere il carico dalla copertura; controllare il cablaggio del ponte.</translation>
+    </message>
+    <message>
+        <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (T).</source>
+        <translation>Prende le letture presenti come "non toccato": offset delle distanze e zero della cella di carico. Alzare prima il dito (T).</translation>
+    </message>
+    <message>
+        <source>Takes the last point back.</source>
+        <translation>Toglie l'ultimo punto.</translation>
+    </message>
+    <message>
+        <source>Tare</source>
+        <translation>Tara</translation>
+    </message>
+    <message>
+        <source>Tare done; the largest offset moved by %1 mm.</source>
+        <translation>Tara fatta; l'offset maggiore è cambiato di %1 mm.</translation>
+    </message>
+    <message>
+        <source>Tare failed: %1. Keep the cloth untouched and try again.</source>
+        <translation>Tara non riuscita: %1. Non toccare il tessuto e riprovare.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Consegna</translation>
+    </message>
+    <message>
+        <source>Target by hand</source>
+        <translation>Valore a mano</translation>
+    </message>
+    <message>
+        <source>Target from robot</source>
+        <translation>Valore dal robot</translation>
+    </message>
+    <message>
+        <source>Test, while held</source>
+        <translation>Prova, finché premuto</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Texture</translation>
+    </message>
+    <message>
+        <source>The classic protocol cannot tell.</source>
+        <translation>Il protocollo classico non può dirlo.</translation>
+    </message>
+    <message>
+        <source>The clock went back by %1 s; that step moved nothing.</source>
+        <translation>L'orologio è tornato indietro di %1 s; quel passo non ha mosso nulla.</translation>
+    </message>
+    <message>
+        <source>The curves lost %1 samples.</source>
+        <translation>Le curve hanno perso %1 campioni.</translation>
+    </message>
+    <message>
+        <source>The file begins up to 10 s before you start. Ctrl+M puts a marker.</source>
+        <translation>Il file comincia fino a 10 s prima dell'avvio. Ctrl+M mette un marcatore.</translation>
+    </message>
+    <message>
+        <source>The finger never pressed in this session.</source>
+        <translation>Il dito non ha mai premuto in questa sessione.</translation>
+    </message>
+    <message>
+        <source>The haptic loop says nothing; the last state was %1.</source>
+        <translation>Il ciclo aptico tace; l'ultimo stato era %1.</translation>
+    </message>
+    <message>
+        <source>The language changes when the window is started again.</source>
+        <translation>La lingua cambia al prossimo avvio della finestra.</translation>
+    </message>
+    <message>
+        <source>The last point is taken back.</source>
+        <translation>L'ultimo punto è tolto.</translation>
+    </message>
+    <message>
+        <source>The list of sessions (Ctrl+O)</source>
+        <translation>L'elenco delle sessioni (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
+        <translation>La nota non è scritta: il file delle note è danneggiato. Riparare o spostare %1.</translation>
+    </message>
+    <message>
+        <source>The other session is drawn %1 s later than recorded.</source>
+        <translation>L'altra sessione è disegnata %1 s più tardi di quanto registrata.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be replayed exactly: the step gave another result the second time. The measured values are safe. Please report this fault with the file.</source>
+        <translation>La registrazione non si può riprodurre esattamente: la seconda volta il passo ha dato un altro risultato. I valori misurati sono al sicuro. Segnalare questo difetto con il file.</translation>
+    </message>
+    <message>
+        <source>The recording did not close as it should. %1. What was written before is safe: it is repaired when the file is opened.</source>
+        <translation>La registrazione non si è chiusa come doveva. %1. Ciò che era scritto prima è al sicuro: viene riparato quando si apre il file.</translation>
+    </message>
+    <message>
+        <source>The recording loses samples: the computer is too busy. What is written is safe; the gap is marked in the file. Close other programs.</source>
+        <translation>La registrazione perde campioni: il computer è troppo occupato. Ciò che è scritto è al sicuro; la lacuna è segnata nel file. Chiudere gli altri programmi.</translation>
+    </message>
+    <message>
+        <source>The robot can be changed only while nothing can move. Press Esc first.</source>
+        <translation>Il robot si può cambiare solo mentre nulla può muoversi. Premere prima Esc.</translation>
+    </message>
+    <message>
+        <source>The robot must have the same key; "fyd link keygen" makes one.</source>
+        <translation>Il robot deve avere la stessa chiave; "fyd link keygen" ne crea una.</translation>
+    </message>
+    <message>
+        <source>The robot's operator asks: %1.</source>
+        <translation>L'operatore del robot chiede: %1.</translation>
+    </message>
+    <message>
+        <source>The session has no devices: it is closed. Choose a robot in the link's panel to open it again.</source>
+        <translation>La sessione non ha dispositivi: è chiusa. Scegliere un robot nel pannello del collegamento per riaprirla.</translation>
+    </message>
+    <message>
+        <source>The session has no robot; the target is set by hand.</source>
+        <translation>La sessione non ha robot; il valore desiderato si imposta a mano.</translation>
+    </message>
+    <message>
+        <source>The session is closed. %1. Choose another robot.</source>
+        <translation>La sessione è chiusa. %1. Scegliere un altro robot.</translation>
+    </message>
+    <message>
+        <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>
+        <translation>La sessione ricomincia; parametri e tara restano. I motori restano spenti finché non si arma.</translation>
+    </message>
+    <message>
+        <source>The simulated finger leaves the cloth…</source>
+        <translation>Il dito simulato lascia il tessuto…</translation>
+    </message>
+    <message>
+        <source>The station did not take the command: too many at once. Try again.</source>
+        <translation>La stazione non ha preso il comando: troppi in una volta. Riprovare.</translation>
+    </message>
+    <message>
+        <source>The station did not take the target: too many commands at once. Try again.</source>
+        <translation>La stazione non ha preso il valore desiderato: troppi comandi in una volta. Riprovare.</translation>
+    </message>
+    <message>
+        <source>The station is silent: wait until it answers.</source>
+        <translation>La stazione tace: attendere che risponda.</translation>
+    </message>
+    <message>
+        <source>The target from above. Below, how far each mark is off. Crosses: points the others contradict.</source>
+        <translation>Il bersaglio visto dall'alto. Sotto, quanto è fuori ciascun segno. Croci: punti che gli altri contraddicono.</translation>
+    </message>
+    <message>
+        <source>The target is out of reach; rendering the nearest, %1 N/mm.</source>
+        <translation>Il valore desiderato è fuori portata; si rende il più vicino, %1 N/mm.</translation>
+    </message>
+    <message>
+        <source>The whole recording</source>
+        <translation>Tutta la registrazione</translation>
+    </message>
+    <message>
+        <source>Theme of the system</source>
+        <translation>Tema del sistema</translation>
+    </message>
+    <message>
+        <source>Then hold Re-arm.</source>
+        <translation>Poi tenere premuto Riarma.</translation>
+    </message>
+    <message>
+        <source>There is no parameter '%1'.</source>
+        <translation>Non c'è il parametro '%1'.</translation>
+    </message>
+    <message>
+        <source>There is nothing to accept yet: %1.</source>
+        <translation>Non c'è ancora nulla da accettare: %1.</translation>
+    </message>
+    <message>
+        <source>These points are measured: discard them before you take simulated ones.</source>
+        <translation>Questi punti sono misurati: scartarli prima di prenderne di simulati.</translation>
+    </message>
+    <message>
+        <source>These points are simulated: discard them before you measure.</source>
+        <translation>Questi punti sono simulati: scartarli prima di misurare.</translation>
+    </message>
+    <message>
+        <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
+        <translation>L'indirizzo di questo computer, HOST:PORT. Il robot chiama lì; 0.0.0.0 ascolta ogni rete.</translation>
+    </message>
+    <message>
+        <source>This session's</source>
+        <translation>Di questa sessione</translation>
+    </message>
+    <message>
+        <source>This source has none</source>
+        <translation>Questa sorgente non ne ha</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Times lost</source>
+        <translation>Volte perso</translation>
+    </message>
+    <message>
+        <source>Tint what the detector takes for the finger (M)</source>
+        <translation>Colora ciò che il rilevatore prende per il dito (M)</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source>Touch %1 at %2: peak force %3, peak indentation %4, stiffness %5 of %6 asked, settled after %7</source>
+        <translation>Tocco %1 a %2: forza di picco %3, indentazione di picco %4, rigidezza %5 su %6 richiesti, assestato dopo %7</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>Tocchi</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>Touchpad</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2: %3.</source>
+        <translation>Prova %1 di %2: %3.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Regolazione</translation>
+    </message>
+    <message>
+        <source>Type a few letters of a command</source>
+        <translation>Scrivere alcune lettere di un comando</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Undo %1 (Ctrl+Z)</source>
+        <translation>Annulla %1 (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Unit of: %1</source>
+        <translation>Unità di: %1</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Sconosciuto</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <source>Values in force and new values</source>
+        <translation>Valori in vigore e nuovi valori</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibrazione</translation>
+    </message>
+    <message>
+        <source>Vibration, peak</source>
+        <translation>Vibrazione, picco</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Wait until it answers; close other programs on this machine.</source>
+        <translation>Attendere che risponda; chiudere gli altri programmi su questo computer.</translation>
+    </message>
+    <message>
+        <source>Waiting for a robot</source>
+        <translation>In attesa di un robot</translation>
+    </message>
+    <message>
+        <source>Waiting for the haptic loop.</source>
+        <translation>In attesa del ciclo aptico.</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avvertenza</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Peso</translation>
+    </message>
+    <message>
+        <source>Well</source>
+        <translation>Bene</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Che cosa è successo</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>E se</translation>
+    </message>
+    <message>
+        <source>What to do now</source>
+        <translation>Che cosa fare ora</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Chi</translation>
+    </message>
+    <message>
+        <source>Who measured</source>
+        <translation>Chi ha misurato</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Write a note at the cursor</source>
+        <translation>Scrivi una nota al cursore</translation>
+    </message>
+    <message>
+        <source>Writes the new values with their record, and begins the session anew with them.</source>
+        <translation>Scrive i nuovi valori con il loro verbale, e ricomincia la sessione con essi.</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Scrittura di %1 …</translation>
+    </message>
+    <message>
+        <source>a code, such as S07; never a name</source>
+        <translation>un codice, come S07; mai un nome</translation>
+    </message>
+    <message>
+        <source>a motor stands beyond control.motor_limit_deg: check the encoder's zero</source>
+        <translation>un motore sta oltre control.motor_limit_deg: controllare lo zero dell'encoder</translation>
+    </message>
+    <message>
+        <source>a second</source>
+        <translation>al secondo</translation>
+    </message>
+    <message>
+        <source>a sensor is outside its span</source>
+        <translation>un sensore è fuori dal suo campo</translation>
+    </message>
+    <message>
+        <source>add weights between %1 and %2 N</source>
+        <translation>aggiungere pesi tra %1 e %2 N</translation>
+    </message>
+    <message>
+        <source>ageing: %1</source>
+        <translation>invecchia: %1</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>allarme</translation>
+    </message>
+    <message>
+        <source>an answer of another unit</source>
+        <translation>una risposta di un'altra unità</translation>
+    </message>
+    <message>
+        <source>an answer that does not fit the question</source>
+        <translation>una risposta che non corrisponde alla domanda</translation>
+    </message>
+    <message>
+        <source>an answer with a wrong checksum; is the speed right and the line terminated?</source>
+        <translation>una risposta con somma di controllo errata; la velocità è giusta e la linea terminata?</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>area</translation>
+    </message>
+    <message>
+        <source>asked for %1 %, the camera took %2 %</source>
+        <translation>chiesto %1 %, la telecamera ha preso %2 %</translation>
+    </message>
+    <message>
+        <source>at edge</source>
+        <translation>al bordo</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>a riposo</translation>
+    </message>
+    <message>
+        <source>at rest %1 g, spread %2 g</source>
+        <translation>a riposo %1 g, dispersione %2 g</translation>
+    </message>
+    <message>
+        <source>average more readings at each distance, target square to the sensor</source>
+        <translation>fare la media di più letture a ogni distanza, bersaglio perpendicolare al sensore</translation>
+    </message>
+    <message>
+        <source>black picture</source>
+        <translation>immagine nera</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>sfocato</translation>
+    </message>
+    <message>
+        <source>bookmark</source>
+        <translation>segnalibro</translation>
+    </message>
+    <message>
+        <source>brightness</source>
+        <translation>luminosità</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>di %1</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>a mano</translation>
+    </message>
+    <message>
+        <source>calibrated %1 days ago: repeat it</source>
+        <translation>calibrato %1 giorni fa: ripetere</translation>
+    </message>
+    <message>
+        <source>calibrated %1 days ago: repeat it soon</source>
+        <translation>calibrato %1 giorni fa: ripetere presto</translation>
+    </message>
+    <message>
+        <source>calibrated %1 days in the future: the computer's clock was or is wrong</source>
+        <translation>calibrato %1 giorni nel futuro: l'orologio del computer era o è sbagliato</translation>
+    </message>
+    <message>
+        <source>camera: none given</source>
+        <translation>telecamera: non indicata</translation>
+    </message>
+    <message>
+        <source>changed since it was calibrated %1 days ago</source>
+        <translation>cambiato dopo la calibrazione di %1 giorni fa</translation>
+    </message>
+    <message>
+        <source>check the touchpad's connection</source>
+        <translation>controllare il collegamento del touchpad</translation>
+    </message>
+    <message>
+        <source>check the weights, and that nothing rubs on the cell</source>
+        <translation>controllare i pesi, e che nulla sfreghi sulla cella</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>orologio</translation>
+    </message>
+    <message>
+        <source>contrast</source>
+        <translation>contrasto</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>conteggi</translation>
+    </message>
+    <message>
+        <source>current %1</source>
+        <translation>corrente %1</translation>
+    </message>
+    <message>
+        <source>curve: %1</source>
+        <translation>curva: %1</translation>
+    </message>
+    <message>
+        <source>days left</source>
+        <translation>giorni rimasti</translation>
+    </message>
+    <message>
+        <source>device test '%1': %2</source>
+        <translation>prova del dispositivo '%1': %2</translation>
+    </message>
+    <message>
+        <source>device test: the session is closed</source>
+        <translation>prova del dispositivo: la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>disconnect</source>
+        <translation>scollegare</translation>
+    </message>
+    <message>
+        <source>distance readings missing or too old</source>
+        <translation>letture di distanza assenti o troppo vecchie</translation>
+    </message>
+    <message>
+        <source>distances to the untouched cloth %1 mm, spread %2 mm; force %3 N</source>
+        <translation>distanze dal tessuto non toccato %1 mm, dispersione %2 mm; forza %3 N</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fatto</translation>
+    </message>
+    <message>
+        <source>each ±%1 %2</source>
+        <translation>ciascuno ±%1 %2</translation>
+    </message>
+    <message>
+        <source>encoder %1</source>
+        <translation>encoder %1</translation>
+    </message>
+    <message>
+        <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
+        <translation>terminata: un motore non era dove è stato mandato; controllare il suo encoder e che possa girare</translation>
+    </message>
+    <message>
+        <source>ended: the button was released</source>
+        <translation>terminata: il pulsante è stato lasciato</translation>
+    </message>
+    <message>
+        <source>ended: the haptic loop stood still</source>
+        <translation>terminata: il ciclo aptico si è fermato</translation>
+    </message>
+    <message>
+        <source>ended: the session was stopped or armed</source>
+        <translation>terminata: la sessione è stata fermata o armata</translation>
+    </message>
+    <message>
+        <source>ended: the session's state changed</source>
+        <translation>terminata: lo stato della sessione è cambiato</translation>
+    </message>
+    <message>
+        <source>error of the fit %1</source>
+        <translation>errore dell'adattamento %1</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>evento</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>esposizione</translation>
+    </message>
+    <message>
+        <source>fine: calibrated %1 days ago</source>
+        <translation>a posto: calibrato %1 giorni fa</translation>
+    </message>
+    <message>
+        <source>fine: calibrated today</source>
+        <translation>a posto: calibrato oggi</translation>
+    </message>
+    <message>
+        <source>finger</source>
+        <translation>dito</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>finita</translation>
+    </message>
+    <message>
+        <source>flat picture</source>
+        <translation>immagine piatta</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>da %1</translation>
+    </message>
+    <message>
+        <source>force too small</source>
+        <translation>forza troppo piccola</translation>
+    </message>
+    <message>
+        <source>force unavailable</source>
+        <translation>forza non disponibile</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>trovato</translation>
+    </message>
+    <message>
+        <source>from robot</source>
+        <translation>dal robot</translation>
+    </message>
+    <message>
+        <source>from the start</source>
+        <translation>dall'inizio</translation>
+    </message>
+    <message>
+        <source>g</source>
+        <translation>g</translation>
+    </message>
+    <message>
+        <source>gives no picture any more</source>
+        <translation>non dà più immagini</translation>
+    </message>
+    <message>
+        <source>has said goodbye</source>
+        <translation>si è congedato</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>altezza</translation>
+    </message>
+    <message>
+        <source>held-out error %1 N of at most %2 N over %3 weights</source>
+        <translation>errore di verifica %1 N su al più %2 N con %3 pesi</translation>
+    </message>
+    <message>
+        <source>held-out error %1 N of at most %2 N; stiffness rises from %3 to %4 N/mm</source>
+        <translation>errore di verifica %1 N su al più %2 N; la rigidezza cresce da %3 a %4 N/mm</translation>
+    </message>
+    <message>
+        <source>held-out error %1 N; expected at most %2 N: %3</source>
+        <translation>errore di verifica %1 N; atteso al più %2 N: %3</translation>
+    </message>
+    <message>
+        <source>held-out error %1 deg of at most %2 deg</source>
+        <translation>errore di verifica %1 deg su al più %2 deg</translation>
+    </message>
+    <message>
+        <source>held-out error %1 deg; expected at most %2: sweep slower, and wait at each angle</source>
+        <translation>errore di verifica %1 deg; atteso al più %2: muovere più piano, e attendere a ogni angolo</translation>
+    </message>
+    <message>
+        <source>held-out error %1 mm of at most %2 mm</source>
+        <translation>errore di verifica %1 mm su al più %2 mm</translation>
+    </message>
+    <message>
+        <source>held-out error %1 mm; expected at most %2 mm: %3</source>
+        <translation>errore di verifica %1 mm; atteso al più %2 mm: %3</translation>
+    </message>
+    <message>
+        <source>holds no picture</source>
+        <translation>non contiene immagini</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>in attesa</translation>
+    </message>
+    <message>
+        <source>images off</source>
+        <translation>immagini no</translation>
+    </message>
+    <message>
+        <source>images on</source>
+        <translation>immagini sì</translation>
+    </message>
+    <message>
+        <source>indentation too small</source>
+        <translation>indentazione troppo piccola</translation>
+    </message>
+    <message>
+        <source>indentation unavailable</source>
+        <translation>indentazione non disponibile</translation>
+    </message>
+    <message>
+        <source>inverse, a/(v + b) + c</source>
+        <translation>inversa, a/(v + b) + c</translation>
+    </message>
+    <message>
+        <source>its recorder crashed: everything committed is shown; recover it with fyd session recover</source>
+        <translation>il suo registratore si è interrotto: si mostra tutto ciò che è confermato; recuperare con fyd session recover</translation>
+    </message>
+    <message>
+        <source>key file %1: %2</source>
+        <translation>file della chiave %1: %2</translation>
+    </message>
+    <message>
+        <source>largest residual %1</source>
+        <translation>residuo maggiore %1</translation>
+    </message>
+    <message>
+        <source>last touch</source>
+        <translation>ultimo tocco</translation>
+    </message>
+    <message>
+        <source>lay the target flat and set the camera square to it</source>
+        <translation>stendere piano il bersaglio e mettere la telecamera perpendicolare</translation>
+    </message>
+    <message>
+        <source>left as it is</source>
+        <translation>lasciato com'è</translation>
+    </message>
+    <message>
+        <source>less than a minute left</source>
+        <translation>meno di un minuto rimasto</translation>
+    </message>
+    <message>
+        <source>let the motors and the cloth come to rest, and start again</source>
+        <translation>lasciare fermare motori e tessuto, e ricominciare</translation>
+    </message>
+    <message>
+        <source>lies on the other's</source>
+        <translation>sta su quello dell'altra</translation>
+    </message>
+    <message>
+        <source>light, temperature, target</source>
+        <translation>luce, temperatura, bersaglio</translation>
+    </message>
+    <message>
+        <source>load cell</source>
+        <translation>cella di carico</translation>
+    </message>
+    <message>
+        <source>look at the distance sensors' curves and at the load cell's cable</source>
+        <translation>guardare le curve dei sensori di distanza e il cavo della cella di carico</translation>
+    </message>
+    <message>
+        <source>measure the outliers again</source>
+        <translation>misurare di nuovo i valori anomali</translation>
+    </message>
+    <message>
+        <source>measure the outliers again, or leave them out</source>
+        <translation>misurare di nuovo i valori anomali, o escluderli</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>misurato</translation>
+    </message>
+    <message>
+        <source>measured without the invalid sensors</source>
+        <translation>misurato senza i sensori non validi</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>more than 5 % of the haptic cycles of one second were missed</source>
+        <translation>più del 5 % dei cicli aptici di un secondo è mancato</translation>
+    </message>
+    <message>
+        <source>motor %1</source>
+        <translation>motore %1</translation>
+    </message>
+    <message>
+        <source>motor reference off</source>
+        <translation>riferimento motori no</translation>
+    </message>
+    <message>
+        <source>motor reference on</source>
+        <translation>riferimento motori sì</translation>
+    </message>
+    <message>
+        <source>motors</source>
+        <translation>motori</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>in moto</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>never calibrated</source>
+        <translation>mai calibrato</translation>
+    </message>
+    <message>
+        <source>no catalogue was chosen</source>
+        <translation>nessun catalogo è stato scelto</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>nessun dato</translation>
+    </message>
+    <message>
+        <source>no finger</source>
+        <translation>nessun dito</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>nessuna immagine</translation>
+    </message>
+    <message>
+        <source>no point between %1 and %2 mm, %3 % of the span: add points between %4 and %5 mm</source>
+        <translation>nessun punto tra %1 e %2 mm, %3 % del campo: aggiungere punti tra %4 e %5 mm</translation>
+    </message>
+    <message>
+        <source>no recent picture</source>
+        <translation>nessuna immagine recente</translation>
+    </message>
+    <message>
+        <source>no robot has connected</source>
+        <translation>nessun robot si è connesso</translation>
+    </message>
+    <message>
+        <source>no stiffness target</source>
+        <translation>nessuna rigidezza desiderata</translation>
+    </message>
+    <message>
+        <source>none since the start</source>
+        <translation>nessuno dall'avvio</translation>
+    </message>
+    <message>
+        <source>not a digit</source>
+        <translation>non è una cifra</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>nota</translation>
+    </message>
+    <message>
+        <source>nothing is being recorded</source>
+        <translation>nulla è in registrazione</translation>
+    </message>
+    <message>
+        <source>nothing listens there; is the touchpad on and the port right?</source>
+        <translation>lì non ascolta nulla; il touchpad è acceso e la porta giusta?</translation>
+    </message>
+    <message>
+        <source>nothing missing</source>
+        <translation>non manca nulla</translation>
+    </message>
+    <message>
+        <source>nothing received yet</source>
+        <translation>ancora nulla ricevuto</translation>
+    </message>
+    <message>
+        <source>number out of range</source>
+        <translation>numero fuori campo</translation>
+    </message>
+    <message>
+        <source>observed</source>
+        <translation>osservata</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>spento</translation>
+    </message>
+    <message>
+        <source>old: %1</source>
+        <translation>vecchio: %1</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>acceso</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>immagini</translation>
+    </message>
+    <message>
+        <source>pilot, left hand</source>
+        <translation>pilota, mano sinistra</translation>
+    </message>
+    <message>
+        <source>polynomial of degree %1</source>
+        <translation>polinomio di grado %1</translation>
+    </message>
+    <message>
+        <source>position duty %1</source>
+        <translation>ciclo di posizione %1</translation>
+    </message>
+    <message>
+        <source>press slower, and hold each depth</source>
+        <translation>premere più piano, e tenere ogni profondità</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>readings too unsteady</source>
+        <translation>letture troppo instabili</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>registrazione</translation>
+    </message>
+    <message>
+        <source>resume</source>
+        <translation>riprendere</translation>
+    </message>
+    <message>
+        <source>robot '%1': FYD Link needs a key file</source>
+        <translation>robot '%1': FYD Link richiede un file della chiave</translation>
+    </message>
+    <message>
+        <source>robot '%1': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
+        <translation>robot '%1': atteso simulated, none, link:HOST:PORT o classic:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>robot '%1': takes no key file</source>
+        <translation>robot '%1': non prende un file della chiave</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>in corso</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>saturata</translation>
+    </message>
+    <message>
+        <source>send info and pause</source>
+        <translation>inviare informazioni e pausa</translation>
+    </message>
+    <message>
+        <source>sensors contradict each other</source>
+        <translation>i sensori si contraddicono</translation>
+    </message>
+    <message>
+        <source>set to %1 %</source>
+        <translation>impostato a %1 %</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>diversi</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>tace</translation>
+    </message>
+    <message>
+        <source>silent; is it plugged in and switched on?</source>
+        <translation>tace; è collegato e acceso?</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simulato</translation>
+    </message>
+    <message>
+        <source>still being recorded</source>
+        <translation>ancora in registrazione</translation>
+    </message>
+    <message>
+        <source>subject %1</source>
+        <translation>soggetto %1</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>spenti</translation>
+    </message>
+    <message>
+        <source>take points first</source>
+        <translation>prendere prima i punti</translation>
+    </message>
+    <message>
+        <source>take the hand away and start again</source>
+        <translation>allontanare la mano e ricominciare</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>consegna</translation>
+    </message>
+    <message>
+        <source>target limited</source>
+        <translation>valore limitato</translation>
+    </message>
+    <message>
+        <source>temperature %1</source>
+        <translation>temperatura %1</translation>
+    </message>
+    <message>
+        <source>the camera sees nothing: picture black, saturated or empty</source>
+        <translation>la telecamera non vede nulla: immagine nera, saturata o vuota</translation>
+    </message>
+    <message>
+        <source>the camera sends no pictures</source>
+        <translation>la telecamera non manda immagini</translation>
+    </message>
+    <message>
+        <source>the cloth was touched</source>
+        <translation>il tessuto è stato toccato</translation>
+    </message>
+    <message>
+        <source>the disk has less than %1 MB left: recording stopped</source>
+        <translation>il disco ha meno di %1 MB liberi: registrazione fermata</translation>
+    </message>
+    <message>
+        <source>the distance sensors are silent</source>
+        <translation>i sensori di distanza tacciono</translation>
+    </message>
+    <message>
+        <source>the distances span only %1 mm, %2 to %3; expected at least %4: add points between %5 and %6 mm</source>
+        <translation>le distanze coprono solo %1 mm, da %2 a %3; ne servono almeno %4: aggiungere punti tra %5 e %6 mm</translation>
+    </message>
+    <message>
+        <source>the haptic loop stood still for more than 20 ms</source>
+        <translation>il ciclo aptico è rimasto fermo più di 20 ms</translation>
+    </message>
+    <message>
+        <source>the load cell is silent</source>
+        <translation>la cella di carico tace</translation>
+    </message>
+    <message>
+        <source>the load cell's value is outside its span</source>
+        <translation>il valore della cella di carico è fuori dal suo campo</translation>
+    </message>
+    <message>
+        <source>the motor board is silent</source>
+        <translation>la scheda motori tace</translation>
+    </message>
+    <message>
+        <source>the motors are not free: stop the session first</source>
+        <translation>i motori non sono liberi: fermare prima la sessione</translation>
+    </message>
+    <message>
+        <source>the motors do not answer</source>
+        <translation>i motori non rispondono</translation>
+    </message>
+    <message>
+        <source>the others contradict point %1</source>
+        <translation>gli altri contraddicono il punto %1</translation>
+    </message>
+    <message>
+        <source>the outliers are kept in the fit; measure them again</source>
+        <translation>i valori anomali restano nell'adattamento; misurarli di nuovo</translation>
+    </message>
+    <message>
+        <source>the picture has one grey value only: check the camera and the light</source>
+        <translation>l'immagine ha un solo valore di grigio: controllare la telecamera e la luce</translation>
+    </message>
+    <message>
+        <source>the picture is frozen: the camera sends one and the same</source>
+        <translation>l'immagine è congelata: la telecamera manda sempre la stessa</translation>
+    </message>
+    <message>
+        <source>the recorder is not running</source>
+        <translation>il registratore non è attivo</translation>
+    </message>
+    <message>
+        <source>the recording holds no picture</source>
+        <translation>la registrazione non contiene immagini</translation>
+    </message>
+    <message>
+        <source>the recording holds no step</source>
+        <translation>la registrazione non contiene passi</translation>
+    </message>
+    <message>
+        <source>the robot has said goodbye</source>
+        <translation>il robot si è congedato</translation>
+    </message>
+    <message>
+        <source>the robot is silent</source>
+        <translation>il robot tace</translation>
+    </message>
+    <message>
+        <source>the robot's stiffness is not a number</source>
+        <translation>la rigidezza del robot non è un numero</translation>
+    </message>
+    <message>
+        <source>the session is closed</source>
+        <translation>la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>the touchpad closed the connection</source>
+        <translation>il touchpad ha chiuso la connessione</translation>
+    </message>
+    <message>
+        <source>the weights span only %1 N; expected at least %2: %3</source>
+        <translation>i pesi coprono solo %1 N; ne servono almeno %2: %3</translation>
+    </message>
+    <message>
+        <source>the window did not answer for half a second</source>
+        <translation>la finestra non ha risposto per mezzo secondo</translation>
+    </message>
+    <message>
+        <source>thesis polynomial, scaled and shifted</source>
+        <translation>polinomio della tesi, scalato e traslato</translation>
+    </message>
+    <message>
+        <source>this camera has none, or refuses the value</source>
+        <translation>questa telecamera non ne ha, o rifiuta il valore</translation>
+    </message>
+    <message>
+        <source>this source has none</source>
+        <translation>questa sorgente non ne ha</translation>
+    </message>
+    <message>
+        <source>too few distance sensors read within their span</source>
+        <translation>troppo pochi sensori di distanza leggono nel loro campo</translation>
+    </message>
+    <message>
+        <source>too few readings in time</source>
+        <translation>troppo poche letture in tempo</translation>
+    </message>
+    <message>
+        <source>too few valid sensors</source>
+        <translation>troppo pochi sensori validi</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>troppo piccolo</translation>
+    </message>
+    <message>
+        <source>too uncertain</source>
+        <translation>troppo incerto</translation>
+    </message>
+    <message>
+        <source>touch %1 at %2 s</source>
+        <translation>tocco %1 a %2 s</translation>
+    </message>
+    <message>
+        <source>trial begins</source>
+        <translation>la prova comincia</translation>
+    </message>
+    <message>
+        <source>trial ends</source>
+        <translation>la prova finisce</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown command</source>
+        <translation>comando sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown parameter '%1'</source>
+        <translation>parametro sconosciuto '%1'</translation>
+    </message>
+    <message>
+        <source>untouched</source>
+        <translation>non toccato</translation>
+    </message>
+    <message>
+        <source>use DFT321</source>
+        <translation>usare DFT321</translation>
+    </message>
+    <message>
+        <source>use SoC</source>
+        <translation>usare SoC</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valore</translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation>vibrazione</translation>
+    </message>
+    <message>
+        <source>vibration down</source>
+        <translation>vibrazione in meno</translation>
+    </message>
+    <message>
+        <source>vibration up</source>
+        <translation>vibrazione in più</translation>
+    </message>
+    <message>
+        <source>waiting for a robot on %1</source>
+        <translation>in attesa di un robot su %1</translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation>integra</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>larghezza</translation>
+    </message>
+    <message>
+        <source>wrong button</source>
+        <translation>pulsante errato</translation>
+    </message>
+    <message>
+        <source>wrong separator</source>
+        <translation>separatore errato</translation>
+    </message>
+    <message>
+        <source>wrong sign</source>
+        <translation>segno errato</translation>
+    </message>
+    <message>
+        <source>wrong size</source>
+        <translation>dimensione errata</translation>
+    </message>
+    <message>
+        <source>wrong start or end mark</source>
+        <translation>segno di inizio o fine errato</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>x %1 mm   y %2 mm   area %3 px</source>
+        <translation>x %1 mm   y %2 mm   area %3 px</translation>
+    </message>
+    <message>
+        <source>x %1 px, y %2 px</source>
+        <translation>x %1 px, y %2 px</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, mm</translation>
+    </message>
+    <message>
+        <source>x, px</source>
+        <translation>x, px</translation>
+    </message>
+    <message>
+        <source>x, to the right</source>
+        <translation>x, verso destra</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, mm</translation>
+    </message>
+    <message>
+        <source>y, px</source>
+        <translation>y, px</translation>
+    </message>
+    <message>
+        <source>y, to the back</source>
+        <translation>y, verso il fondo</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Δt %1 s</source>
+        <translation>Δt %1 s</translation>
+    </message>
+    <message>
+        <source>• Save profile</source>
+        <translation>• Salva il profilo</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+</context>
+</TS>

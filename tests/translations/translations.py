@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""The window's translations: resources/translations/fyd_<language>.ts against what the sources say.
+
+check   fails when a text of the window, or a sentence of the core in its table, is missing, unfinished or no longer
+        said in a language, or when a translation loses a value (%1) or a key (Ctrl+R)
+update  enters new texts as unfinished and takes away those that are no longer said
+"""
+import argparse
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+PLURALS = {"en": 2, "it": 3, "fr": 3}  # as Qt counts them
+SOURCES = ["widgets", "app/console"]
+
+
+def said(root, lupdate):
+    """Texts of the sources: (text, comment) -> whether it has plurals. The class that says it does not matter."""
+    with tempfile.TemporaryDirectory() as folder:
+        ts = Path(folder) / "all_it.ts"
+        subprocess.run([lupdate, "-silent", "-locations", "none", "-I", str(root), *[str(root / s) for s in SOURCES],
+                        "-ts", str(ts)], check=True, capture_output=True)
+        return {key: message.get("numerus") == "yes" for key, message in messages(ts)}
+
+
+def messages(ts):
+    for message in ElementTree.parse(ts).iter("message"):
+        yield (message.findtext("source") or "", message.findtext("comment") or ""), message
+
+
+def kept(ts):
+    """(text, comment) -> list of forms; an empty form is unfinished."""
+    if not ts.exists():
+        return {}
+    out = {}
+    for key, message in messages(ts):
+        translation = message.find("translation")
+        forms = [form.text or "" for form in translation.findall("numerusform")] or [translation.text or ""]
+        out[key] = [""] if translation.get("type") else forms
+    return out
+
+
+def write(ts, language, texts, known):
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>",
+             f'<TS version="2.1" language="{language}" sourcelanguage="en">', "<context>", "    <name>FYD</name>"]
+    for key in sorted(texts):
+        forms = known.get(key, [""])
+        plural = texts[key]
+        unfinished = "" if all(forms) else ' type="unfinished"'
+        lines.append("    <message numerus=\"yes\">" if plural else "    <message>")
+        lines.append(f"        <source>{escape(key[0])}</source>")
+        if key[1]:
+            lines.append(f"        <comment>{escape(key[1])}</comment>")
+        body = "".join(f"<numerusform>{escape(f)}</numerusform>" for f in forms) if plural else escape(forms[0])
+        lines.append(f"        <translation{unfinished}>{body}</translation>")
+        lines.append("    </message>")
+    ts.write_text("\n".join([*lines, "</context>", "</TS>", ""]), encoding="utf-8")
+
+
+def values(text):
+    return sorted(re.findall(r"%L?[0-9n]+", text)), sorted(re.findall(r"(?:Ctrl|Shift|Alt)\+(?:Shift\+)?\w|\bF\d\b", text))
+
+
+def faults(language, texts, known):
+    for key, plural in texts.items():
+        forms = known.get(key)
+        if forms is None:
+            yield f"{language}: missing: {key[0]!r}"
+        elif not all(forms) or plural and len(forms) != PLURALS[language]:
+            yield f"{language}: unfinished: {key[0]!r}"
+        elif not plural and values(key[0]) != values(forms[0]):
+            yield f"{language}: {forms[0]!r} has other values or keys than {key[0]!r}"
+    for key in known.keys() - texts.keys():
+        yield f"{language}: no longer said: {key[0]!r}"
+
+
+def stale_core_sentences(root):
+    """Each row of the table of the core's sentences is still said somewhere."""
+    table = (root / "widgets/core_text.cpp").read_text(encoding="utf-8")
+    rows = re.findall(r'QT_TRANSLATE_NOOP\(\s*"Core",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\)', table)
+    core = ""
+    for path in [*(root / "core").rglob("*.cpp"), *(root / "core").rglob("*.h"), *(root / "app/console").glob("*.cpp")]:
+        core += path.read_text(encoding="utf-8")
+    core = re.sub(r'"\s*\n\s*"', "", core)  # a sentence that goes on in the next line
+    core = re.sub(r"\{[^{}\s]*\}", "{}", core)
+    for row in rows:
+        text = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', row))
+        parts = [part.strip(" .:,;()") for part in re.split(r"%\d", text)]
+        if not all(part in core for part in parts):
+            yield f"core_text.cpp: no longer said anywhere: {text!r}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("task", choices=["check", "update"])
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
+    parser.add_argument("--lupdate", default="/usr/lib/qt6/bin/lupdate")
+    options = parser.parse_args()
+    texts = said(options.root, options.lupdate)
+    found = []
+    for language in PLURALS:
+        # English needs its plurals only.
+        own = {key: plural for key, plural in texts.items() if plural or language != "en"}
+        ts = options.root / "resources/translations" / f"fyd_{language}.ts"
+        if options.task == "update":
+            write(ts, language, own, kept(ts))
+        found += faults(language, own, kept(ts))
+    found += stale_core_sentences(options.root)
+    if options.task == "check" and len(texts) < 100:
+        found.append(f"only {len(texts)} texts found in the sources: is lupdate the right one?")
+    print("\n".join(found) if found else f"{len(texts)} texts, complete in {', '.join(PLURALS)}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
