@@ -35,24 +35,29 @@ Sweep rowsOf(const std::vector<double>& command, const std::vector<double>& coun
   return out;
 }
 
-/// @return what is wrong with this encoder, in words; empty when nothing is
-std::string calibrateOne(std::size_t motor, const EncoderSamples& s, const CalibrationParameters& p,
-                         EncoderCalibration& out, std::vector<double>& held_out) {
+struct Problem {
+  std::string words;  ///< what is wrong with this encoder; empty when nothing is
+  std::string_view threshold;
+};
+
+Problem calibrateOne(std::size_t motor, const EncoderSamples& s, const CalibrationParameters& p,
+                     EncoderCalibration& out, std::vector<double>& held_out) {
   const std::vector<double>& command = s.command_deg[motor];
   EncoderFinding& found = out.encoders[motor];
   const auto [low, high] = std::minmax_element(command.begin(), command.end());
   found.from_deg = *low;
   found.to_deg = *high;
   if (found.to_deg - found.from_deg < p.encoder_least_sweep_deg || command.size() < 5) {
-    return fmt::format("{} encoder: {} points over {:.3g} deg; expected at least 5 over {:g} deg: sweep farther",
-                       kNames[motor], command.size(), found.to_deg - found.from_deg, p.encoder_least_sweep_deg);
+    return {fmt::format("{} encoder: {} points over {:.3g} deg; expected at least 5 over {:g} deg: sweep farther",
+                        kNames[motor], command.size(), found.to_deg - found.from_deg, p.encoder_least_sweep_deg),
+            "calibration.encoder_least_sweep_deg"};
   }
   const std::vector<double> counts = unwrapped(s.counts[motor]);
   std::vector<std::size_t> rows(command.size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
   const Sweep sweep = rowsOf(command, counts, rows);
   const auto fit = fitLinear(sweep.design, sweep.counts);
-  if (!fit) return fmt::format("{} encoder: {}", kNames[motor], fit.error().message);
+  if (!fit) return {fmt::format("{} encoder: {}", kNames[motor], fit.error().message), {}};
   found.counts_per_deg = fit->coefficients[0];
   found.inverted = found.counts_per_deg < 0;
   const double zero = fit->coefficients[1] - kTurn * std::floor(fit->coefficients[1] / kTurn);
@@ -76,10 +81,10 @@ std::string calibrateOne(std::size_t motor, const EncoderSamples& s, const Calib
     held_out.push_back((counts[row] - predicted[row]) / control::kEncoderCountsPerDegree);
   const double departure = 100.0 * (std::abs(found.counts_per_deg) / control::kEncoderCountsPerDegree - 1.0);
   if (!(std::abs(departure) <= p.encoder_scale_percent)) {
-    return fmt::format(
-        "{} encoder turns {:.1f} % {} than commanded; expected within {:g} %: check that the motor is free, "
-        "and that both are wired to the same roller",
-        name, std::abs(departure), departure < 0 ? "less" : "more", p.encoder_scale_percent);
+    return {fmt::format("{} encoder turns {:.1f} % {} than commanded; expected within {:g} %: check that the motor is "
+                        "free, and that both are wired to the same roller",
+                        name, std::abs(departure), departure < 0 ? "less" : "more", p.encoder_scale_percent),
+            "calibration.encoder_scale_percent"};
   }
   return {};
 }
@@ -106,10 +111,10 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   }
   if (!good) return out;
   std::vector<double> held_out;
-  std::string problem;
+  Problem problem;
   for (std::size_t motor = 0; motor < control::kMotorCount; ++motor) {
-    const std::string found = calibrateOne(motor, s, p, out, held_out);
-    if (problem.empty()) problem = found;
+    Problem found = calibrateOne(motor, s, p, out, held_out);
+    if (problem.words.empty()) problem = std::move(found);
   }
   result.rmse = rootMeanSquare(result.residuals);
   result.held_out_rmse = rootMeanSquare(held_out);
@@ -117,8 +122,8 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   for (const double r : result.residuals) result.max_residual = std::max(result.max_residual, std::abs(r));
   result.valid_from = std::max(out.encoders[0].from_deg, out.encoders[1].from_deg);
   result.valid_to = std::min(out.encoders[0].to_deg, out.encoders[1].to_deg);
-  if (!problem.empty()) {
-    result = refused(std::move(result), problem);
+  if (!problem.words.empty()) {
+    result = refused(std::move(result), problem.words, problem.threshold);
     return out;
   }
   if (!(result.held_out_rmse <= p.encoder_held_out_deg)) {

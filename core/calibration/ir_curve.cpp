@@ -23,15 +23,19 @@ void takeErrors(IrCurve& curve, const Eigen::MatrixXd& covariance) {
   for (Eigen::Index i = 0; i < covariance.rows(); ++i) curve.standard_errors.push_back(std::sqrt(covariance(i, i)));
 }
 
+/// The fit's coefficients on another basis, as the curve writes them.
+void takeMapped(IrCurve& curve, const LinearFit& fit, const Eigen::MatrixXd& map) {
+  const LinearImage image = imageOf(fit, map);
+  curve.coefficients.assign(image.coefficients.begin(), image.coefficients.end());
+  takeErrors(curve, image.covariance);
+  curve.condition_number = fit.condition_number;
+}
+
 Result<IrCurve> fitPolynomial(IrCurve curve, const IrPoints& points, std::size_t degree) {
   const PolynomialBasis basis(points.volts, degree);
   auto fit = fitLinear(basis.design(points.volts), asVector(points.distance_mm), asVector(points.weight));
   if (!fit) return tl::unexpected(fit.error());
-  const Eigen::MatrixXd powers = basis.toPowers();
-  const Eigen::VectorXd coefficients = powers * fit->coefficients;
-  curve.coefficients.assign(coefficients.begin(), coefficients.end());
-  takeErrors(curve, powers * fit->covariance * powers.transpose());
-  curve.condition_number = fit->condition_number;
+  takeMapped(curve, *fit, basis.toPowers());
   return curve;
 }
 
@@ -47,10 +51,7 @@ Result<IrCurve> fitThesisScaled(IrCurve curve, const IrPoints& points) {
   Eigen::MatrixXd toCurve = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(printed.size()), 2);
   for (std::size_t i = 0; i < printed.size(); ++i) toCurve(static_cast<Eigen::Index>(i), 0) = printed[i];
   toCurve(0, 1) = 1.0;
-  const Eigen::VectorXd coefficients = toCurve * fit->coefficients;
-  curve.coefficients.assign(coefficients.begin(), coefficients.end());
-  takeErrors(curve, toCurve * fit->covariance * toCurve.transpose());
-  curve.condition_number = fit->condition_number;
+  takeMapped(curve, *fit, toCurve);
   return curve;
 }
 

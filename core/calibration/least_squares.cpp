@@ -5,7 +5,6 @@
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
-#include <boost/math/distributions/students_t.hpp>
 
 namespace fyd::calibration {
 
@@ -35,7 +34,8 @@ Result<LinearFit> fitLinear(const Eigen::MatrixXd& design, const Eigen::VectorXd
   }
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
   const Eigen::MatrixXd r = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
-  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(r).singularValues();
+  // R is square: without the preconditioners for other shapes, which would double what the compiler has to do.
+  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>(r).singularValues();
 
   LinearFit fit;
   fit.condition_number =
@@ -64,10 +64,8 @@ Result<LinearFit> fitLinear(const Eigen::MatrixXd& design, const Eigen::VectorXd
   return fit;
 }
 
-double studentQuantile(double probability, std::size_t degrees_of_freedom) {
-  if (degrees_of_freedom == 0) return std::numeric_limits<double>::infinity();
-  const boost::math::students_t_distribution<double> t(static_cast<double>(degrees_of_freedom));
-  return boost::math::quantile(boost::math::complement(t, 0.5 * (1 - probability)));
+LinearImage imageOf(const LinearFit& fit, const Eigen::MatrixXd& map) {
+  return {map * fit.coefficients, map * fit.covariance * map.transpose()};
 }
 
 }  // namespace fyd::calibration

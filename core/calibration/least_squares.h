@@ -36,7 +36,11 @@ inline constexpr double kSolvableCondition = 1e10;
 [[nodiscard]] Result<LinearFit> fitLinear(const Eigen::MatrixXd& design, const Eigen::VectorXd& y,
                                           const Eigen::VectorXd& weights = {});
 
-/// Two-sided quantile of Student's t: |t| stays below it with this probability.
-[[nodiscard]] double studentQuantile(double probability, std::size_t degrees_of_freedom);
+/// The coefficients on another basis, map·x, and their covariance, map·C·mapᵀ.
+struct LinearImage {
+  Eigen::VectorXd coefficients;
+  Eigen::MatrixXd covariance;
+};
+[[nodiscard]] LinearImage imageOf(const LinearFit& fit, const Eigen::MatrixXd& map);
 
 }  // namespace fyd::calibration

@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include "core/calibration/least_squares.h"
+#include "core/calibration/student_quantile.h"
 
 namespace fyd::calibration {
 namespace {

@@ -7,6 +7,7 @@
 #include "core/calibration/cross_validation.h"
 #include "core/calibration/least_squares.h"
 #include "core/calibration/outliers.h"
+#include "core/calibration/student_quantile.h"
 
 namespace fyd::calibration {
 namespace {

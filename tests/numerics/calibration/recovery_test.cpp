@@ -11,6 +11,7 @@
 #include "core/calibration/outliers.h"
 #include "core/calibration/polynomial_basis.h"
 #include "core/calibration/stiffness_map.h"
+#include "core/calibration/student_quantile.h"
 #include "core/control/static_law.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/sensing_parameters.h"
