@@ -368,7 +368,8 @@ TEST(LinkCodec, RefusesFieldsOutOfTheirRange) {
 }
 
 TEST(LinkCodec, TextIsCutAndMadePrintable) {
-  const std::string text = std::string(1'500, 'b') + "\x01";
+  std::string text(1'500, 'b');
+  text += '\x01';
   Buffer buffer{};
   const std::size_t size = encodeLink(LinkInfo{.board_text = text}, 1, buffer);
   EXPECT_EQ(decodeInfo(decodeEnvelope(written(buffer, size)).value).value.board_text, std::string(1'000, 'b'));
