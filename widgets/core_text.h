@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QString>
-#include <QStringList>
 #include <string_view>
 
 namespace fyd::widgets {
@@ -12,8 +11,5 @@ namespace fyd::widgets {
 /// @return the translation; the English itself when there is none
 [[nodiscard]] QString coreText(std::string_view english);
 [[nodiscard]] QString coreText(const QString& english);
-
-/// The table, for tests: what the core says, in English.
-[[nodiscard]] QStringList coreSentences();
 
 }  // namespace fyd::widgets

@@ -23,6 +23,7 @@ LogView::LogView(QWidget* parent)
   search_->setClearButtonEnabled(true);
   connect(search_, &QLineEdit::textChanged, filter_, &QSortFilterProxyModel::setFilterFixedString);
   table_->setModel(filter_);
+  table_->setAccessibleName(tr("Log"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setShowGrid(false);

@@ -1,5 +1,7 @@
 #include "widgets/rail.h"
 
+#include <algorithm>
+
 #include "widgets/theme.h"
 
 namespace fyd::widgets {
@@ -20,7 +22,11 @@ QToolButton* Rail::add(QAction* place) {
   button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   button->setIconSize({3 * kGrid, 3 * kGrid});
   button->setFont(textFont(TextSize::small));
-  button->setFixedSize(8 * kGrid, 7 * kGrid);
+  // As wide as the longest word of the language, and all alike.
+  const int words = QFontMetrics(button->font()).horizontalAdvance(place->text()) + 2 * kGrid;
+  width_ = std::max({width_, 8 * kGrid, (words + kGrid - 1) / kGrid * kGrid});
+  button->setFixedHeight(7 * kGrid);
+  for (QToolButton* each : findChildren<QToolButton*>()) each->setFixedWidth(width_);
   button->setFocusPolicy(Qt::StrongFocus);
   button->setAccessibleName(place->text());
   const QString keys = place->shortcut().toString(QKeySequence::NativeText);

@@ -17,6 +17,7 @@ class Rail : public QFrame {
 
  private:
   QVBoxLayout* layout_;
+  int width_ = 0;  ///< px, of every button
 };
 
 }  // namespace fyd::widgets

@@ -21,9 +21,14 @@ const std::vector<CommandInfo>& commandTable() {
       {"view.theme_dark", "View", QT_TRANSLATE_NOOP("Commands", "Dark theme"), "theme", ""},
       {"view.theme_light", "View", QT_TRANSLATE_NOOP("Commands", "Light theme"), "theme", ""},
       {"view.theme_system", "View", QT_TRANSLATE_NOOP("Commands", "Theme of the system"), "theme", ""},
+      {"view.layouts", "View", QT_TRANSLATE_NOOP("Commands", "Layouts…"), "", "Ctrl+Shift+Y"},
+      {"view.layout_standard", "View", QT_TRANSLATE_NOOP("Commands", "Standard layout"), "", ""},
       {"view.language_en", "View", QT_TRANSLATE_NOOP("Commands", "Language: English"), "", ""},
       {"view.language_it", "View", QT_TRANSLATE_NOOP("Commands", "Language: Italian"), "", ""},
       {"view.language_fr", "View", QT_TRANSLATE_NOOP("Commands", "Language: French"), "", ""},
+      {"help.context", QT_TRANSLATE_NOOP("Commands", "Help"),
+       QT_TRANSLATE_NOOP("Commands", "Help for what is in focus"), "info", "F1"},
+      {"help.manual", "Help", QT_TRANSLATE_NOOP("Commands", "Manual"), "", "Shift+F1", true},
       {"view.palette", "View", QT_TRANSLATE_NOOP("Commands", "Find a command…"), "search", "Ctrl+K"},
   };
   return kTable;
@@ -79,12 +84,12 @@ void CommandRegistry::showPlace(const QString& place) {
 }
 
 void CommandRegistry::fill(QMenuBar& bar) {
-  // The window's first menu, the places' in their order, and the view at the end.
+  // The window's first menu, the places' in their order, and view and help at the end.
   QStringList names;
-  const QString last = QStringLiteral("View");
+  const QStringList last = {QStringLiteral("View"), QStringLiteral("Help")};
   for (const QAction* each : actions_) {
     const QString name = each->property("menu").toString();
-    if (name != last && !names.contains(name)) names << name;
+    if (!last.contains(name) && !names.contains(name)) names << name;
   }
   for (const QString& name : names << last) {
     QMenu* menu = bar.addMenu(QCoreApplication::translate("Commands", name.toUtf8().constData()));

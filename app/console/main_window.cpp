@@ -6,7 +6,9 @@
 #include <QScreen>
 
 #include "app/console/language.h"
+#include "app/console/manual.h"
 #include "app/console/review_page.h"
+#include "app/console/side_dock.h"
 #include "app/console/views.h"
 #include "widgets/core_text.h"
 #include "widgets/icon.h"
@@ -26,11 +28,15 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       keys_(new KeyGuard(this)),
       frame_(new Frame(context(), *commands_, this)),
       notices_(new widgets::NoticeStack(frame_->stack())),
+      help_(new HelpDock(this)),
       link_(new LinkDock(this)),
       robot_(new RobotChange(context(), *link_, this)),
       recording_(new RecordingControl(context(), memoryFile(profile_path), this)),
       trials_(new TrialRun(context(), this)),
-      palette_(new CommandPalette(*commands_, this)) {
+      palette_(new CommandPalette(*commands_, this)),
+      panels_(*this),
+      layouts_(new LayoutsDialog(
+          memory_, [this] { return layoutNow(); }, this)) {
   setWindowTitle(tr("FYD Console"));
   setWindowIcon(widgets::icon(QStringLiteral("fyd-console")));
   setCentralWidget(frame_);
@@ -43,9 +49,10 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
   connectStateBar();
   connectCommands();
   connectLook();
+  connectLayouts();
   robot_->showRobot();
   frame_->go(QStringLiteral("operate"));
-  resize(QSize(1280, 720).boundedTo(screen()->availableSize()));
+  recall();
 }
 
 MainWindow::~MainWindow() {
@@ -75,23 +82,19 @@ void MainWindow::review(const QString& recording) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   session_->requestStop();
+  remember();
   recording_->finish();
   session_->shutDown();
   event->accept();
 }
 
 void MainWindow::buildDocks() {
-  log_dock_ = new QDockWidget(tr("Log"), this);
-  log_dock_->setFeatures(QDockWidget::NoDockWidgetFeatures);
-  log_dock_->setTitleBarWidget(new QWidget(log_dock_));  // the search field says what it is
-  log_ = new widgets::LogView(log_dock_);
-  log_dock_->setWidget(log_);
-  addDockWidget(Qt::BottomDockWidgetArea, log_dock_);
-  log_dock_->hide();
-  addDockWidget(Qt::RightDockWidgetArea, link_);
-  link_->hide();
-  addDockWidget(Qt::RightDockWidgetArea, recording_->dock());
-  recording_->dock()->hide();
+  log_ = new widgets::LogView;
+  log_dock_ = new SideDock(tr("Log"), QStringLiteral("log_close"), tr("Close the log"), log_, this);
+  panels_.add(log_dock_, QStringLiteral("log"), Qt::BottomDockWidgetArea, false);
+  panels_.add(link_, QStringLiteral("link"), Qt::RightDockWidgetArea, false);
+  panels_.add(help_, QStringLiteral("manual"), Qt::RightDockWidgetArea, false);
+  panels_.add(recording_->dock(), QStringLiteral("recording"), Qt::RightDockWidgetArea, false);
 }
 
 void MainWindow::connectFeed() {
@@ -121,14 +124,13 @@ void MainWindow::connectCommands() {
   on("session.tare", [this](bool) { ask(pipeline::OperatorAction::tare); });
   on("session.save_profile", [this](bool) { tuning_.save(); });
   on("session.quit", [this](bool) { close(); });
-  on("view.log", [this](bool shown) {
-    log_dock_->setVisible(shown);
-    resizeDocks({log_dock_}, {18 * widgets::kGrid}, Qt::Vertical);
+  connectToggle(commands_->action(QStringLiteral("view.log")), log_dock_);
+  connectToggle(commands_->action(QStringLiteral("view.link")), link_);
+  connectToggle(commands_->action(QStringLiteral("help.manual")), help_);
+  connect(help_, &QDockWidget::visibilityChanged, this, [this](bool shown) {
+    if (shown && help_->topic().isEmpty()) help_->showTopic(manualTopic(nullptr, frame_->place()));
   });
-  connect(log_dock_, &QDockWidget::visibilityChanged, commands_->action(QStringLiteral("view.log")),
-          &QAction::setChecked);
-  on("view.link", [this](bool shown) { link_->setVisible(shown); });
-  connect(link_, &QDockWidget::visibilityChanged, commands_->action(QStringLiteral("view.link")), &QAction::setChecked);
+  on("help.context", [this](bool) { help_->showTopic(manualTopic(QApplication::focusWidget(), frame_->place())); });
   on("view.notices_read", [this](bool) { notices_->dismissAll(); });
   on("view.palette", [this](bool) { palette_->open(); });
 }
@@ -147,6 +149,31 @@ void MainWindow::connectLook() {
       tell(Severity::information, tr("The language changes when the window is started again."));
     });
   }
+}
+
+void MainWindow::connectLayouts() {
+  commands_->on(QStringLiteral("view.layouts"), [this](bool) { layouts_->open(); });
+  commands_->on(QStringLiteral("view.layout_standard"), [this](bool) { setLayoutTo({}); });
+  connect(layouts_, &LayoutsDialog::chosen, this, &MainWindow::setLayoutTo);
+  connect(layouts_, &LayoutsDialog::standardAsked, this, [this] { setLayoutTo({}); });
+}
+
+void MainWindow::setLayoutTo(const Layout& layout) {
+  panels_.restore(layout.window);
+  operate()->panels().restore(layout.operate);
+}
+
+void MainWindow::recall() {
+  resize(QSize(1280, 720).boundedTo(screen()->availableSize()));
+  if (const QByteArray kept = memory_.geometry(); !kept.isEmpty()) restoreGeometry(kept);
+  setLayoutTo(memory_.layout());
+  frame_->go(memory_.page());
+}
+
+void MainWindow::remember() {
+  memory_.setGeometry(saveGeometry());
+  memory_.setLayout(layoutNow());
+  memory_.setPage(frame_->place());
 }
 
 void MainWindow::stop() {

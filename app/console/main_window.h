@@ -8,8 +8,11 @@
 
 #include "app/console/command_palette.h"
 #include "app/console/command_registry.h"
+#include "app/console/dock_set.h"
 #include "app/console/frame.h"
+#include "app/console/help_dock.h"
 #include "app/console/key_guard.h"
+#include "app/console/layouts_dialog.h"
 #include "app/console/link_dock.h"
 #include "app/console/operate_page.h"
 #include "app/console/recording_control.h"
@@ -56,6 +59,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] RecordingControl* recording() const { return recording_; }
   [[nodiscard]] TrialRun* trials() const { return trials_; }
   [[nodiscard]] CommandPalette* palette() const { return palette_; }
+  [[nodiscard]] HelpDock* help() const { return help_; }
+  [[nodiscard]] LayoutsDialog* layouts() const { return layouts_; }
+  [[nodiscard]] Layout layoutNow() { return {.window = panels_.save(), .operate = operate()->panels().save()}; }
+  void setLayoutTo(const Layout& layout);
   void tell(widgets::Severity severity, const QString& text, bool slide_in = true);
 
  protected:
@@ -68,6 +75,9 @@ class MainWindow : public QMainWindow {
   void connectStateBar();
   void connectCommands();
   void connectLook();
+  void connectLayouts();
+  void recall();
+  void remember();
   void stop();
   void ask(pipeline::OperatorAction action);
   void takeSamples(std::span<const pipeline::TelemetrySample> samples);
@@ -84,11 +94,14 @@ class MainWindow : public QMainWindow {
   widgets::NoticeStack* notices_;
   widgets::LogView* log_ = nullptr;
   QDockWidget* log_dock_ = nullptr;
+  HelpDock* help_;
   LinkDock* link_;
   RobotChange* robot_;
   RecordingControl* recording_;
   TrialRun* trials_;
   CommandPalette* palette_;
+  DockSet panels_;
+  LayoutsDialog* layouts_;
   bool arm_once_ = false;
 };
 

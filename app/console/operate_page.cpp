@@ -1,9 +1,9 @@
 #include "app/console/operate_page.h"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/console/side_dock.h"
 #include "app/console/views.h"
 #include "core/sensing/finger_detector.h"
 
@@ -30,24 +30,6 @@ std::vector<widgets::TuningSection> sections() {
   };
 }
 
-/// A column that scrolls when the window is small instead of squeezing what is in it.
-QWidget* column(QWidget* parent, const std::vector<QWidget*>& parts, int width) {
-  auto* scroll = new QScrollArea(parent);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* body = new QWidget(scroll);
-  auto* layout = new QVBoxLayout(body);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kGrid);
-  for (QWidget* part : parts) layout->addWidget(part);
-  layout->addStretch(1);
-  scroll->setWidget(body);
-  scroll->setFixedWidth(width);
-  return scroll;
-}
-
 }  // namespace
 
 OperatePage::OperatePage(const PageContext& context, QWidget* parent)
@@ -56,7 +38,9 @@ OperatePage::OperatePage(const PageContext& context, QWidget* parent)
       camera_(new widgets::CameraPanel(this)),
       readiness_(new widgets::ReadinessList(this)),
       curves_(new widgets::CurveView(this)),
-      tuning_(new widgets::TuningPanel(context.tuning.model(), sections(), QLatin1String(kHandTarget), this)) {
+      tuning_(new widgets::TuningPanel(context.tuning.model(), sections(), QLatin1String(kHandTarget), this)),
+      area_(new QMainWindow(this)),
+      panels_(*area_) {
   build();
   connectFeed();
   connectTuning();
@@ -64,19 +48,28 @@ OperatePage::OperatePage(const PageContext& context, QWidget* parent)
 }
 
 void OperatePage::build() {
+  area_->setWindowFlags(Qt::Widget);  // a part of the page, not a window of its own
   auto* panel = new QFrame(this);
   panel->setProperty("surface", "panel");
   auto* panel_layout = new QVBoxLayout(panel);
   panel_layout->setContentsMargins(0, 0, 0, 0);
   panel_layout->addWidget(curves_);
 
-  tuning_->setFixedWidth(33 * kGrid);
+  const auto dock = [this](const QString& title, const char* name, const QString& close, auto body,
+                           Qt::DockWidgetArea side) {
+    auto* made = new SideDock(title, QLatin1String(name) + QStringLiteral("_close"), close, body, area_);
+    panels_.add(made, QLatin1String(name), side, true);
+    return made;
+  };
+  using Parts = std::vector<QWidget*>;
+  tuning_->setMinimumWidth(34 * kGrid);  // it scrolls, but not sideways
+  dock(tr("Camera"), "camera", tr("Close the camera's panel"), Parts{camera_}, Qt::LeftDockWidgetArea);
+  dock(tr("Readiness"), "readiness", tr("Close the readiness list"), Parts{readiness_}, Qt::LeftDockWidgetArea);
+  dock(tr("Tuning"), "tuning", tr("Close the tuning panel"), static_cast<QWidget*>(tuning_), Qt::RightDockWidgetArea);
+  area_->setCentralWidget(panel);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kGrid);
-  layout->addWidget(column(this, {camera_, readiness_}, 33 * kGrid));
-  layout->addWidget(panel, 1);
-  layout->addWidget(tuning_);
+  layout->addWidget(area_);
 }
 
 void OperatePage::connectFeed() {
@@ -133,6 +126,13 @@ void OperatePage::addCommands(PlaceCommands& commands) {
                [this](bool) { curves_->togglePause(); });
   commands.add({"curves.follow", "Curves", QT_TRANSLATE_NOOP("Commands", "Follow the newest values"), "follow", "F"},
                [this](bool) { curves_->follow(); });
+  const auto panel = [&](const char* id, const char* text, const char* dock) {
+    connectToggle(commands.add({id, "View", text, "", "", true}, [](bool) {}),
+                  area_->findChild<QDockWidget*>(QLatin1String(dock)));
+  };
+  panel("view.panel_camera", QT_TRANSLATE_NOOP("Commands", "Camera panel"), "camera");
+  panel("view.panel_readiness", QT_TRANSLATE_NOOP("Commands", "Readiness list"), "readiness");
+  panel("view.panel_tuning", QT_TRANSLATE_NOOP("Commands", "Tuning panel"), "tuning");
   const auto span = [&](const char* id, const char* text, const char* keys, double span_s) {
     commands.add({id, "Curves", text, "", keys}, [this, span_s](bool) { curves_->chooseSpan(span_s); });
   };

@@ -1,6 +1,7 @@
 // The place "Operate": what is felt now. Camera and readiness, curves, tuning.
 #pragma once
 
+#include "app/console/dock_set.h"
 #include "app/console/page.h"
 #include "widgets/camera_panel.h"
 #include "widgets/curve_view.h"
@@ -19,6 +20,8 @@ class OperatePage : public Page {
   [[nodiscard]] widgets::ReadinessList* readiness() const { return readiness_; }
   [[nodiscard]] widgets::CurveView* curves() const { return curves_; }
   [[nodiscard]] widgets::TuningPanel* tuning() const { return tuning_; }
+  /// Camera, readiness and tuning around the curves.
+  [[nodiscard]] DockSet& panels() { return panels_; }
 
  private:
   void build();
@@ -31,6 +34,8 @@ class OperatePage : public Page {
   widgets::ReadinessList* readiness_;
   widgets::CurveView* curves_;
   widgets::TuningPanel* tuning_;
+  QMainWindow* area_;
+  DockSet panels_;
 };
 
 /// The parameter that holds the target while it is set by hand.

@@ -13,17 +13,24 @@ namespace fyd::console {
 
 using widgets::kGrid;
 
+SideDock::SideDock(const QString& title, const QString& name, const QString& close_words, QWidget* body,
+                   QWidget* parent)
+    : QDockWidget(title, parent) {
+  setTitleBarWidget(titleBar(name, close_words));
+  if (body->minimumWidth() == 0) body->setMinimumWidth(kPanelWidth);
+  setWidget(body);
+}
+
 SideDock::SideDock(const QString& title, const QString& name, const QString& close_words,
                    const std::vector<QWidget*>& parts, QWidget* parent)
     : QDockWidget(title, parent) {
-  setFeatures(QDockWidget::NoDockWidgetFeatures);
   setTitleBarWidget(titleBar(name, close_words));
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setFixedWidth(35 * kGrid);
+  scroll->setMinimumWidth(kPanelWidth);
   auto* body = new QWidget(scroll);
   auto* layout = new QVBoxLayout(body);
   layout->setContentsMargins(0, kGrid, kGrid, kGrid);

@@ -1,4 +1,5 @@
-// A panel at the window's right edge: a title, a cross that closes it, and a body that scrolls when there is no room.
+// A panel of the window: a title to drag it by (a double click lets it float), a cross that closes it, and a body that
+// scrolls when there is no room.
 #pragma once
 
 #include <QDockWidget>
@@ -12,6 +13,10 @@ class SideDock : public QDockWidget {
   /// @param name of the closing button, for tests; @param close_words what it says to screen readers
   SideDock(const QString& title, const QString& name, const QString& close_words, const std::vector<QWidget*>& parts,
            QWidget* parent = nullptr);
+  /// A body that scrolls by itself.
+  SideDock(const QString& title, const QString& name, const QString& close_words, QWidget* body, QWidget* parent);
+
+  static constexpr int kPanelWidth = 240;  ///< px, at least
 
  private:
   QWidget* titleBar(const QString& name, const QString& close_words);

@@ -53,7 +53,7 @@ bool hasLink(const station::LinkStatus& link) { return !link.local.empty(); }
 PartView linkPart(const station::LinkStatus& link) {
   PartView view{.icon = QStringLiteral("link"), .name = tr("Link")};
   if (hasLink(link)) view.icon = link.secured ? QStringLiteral("lock") : QStringLiteral("lock-open");
-  view.figures = text(link.protocol);
+  view.figures = widgets::coreText(link.protocol);
   view.opens = true;
   view.health = PartView::Health::well;
   view.detail = tr("Here: %1\nRobot: %2\n%3 states received, %4 touches sent, %5 datagrams refused")
@@ -117,7 +117,7 @@ std::vector<PartView> toParts(const station::StationStatus& status, double misse
 
 widgets::LinkView toLink(const station::StationStatus& status) {
   const station::LinkStatus& link = status.link;
-  widgets::LinkView out{.protocol = text(link.protocol)};
+  widgets::LinkView out{.protocol = widgets::coreText(link.protocol)};
   if (!hasLink(link)) return out;
   const protocol::LinkFigures& figures = link.figures;
   out.condition = conditionOf(link.phase);

@@ -106,8 +106,20 @@
         <translation>%1 en %2</translation>
     </message>
     <message>
+        <source>%1 is deleted.</source>
+        <translation>%1 est supprimée.</translation>
+    </message>
+    <message>
+        <source>%1 is not saved: the file of the window's settings cannot be written.</source>
+        <translation>%1 n'est pas enregistrée : le fichier des réglages de la fenêtre ne peut être écrit.</translation>
+    </message>
+    <message>
         <source>%1 is now %2.</source>
         <translation>%1 vaut maintenant %2.</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 est enregistrée.</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -410,6 +422,10 @@
         <translation>Accélération, pic</translation>
     </message>
     <message>
+        <source>Accelerations further apart than this are a gap, during which the texture is silent.</source>
+        <translation>Des accélérations plus espacées que cela sont une lacune, pendant laquelle la texture se tait.</translation>
+    </message>
+    <message>
         <source>Accept</source>
         <translation>Accepter</translation>
     </message>
@@ -442,12 +458,20 @@
         <translation>Actif</translation>
     </message>
     <message>
+        <source>Adaptive mode: a finger is darker than the lit cloth by at least this part of it.</source>
+        <translation>Mode adaptatif : un doigt est plus sombre que le tissu éclairé d'au moins cette fraction.</translation>
+    </message>
+    <message>
         <source>Add</source>
         <translation>Ajouter</translation>
     </message>
     <message>
         <source>Address and port to listen on</source>
         <translation>Adresse et port d'écoute</translation>
+    </message>
+    <message>
+        <source>Advance from a frame to the next: whole frames are blocks, less overlaps them.</source>
+        <translation>Avance d'une trame à la suivante : une trame entière donne des blocs, moins les recouvre.</translation>
     </message>
     <message>
         <source>Align the other session at</source>
@@ -460,6 +484,10 @@
     <message>
         <source>All %1 trials are done.</source>
         <translation>Les %1 essais sont tous faits.</translation>
+    </message>
+    <message>
+        <source>An indentation less certain than this is unavailable.</source>
+        <translation>Une indentation moins certaine que cela est indisponible.</translation>
     </message>
     <message>
         <source>Answers</source>
@@ -548,6 +576,10 @@
     <message>
         <source>Camera</source>
         <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Camera panel</source>
+        <translation>Panneau de la caméra</translation>
     </message>
     <message>
         <source>Camera picture</source>
@@ -666,12 +698,32 @@
         <translation>Fermer les autres programmes sur cet ordinateur.</translation>
     </message>
     <message>
+        <source>Close the camera's panel</source>
+        <translation>Fermer le panneau de la caméra</translation>
+    </message>
+    <message>
         <source>Close the link's panel</source>
         <translation>Fermer le panneau de la liaison</translation>
     </message>
     <message>
+        <source>Close the log</source>
+        <translation>Fermer le journal</translation>
+    </message>
+    <message>
+        <source>Close the manual</source>
+        <translation>Fermer le manuel</translation>
+    </message>
+    <message>
+        <source>Close the readiness list</source>
+        <translation>Fermer la liste de préparation</translation>
+    </message>
+    <message>
         <source>Close the recording's panel</source>
         <translation>Fermer le panneau de l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Close the tuning panel</source>
+        <translation>Fermer le panneau de réglage</translation>
     </message>
     <message>
         <source>Closed loop: cloth and robot answer as identified from this recording.</source>
@@ -706,8 +758,16 @@
         <translation>Connecté</translation>
     </message>
     <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
         <source>Controls</source>
         <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Corner (-3 dB) of the default high-pass.</source>
+        <translation>Fréquence de coupure (-3 dB) du passe-haut par défaut.</translation>
     </message>
     <message>
         <source>Cursor</source>
@@ -722,14 +782,30 @@
         <translation>Thème sombre</translation>
     </message>
     <message>
+        <source>Dead time of the measured stiffness behind the stretch; auto-tune measures it.</source>
+        <translation>Temps mort de la raideur mesurée par rapport à l'étirement ; le réglage automatique le mesure.</translation>
+    </message>
+    <message>
         <source>Dead zone</source>
         <translation>Zone morte</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Depth
 mm</source>
         <translation>Profondeur
 mm</translation>
+    </message>
+    <message>
+        <source>Derivative gain in thesis mode (the thesis used none).</source>
+        <translation>Gain dérivé en mode thèse (la thèse n'en utilisait pas).</translation>
+    </message>
+    <message>
+        <source>Derivative gain, on the measured stiffness and not on the target.</source>
+        <translation>Gain dérivé, sur la raideur mesurée et non sur la consigne.</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -780,6 +856,14 @@ mm</translation>
         <translation>Les capteurs de distance mesurent</translation>
     </message>
     <message>
+        <source>Distance sensors: distance to the untouched cloth; the tare sets it.</source>
+        <translation>Capteurs de distance : distance au tissu non touché ; fixée par la tare.</translation>
+    </message>
+    <message>
+        <source>Distance sensors: noise of one reading.</source>
+        <translation>Capteurs de distance : bruit d'une lecture.</translation>
+    </message>
+    <message>
         <source>Distance, mm</source>
         <translation>Distance, mm</translation>
     </message>
@@ -802,12 +886,20 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Tracée en clair. Choisir un toucher de chacune pour les superposer.</translation>
     </message>
     <message>
+        <source>Duties smaller than this become zero, as the motors would not turn.</source>
+        <translation>Les rapports cycliques plus petits deviennent zéro, car les moteurs ne tourneraient pas.</translation>
+    </message>
+    <message>
         <source>Edit</source>
         <translation>Édition</translation>
     </message>
     <message>
         <source>Enough points.</source>
         <translation>Assez de points.</translation>
+    </message>
+    <message>
+        <source>Enter or a double click goes back to a layout.</source>
+        <translation>Entrée ou un double-clic revient à une disposition.</translation>
     </message>
     <message>
         <source>Enter or a double click opens a session.</source>
@@ -832,6 +924,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Errors by kind</source>
         <translation>Erreurs par type</translation>
+    </message>
+    <message>
+        <source>Errors of the stiffness up to this are left alone (the thesis, in its own mode, 0.01).</source>
+        <translation>Les erreurs de raideur jusqu'à cette valeur sont laissées telles quelles (la thèse, dans son mode, 0.01).</translation>
     </message>
     <message>
         <source>Esc stops.</source>
@@ -864,6 +960,18 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>FYD Link with a key</source>
         <translation>FYD Link avec une clé</translation>
+    </message>
+    <message>
+        <source>FYD Link, sealed</source>
+        <translation>FYD Link, scellé</translation>
+    </message>
+    <message>
+        <source>Fastest change of the commanded stretch.</source>
+        <translation>Vitesse maximale de l'étirement commandé.</translation>
+    </message>
+    <message>
+        <source>Fastest the position sent to the robot moves.</source>
+        <translation>Vitesse maximale de la position envoyée au robot.</translation>
     </message>
     <message>
         <source>Figures between A and B</source>
@@ -964,8 +1072,16 @@ N</translation>
         <translation>Oublie les points de cette partie ; les valeurs en vigueur restent.</translation>
     </message>
     <message>
+        <source>Found in the manual</source>
+        <translation>Trouvé dans le manuel</translation>
+    </message>
+    <message>
         <source>Gain k_vib</source>
         <translation>Gain k_vib</translation>
+    </message>
+    <message>
+        <source>Gain of the vibration; the robot's operator moves it by 0.1.</source>
+        <translation>Gain de la vibration ; l'opérateur du robot le change de 0.1.</translation>
     </message>
     <message>
         <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
@@ -996,12 +1112,24 @@ N</translation>
         <translation>Erreur de vérification %1 sur au plus %2</translation>
     </message>
     <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Help for what is in focus</source>
+        <translation>Aide sur l'élément actif</translation>
+    </message>
+    <message>
         <source>Here: %1
 Robot: %2
 %3 states received, %4 touches sent, %5 datagrams refused</source>
         <translation>Ici : %1
 Robot : %2
 %3 états reçus, %4 touchers envoyés, %5 datagrammes refusés</translation>
+    </message>
+    <message>
+        <source>High-pass in front of the method; thesis is the printed one, with its leak of gravity.</source>
+        <translation>Passe-haut avant la méthode ; thesis est celui qui est imprimé, avec sa fuite de gravité.</translation>
     </message>
     <message>
         <source>Hold Arm to start.</source>
@@ -1040,8 +1168,24 @@ Robot : %2
         <translation>De combien varie le temps entre les messages du robot : quatre écarts moyens.</translation>
     </message>
     <message>
+        <source>How fast the cloth's stiffness may wander while the motors move.</source>
+        <translation>À quelle vitesse la raideur du tissu peut varier pendant que les moteurs bougent.</translation>
+    </message>
+    <message>
+        <source>How long accelerations wait (plus up to one period), so that jittery packets still arrive in time; FYD Link raises it to what its batches need.</source>
+        <translation>Combien de temps attendent les accélérations (plus une période au plus), pour que les paquets irréguliers arrivent à temps ; FYD Link l'élève selon ses lots.</translation>
+    </message>
+    <message>
         <source>How often the robot was silent for longer than the link allows.</source>
         <translation>Combien de fois le robot s'est tu plus longtemps que la liaison ne le permet.</translation>
+    </message>
+    <message>
+        <source>How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.</source>
+        <translation>Avec quelle lenteur la raideur mesurée suit la vraie (constante de temps) ; le réglage automatique la mesure.</translation>
+    </message>
+    <message>
+        <source>How three axes of vibration become one signal.</source>
+        <translation>Comment trois axes de vibration deviennent un signal.</translation>
     </message>
     <message>
         <source>IR sensor %1</source>
@@ -1060,6 +1204,14 @@ Robot : %2
         <translation>Indentation</translation>
     </message>
     <message>
+        <source>Integral gain in thesis mode.</source>
+        <translation>Gain intégral en mode thèse.</translation>
+    </message>
+    <message>
+        <source>Integral gain, of the relative error.</source>
+        <translation>Gain intégral, de l'erreur relative.</translation>
+    </message>
+    <message>
         <source>It ends at the first of %1 lost samples.</source>
         <translation>Se termine au premier de %1 échantillons perdus.</translation>
     </message>
@@ -1070,6 +1222,14 @@ Robot : %2
     <message>
         <source>Jitter</source>
         <translation>Gigue</translation>
+    </message>
+    <message>
+        <source>Kalman filter: how much it wanders while the finger presses or lifts.</source>
+        <translation>Filtre de Kalman : combien elle varie pendant que le doigt appuie ou se lève.</translation>
+    </message>
+    <message>
+        <source>Kalman filter: how much the indentation wanders while the finger holds still.</source>
+        <translation>Filtre de Kalman : combien l'indentation varie pendant que le doigt reste immobile.</translation>
     </message>
     <message>
         <source>Kd</source>
@@ -1108,6 +1268,10 @@ Robot : %2
         <translation>Langue : italien</translation>
     </message>
     <message>
+        <source>Largest duty that vibration may use.</source>
+        <translation>Rapport cyclique maximal que la vibration peut utiliser.</translation>
+    </message>
+    <message>
         <source>Last answer</source>
         <translation>Dernière réponse</translation>
     </message>
@@ -1122,6 +1286,14 @@ Robot : %2
     <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
         <translation>Poser la cible imprimée sur le tissu, cliquer une de ses marques dans l'image, saisir sa position et prendre le point.</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>Dispositions</translation>
+    </message>
+    <message>
+        <source>Layouts…</source>
+        <translation>Dispositions…</translation>
     </message>
     <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
@@ -1190,6 +1362,18 @@ s</translation>
         <translation>La cellule de charge mesure</translation>
     </message>
     <message>
+        <source>Load cell: force that is read with nothing on the cloth; the tare sets it.</source>
+        <translation>Cellule de charge : force lue sans rien sur le tissu ; fixée par la tare.</translation>
+    </message>
+    <message>
+        <source>Load cell: how far its zero may be off.</source>
+        <translation>Cellule de charge : de combien son zéro peut être faux.</translation>
+    </message>
+    <message>
+        <source>Load cell: noise of one reading.</source>
+        <translation>Cellule de charge : bruit d'une lecture.</translation>
+    </message>
+    <message>
         <source>Log</source>
         <translation>Journal</translation>
     </message>
@@ -1244,6 +1428,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Perdue : le robot se tait</translation>
     </message>
     <message>
+        <source>Manual</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
+        <source>Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit.</source>
+        <translation>Passage du signal au rapport cyclique ; thesis arrondit vers le bas et multiplie par k_vib après la limite.</translation>
+    </message>
+    <message>
         <source>Marked values differ from the profile (Ctrl+S)</source>
         <translation>Les valeurs marquées diffèrent du profil (Ctrl+S)</translation>
     </message>
@@ -1284,6 +1476,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Méthode</translation>
     </message>
     <message>
+        <source>Millimetres per pixel along a picture column.</source>
+        <translation>Millimètres par pixel le long d'une colonne de l'image.</translation>
+    </message>
+    <message>
+        <source>Millimetres per pixel along a picture row.</source>
+        <translation>Millimètres par pixel le long d'une ligne de l'image.</translation>
+    </message>
+    <message>
         <source>Motor board</source>
         <translation>Carte moteurs</translation>
     </message>
@@ -1316,6 +1516,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Indiquer un second enregistrement : ses courbes sont tracées en clair derrière celles-ci.</translation>
     </message>
     <message>
+        <source>Name of the present layout</source>
+        <translation>Nom de la disposition présente</translation>
+    </message>
+    <message>
         <source>Name one with --touchpad, --motors or --camera at the start.</source>
         <translation>En indiquer un avec --touchpad, --motors ou --camera au démarrage.</translation>
     </message>
@@ -1334,6 +1538,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Next trial</source>
         <translation>Essai suivant</translation>
+    </message>
+    <message>
+        <source>No layout is saved yet. Move the panels as you like them, write a name.</source>
+        <translation>Aucune disposition n'est encore enregistrée. Placer les panneaux à son gré, saisir un nom.</translation>
     </message>
     <message>
         <source>No link</source>
@@ -1480,6 +1688,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Rien ne diffère du profil (Ctrl+S)</translation>
     </message>
     <message>
+        <source>Nothing in the manual has these words.</source>
+        <translation>Rien dans le manuel n'a ces mots.</translation>
+    </message>
+    <message>
         <source>Nothing is checked or hidden: whoever reaches this address can pose as the robot. Use it on a line of its own.</source>
         <translation>Rien n'est vérifié ni caché : quiconque atteint cette adresse peut se faire passer pour le robot. L'utiliser sur une ligne réservée.</translation>
     </message>
@@ -1544,6 +1756,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Opérateur : qui conduit ? Un nom ou des initiales.</translation>
     </message>
     <message>
+        <source>Page of the manual</source>
+        <translation>Page du manuel</translation>
+    </message>
+    <message>
         <source>Parameter %1</source>
         <translation>Paramètre %1</translation>
     </message>
@@ -1586,6 +1802,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Paused by the robot</source>
         <translation>Mise en pause par le robot</translation>
+    </message>
+    <message>
+        <source>Picture column of the touchpad's origin.</source>
+        <translation>Colonne de l'image de l'origine du touchpad.</translation>
+    </message>
+    <message>
+        <source>Picture row of the touchpad's origin.</source>
+        <translation>Ligne de l'image de l'origine du touchpad.</translation>
     </message>
     <message>
         <source>Pictures</source>
@@ -1660,6 +1884,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Profil enregistré dans %1.</translation>
     </message>
     <message>
+        <source>Proportional gain in thesis mode.</source>
+        <translation>Gain proportionnel en mode thèse.</translation>
+    </message>
+    <message>
+        <source>Proportional gain: relative correction for relative error.</source>
+        <translation>Gain proportionnel : correction relative pour erreur relative.</translation>
+    </message>
+    <message>
         <source>Protocol</source>
         <translation>Protocole</translation>
     </message>
@@ -1694,12 +1926,16 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Préparation</translation>
     </message>
     <message>
+        <source>Readiness list</source>
+        <translation>Liste de préparation</translation>
+    </message>
+    <message>
         <source>Reading</source>
         <translation>Lecture</translation>
     </message>
     <message>
         <source>Reading, counts</source>
-        <translation>Lecture, incréments</translation>
+        <translation>Lecture, pts</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -1836,6 +2072,14 @@ Appuyer pour lire pourquoi</translation>
         <translation>Robot inchangé. %1.</translation>
     </message>
     <message>
+        <source>Robot's travel downward for the finger's indentation.</source>
+        <translation>Course du robot vers le bas pour l'indentation du doigt.</translation>
+    </message>
+    <message>
+        <source>Robot's travel for the finger's along the cloth.</source>
+        <translation>Course du robot pour celle du doigt le long du tissu.</translation>
+    </message>
+    <message>
         <source>Round trip</source>
         <translation>Aller-retour</translation>
     </message>
@@ -1856,8 +2100,20 @@ Appuyer pour lire pourquoi</translation>
         <translation>Refait passer les entrées enregistrées par le pas. Sans changement, cela prouve que l'enregistrement ressort identique, bit pour bit.</translation>
     </message>
     <message>
+        <source>Samples in a frame of dft321: more resolution for more delay.</source>
+        <translation>Échantillons dans une trame de dft321 : plus de résolution pour plus de retard.</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Enregistrer la disposition</translation>
+    </message>
+    <message>
         <source>Save profile</source>
         <translation>Enregistrer le profil</translation>
+    </message>
+    <message>
+        <source>Saved layouts</source>
+        <translation>Dispositions enregistrées</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -1870,6 +2126,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Search the log</source>
         <translation>Chercher dans le journal</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Chercher dans le manuel</translation>
     </message>
     <message>
         <source>Searching …</source>
@@ -1946,6 +2206,10 @@ s</translation>
         <translation>Afficher toute la session</translation>
     </message>
     <message>
+        <source>Signal that asks for the largest duty (s_max of the thesis).</source>
+        <translation>Signal qui demande le rapport cyclique maximal (s_max de la thèse).</translation>
+    </message>
+    <message>
         <source>Simulated</source>
         <translation>Simulés</translation>
     </message>
@@ -1972,6 +2236,10 @@ par s</translation>
         <translation>Petit et lent, et seulement tant que le bouton est maintenu. Esc y met fin aussi.</translation>
     </message>
     <message>
+        <source>Smallest dark area that counts as a touch, in pixels of the 160 × 120 working picture.</source>
+        <translation>Plus petite aire sombre qui compte comme toucher, en pixels de l'image de travail de 160 × 120.</translation>
+    </message>
+    <message>
         <source>Softness</source>
         <translation>Souplesse</translation>
     </message>
@@ -1985,11 +2253,15 @@ par s</translation>
     </message>
     <message>
         <source>Spread, counts</source>
-        <translation>Dispersion, incréments</translation>
+        <translation>Dispersion, pts</translation>
     </message>
     <message>
         <source>Spread, mV/V</source>
         <translation>Dispersion, mV/V</translation>
+    </message>
+    <message>
+        <source>Standard layout</source>
+        <translation>Disposition standard</translation>
     </message>
     <message>
         <source>Start
@@ -2032,6 +2304,18 @@ N/mm</translation>
         <translation>Erreur de raideur, RMS : %1 % enregistrée, %2 % ainsi.</translation>
     </message>
     <message>
+        <source>Stiffness is not observable while its relative uncertainty is above this.</source>
+        <translation>La raideur n'est pas observable tant que son incertitude relative dépasse cette valeur.</translation>
+    </message>
+    <message>
+        <source>Stiffness is not observable with less force than this.</source>
+        <translation>La raideur n'est pas observable avec moins de force que cela.</translation>
+    </message>
+    <message>
+        <source>Stiffness is not observable with less indentation than this.</source>
+        <translation>La raideur n'est pas observable avec moins d'indentation que cela.</translation>
+    </message>
+    <message>
         <source>Stiffness target by hand</source>
         <translation>Raideur de consigne à la main</translation>
     </message>
@@ -2042,6 +2326,10 @@ N/mm</translation>
     <message>
         <source>Stiffness target known</source>
         <translation>Raideur de consigne connue</translation>
+    </message>
+    <message>
+        <source>Stiffness target while it is set by hand.</source>
+        <translation>Raideur de consigne tant qu'elle est réglée à la main.</translation>
     </message>
     <message>
         <source>Still missing: %1</source>
@@ -2142,6 +2430,10 @@ N/mm</translation>
     <message>
         <source>Texture</source>
         <translation>Texture</translation>
+    </message>
+    <message>
+        <source>The camera sees the cloth mirrored left to right.</source>
+        <translation>La caméra voit le tissu en miroir de gauche à droite.</translation>
     </message>
     <message>
         <source>The classic protocol cannot tell.</source>
@@ -2280,6 +2572,10 @@ N/mm</translation>
         <translation>Ces points sont simulés : les écarter avant de mesurer.</translation>
     </message>
     <message>
+        <source>Thesis mode: grey values below it are the finger.</source>
+        <translation>Mode thèse : les niveaux de gris inférieurs sont le doigt.</translation>
+    </message>
+    <message>
         <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
         <translation>L'adresse de cet ordinateur, HOST:PORT. Le robot y appelle ; 0.0.0.0 écoute tous les réseaux.</translation>
     </message>
@@ -2294,6 +2590,18 @@ N/mm</translation>
     <message>
         <source>Time</source>
         <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Time constant of the derivative's low-pass.</source>
+        <translation>Constante de temps du passe-bas du terme dérivé.</translation>
+    </message>
+    <message>
+        <source>Time over which a new method, filter or gain takes over.</source>
+        <translation>Temps pendant lequel une nouvelle méthode, un filtre ou un gain prend le relais.</translation>
+    </message>
+    <message>
+        <source>Time over which the measured stiffness' noise repeats itself; auto-tune measures it.</source>
+        <translation>Temps au bout duquel le bruit de la raideur mesurée se répète ; le réglage automatique le mesure.</translation>
     </message>
     <message>
         <source>Times lost</source>
@@ -2328,6 +2636,14 @@ N/mm</translation>
         <translation>Réglage</translation>
     </message>
     <message>
+        <source>Tuning panel</source>
+        <translation>Panneau de réglage</translation>
+    </message>
+    <message>
+        <source>Turn from the picture's axes to the touchpad's, counter-clockwise seen from above.</source>
+        <translation>Rotation des axes de l'image à ceux du touchpad, antihoraire vue de dessus.</translation>
+    </message>
+    <message>
         <source>Type a few letters of a command</source>
         <translation>Saisir quelques lettres d'une commande</translation>
     </message>
@@ -2346,6 +2662,10 @@ N/mm</translation>
     <message>
         <source>Unknown</source>
         <translation>Inconnu</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
     </message>
     <message>
         <source>Value</source>
@@ -2442,6 +2762,10 @@ N/mm</translation>
     <message>
         <source>a sensor is outside its span</source>
         <translation>un capteur est hors de sa plage</translation>
+    </message>
+    <message>
+        <source>adaptive follows uneven and changing light; thesis is the printed algorithm.</source>
+        <translation>adaptive suit une lumière inégale et changeante ; thesis est l'algorithme imprimé.</translation>
     </message>
     <message>
         <source>add weights between %1 and %2 N</source>
@@ -2544,6 +2868,10 @@ N/mm</translation>
         <translation>vérifier les poids, et que rien ne frotte sur la cellule</translation>
     </message>
     <message>
+        <source>classic, not secured</source>
+        <translation>classique, non sécurisée</translation>
+    </message>
+    <message>
         <source>clock</source>
         <translation>horloge</translation>
     </message>
@@ -2553,7 +2881,7 @@ N/mm</translation>
     </message>
     <message>
         <source>counts</source>
-        <translation>incréments</translation>
+        <translation>points</translation>
     </message>
     <message>
         <source>current %1</source>
@@ -2812,6 +3140,10 @@ N/mm</translation>
         <translation>mesuré sans les capteurs invalides</translation>
     </message>
     <message>
+        <source>membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
+        <translation>membrane utilise la forme du tissu enfoncé et un filtre de Kalman ; thesis un plan, 0.8/0.2 et un seuil de 2 mm.</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -2878,6 +3210,10 @@ N/mm</translation>
     <message>
         <source>no stiffness target</source>
         <translation>pas de raideur de consigne</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
     </message>
     <message>
         <source>none since the start</source>
@@ -3014,6 +3350,10 @@ N/mm</translation>
     <message>
         <source>simulated</source>
         <translation>simulé</translation>
+    </message>
+    <message>
+        <source>slope fits force against indentation with uncertainty; thesis is the bare ratio.</source>
+        <translation>slope ajuste la force à l'indentation avec incertitude ; thesis est le simple rapport.</translation>
     </message>
     <message>
         <source>still being recorded</source>

@@ -106,8 +106,20 @@
         <translation>%1 in %2</translation>
     </message>
     <message>
+        <source>%1 is deleted.</source>
+        <translation>%1 è eliminata.</translation>
+    </message>
+    <message>
+        <source>%1 is not saved: the file of the window's settings cannot be written.</source>
+        <translation>%1 non è salvata: il file delle impostazioni della finestra non si può scrivere.</translation>
+    </message>
+    <message>
         <source>%1 is now %2.</source>
         <translation>%1 vale ora %2.</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 è salvata.</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -410,6 +422,10 @@
         <translation>Accelerazione, picco</translation>
     </message>
     <message>
+        <source>Accelerations further apart than this are a gap, during which the texture is silent.</source>
+        <translation>Accelerazioni più distanti di così sono una lacuna, durante la quale la texture tace.</translation>
+    </message>
+    <message>
         <source>Accept</source>
         <translation>Accetta</translation>
     </message>
@@ -442,12 +458,20 @@
         <translation>Attivo</translation>
     </message>
     <message>
+        <source>Adaptive mode: a finger is darker than the lit cloth by at least this part of it.</source>
+        <translation>Modo adattivo: un dito è più scuro del tessuto illuminato almeno di questa frazione.</translation>
+    </message>
+    <message>
         <source>Add</source>
         <translation>Aggiungi</translation>
     </message>
     <message>
         <source>Address and port to listen on</source>
         <translation>Indirizzo e porta di ascolto</translation>
+    </message>
+    <message>
+        <source>Advance from a frame to the next: whole frames are blocks, less overlaps them.</source>
+        <translation>Avanzamento da un frame al seguente: un frame intero dà blocchi, meno li sovrappone.</translation>
     </message>
     <message>
         <source>Align the other session at</source>
@@ -460,6 +484,10 @@
     <message>
         <source>All %1 trials are done.</source>
         <translation>Tutte le %1 prove sono fatte.</translation>
+    </message>
+    <message>
+        <source>An indentation less certain than this is unavailable.</source>
+        <translation>Un'indentazione meno certa di così non è disponibile.</translation>
     </message>
     <message>
         <source>Answers</source>
@@ -548,6 +576,10 @@
     <message>
         <source>Camera</source>
         <translation>Telecamera</translation>
+    </message>
+    <message>
+        <source>Camera panel</source>
+        <translation>Pannello della telecamera</translation>
     </message>
     <message>
         <source>Camera picture</source>
@@ -666,12 +698,32 @@
         <translation>Chiudere gli altri programmi su questo computer.</translation>
     </message>
     <message>
+        <source>Close the camera's panel</source>
+        <translation>Chiudi il pannello della telecamera</translation>
+    </message>
+    <message>
         <source>Close the link's panel</source>
         <translation>Chiudi il pannello del collegamento</translation>
     </message>
     <message>
+        <source>Close the log</source>
+        <translation>Chiudi il registro</translation>
+    </message>
+    <message>
+        <source>Close the manual</source>
+        <translation>Chiudi il manuale</translation>
+    </message>
+    <message>
+        <source>Close the readiness list</source>
+        <translation>Chiudi l'elenco di prontezza</translation>
+    </message>
+    <message>
         <source>Close the recording's panel</source>
         <translation>Chiudi il pannello della registrazione</translation>
+    </message>
+    <message>
+        <source>Close the tuning panel</source>
+        <translation>Chiudi il pannello di regolazione</translation>
     </message>
     <message>
         <source>Closed loop: cloth and robot answer as identified from this recording.</source>
@@ -706,8 +758,16 @@
         <translation>Connesso</translation>
     </message>
     <message>
+        <source>Contents</source>
+        <translation>Indice</translation>
+    </message>
+    <message>
         <source>Controls</source>
         <translation>Comandi</translation>
+    </message>
+    <message>
+        <source>Corner (-3 dB) of the default high-pass.</source>
+        <translation>Frequenza di taglio (-3 dB) del passa-alto predefinito.</translation>
     </message>
     <message>
         <source>Cursor</source>
@@ -722,14 +782,30 @@
         <translation>Tema scuro</translation>
     </message>
     <message>
+        <source>Dead time of the measured stiffness behind the stretch; auto-tune measures it.</source>
+        <translation>Tempo morto della rigidezza misurata rispetto allo stiramento; l'autoregolazione lo misura.</translation>
+    </message>
+    <message>
         <source>Dead zone</source>
         <translation>Zona morta</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Elimina</translation>
     </message>
     <message>
         <source>Depth
 mm</source>
         <translation>Profondità
 mm</translation>
+    </message>
+    <message>
+        <source>Derivative gain in thesis mode (the thesis used none).</source>
+        <translation>Guadagno derivativo nel modo tesi (la tesi non ne usava).</translation>
+    </message>
+    <message>
+        <source>Derivative gain, on the measured stiffness and not on the target.</source>
+        <translation>Guadagno derivativo, sulla rigidezza misurata e non sul valore desiderato.</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -780,6 +856,14 @@ mm</translation>
         <translation>I sensori di distanza misurano</translation>
     </message>
     <message>
+        <source>Distance sensors: distance to the untouched cloth; the tare sets it.</source>
+        <translation>Sensori di distanza: distanza dal tessuto non toccato; la imposta la tara.</translation>
+    </message>
+    <message>
+        <source>Distance sensors: noise of one reading.</source>
+        <translation>Sensori di distanza: rumore di una lettura.</translation>
+    </message>
+    <message>
         <source>Distance, mm</source>
         <translation>Distanza, mm</translation>
     </message>
@@ -802,12 +886,20 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Disegnata tenue. Scegliere un tocco di ciascuna per sovrapporli.</translation>
     </message>
     <message>
+        <source>Duties smaller than this become zero, as the motors would not turn.</source>
+        <translation>I duty più piccoli di così diventano zero, perché i motori non girerebbero.</translation>
+    </message>
+    <message>
         <source>Edit</source>
         <translation>Modifica</translation>
     </message>
     <message>
         <source>Enough points.</source>
         <translation>Punti sufficienti.</translation>
+    </message>
+    <message>
+        <source>Enter or a double click goes back to a layout.</source>
+        <translation>Invio o doppio clic torna a una disposizione.</translation>
     </message>
     <message>
         <source>Enter or a double click opens a session.</source>
@@ -832,6 +924,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Errors by kind</source>
         <translation>Errori per tipo</translation>
+    </message>
+    <message>
+        <source>Errors of the stiffness up to this are left alone (the thesis, in its own mode, 0.01).</source>
+        <translation>Gli errori di rigidezza fino a questo valore sono lasciati stare (la tesi, nel suo modo, 0.01).</translation>
     </message>
     <message>
         <source>Esc stops.</source>
@@ -864,6 +960,18 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>FYD Link with a key</source>
         <translation>FYD Link con una chiave</translation>
+    </message>
+    <message>
+        <source>FYD Link, sealed</source>
+        <translation>FYD Link, sigillato</translation>
+    </message>
+    <message>
+        <source>Fastest change of the commanded stretch.</source>
+        <translation>Massima velocità dello stiramento comandato.</translation>
+    </message>
+    <message>
+        <source>Fastest the position sent to the robot moves.</source>
+        <translation>Massima velocità della posizione inviata al robot.</translation>
     </message>
     <message>
         <source>Figures between A and B</source>
@@ -964,8 +1072,16 @@ N</translation>
         <translation>Dimentica i punti di questa parte; i valori in vigore restano.</translation>
     </message>
     <message>
+        <source>Found in the manual</source>
+        <translation>Trovato nel manuale</translation>
+    </message>
+    <message>
         <source>Gain k_vib</source>
         <translation>Guadagno k_vib</translation>
+    </message>
+    <message>
+        <source>Gain of the vibration; the robot's operator moves it by 0.1.</source>
+        <translation>Guadagno della vibrazione; l'operatore del robot lo muove di 0.1.</translation>
     </message>
     <message>
         <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
@@ -996,12 +1112,24 @@ N</translation>
         <translation>Errore di verifica %1 su al più %2</translation>
     </message>
     <message>
+        <source>Help</source>
+        <translation>Aiuto</translation>
+    </message>
+    <message>
+        <source>Help for what is in focus</source>
+        <translation>Aiuto su ciò che è attivo</translation>
+    </message>
+    <message>
         <source>Here: %1
 Robot: %2
 %3 states received, %4 touches sent, %5 datagrams refused</source>
         <translation>Qui: %1
 Robot: %2
 %3 stati ricevuti, %4 tocchi inviati, %5 datagrammi rifiutati</translation>
+    </message>
+    <message>
+        <source>High-pass in front of the method; thesis is the printed one, with its leak of gravity.</source>
+        <translation>Passa-alto prima del metodo; thesis è quello stampato, con la sua fuga di gravità.</translation>
     </message>
     <message>
         <source>Hold Arm to start.</source>
@@ -1040,8 +1168,24 @@ Robot: %2
         <translation>Quanto varia il tempo tra i messaggi del robot: quattro deviazioni medie.</translation>
     </message>
     <message>
+        <source>How fast the cloth's stiffness may wander while the motors move.</source>
+        <translation>Quanto in fretta la rigidezza del tessuto può variare mentre i motori si muovono.</translation>
+    </message>
+    <message>
+        <source>How long accelerations wait (plus up to one period), so that jittery packets still arrive in time; FYD Link raises it to what its batches need.</source>
+        <translation>Quanto attendono le accelerazioni (più al massimo un periodo), perché i pacchetti irregolari arrivino ancora in tempo; FYD Link lo alza a quanto serve ai suoi gruppi.</translation>
+    </message>
+    <message>
         <source>How often the robot was silent for longer than the link allows.</source>
         <translation>Quante volte il robot ha taciuto più a lungo di quanto il collegamento permette.</translation>
+    </message>
+    <message>
+        <source>How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.</source>
+        <translation>Quanto lentamente la rigidezza misurata segue la vera (costante di tempo); l'autoregolazione la misura.</translation>
+    </message>
+    <message>
+        <source>How three axes of vibration become one signal.</source>
+        <translation>Come tre assi di vibrazione diventano un segnale.</translation>
     </message>
     <message>
         <source>IR sensor %1</source>
@@ -1060,6 +1204,14 @@ Robot: %2
         <translation>Indentazione</translation>
     </message>
     <message>
+        <source>Integral gain in thesis mode.</source>
+        <translation>Guadagno integrale nel modo tesi.</translation>
+    </message>
+    <message>
+        <source>Integral gain, of the relative error.</source>
+        <translation>Guadagno integrale, dell'errore relativo.</translation>
+    </message>
+    <message>
         <source>It ends at the first of %1 lost samples.</source>
         <translation>Termina al primo di %1 campioni persi.</translation>
     </message>
@@ -1070,6 +1222,14 @@ Robot: %2
     <message>
         <source>Jitter</source>
         <translation>Fluttuazione</translation>
+    </message>
+    <message>
+        <source>Kalman filter: how much it wanders while the finger presses or lifts.</source>
+        <translation>Filtro di Kalman: quanto varia mentre il dito preme o si alza.</translation>
+    </message>
+    <message>
+        <source>Kalman filter: how much the indentation wanders while the finger holds still.</source>
+        <translation>Filtro di Kalman: quanto varia l'indentazione mentre il dito sta fermo.</translation>
     </message>
     <message>
         <source>Kd</source>
@@ -1108,6 +1268,10 @@ Robot: %2
         <translation>Lingua: italiano</translation>
     </message>
     <message>
+        <source>Largest duty that vibration may use.</source>
+        <translation>Massimo duty che la vibrazione può usare.</translation>
+    </message>
+    <message>
         <source>Last answer</source>
         <translation>Ultima risposta</translation>
     </message>
@@ -1122,6 +1286,14 @@ Robot: %2
     <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
         <translation>Posare il bersaglio stampato sul tessuto, fare clic su un suo segno nell'immagine, scrivere dove si trova e prendere il punto.</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>Disposizioni</translation>
+    </message>
+    <message>
+        <source>Layouts…</source>
+        <translation>Disposizioni…</translation>
     </message>
     <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
@@ -1190,6 +1362,18 @@ s</translation>
         <translation>La cella di carico misura</translation>
     </message>
     <message>
+        <source>Load cell: force that is read with nothing on the cloth; the tare sets it.</source>
+        <translation>Cella di carico: forza letta senza nulla sul tessuto; la imposta la tara.</translation>
+    </message>
+    <message>
+        <source>Load cell: how far its zero may be off.</source>
+        <translation>Cella di carico: quanto può essere fuori il suo zero.</translation>
+    </message>
+    <message>
+        <source>Load cell: noise of one reading.</source>
+        <translation>Cella di carico: rumore di una lettura.</translation>
+    </message>
+    <message>
         <source>Log</source>
         <translation>Registro</translation>
     </message>
@@ -1244,6 +1428,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Perso: il robot tace</translation>
     </message>
     <message>
+        <source>Manual</source>
+        <translation>Manuale</translation>
+    </message>
+    <message>
+        <source>Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit.</source>
+        <translation>Passaggio dal segnale al duty; thesis arrotonda per difetto e moltiplica per k_vib dopo il limite.</translation>
+    </message>
+    <message>
         <source>Marked values differ from the profile (Ctrl+S)</source>
         <translation>I valori segnati differiscono dal profilo (Ctrl+S)</translation>
     </message>
@@ -1284,6 +1476,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Metodo</translation>
     </message>
     <message>
+        <source>Millimetres per pixel along a picture column.</source>
+        <translation>Millimetri per pixel lungo una colonna dell'immagine.</translation>
+    </message>
+    <message>
+        <source>Millimetres per pixel along a picture row.</source>
+        <translation>Millimetri per pixel lungo una riga dell'immagine.</translation>
+    </message>
+    <message>
         <source>Motor board</source>
         <translation>Scheda motori</translation>
     </message>
@@ -1316,6 +1516,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Indicare una seconda registrazione: le sue curve sono disegnate tenui dietro queste.</translation>
     </message>
     <message>
+        <source>Name of the present layout</source>
+        <translation>Nome della disposizione presente</translation>
+    </message>
+    <message>
         <source>Name one with --touchpad, --motors or --camera at the start.</source>
         <translation>Indicarne uno con --touchpad, --motors o --camera all'avvio.</translation>
     </message>
@@ -1334,6 +1538,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Next trial</source>
         <translation>Prova seguente</translation>
+    </message>
+    <message>
+        <source>No layout is saved yet. Move the panels as you like them, write a name.</source>
+        <translation>Nessuna disposizione è ancora salvata. Spostare i pannelli come si vuole, scrivere un nome.</translation>
     </message>
     <message>
         <source>No link</source>
@@ -1389,7 +1597,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below.</source>
-        <translation>Nessuna sessione è ancora nel catalogo. Registrarne una in Conduzione (Ctrl+R), o indicare sotto il file di una registrazione.</translation>
+        <translation>Nessuna sessione è ancora nel catalogo. Registrarne una in Lavoro (Ctrl+R), o indicare sotto il file di una registrazione.</translation>
     </message>
     <message>
         <source>No trial was begun: nothing is being recorded. Ctrl+R starts.</source>
@@ -1480,6 +1688,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nulla differisce dal profilo (Ctrl+S)</translation>
     </message>
     <message>
+        <source>Nothing in the manual has these words.</source>
+        <translation>Nulla nel manuale ha queste parole.</translation>
+    </message>
+    <message>
         <source>Nothing is checked or hidden: whoever reaches this address can pose as the robot. Use it on a line of its own.</source>
         <translation>Nulla è controllato o nascosto: chi raggiunge questo indirizzo può fingersi il robot. Usarlo su una linea riservata.</translation>
     </message>
@@ -1529,7 +1741,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>Operate</source>
-        <translation>Conduzione</translation>
+        <translation>Lavoro</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -1542,6 +1754,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Operator: who operates? A name or initials.</source>
         <translation>Operatore: chi conduce? Un nome o le iniziali.</translation>
+    </message>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Pagina del manuale</translation>
     </message>
     <message>
         <source>Parameter %1</source>
@@ -1586,6 +1802,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Paused by the robot</source>
         <translation>Messo in pausa dal robot</translation>
+    </message>
+    <message>
+        <source>Picture column of the touchpad's origin.</source>
+        <translation>Colonna dell'immagine dell'origine del touchpad.</translation>
+    </message>
+    <message>
+        <source>Picture row of the touchpad's origin.</source>
+        <translation>Riga dell'immagine dell'origine del touchpad.</translation>
     </message>
     <message>
         <source>Pictures</source>
@@ -1660,6 +1884,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Profilo salvato in %1.</translation>
     </message>
     <message>
+        <source>Proportional gain in thesis mode.</source>
+        <translation>Guadagno proporzionale nel modo tesi.</translation>
+    </message>
+    <message>
+        <source>Proportional gain: relative correction for relative error.</source>
+        <translation>Guadagno proporzionale: correzione relativa per errore relativo.</translation>
+    </message>
+    <message>
         <source>Protocol</source>
         <translation>Protocollo</translation>
     </message>
@@ -1694,12 +1926,16 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Prontezza</translation>
     </message>
     <message>
+        <source>Readiness list</source>
+        <translation>Elenco di prontezza</translation>
+    </message>
+    <message>
         <source>Reading</source>
         <translation>Lettura</translation>
     </message>
     <message>
         <source>Reading, counts</source>
-        <translation>Lettura, conteggi</translation>
+        <translation>Lettura, cont.</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -1836,6 +2072,14 @@ Premere per leggere perché</translation>
         <translation>Robot non cambiato. %1.</translation>
     </message>
     <message>
+        <source>Robot's travel downward for the finger's indentation.</source>
+        <translation>Corsa del robot verso il basso per l'indentazione del dito.</translation>
+    </message>
+    <message>
+        <source>Robot's travel for the finger's along the cloth.</source>
+        <translation>Corsa del robot per quella del dito lungo il tessuto.</translation>
+    </message>
+    <message>
         <source>Round trip</source>
         <translation>Andata e ritorno</translation>
     </message>
@@ -1856,8 +2100,20 @@ Premere per leggere perché</translation>
         <translation>Fa ripassare gli ingressi registrati attraverso il passo. Senza modifiche prova che la registrazione risulta la stessa, bit per bit.</translation>
     </message>
     <message>
+        <source>Samples in a frame of dft321: more resolution for more delay.</source>
+        <translation>Campioni in un frame di dft321: più risoluzione per più ritardo.</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Salva la disposizione</translation>
+    </message>
+    <message>
         <source>Save profile</source>
         <translation>Salva il profilo</translation>
+    </message>
+    <message>
+        <source>Saved layouts</source>
+        <translation>Disposizioni salvate</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -1870,6 +2126,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Search the log</source>
         <translation>Cerca nel registro</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Cerca nel manuale</translation>
     </message>
     <message>
         <source>Searching …</source>
@@ -1946,6 +2206,10 @@ s</translation>
         <translation>Mostra tutta la sessione</translation>
     </message>
     <message>
+        <source>Signal that asks for the largest duty (s_max of the thesis).</source>
+        <translation>Segnale che chiede il duty massimo (s_max della tesi).</translation>
+    </message>
+    <message>
         <source>Simulated</source>
         <translation>Simulati</translation>
     </message>
@@ -1972,6 +2236,10 @@ al s</translation>
         <translation>Piccolo e lento, e solo finché il pulsante è premuto. Anche Esc lo termina.</translation>
     </message>
     <message>
+        <source>Smallest dark area that counts as a touch, in pixels of the 160 × 120 working picture.</source>
+        <translation>Minima area scura che conta come tocco, in pixel dell'immagine di lavoro di 160 × 120.</translation>
+    </message>
+    <message>
         <source>Softness</source>
         <translation>Cedevolezza</translation>
     </message>
@@ -1985,11 +2253,15 @@ al s</translation>
     </message>
     <message>
         <source>Spread, counts</source>
-        <translation>Dispersione, conteggi</translation>
+        <translation>Dispersione, cont.</translation>
     </message>
     <message>
         <source>Spread, mV/V</source>
         <translation>Dispersione, mV/V</translation>
+    </message>
+    <message>
+        <source>Standard layout</source>
+        <translation>Disposizione standard</translation>
     </message>
     <message>
         <source>Start
@@ -2032,6 +2304,18 @@ N/mm</translation>
         <translation>Errore di rigidezza, RMS: %1 % registrato, %2 % così.</translation>
     </message>
     <message>
+        <source>Stiffness is not observable while its relative uncertainty is above this.</source>
+        <translation>La rigidezza non è osservabile finché la sua incertezza relativa è oltre questo valore.</translation>
+    </message>
+    <message>
+        <source>Stiffness is not observable with less force than this.</source>
+        <translation>La rigidezza non è osservabile con meno forza di così.</translation>
+    </message>
+    <message>
+        <source>Stiffness is not observable with less indentation than this.</source>
+        <translation>La rigidezza non è osservabile con meno indentazione di così.</translation>
+    </message>
+    <message>
         <source>Stiffness target by hand</source>
         <translation>Rigidezza desiderata impostata a mano</translation>
     </message>
@@ -2042,6 +2326,10 @@ N/mm</translation>
     <message>
         <source>Stiffness target known</source>
         <translation>Rigidezza desiderata nota</translation>
+    </message>
+    <message>
+        <source>Stiffness target while it is set by hand.</source>
+        <translation>Rigidezza desiderata mentre è impostata a mano.</translation>
     </message>
     <message>
         <source>Still missing: %1</source>
@@ -2142,6 +2430,10 @@ N/mm</translation>
     <message>
         <source>Texture</source>
         <translation>Texture</translation>
+    </message>
+    <message>
+        <source>The camera sees the cloth mirrored left to right.</source>
+        <translation>La telecamera vede il tessuto specchiato da sinistra a destra.</translation>
     </message>
     <message>
         <source>The classic protocol cannot tell.</source>
@@ -2280,6 +2572,10 @@ N/mm</translation>
         <translation>Questi punti sono simulati: scartarli prima di misurare.</translation>
     </message>
     <message>
+        <source>Thesis mode: grey values below it are the finger.</source>
+        <translation>Modo tesi: i valori di grigio al di sotto sono il dito.</translation>
+    </message>
+    <message>
         <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
         <translation>L'indirizzo di questo computer, HOST:PORT. Il robot chiama lì; 0.0.0.0 ascolta ogni rete.</translation>
     </message>
@@ -2294,6 +2590,18 @@ N/mm</translation>
     <message>
         <source>Time</source>
         <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Time constant of the derivative's low-pass.</source>
+        <translation>Costante di tempo del passa-basso del termine derivativo.</translation>
+    </message>
+    <message>
+        <source>Time over which a new method, filter or gain takes over.</source>
+        <translation>Tempo nel quale un nuovo metodo, filtro o guadagno subentra.</translation>
+    </message>
+    <message>
+        <source>Time over which the measured stiffness' noise repeats itself; auto-tune measures it.</source>
+        <translation>Tempo dopo il quale il rumore della rigidezza misurata si ripete; l'autoregolazione lo misura.</translation>
     </message>
     <message>
         <source>Times lost</source>
@@ -2328,6 +2636,14 @@ N/mm</translation>
         <translation>Regolazione</translation>
     </message>
     <message>
+        <source>Tuning panel</source>
+        <translation>Pannello di regolazione</translation>
+    </message>
+    <message>
+        <source>Turn from the picture's axes to the touchpad's, counter-clockwise seen from above.</source>
+        <translation>Rotazione dagli assi dell'immagine a quelli del touchpad, antioraria vista dall'alto.</translation>
+    </message>
+    <message>
         <source>Type a few letters of a command</source>
         <translation>Scrivere alcune lettere di un comando</translation>
     </message>
@@ -2346,6 +2662,10 @@ N/mm</translation>
     <message>
         <source>Unknown</source>
         <translation>Sconosciuto</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Usa</translation>
     </message>
     <message>
         <source>Value</source>
@@ -2442,6 +2762,10 @@ N/mm</translation>
     <message>
         <source>a sensor is outside its span</source>
         <translation>un sensore è fuori dal suo campo</translation>
+    </message>
+    <message>
+        <source>adaptive follows uneven and changing light; thesis is the printed algorithm.</source>
+        <translation>adaptive segue una luce irregolare e variabile; thesis è l'algoritmo stampato.</translation>
     </message>
     <message>
         <source>add weights between %1 and %2 N</source>
@@ -2542,6 +2866,10 @@ N/mm</translation>
     <message>
         <source>check the weights, and that nothing rubs on the cell</source>
         <translation>controllare i pesi, e che nulla sfreghi sulla cella</translation>
+    </message>
+    <message>
+        <source>classic, not secured</source>
+        <translation>classico, non protetto</translation>
     </message>
     <message>
         <source>clock</source>
@@ -2812,6 +3140,10 @@ N/mm</translation>
         <translation>misurato senza i sensori non validi</translation>
     </message>
     <message>
+        <source>membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
+        <translation>membrane usa la forma del tessuto premuto e un filtro di Kalman; thesis un piano, 0.8/0.2 e una soglia di 2 mm.</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -2878,6 +3210,10 @@ N/mm</translation>
     <message>
         <source>no stiffness target</source>
         <translation>nessuna rigidezza desiderata</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuno</translation>
     </message>
     <message>
         <source>none since the start</source>
@@ -3014,6 +3350,10 @@ N/mm</translation>
     <message>
         <source>simulated</source>
         <translation>simulato</translation>
+    </message>
+    <message>
+        <source>slope fits force against indentation with uncertainty; thesis is the bare ratio.</source>
+        <translation>slope adatta la forza all'indentazione con incertezza; thesis è il semplice rapporto.</translation>
     </message>
     <message>
         <source>still being recorded</source>

@@ -1,0 +1,44 @@
+// The manual beside the work: pages with links, back and contents, and a search through all of them. Never modal.
+#pragma once
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QStringList>
+#include <QTextBrowser>
+#include <QToolButton>
+
+#include "app/console/side_dock.h"
+
+namespace fyd::console {
+
+class HelpDock : public SideDock {
+  Q_OBJECT
+ public:
+  explicit HelpDock(QWidget* parent = nullptr);
+  /// Opens and goes there. @param topic "operate.md#curves"
+  void showTopic(const QString& topic);
+  [[nodiscard]] const QString& topic() const { return topic_; }
+  [[nodiscard]] QTextBrowser* page() const { return page_; }
+  [[nodiscard]] QLineEdit* field() const { return field_; }
+  [[nodiscard]] QListWidget* found() const { return found_; }
+  [[nodiscard]] QToolButton* backButton() const { return back_; }
+
+ private:
+  HelpDock(QWidget* body, QWidget* parent);
+  void build(QWidget& body);
+  void follow(const QUrl& link);
+  void load(const QString& topic);
+  void search(const QString& words);
+  void goToFound(const QListWidgetItem* item);
+  /// @return false when the page has no such heading
+  bool scrollTo(const QString& heading_link);
+
+  QTextBrowser* page_;
+  QLineEdit* field_;
+  QListWidget* found_;
+  QToolButton* back_;
+  QString topic_;
+  QStringList former_;
+};
+
+}  // namespace fyd::console

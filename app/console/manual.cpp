@@ -1,0 +1,142 @@
+#include "app/console/manual.h"
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QWidget>
+#include <algorithm>
+
+namespace fyd::console {
+namespace {
+
+const QString kFolder = QStringLiteral(":/fyd/manual/");
+
+struct Topic {
+  const char* of;  ///< class of a widget, or a place
+  const char* page;
+};
+
+constexpr Topic kWidgets[] = {
+    {"fyd::widgets::StateBar", "operate.md#state-bar"},
+    {"fyd::widgets::LinkPanel", "operate.md#link"},
+    {"fyd::widgets::RobotForm", "operate.md#link"},
+    {"fyd::widgets::CameraPanel", "operate.md#camera"},
+    {"fyd::widgets::CurveView", "operate.md#curves"},
+    {"fyd::widgets::TuningPanel", "operate.md#tuning"},
+    {"fyd::widgets::RecordingForm", "operate.md#recording"},
+    {"fyd::widgets::ReadinessList", "operate.md#start-work-stop"},
+    {"fyd::widgets::LogView", "operate.md#notices-and-log"},
+    {"fyd::widgets::NoticeStack", "operate.md#notices-and-log"},
+    {"fyd::console::SessionList", "review.md#finding-a-session"},
+    {"fyd::console::TouchTable", "review.md#touches"},
+    {"fyd::console::FiguresTable", "review.md#figures-between-a-and-b"},
+    {"fyd::console::WhatIfPanel", "review.md#what-if"},
+    {"fyd::console::NoteTable", "review.md#notes"},
+    {"fyd::console::CalibrationFitPanel", "calibration.md#what-the-answer-says"},
+    {"fyd::console::LayoutsDialog", "operate.md#panels-and-layouts"},
+    {"fyd::console::CommandPalette", "operate.md#keys"},
+    {"fyd::widgets::Rail", "operate.md#places"},
+};
+
+constexpr Topic kPlaces[] = {
+    {"operate", "operate.md"},
+    {"calibrate", "calibration.md#in-the-window"},
+    {"review", "review.md"},
+    {"devices", "operate.md#devices"},
+};
+
+QString read(const QString& page) {
+  QFile file(kFolder + page);
+  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// As the list of pages names them; one that it forgets comes last.
+QStringList pages() {
+  QStringList out = {QStringLiteral("README.md")};
+  static const QRegularExpression kLink(QStringLiteral("\\]\\(([\\w-]+\\.md)\\)"));
+  for (auto all = kLink.globalMatch(read(out.first())); all.hasNext();) {
+    const QString page = all.next().captured(1);
+    if (!out.contains(page)) out << page;
+  }
+  for (const QString& page : QDir(kFolder).entryList({QStringLiteral("*.md")})) {
+    if (!out.contains(page)) out << page;
+  }
+  return out;
+}
+
+void split(const QString& page, std::vector<ManualSection>& out) {
+  static const QRegularExpression kHeading(QStringLiteral("^#{1,6} +(.*?)\\s*$"));
+  bool quoted = false;
+  for (const QString& line : read(page).split(QLatin1Char('\n'))) {
+    if (line.startsWith(QLatin1String("```"))) quoted = !quoted;
+    const auto match = kHeading.match(line);
+    if (match.hasMatch() && !quoted) {
+      out.push_back({page, match.captured(1).remove(QLatin1Char('`')), {}});
+    } else if (!out.empty() && out.back().page == page) {
+      out.back().text += line + QLatin1Char('\n');
+    }
+  }
+}
+
+}  // namespace
+
+const std::vector<ManualSection>& manualSections() {
+  static const std::vector<ManualSection> kSections = [] {
+    std::vector<ManualSection> out;
+    for (const QString& page : pages()) split(page, out);
+    return out;
+  }();
+  return kSections;
+}
+
+QString headingLink(const QString& heading) {
+  QString link;
+  for (const QChar c : heading.toLower()) {
+    if (c.isLetterOrNumber() || c == QLatin1Char('-') || c == QLatin1Char('_')) link += c;
+    if (c == QLatin1Char(' ')) link += QLatin1Char('-');
+  }
+  return link;
+}
+
+QUrl manualPage(const QString& page_and_heading) { return QUrl(QStringLiteral("qrc") + kFolder + page_and_heading); }
+
+std::vector<ManualSection> searchManual(const QString& words, std::size_t at_most) {
+  const QStringList wanted = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  if (wanted.isEmpty()) return {};
+  const auto holds = [&](const QString& text) {
+    return std::ranges::all_of(wanted, [&](const QString& w) { return text.contains(w, Qt::CaseInsensitive); });
+  };
+  std::vector<ManualSection> in_heading;
+  std::vector<ManualSection> in_text;
+  for (const ManualSection& each : manualSections()) {
+    if (holds(each.heading)) {
+      in_heading.push_back(each);
+    } else if (holds(each.heading + QLatin1Char('\n') + each.text)) {
+      in_text.push_back(each);
+    }
+  }
+  in_heading.insert(in_heading.end(), in_text.begin(), in_text.end());
+  in_heading.resize(std::min(in_heading.size(), at_most));
+  return in_heading;
+}
+
+QString manualTopic(const QWidget* focus, const QString& place) {
+  for (const QWidget* each = focus; each != nullptr; each = each->parentWidget()) {
+    for (const Topic& topic : kWidgets) {
+      if (each->inherits(topic.of)) return QLatin1String(topic.page);
+    }
+  }
+  for (const Topic& topic : kPlaces) {
+    if (place == QLatin1String(topic.of)) return QLatin1String(topic.page);
+  }
+  return QStringLiteral("README.md");
+}
+
+QStringList manualTopics() {
+  QStringList out = {QStringLiteral("README.md")};
+  for (const Topic& topic : kWidgets) out << QLatin1String(topic.page);
+  for (const Topic& topic : kPlaces) out << QLatin1String(topic.page);
+  return out;
+}
+
+}  // namespace fyd::console
