@@ -80,7 +80,7 @@ def faults(language, texts, known):
 
 def stale_core_sentences(root):
     """Each row of the table of the core's sentences is still said somewhere."""
-    table = (root / "widgets/core_text.cpp").read_text(encoding="utf-8")
+    table = (root / "widgets/core_sentences.cpp").read_text(encoding="utf-8")
     rows = re.findall(r'QT_TRANSLATE_NOOP\(\s*"Core",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\)', table)
     core = ""
     for path in [*(root / "core").rglob("*.cpp"), *(root / "core").rglob("*.h"), *(root / "app/console").glob("*.cpp")]:
@@ -91,7 +91,7 @@ def stale_core_sentences(root):
         text = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', row))
         parts = [part.strip(" .:,;()") for part in re.split(r"%\d", text)]
         if not all(part in core for part in parts):
-            yield f"core_text.cpp: no longer said anywhere: {text!r}"
+            yield f"core_sentences.cpp: no longer said anywhere: {text!r}"
 
 
 def main():

@@ -15,5 +15,6 @@ std::unique_ptr<QObject> makeFrameTest();
 std::unique_ptr<QObject> makeRecordingTest();
 std::unique_ptr<QObject> makeCalibrateTest();
 std::unique_ptr<QObject> makeReviewTest();
+std::unique_ptr<QObject> makeMannersTest();
 
 }  // namespace fyd::tests

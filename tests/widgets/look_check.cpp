@@ -1,0 +1,180 @@
+#include "tests/widgets/look_check.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTextDocument>
+
+namespace fyd::tests {
+namespace {
+
+constexpr int kHeaderPadding = 16;  // px, of the style sheet
+constexpr int kSlack = 1;           // px: a scale that is no whole number rounds
+
+QString nameOf(const QWidget& widget, const QString& text) {
+  return QStringLiteral("%1 %2 \"%3\"")
+      .arg(QLatin1String(widget.metaObject()->className()), widget.objectName(), text.simplified());
+}
+
+QString sizes(QSize wanted, QSize given) {
+  return QStringLiteral(" wants %1×%2, has %3×%4")
+      .arg(wanted.width())
+      .arg(wanted.height())
+      .arg(given.width())
+      .arg(given.height());
+}
+
+QString textOf(const QWidget& widget) {
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+  return {};
+}
+
+/// Text that a scroll area moves, or that is cut on purpose, is not cut off.
+bool cutsOnPurpose(const QWidget& widget) {
+  return widget.sizePolicy().horizontalPolicy() == QSizePolicy::Ignored || widget.property("elides").toBool();
+}
+
+QString cutLabel(const QLabel& label) {
+  if (label.text().isEmpty() || cutsOnPurpose(label)) return {};
+  const QSize given = label.contentsRect().size();
+  if (label.wordWrap()) {
+    const int wanted = label.heightForWidth(label.width());
+    const bool too_long_a_word =
+        label.fontMetrics().boundingRect(QRect(0, 0, given.width(), 10000), Qt::TextWordWrap, label.text()).width() >
+        given.width() + kSlack;
+    const bool rich = Qt::mightBeRichText(label.text());
+    return wanted > label.height() + kSlack || (too_long_a_word && !rich) ? sizes({given.width(), wanted}, label.size())
+                                                                          : QString();
+  }
+  const QSize wanted = label.sizeHint();
+  // The line's leading may go; its letters may not.
+  const bool low = label.height() + kSlack < label.fontMetrics().ascent();
+  return wanted.width() > label.width() + kSlack || low ? sizes(wanted, label.size()) : QString();
+}
+
+QString cutControl(const QWidget& widget) {
+  QSize wanted = widget.sizeHint();
+  if (const auto* box = qobject_cast<const QComboBox*>(&widget)) {
+    const int text = box->fontMetrics().horizontalAdvance(box->currentText());
+    wanted.setWidth(text + 3 * box->fontMetrics().height() / 2);
+  }
+  // A frame that is thicker in focus costs no text.
+  wanted.setHeight(widget.fontMetrics().height());
+  return wanted.width() > widget.width() + kSlack || wanted.height() > widget.height() ? sizes(wanted, widget.size())
+                                                                                       : QString();
+}
+
+QString cutTabs(const QTabBar& bar) {
+  int wanted = 0;
+  for (int i = 0; i < bar.count(); ++i) {
+    wanted += bar.tabRect(i).width();
+    const int text = bar.fontMetrics().horizontalAdvance(bar.tabText(i));
+    if (text > bar.tabRect(i).width()) return QStringLiteral(" tab %1 is cut").arg(bar.tabText(i));
+  }
+  return wanted > bar.width() + kSlack ? sizes({wanted, bar.height()}, bar.size()) : QString();
+}
+
+QString cutHeader(const QHeaderView& header) {
+  if (header.orientation() != Qt::Horizontal || header.model() == nullptr) return {};
+  for (int i = 0; i < header.count(); ++i) {
+    if (header.isSectionHidden(i)) continue;
+    const QString text = header.model()->headerData(i, Qt::Horizontal).toString();
+    int wanted = 0;
+    for (const QString& line : text.split(QLatin1Char('\n'))) {
+      wanted = std::max(wanted, header.fontMetrics().horizontalAdvance(line));
+    }
+    if (wanted + kHeaderPadding > header.sectionSize(i))
+      return QStringLiteral(" column %1 is cut").arg(text.simplified());
+  }
+  return {};
+}
+
+/// Inside every ancestor, up to the first that scrolls.
+bool liesOutside(const QWidget& widget) {
+  QRect place(QPoint(0, 0), widget.size());
+  for (const QWidget* each = &widget; each->parentWidget() != nullptr && !each->isWindow();
+       each = each->parentWidget()) {
+    const QWidget* above = each->parentWidget();
+    place.translate(each->pos());
+    if (const auto* scroll = qobject_cast<const QAbstractScrollArea*>(above->parentWidget())) {
+      // What can be scrolled to is not cut off; sideways many areas do not scroll.
+      return scroll->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff && place.right() > above->width() + kSlack;
+    }
+    if (!above->rect().adjusted(-kSlack, -kSlack, kSlack, kSlack).contains(place)) return true;
+  }
+  return false;
+}
+
+void findOverlaps(const QWidget& parent, QStringList& out) {
+  QList<const QWidget*> texts;
+  for (const QObject* child : parent.children()) {
+    const auto* widget = qobject_cast<const QWidget*>(child);
+    if (widget != nullptr && widget->isVisible() && !widget->isWindow() && !textOf(*widget).isEmpty()) texts << widget;
+  }
+  for (qsizetype i = 0; i < texts.size(); ++i) {
+    for (qsizetype j = i + 1; j < texts.size(); ++j) {
+      const QRect both = texts[i]->geometry() & texts[j]->geometry();
+      if (both.width() <= kSlack || both.height() <= kSlack) continue;
+      out << nameOf(*texts[i], textOf(*texts[i])) + QStringLiteral(" lies over ") +
+                 nameOf(*texts[j], textOf(*texts[j]));
+    }
+  }
+}
+
+}  // namespace
+
+QStringList lookFaults(const QWidget& window) {
+  QStringList out;
+  findOverlaps(window, out);
+  for (const QWidget* each : window.findChildren<QWidget*>()) {
+    if (!each->isVisible() || each->visibleRegion().isEmpty()) continue;
+    findOverlaps(*each, out);
+    QString fault;
+    if (const auto* label = qobject_cast<const QLabel*>(each)) fault = cutLabel(*label);
+    const auto* button = qobject_cast<const QAbstractButton*>(each);
+    if (button != nullptr && !button->text().isEmpty() && !cutsOnPurpose(*each)) fault = cutControl(*each);
+    if (qobject_cast<const QComboBox*>(each) != nullptr && !cutsOnPurpose(*each)) fault = cutControl(*each);
+    if (const auto* tabs = qobject_cast<const QTabBar*>(each)) fault = cutTabs(*tabs);
+    if (const auto* header = qobject_cast<const QHeaderView*>(each)) fault = cutHeader(*header);
+    if (fault.isEmpty() && !textOf(*each).isEmpty() && liesOutside(*each)) {
+      fault = QStringLiteral(" sticks out of what it stands in");
+    }
+    if (!fault.isEmpty()) out << nameOf(*each, textOf(*each)) + fault;
+  }
+  return out;
+}
+
+QList<QWidget*> controlsOf(const QWidget& window) {
+  QList<QWidget*> out;
+  for (QWidget* each : window.findChildren<QWidget*>()) {
+    if (!each->isVisible() || !each->isEnabled() || qobject_cast<QScrollBar*>(each) != nullptr) continue;
+    const QObject* parent = each->parent();
+    const bool part = qobject_cast<const QLineEdit*>(parent) != nullptr ||
+                      qobject_cast<const QComboBox*>(parent) != nullptr ||
+                      qobject_cast<const QAbstractSpinBox*>(parent) != nullptr ||
+                      qobject_cast<const QAbstractItemView*>(parent) != nullptr ||
+                      qobject_cast<const QTabBar*>(parent) != nullptr || qobject_cast<QHeaderView*>(each) != nullptr;
+    if (part) continue;
+    if (qobject_cast<QAbstractButton*>(each) != nullptr || qobject_cast<QLineEdit*>(each) != nullptr ||
+        qobject_cast<QComboBox*>(each) != nullptr || qobject_cast<QAbstractSlider*>(each) != nullptr ||
+        qobject_cast<QAbstractSpinBox*>(each) != nullptr || qobject_cast<QAbstractItemView*>(each) != nullptr ||
+        qobject_cast<QPlainTextEdit*>(each) != nullptr || qobject_cast<QTabBar*>(each) != nullptr) {
+      out << each;
+    }
+  }
+  return out;
+}
+
+}  // namespace fyd::tests

@@ -1,0 +1,16 @@
+// What a person would see as wrong in a picture of the window: text cut off, text over text, a control outside its
+// panel. Found from the widgets' own sizes, so that no stored picture has to be compared.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+namespace fyd::tests {
+
+/// @return one sentence for each fault: class, name, text, sizes
+[[nodiscard]] QStringList lookFaults(const QWidget& window);
+
+/// Controls that a person works with: shown, enabled, no parts of another control.
+[[nodiscard]] QList<QWidget*> controlsOf(const QWidget& window);
+
+}  // namespace fyd::tests

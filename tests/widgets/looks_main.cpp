@@ -1,0 +1,152 @@
+// Every page in three languages and both themes at the scale of this process (QT_SCALE_FACTOR): nothing cut off,
+// nothing over anything else, at 1280×720. With FYD_LOOKS_FOLDER the pictures are kept, for people.
+#include "app/console/calibrate_page.h"
+#include "app/console/language.h"
+#include "app/console/review_page.h"
+#include "core/session/recording_writer.h"
+#include "tests/widgets/look_check.h"
+#include "tests/widgets/scripted_session.h"
+
+Q_DECLARE_METATYPE(fyd::widgets::ThemeChoice)
+
+namespace fyd::tests {
+namespace {
+
+QString makeRecording(const QTemporaryDir& folder) {
+  const QString path = folder.filePath(QStringLiteral("session.h5"));
+  const session::RecordingHeader header{.id = std::string(32, 'a'),
+                                        .started_utc = "2026-11-21T10:00:00.000Z",
+                                        .started = Instant(std::chrono::seconds(100)),
+                                        .operator_name = "M. Muster",
+                                        .subject = "S07"};
+  auto writer = session::RecordingWriter::create(path.toStdString(), header);
+  if (!writer) qFatal("%s", writer.error().message.c_str());
+  bool good = true;
+  for (std::uint64_t i = 0; i < 1500; ++i) {
+    session::StepRecord record;
+    record.inputs.now = record.telemetry.now = header.started + std::chrono::milliseconds(i);
+    record.telemetry.step = i + 1;
+    record.telemetry.contact = i > 300 && i < 1000;
+    record.telemetry.force_N = record.telemetry.contact ? 2.0 : 0.0;
+    record.telemetry.indentation_mm = record.telemetry.contact ? 4.0 : 0.0;
+    good = good && (*writer)->append(record).has_value();
+  }
+  if (!good || !(*writer)->close()) qFatal("the recording could not be written");
+  return path;
+}
+
+device::DeviceReport touchpad() {
+  device::DeviceReport out{.name = "Touchpad", .kind = "Modbus TCP", .description = "10.0.0.7:502, firmware 1.2"};
+  out.ok = true;
+  out.rate_hz = 249.7;
+  out.age_ms = 3.6;
+  out.values = {{.name = "IR sensor 1", .number = 2048.0, .unit = "counts"},
+                {.name = "load cell", .number = 0.12345, .unit = "mV/V"},
+                {.name = "motors", .text = "switched off"}};
+  return out;
+}
+
+}  // namespace
+
+class LooksTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void everyPageInEveryLanguage_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<widgets::ThemeChoice>("theme");
+    for (const console::Language& each : console::languages()) {
+      for (const auto theme : {widgets::ThemeChoice::dark, widgets::ThemeChoice::light}) {
+        const QString name = QLatin1String(each.code) + QLatin1Char('-') + console::themeWord(theme);
+        QTest::newRow(qPrintable(name)) << QString::fromLatin1(each.code) << theme;
+      }
+    }
+  }
+
+  void everyPageInEveryLanguage() {
+    QFETCH(QString, language);
+    QFETCH(widgets::ThemeChoice, theme);
+    console::speak(*qApp, language);
+    widgets::Look::instance().apply(*qApp, theme);
+    Fixture f;
+    qputenv("XDG_DATA_HOME", f.folder.filePath(QStringLiteral("data")).toUtf8());
+    f.window->resize(1280, 720);
+    f.session->reports = {touchpad()};
+    f.session->now.parts = {{.name = "Touchpad", .ok = true, .rate_hz = 1000, .age_ms = 1},
+                            {.name = "Camera", .ok = true, .rate_hz = 30, .age_ms = 12},
+                            {.name = "Robot", .ok = true, .rate_hz = 1000, .age_ms = 2}};
+    f.session->now.link.local = "127.0.0.1:3490";
+    f.session->now.link.protocol = "classic, not secured";
+    f.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
+    f.session->view.number = 1;
+    pipeline::TelemetrySample sample;
+    sample.now = instantAt(1.0);
+    sample.state = pipeline::SafetyState::held;
+    sample.lack = pipeline::Lack::steps_missed;  // the longest of the reasons
+    f.session->telemetry.push_back(sample);
+    f.window->feed().pump();
+    QCOMPARE(f.window->size(), QSize(1280, 720));
+
+    look(f, "operate");
+    go(f, "devices");
+    look(f, "devices");
+    go(f, "calibrate");
+    auto* calibrate = qobject_cast<console::CalibratePage*>(f.window->frame()->page(QStringLiteral("calibrate")));
+    for (int part = 0; part < calibrate->parts()->count(); ++part) {
+      calibrate->parts()->setCurrentRow(part);
+      look(f, qPrintable(QStringLiteral("calibrate-%1").arg(part)));
+    }
+    go(f, "review");
+    look(f, "review-list");
+    f.window->review(makeRecording(f.folder));
+    look(f, "review");
+    go(f, "operate");
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    look(f, "link");
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    f.window->commands().action(QStringLiteral("session.record"))->trigger();
+    look(f, "recording");
+    f.window->recording()->dock()->hide();
+    f.window->commands().action(QStringLiteral("view.log"))->trigger();
+    look(f, "log");
+    f.window->commands().action(QStringLiteral("view.log"))->trigger();
+    f.window->help()->showTopic(QStringLiteral("operate.md#curves"));
+    look(f, "help");
+    f.window->help()->hide();
+    f.window->layouts()->open();
+    lookAt(*f.window->layouts(), "layouts");
+    f.window->palette()->open();
+    lookAt(*f.window->palette(), "palette");
+  }
+
+ private:
+  static void go(const Fixture& f, const char* place) { f.window->frame()->go(QLatin1String(place)); }
+  static void look(const Fixture& f, const char* page) {
+    lookAt(*f.window, page);
+    QCOMPARE(f.window->size(), QSize(1280, 720));  // no panel pushes it apart
+  }
+  static void lookAt(QWidget& window, const char* page) {
+    QTest::qWait(20);  // what is laid out when the event loop comes round
+    const QString name = QLatin1String(QTest::currentDataTag()) + QLatin1Char('-') + QLatin1String(page);
+    if (const QString folder = qEnvironmentVariable("FYD_LOOKS_FOLDER"); !folder.isEmpty()) {
+      window.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
+    }
+    // What comes later, as found devices, needs a moment to be laid out.
+    QStringList faults = lookFaults(window);
+    for (int i = 0; i < 40 && !faults.isEmpty(); ++i) {
+      QTest::qWait(25);
+      faults = lookFaults(window);
+    }
+    for (const QString& fault : faults) qWarning("%s: %s", qPrintable(name), qPrintable(fault));
+    QVERIFY2(faults.isEmpty(), qPrintable(name));
+  }
+};
+
+}  // namespace fyd::tests
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  fyd::tests::LooksTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "looks_main.moc"

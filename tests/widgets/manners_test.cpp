@@ -1,0 +1,314 @@
+// The window's manners: languages, layouts that come back, a settings file that is damaged, the manual, and a walk over
+// every control of every place: named, with its unit, reached by the Tab key, and seen to have the focus.
+#include "app/console/language.h"
+#include "app/console/manual.h"
+#include "core/station/notice.h"
+#include "tests/widgets/look_check.h"
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+#include "widgets/core_text.h"
+#include "widgets/number_text.h"
+#include "widgets/state_text.h"
+
+namespace fyd::tests {
+namespace {
+
+/// Another language for a while.
+struct Speaking {
+  explicit Speaking(const char* code) { console::speak(*qApp, QLatin1String(code)); }
+  ~Speaking() { console::speak(*qApp, QStringLiteral("en")); }
+};
+
+QString nameOf(const QWidget& widget) {
+  if (!widget.accessibleName().isEmpty()) return widget.accessibleName();
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  return button != nullptr ? button->text() : QString();
+}
+
+QString describe(const QWidget& widget) {
+  QString out = QLatin1String(widget.metaObject()->className());
+  for (const QWidget* each = &widget; each != nullptr && !each->isWindow(); each = each->parentWidget()) {
+    if (!each->objectName().isEmpty()) out += QLatin1Char(' ') + each->objectName();
+  }
+  return out + QLatin1Char(' ') + nameOf(widget);
+}
+
+std::unique_ptr<console::MainWindow> windowWith(const QString& memory, const QTemporaryDir& folder) {
+  return std::make_unique<console::MainWindow>(std::make_unique<ScriptedSession>(),
+                                               folder.filePath(QStringLiteral("profile.toml")), QString(),
+                                               console::WindowMemory(memory));
+}
+
+}  // namespace
+
+class MannersTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void numbersHaveTheDecimalSignOfTheLanguageAndReadEither() {
+    QCOMPARE(widgets::numberText(1.5, 2), QStringLiteral("1.50"));
+    {
+      const Speaking italian("it");
+      QCOMPARE(widgets::numberText(-1.5, 2), QString::fromUtf8("−1,50"));
+      QCOMPARE(widgets::plainNumber(12345.5), QStringLiteral("12345,5"));
+      QCOMPARE(widgets::readNumber(QStringLiteral("0,55")), 0.55);
+      QCOMPARE(widgets::readNumber(QStringLiteral("0.55")), 0.55);
+      QVERIFY(std::isnan(widgets::readNumber(QStringLiteral("1.234,5"))));
+      QCOMPARE(QString::number(1.5), QStringLiteral("1.5"));  // what files are written with
+    }
+    QCOMPARE(widgets::plainNumber(0.62), QStringLiteral("0.62"));
+  }
+
+  void everySentenceOfTheCoreIsTranslatedWithItsValues() {
+    for (const console::Language& language : console::languages()) {
+      if (QLatin1String(language.code) == QLatin1String("en")) continue;
+      const Speaking other(language.code);
+      for (std::size_t i = 0; i < pipeline::kLackCount; ++i) {
+        const auto lack = static_cast<pipeline::Lack>(i);
+        const QString phrase = QString::fromUtf8(toString(lack).data());
+        QVERIFY2(widgets::coreText(toString(lack)) != phrase, toString(lack).data());
+        pipeline::Event event{.kind = pipeline::EventKind::state_changed, .state = pipeline::SafetyState::held};
+        event.lack = lack;
+        const QString said = QString::fromStdString(station::describeEvent(event, {}));
+        const QString translated = widgets::coreText(said);
+        QVERIFY2(!translated.contains(phrase) && translated.contains(widgets::coreText(toString(lack))),
+                 qPrintable(translated));
+      }
+      const QString clamped =
+          widgets::coreText(QStringLiteral("The target is out of reach; rendering the nearest, 0.912 N/mm."));
+      QVERIFY2(clamped.contains(QLatin1String("0.912")) && !clamped.contains(QLatin1String("target")),
+               qPrintable(clamped));
+    }
+    const Speaking italian("it");
+    QCOMPARE(widgets::coreText(QStringLiteral("what nobody ever said")), QStringLiteral("what nobody ever said"));
+    QCOMPARE(widgets::coreText(QStringLiteral("/dev/%1: not open")), QStringLiteral("/dev/%1: non aperto"));
+    QCOMPARE(widgets::coreText(QStringLiteral("")), QString());
+  }
+
+  void theLanguageIsTheWantedOneTheKeptOneOrTheSystems() {
+    const auto choose = [](const char* first, const char* second) {
+      return console::chooseLanguage({QLatin1String(first), QLatin1String(second)});
+    };
+    QCOMPARE(choose("fr", "it"), QStringLiteral("fr"));
+    QCOMPARE(choose("", "it"), QStringLiteral("it"));
+    QCOMPARE(choose("klingon", "it"), QStringLiteral("it"));
+    QVERIFY(console::isLanguage(choose("", "")));
+  }
+
+  void theWindowComesBackAsItWasLeft() {
+    QTemporaryDir folder;
+    const QString memory = folder.filePath(QStringLiteral("window.ini"));
+    {
+      const auto window = windowWith(memory, folder);
+      window->show();
+      window->resize(1111, 700);
+      window->frame()->go(QStringLiteral("devices"));
+      window->commands().action(QStringLiteral("view.log"))->trigger();
+      window->commands().action(QStringLiteral("view.theme_light"))->trigger();
+      window->commands().action(QStringLiteral("view.language_fr"))->trigger();
+      QVERIFY(window->notices()->count() == 1);  // from the next start on
+      window->close();
+    }
+    const console::WindowMemory kept(memory);
+    QCOMPARE(kept.language(), QStringLiteral("fr"));
+    QVERIFY(kept.theme() == widgets::ThemeChoice::light);
+    const auto window = windowWith(memory, folder);
+    window->show();
+    QCOMPARE(window->width(), 1111);
+    QCOMPARE(window->frame()->place(), QStringLiteral("devices"));
+    QTRY_VERIFY(window->log()->isVisible());
+    QVERIFY(window->commands().action(QStringLiteral("view.log"))->isChecked());
+    widgets::Look::instance().apply(*qApp, widgets::ThemeChoice::dark);
+  }
+
+  void aDamagedForeignOrUnwritableMemoryNeverPreventsStarting() {
+    QTemporaryDir folder;
+    const QString memory = folder.filePath(QStringLiteral("window.ini"));
+    const QByteArray damaged[] = {
+        "",
+        "\0\1\2\xff\xfe garbage [",
+        QByteArray(300000, 'x'),
+        "[General]\ngeometry=@ByteArray(nonsense)\n",
+        "page=kitchen\ntheme=pink\nlanguage=xx\n[layout]\nwindow=@ByteArray(\\0\\0\\0\\xff)\noperate=42\n",
+        "[layouts]\nzz\\window=1\n67\\window=@Variant(\\0\\0\\0\\x7f)\n"};
+    for (const QByteArray& bytes : damaged) {
+      QFile file(memory);
+      QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+      file.write(bytes);
+      file.close();
+      const auto window = windowWith(memory, folder);
+      window->show();
+      QCOMPARE(window->frame()->place(), QStringLiteral("operate"));
+      QVERIFY(window->operate()->tuning()->isVisible());
+      QVERIFY(window->stateBar()->stopButton()->isVisible());
+      window->layouts()->open();
+      window->close();
+    }
+    const auto window = windowWith(folder.filePath(QStringLiteral("window.ini/below/a/file")), folder);
+    window->show();
+    QVERIFY(window->operate()->tuning()->isVisible());
+    window->close();
+  }
+
+  void layoutsAreSavedUsedDeletedAndPutBack() {
+    QTemporaryDir folder;
+    const auto window = windowWith(folder.filePath(QStringLiteral("window.ini")), folder);
+    window->show();
+    QAction* camera = window->commands().action(QStringLiteral("view.panel_camera"));
+    QVERIFY(camera->isChecked() && window->operate()->camera()->isVisible());
+    camera->trigger();
+    QVERIFY(!window->operate()->camera()->isVisible());
+    console::LayoutsDialog* dialog = window->layouts();
+    window->commands().action(QStringLiteral("view.layouts"))->trigger();
+    QVERIFY(dialog->isVisible() && !dialog->isModal() && !dialog->useButton()->isEnabled());
+    dialog->field()->setText(QString::fromUtf8("Essai [1]/é"));
+    QTest::keyClick(dialog->field(), Qt::Key_Return);
+    QCOMPARE(dialog->list()->count(), 1);
+    QTest::mouseClick(dialog->standardButton(), Qt::LeftButton);
+    QTRY_VERIFY(window->operate()->camera()->isVisible());
+    dialog->list()->setCurrentRow(0);
+    QTest::mouseClick(dialog->useButton(), Qt::LeftButton);
+    QTRY_VERIFY(!window->operate()->camera()->isVisible());
+    QVERIFY(!camera->isChecked());
+    dialog->list()->setCurrentRow(0);
+    QTest::mouseClick(dialog->deleteButton(), Qt::LeftButton);
+    QCOMPARE(dialog->list()->count(), 0);
+    // Closed panels of a place that is left and come back to stay as they were.
+    window->frame()->go(QStringLiteral("devices"));
+    window->frame()->go(QStringLiteral("operate"));
+    QVERIFY(!camera->isChecked() && !window->operate()->camera()->isVisible());
+    QVERIFY(window->commands().action(QStringLiteral("view.panel_tuning"))->isChecked());
+  }
+
+  void everyTopicOfTheManualExistsAndF1GoesToTheOneInFocus() {
+    for (const QString& topic : console::manualTopics()) {
+      const bool found = std::ranges::any_of(console::manualSections(), [&](const console::ManualSection& each) {
+        const QString link = topic.section(QLatin1Char('#'), 1);
+        return each.page == topic.section(QLatin1Char('#'), 0, 0) &&
+               (link.isEmpty() || console::headingLink(each.heading) == link);
+      });
+      QVERIFY2(found, qPrintable(topic));
+    }
+    Fixture f;
+    f.row("control.kp")->field()->setFocus();
+    QTest::keyClick(f.row("control.kp")->field(), Qt::Key_F1);
+    QVERIFY(f.window->help()->isVisible());
+    QCOMPARE(f.window->help()->topic(), QStringLiteral("operate.md#tuning"));
+    QVERIFY(f.window->help()->page()->toPlainText().contains(QStringLiteral("Re-arm"), Qt::CaseInsensitive));
+    f.window->frame()->go(QStringLiteral("review"));
+    f.window->frame()->setFocus();
+    QTest::keyClick(f.window.get(), Qt::Key_F1);
+    QVERIFY(f.window->help()->topic().startsWith(QStringLiteral("review.md")));
+    QTest::mouseClick(f.window->help()->backButton(), Qt::LeftButton);
+    QCOMPARE(f.window->help()->topic(), QStringLiteral("operate.md#tuning"));
+  }
+
+  void theManualIsSearchedAndItsLinksLead() {
+    Fixture f;
+    console::HelpDock* help = f.window->help();
+    help->showTopic(QStringLiteral("README.md"));
+    QTest::keyClicks(help->field(), QStringLiteral("tare"));
+    QVERIFY(help->found()->count() > 1 && help->found()->isVisible());
+    QVERIFY(help->found()->item(0)->text().startsWith(QStringLiteral("Tare")));  // a heading comes first
+    QTest::keyClick(help->field(), Qt::Key_Return);
+    QCOMPARE(help->topic(), QStringLiteral("session.md#tare"));
+    help->field()->setText(QStringLiteral("zxqv"));
+    QCOMPARE(help->found()->count(), 1);
+    help->field()->clear();
+    QVERIFY(!help->found()->isVisible());
+    emit help->page()->anchorClicked(QUrl(QStringLiteral("operate.md#state-bar")));
+    QCOMPARE(help->topic(), QStringLiteral("operate.md#state-bar"));
+    emit help->page()->anchorClicked(QUrl(QStringLiteral("#camera")));
+    QCOMPARE(help->topic(), QStringLiteral("operate.md#camera"));
+    QCOMPARE(help->page()->textCursor().block().text(), QStringLiteral("Camera"));
+    emit help->page()->anchorClicked(QUrl(QStringLiteral("../textures/wood.toml")));
+    QCOMPARE(help->topic(), QStringLiteral("operate.md#camera"));
+  }
+
+  void everyCommandIsInAMenuAndInThePalette() {
+    Fixture f;
+    QSet<QString> in_menus;
+    for (QAction* menu : f.window->menuBar()->actions()) {
+      for (const QAction* each : menu->menu()->actions()) in_menus.insert(each->objectName());
+    }
+    QSet<QString> in_palette;
+    for (const console::PlaceInfo& place : console::places()) {
+      f.window->frame()->go(QLatin1String(place.id));
+      f.window->palette()->open();
+      QListWidget* list = f.window->palette()->list();
+      for (int i = 0; i < list->count(); ++i) in_palette.insert(list->item(i)->data(Qt::UserRole).toString());
+      f.window->palette()->hide();
+    }
+    for (const QAction* each : f.window->commands().actions()) {
+      QVERIFY2(in_menus.contains(each->objectName()), qPrintable(each->objectName()));
+      QVERIFY2(in_palette.contains(each->objectName()), qPrintable(each->objectName()));
+    }
+  }
+
+  void everyControlIsNamedReachedByTabAndSeenToHaveTheFocus() {
+    Fixture f;
+    f.window->resize(1280, 720);
+    QStringList faults;
+    for (const console::PlaceInfo& place : console::places()) {
+      f.window->frame()->go(QLatin1String(place.id));
+      if (QLatin1String(place.id) == QLatin1String("operate")) {
+        for (const char* panel : {"view.log", "view.link", "help.manual"}) {
+          f.window->commands().action(QLatin1String(panel))->trigger();
+        }
+        f.window->commands().action(QStringLiteral("session.record"))->trigger();
+      }
+      QTest::qWait(30);
+      const QList<QWidget*> controls = controlsOf(*f.window);
+      QSet<QWidget*> reached;
+      QWidget* focus = f.window->frame();
+      f.window->stateBar()->stopButton()->setFocus();
+      for (qsizetype i = 0; i < 3 * controls.size() + 400; ++i) {
+        focus = QApplication::focusWidget();
+        if (focus == nullptr) break;
+        reached.insert(focus);
+        QTest::keyClick(focus, Qt::Key_Tab);
+        // A page of the manual is left after its last link.
+        if (QApplication::focusWidget() == focus && qobject_cast<QTextBrowser*>(focus) == nullptr) {
+          faults << QLatin1String(place.id) + QStringLiteral(": Tab stays in ") + describe(*focus);
+          break;
+        }
+      }
+      for (QWidget* each : controls) {
+        const QString who = QLatin1String(place.id) + QStringLiteral(": ") + describe(*each);
+        if (nameOf(*each).trimmed().isEmpty()) faults << who + QStringLiteral(" has no name");
+        // One of a group of radio buttons or exclusive buttons stands for all: the arrow keys go on.
+        const auto* button = qobject_cast<QAbstractButton*>(each);
+        const bool grouped = button != nullptr && (button->group() != nullptr || button->autoExclusive());
+        if (!reached.contains(each) && !grouped) faults << who + QStringLiteral(" is not reached by Tab");
+        if (reached.contains(each) && !showsFocus(*each)) faults << who + QStringLiteral(" looks alike with the focus");
+      }
+    }
+    for (const QString& fault : faults) qWarning("%s", qPrintable(fault));
+    QVERIFY(faults.isEmpty());
+  }
+
+  void everyTunedNumberSaysItsUnit() {
+    Fixture f;
+    station::Profile profile;
+    for (const Parameter& each : bindParameters(profile)) {
+      const auto* row = f.window->operate()->tuning()->row(QString::fromUtf8(each.id.data()));
+      if (row == nullptr || each.info.unit == "1") continue;
+      const QString unit = QString::fromUtf8(each.info.unit.data(), static_cast<qsizetype>(each.info.unit.size()));
+      QVERIFY2(row->field()->accessibleName().contains(unit), qPrintable(row->field()->accessibleName()));
+      QVERIFY2(row->slider()->accessibleName().contains(unit), qPrintable(row->slider()->accessibleName()));
+    }
+  }
+
+ private:
+  static bool showsFocus(QWidget& widget) {
+    widget.setFocus(Qt::TabFocusReason);
+    const QImage with = widget.grab().toImage();
+    widget.clearFocus();
+    return with != widget.grab().toImage();
+  }
+};
+
+std::unique_ptr<QObject> makeMannersTest() { return std::make_unique<MannersTest>(); }
+
+}  // namespace fyd::tests
+
+#include "manners_test.moc"
