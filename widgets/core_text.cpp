@@ -1,6 +1,7 @@
 #include "widgets/core_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
 #include <vector>
@@ -41,6 +42,8 @@ const std::vector<Pattern>& patterns() {
   return kPatterns;
 }
 
+constexpr qsizetype kWordy = 6;  // characters: less is punctuation, and translates nothing by itself
+
 bool speaksEnglish() {
   const QString probe = QString::fromUtf8(coreSentenceTable()[0]);
   return translated(probe) == probe;
@@ -62,14 +65,28 @@ QString filledIn(const QString& form, const Value& value) {
   return out;
 }
 
+/// With the decimal sign of the language.
+QString numberInWords(const QString& value) {
+  static const QRegularExpression kNumber(QStringLiteral("[-+]?\\d+\\.\\d+"));
+  return kNumber.match(value).hasMatch() && kNumber.match(value).capturedLength() == value.size()
+             ? QString(value).replace(QLatin1Char('.'), QLocale().decimalPoint())
+             : value;
+}
+
 /// @param depth how often a value may itself be a sentence with values
 QString inWords(const QString& english, int depth) {
-  const QString whole = translated(english);
+  const QString whole = numberInWords(translated(english));
   if (whole != english || depth == 0) return whole;
   for (const Pattern& pattern : patterns()) {
     const QRegularExpressionMatch match = pattern.form.match(english);
     if (!match.hasMatch()) continue;
-    return filledIn(translated(pattern.english), [&](int i) { return inWords(match.captured(i), depth - 1); });
+    bool any = pattern.fixed >= kWordy;
+    const QString out = filledIn(translated(pattern.english), [&](int i) {
+      const QString value = inWords(match.captured(i), depth - 1);
+      any = any || value != match.captured(i);
+      return value;
+    });
+    if (any) return out;
   }
   return english;
 }

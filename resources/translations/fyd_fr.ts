@@ -110,6 +110,10 @@
         <translation>%1 est supprimée.</translation>
     </message>
     <message>
+        <source>%1 is not known: check its cable</source>
+        <translation>%1 n'est pas connu : vérifier son câble</translation>
+    </message>
+    <message>
         <source>%1 is not saved: the file of the window's settings cannot be written.</source>
         <translation>%1 n'est pas enregistrée : le fichier des réglages de la fenêtre ne peut être écrit.</translation>
     </message>
@@ -128,6 +132,10 @@
     <message>
         <source>%1 kB</source>
         <translation>%1 ko</translation>
+    </message>
+    <message>
+        <source>%1 mV/V is beyond the bridge's span of %2</source>
+        <translation>%1 mV/V dépasse la plage du pont de %2</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
@@ -188,6 +196,10 @@
     <message>
         <source>%1 × %2 px at %3, %4</source>
         <translation>%1 × %2 px en %3, %4</translation>
+    </message>
+    <message>
+        <source>%1's newest reading is %2 ms old</source>
+        <translation>la lecture la plus récente de %1 a %2 ms</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -294,6 +306,10 @@
         <translation>%1 : n'est pas un port série</translation>
     </message>
     <message>
+        <source>%1: no such parameter</source>
+        <translation>%1 : ce paramètre n'existe pas</translation>
+    </message>
+    <message>
         <source>%1: not open</source>
         <translation>%1 : non ouvert</translation>
     </message>
@@ -364,6 +380,14 @@
     <message>
         <source>%1; now %2</source>
         <translation>%1 ; maintenant %2</translation>
+    </message>
+    <message>
+        <source>%1; robot %2 could not be had again either: %3</source>
+        <translation>%1 ; le robot %2 n'a pas pu être repris non plus : %3</translation>
+    </message>
+    <message>
+        <source>%1; the former session could not be had again either: %2</source>
+        <translation>%1 ; la session précédente n'a pas pu être reprise non plus : %2</translation>
     </message>
     <message numerus="yes">
         <source>%n sample(s) lost</source>
@@ -2912,6 +2936,10 @@ N/mm</translation>
         <translation>lectures de distance absentes ou trop vieilles</translation>
     </message>
     <message>
+        <source>distance sensor %1 reads %2 counts, outside its span: look whether something stands before it</source>
+        <translation>le capteur de distance %1 lit %2 points, hors de sa plage : voir si quelque chose est devant</translation>
+    </message>
+    <message>
         <source>distances to the untouched cloth %1 mm, spread %2 mm; force %3 N</source>
         <translation>distances au tissu non touché %1 mm, dispersion %2 mm ; force %3 N</translation>
     </message>
@@ -2958,6 +2986,10 @@ N/mm</translation>
     <message>
         <source>exposure</source>
         <translation>exposition</translation>
+    </message>
+    <message>
+        <source>figures from %1 s to %2 s: expected two times</source>
+        <translation>valeurs de %1 s à %2 s : attendu deux temps</translation>
     </message>
     <message>
         <source>fine: calibrated %1 days ago</source>
@@ -3120,6 +3152,10 @@ N/mm</translation>
         <translation>cellule de charge</translation>
     </message>
     <message>
+        <source>load cell: %1 mV/V lies beyond the bridge's span</source>
+        <translation>cellule de charge : %1 mV/V dépasse la plage du pont</translation>
+    </message>
+    <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>regarder les courbes des capteurs de distance et le câble de la cellule de charge</translation>
     </message>
@@ -3188,6 +3224,10 @@ N/mm</translation>
         <translation>pas de données</translation>
     </message>
     <message>
+        <source>no device tells '%1': look under Devices whether the touchpad answers</source>
+        <translation>aucun appareil ne donne '%1' : voir dans Appareils si le touchpad répond</translation>
+    </message>
+    <message>
         <source>no finger</source>
         <translation>pas de doigt</translation>
     </message>
@@ -3196,12 +3236,20 @@ N/mm</translation>
         <translation>pas d'image</translation>
     </message>
     <message>
+        <source>no place yet: click a mark of the target in the picture</source>
+        <translation>pas encore de position : cliquer une marque de la cible dans l'image</translation>
+    </message>
+    <message>
         <source>no point between %1 and %2 mm, %3 % of the span: add points between %4 and %5 mm</source>
         <translation>aucun point entre %1 et %2 mm, %3 % de la plage : ajouter des points entre %4 et %5 mm</translation>
     </message>
     <message>
         <source>no recent picture</source>
         <translation>pas d'image récente</translation>
+    </message>
+    <message>
+        <source>no region yet: drag a rectangle around the cloth in the picture</source>
+        <translation>pas encore de région : tracer un rectangle autour du tissu dans l'image</translation>
     </message>
     <message>
         <source>no robot has connected</source>
@@ -3388,6 +3436,10 @@ N/mm</translation>
         <translation>température %1</translation>
     </message>
     <message>
+        <source>the camera sees a finger on the cloth: take everything off</source>
+        <translation>la caméra voit un doigt sur le tissu : tout retirer</translation>
+    </message>
+    <message>
         <source>the camera sees nothing: picture black, saturated or empty</source>
         <translation>la caméra ne voit rien : image noire, saturée ou vide</translation>
     </message>
@@ -3464,6 +3516,10 @@ N/mm</translation>
         <translation>l'enregistrement ne contient aucun pas</translation>
     </message>
     <message>
+        <source>the region is %1 × %2 px; expected at least %3 px each way: drag a larger one</source>
+        <translation>la région est de %1 × %2 px ; attendu au moins %3 px de chaque côté : en tracer une plus grande</translation>
+    </message>
+    <message>
         <source>the robot has said goodbye</source>
         <translation>le robot a pris congé</translation>
     </message>
@@ -3484,12 +3540,20 @@ N/mm</translation>
         <translation>le touchpad a fermé la connexion</translation>
     </message>
     <message>
+        <source>the values do not fit this session</source>
+        <translation>les valeurs ne conviennent pas à cette session</translation>
+    </message>
+    <message>
         <source>the weights span only %1 N; expected at least %2: %3</source>
         <translation>les poids ne couvrent que %1 N ; il en faut au moins %2 : %3</translation>
     </message>
     <message>
         <source>the window did not answer for half a second</source>
         <translation>la fenêtre n'a pas répondu pendant une demi-seconde</translation>
+    </message>
+    <message>
+        <source>there is no picture: look under Devices whether the camera answers</source>
+        <translation>il n'y a pas d'image : voir dans Appareils si la caméra répond</translation>
     </message>
     <message>
         <source>thesis polynomial, scaled and shifted</source>

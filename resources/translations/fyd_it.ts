@@ -110,6 +110,10 @@
         <translation>%1 è eliminata.</translation>
     </message>
     <message>
+        <source>%1 is not known: check its cable</source>
+        <translation>%1 non è noto: controllare il suo cavo</translation>
+    </message>
+    <message>
         <source>%1 is not saved: the file of the window's settings cannot be written.</source>
         <translation>%1 non è salvata: il file delle impostazioni della finestra non si può scrivere.</translation>
     </message>
@@ -128,6 +132,10 @@
     <message>
         <source>%1 kB</source>
         <translation>%1 kB</translation>
+    </message>
+    <message>
+        <source>%1 mV/V is beyond the bridge's span of %2</source>
+        <translation>%1 mV/V è oltre il campo del ponte di %2</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
@@ -188,6 +196,10 @@
     <message>
         <source>%1 × %2 px at %3, %4</source>
         <translation>%1 × %2 px a %3, %4</translation>
+    </message>
+    <message>
+        <source>%1's newest reading is %2 ms old</source>
+        <translation>la lettura più recente di %1 ha %2 ms</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -294,6 +306,10 @@
         <translation>%1: non è una porta seriale</translation>
     </message>
     <message>
+        <source>%1: no such parameter</source>
+        <translation>%1: questo parametro non esiste</translation>
+    </message>
+    <message>
         <source>%1: not open</source>
         <translation>%1: non aperto</translation>
     </message>
@@ -364,6 +380,14 @@
     <message>
         <source>%1; now %2</source>
         <translation>%1; ora %2</translation>
+    </message>
+    <message>
+        <source>%1; robot %2 could not be had again either: %3</source>
+        <translation>%1; neppure il robot %2 si è potuto riavere: %3</translation>
+    </message>
+    <message>
+        <source>%1; the former session could not be had again either: %2</source>
+        <translation>%1; neppure la sessione precedente si è potuta riavere: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n sample(s) lost</source>
@@ -2912,6 +2936,10 @@ N/mm</translation>
         <translation>letture di distanza assenti o troppo vecchie</translation>
     </message>
     <message>
+        <source>distance sensor %1 reads %2 counts, outside its span: look whether something stands before it</source>
+        <translation>il sensore di distanza %1 legge %2 conteggi, fuori dal suo campo: guardare se c'è qualcosa davanti</translation>
+    </message>
+    <message>
         <source>distances to the untouched cloth %1 mm, spread %2 mm; force %3 N</source>
         <translation>distanze dal tessuto non toccato %1 mm, dispersione %2 mm; forza %3 N</translation>
     </message>
@@ -2958,6 +2986,10 @@ N/mm</translation>
     <message>
         <source>exposure</source>
         <translation>esposizione</translation>
+    </message>
+    <message>
+        <source>figures from %1 s to %2 s: expected two times</source>
+        <translation>valori da %1 s a %2 s: attesi due tempi</translation>
     </message>
     <message>
         <source>fine: calibrated %1 days ago</source>
@@ -3120,6 +3152,10 @@ N/mm</translation>
         <translation>cella di carico</translation>
     </message>
     <message>
+        <source>load cell: %1 mV/V lies beyond the bridge's span</source>
+        <translation>cella di carico: %1 mV/V è oltre il campo del ponte</translation>
+    </message>
+    <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>guardare le curve dei sensori di distanza e il cavo della cella di carico</translation>
     </message>
@@ -3188,6 +3224,10 @@ N/mm</translation>
         <translation>nessun dato</translation>
     </message>
     <message>
+        <source>no device tells '%1': look under Devices whether the touchpad answers</source>
+        <translation>nessun dispositivo riferisce '%1': guardare in Dispositivi se il touchpad risponde</translation>
+    </message>
+    <message>
         <source>no finger</source>
         <translation>nessun dito</translation>
     </message>
@@ -3196,12 +3236,20 @@ N/mm</translation>
         <translation>nessuna immagine</translation>
     </message>
     <message>
+        <source>no place yet: click a mark of the target in the picture</source>
+        <translation>ancora nessuna posizione: fare clic su un segno del bersaglio nell'immagine</translation>
+    </message>
+    <message>
         <source>no point between %1 and %2 mm, %3 % of the span: add points between %4 and %5 mm</source>
         <translation>nessun punto tra %1 e %2 mm, %3 % del campo: aggiungere punti tra %4 e %5 mm</translation>
     </message>
     <message>
         <source>no recent picture</source>
         <translation>nessuna immagine recente</translation>
+    </message>
+    <message>
+        <source>no region yet: drag a rectangle around the cloth in the picture</source>
+        <translation>ancora nessuna regione: trascinare un rettangolo attorno al tessuto nell'immagine</translation>
     </message>
     <message>
         <source>no robot has connected</source>
@@ -3388,6 +3436,10 @@ N/mm</translation>
         <translation>temperatura %1</translation>
     </message>
     <message>
+        <source>the camera sees a finger on the cloth: take everything off</source>
+        <translation>la telecamera vede un dito sul tessuto: togliere tutto</translation>
+    </message>
+    <message>
         <source>the camera sees nothing: picture black, saturated or empty</source>
         <translation>la telecamera non vede nulla: immagine nera, saturata o vuota</translation>
     </message>
@@ -3464,6 +3516,10 @@ N/mm</translation>
         <translation>la registrazione non contiene passi</translation>
     </message>
     <message>
+        <source>the region is %1 × %2 px; expected at least %3 px each way: drag a larger one</source>
+        <translation>la regione è di %1 × %2 px; attesi almeno %3 px per lato: trascinarne una più grande</translation>
+    </message>
+    <message>
         <source>the robot has said goodbye</source>
         <translation>il robot si è congedato</translation>
     </message>
@@ -3484,12 +3540,20 @@ N/mm</translation>
         <translation>il touchpad ha chiuso la connessione</translation>
     </message>
     <message>
+        <source>the values do not fit this session</source>
+        <translation>i valori non sono adatti a questa sessione</translation>
+    </message>
+    <message>
         <source>the weights span only %1 N; expected at least %2: %3</source>
         <translation>i pesi coprono solo %1 N; ne servono almeno %2: %3</translation>
     </message>
     <message>
         <source>the window did not answer for half a second</source>
         <translation>la finestra non ha risposto per mezzo secondo</translation>
+    </message>
+    <message>
+        <source>there is no picture: look under Devices whether the camera answers</source>
+        <translation>non c'è immagine: guardare in Dispositivi se la telecamera risponde</translation>
     </message>
     <message>
         <source>thesis polynomial, scaled and shifted</source>

@@ -80,10 +80,10 @@ def faults(language, texts, known):
 
 def stale_core_sentences(root):
     """Each row of the table of the core's sentences is still said somewhere."""
-    table = (root / "widgets/core_sentences.cpp").read_text(encoding="utf-8")
-    rows = re.findall(r'QT_TRANSLATE_NOOP\(\s*"Core",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\)', table)
+    table = root / "widgets/core_sentences.cpp"
+    rows = re.findall(r'QT_TRANSLATE_NOOP\(\s*"Core",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\)', table.read_text(encoding="utf-8"))
     core = ""
-    for path in [*(root / "core").rglob("*.cpp"), *(root / "core").rglob("*.h"), *(root / "app/console").glob("*.cpp")]:
+    for path in [path for folder in ("core", *SOURCES) for path in (root / folder).rglob("*.[ch]*") if path != table]:
         core += path.read_text(encoding="utf-8")
     core = re.sub(r'"\s*\n\s*"', "", core)  # a sentence that goes on in the next line
     core = re.sub(r"\{[^{}\s]*\}", "{}", core)

@@ -279,6 +279,7 @@ class ConsoleTest : public QObject {
           QStringList{QStringLiteral("--after"), QStringLiteral("-1")},
           QStringList{QStringLiteral("--finger"), QStringLiteral("no-such.csv")},
           QStringList{QStringLiteral("--page"), QStringLiteral("kitchen")},
+          QStringList{QStringLiteral("--language"), QStringLiteral("klingon")},
           QStringList{QStringLiteral("--operator"), QStringLiteral("MM")},
           QStringList{QStringLiteral("--touchpad"), QStringLiteral("modbus-tcp:10.0.0.7:502"),
                       QStringLiteral("--simulate")},
