@@ -1,6 +1,7 @@
 #include "widgets/readiness_list.h"
 
 #include <QGridLayout>
+#include <QToolButton>
 
 #include "widgets/icon.h"
 #include "widgets/theme.h"
@@ -45,19 +46,35 @@ void ReadinessList::rebuild() {
     auto* what = new QLabel(row.what, body_);
     what->setFont(textFont(TextSize::small, !row.ok));
     what->setWordWrap(true);
-    what->setAccessibleName(row.what + (row.ok ? tr(": yes") : tr(": no. ") + row.remedy));
+    what->setAccessibleName(row.what +
+                            (row.ok ? tr(": yes") : tr(": no. ") + row.why + QLatin1String(". ") + row.remedy));
     grid->addWidget(mark, line, 0, Qt::AlignTop);
     grid->addWidget(what, line++, 1);
-    if (!row.ok && !row.remedy.isEmpty()) {
-      auto* remedy = new QLabel(row.remedy, body_);
-      remedy->setFont(textFont(TextSize::small));
-      remedy->setWordWrap(true);
-      remedy->setProperty("role", "muted");
-      grid->addWidget(remedy, line++, 1);
-    }
+    if (!row.ok) addTrouble(*grid, row, line);
   }
   layout_->addWidget(body_);
   setAccessibleDescription(title_->text());
+}
+
+void ReadinessList::addTrouble(QGridLayout& grid, const ReadinessRow& row, int& line) {
+  const auto add = [&](const QString& words, const char* role) {
+    if (words.isEmpty()) return;
+    auto* label = new QLabel(words, body_);
+    label->setFont(textFont(TextSize::small));
+    label->setWordWrap(true);
+    label->setProperty("role", role);
+    grid.addWidget(label, line++, 1);
+  };
+  add(row.why, "warning");
+  add(row.remedy, "muted");
+  if (row.command.isEmpty()) return;
+  auto* button = new QToolButton(body_);
+  button->setObjectName(QStringLiteral("mend_") + row.command);
+  button->setText(row.action);
+  button->setFont(textFont(TextSize::small));
+  button->setAccessibleName(tr("%1: %2").arg(row.what, row.action));
+  connect(button, &QToolButton::clicked, this, [this, id = row.command] { emit commandAsked(id); });
+  grid.addWidget(button, line++, 1, Qt::AlignLeft);
 }
 
 }  // namespace fyd::widgets

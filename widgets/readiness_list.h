@@ -1,4 +1,5 @@
-// "Ready? 7/7": what must hold before arming, each line with what to do when it does not.
+// "Ready? 7/7": what must hold before arming. A line that does not hold says why, how to mend it, and offers the
+// command with which the window can help.
 #pragma once
 
 #include <QFrame>
@@ -12,7 +13,10 @@ namespace fyd::widgets {
 struct ReadinessRow {
   QString what;
   bool ok = false;
-  QString remedy;  ///< empty when ok
+  QString why = {};      ///< empty when ok
+  QString remedy = {};   ///< what to do, in words; empty when ok
+  QString command = {};  ///< id of the window's command that helps; empty: none does
+  QString action = {};   ///< its words, for the button
   friend bool operator==(const ReadinessRow&, const ReadinessRow&) = default;
 };
 
@@ -23,7 +27,12 @@ class ReadinessList : public QFrame {
   void setRows(const std::vector<ReadinessRow>& rows);
   [[nodiscard]] QString title() const { return title_->text(); }
 
+ signals:
+  /// The operator pressed a line's button.
+  void commandAsked(const QString& id);
+
  private:
+  void addTrouble(class QGridLayout& grid, const ReadinessRow& row, int& line);
   void rebuild();
   std::vector<ReadinessRow> rows_;
   QLabel* title_;

@@ -1,4 +1,5 @@
-// The parameters an operator tunes: what is, what was saved, what the default is; every change can be taken back.
+// The parameters an operator tunes: what is, what was before, what was saved, what the default is; whether the station
+// has said that it uses the value; every change can be taken back.
 #pragma once
 
 #include <QObject>
@@ -12,12 +13,29 @@
 
 namespace fyd::widgets {
 
+/// What the station has said of the latest value asked for.
+enum class Delivery {
+  confirmed,  ///< it uses it
+  pending,    ///< not yet said
+  silent,     ///< not said for so long that something is wrong
+  refused,    ///< it said no; the value is the one it uses
+};
+
 struct TunedParameter {
   Parameter info;  ///< its description; the instance it was read from may be gone, so the field is not used
   double value = 0.0;
   double saved = 0.0;
-  double standard = 0.0;  ///< the default
+  double standard = 0.0;   ///< the default
+  double was = 0.0;        ///< before its latest change
+  double confirmed = 0.0;  ///< what the station last said it uses
+  Delivery delivery = Delivery::confirmed;
+  QString reason = {};  ///< of a refusal
   [[nodiscard]] bool changed() const { return value != saved; }
+};
+
+struct Setting {
+  std::string id;
+  double value = 0.0;
 };
 
 class TuningModel : public QObject {
@@ -29,17 +47,44 @@ class TuningModel : public QObject {
   void load(std::span<const Parameter> current, std::span<const Parameter> defaults);
 
   [[nodiscard]] const TunedParameter* find(std::string_view id) const;
+  /// In the order of the description.
+  [[nodiscard]] std::span<const TunedParameter> parameters() const { return parameters_; }
   [[nodiscard]] QUndoStack* undoStack() { return &undo_; }
   /// Whether any value differs from the saved profile.
   [[nodiscard]] bool anyChanged() const;
 
   /// The operator's change: checked, undoable. Changes of one parameter that follow closely merge, as a slider gives
   /// them.
-  /// @return an error naming the allowed range; nothing is changed then
+  /// @return an error naming the allowed range, or that saved values are being felt; nothing is changed then
   Result<void> change(std::string_view id, double value, bool merge = false);
-  /// A change that came from elsewhere (the robot's operator): shown, not undoable.
-  void accept(std::string_view id, double value);
+  /// Several at once, as one step of the undo stack; those that are there already are left out.
+  /// @param words what the step is called: "Preset soft"
+  /// @return the first error; nothing at all is changed then
+  Result<void> changeAll(const QString& words, std::span<const Setting> settings);
   void resetToDefault(std::string_view id);
+  void revertToSaved(std::string_view id);
+  /// Every value back to the saved one, as one step.
+  Result<void> revertAll();
+  /// While saved values are felt, both only return to the current ones.
+  void undo();
+  void redo();
+
+  /// A change that came from elsewhere (the robot's operator): shown, not undoable; the station uses it.
+  void accept(std::string_view id, double value);
+  /// What the station said of the value asked for.
+  void setDelivery(std::string_view id, Delivery delivery);
+  void confirm(std::string_view id, double value);
+  /// The station goes on with the value it last confirmed, and so does the model.
+  void refuse(std::string_view id, const QString& reason);
+
+  /// A: the saved values are applied, and nothing can be changed; B: the current ones again. No step of the undo stack.
+  void feelSaved(bool saved);
+  [[nodiscard]] bool feelingSaved() const { return feeling_saved_; }
+  /// The value that is felt now.
+  [[nodiscard]] double felt(const TunedParameter& parameter) const {
+    return feeling_saved_ ? parameter.saved : parameter.value;
+  }
+
   /// The values are those of the profile on disk now.
   void markSaved();
   /// The same of one value; an unknown id changes nothing.
@@ -50,14 +95,17 @@ class TuningModel : public QObject {
   void asked(const QString& id, double value);
   /// Something to show anew.
   void changed(const QString& id);
+  void feelingSavedChanged(bool saved);
 
  private:
   friend class ChangeCommand;
-  TunedParameter* entry(std::string_view id);
-  void store(const QString& id, double value);
+  [[nodiscard]] TunedParameter* entry(std::string_view id);
+  [[nodiscard]] Result<void> check(std::string_view id, double value) const;
+  void store(const QString& id, double value, double was);
 
   std::vector<TunedParameter> parameters_;
   QUndoStack undo_;
+  bool feeling_saved_ = false;
 };
 
 }  // namespace fyd::widgets

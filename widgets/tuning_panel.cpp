@@ -75,8 +75,13 @@ void TuningPanel::addSection(QVBoxLayout* layout, const TuningSection& section, 
 
 QWidget* TuningPanel::buildFoot() {
   auto* foot = new QWidget(this);
-  auto* layout = new QHBoxLayout(foot);
-  layout->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid);
+  auto* rows = new QVBoxLayout(foot);
+  rows->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid);
+  rows->setSpacing(kGrid / 2);
+  auto* layout = new QHBoxLayout;
+  auto* below = new QHBoxLayout;
+  rows->addLayout(layout);
+  rows->addLayout(below);
   layout->setSpacing(kGrid / 2);
   const auto button = [&](const QString& symbol, const QString& text) {
     auto* made = new QToolButton(foot);
@@ -91,13 +96,23 @@ QWidget* TuningPanel::buildFoot() {
   undo_->setObjectName(QStringLiteral("undo_button"));
   redo_->setObjectName(QStringLiteral("redo_button"));
   layout->addStretch(1);
+  compare_ = new TuningCompare(model_, foot);
+  layout->addWidget(compare_);
+  preset_ = new QToolButton(foot);
+  preset_->setObjectName(QStringLiteral("preset_button"));
+  preset_->setText(tr("Preset"));
+  preset_->setToolTip(tr("Use a preset's values"));
+  preset_->setPopupMode(QToolButton::InstantPopup);
+  preset_->hide();  // until somebody gives it a menu
+  below->addWidget(preset_);
+  below->addStretch(1);
   save_ = new QPushButton(tr("Save profile"), foot);
   save_->setObjectName(QStringLiteral("save_button"));
   save_->setIcon(icon(QStringLiteral("save")));
   save_->setAutoDefault(false);
-  layout->addWidget(save_);
-  connect(undo_, &QToolButton::clicked, model_.undoStack(), &QUndoStack::undo);
-  connect(redo_, &QToolButton::clicked, model_.undoStack(), &QUndoStack::redo);
+  below->addWidget(save_);
+  connect(undo_, &QToolButton::clicked, &model_, &TuningModel::undo);
+  connect(redo_, &QToolButton::clicked, &model_, &TuningModel::redo);
   connect(save_, &QPushButton::clicked, this, &TuningPanel::saveAsked);
   return foot;
 }
@@ -111,6 +126,11 @@ void TuningPanel::refreshFoot() {
   save_->setText(model_.anyChanged() ? tr("• Save profile") : tr("Save profile"));
   save_->setToolTip(model_.anyChanged() ? tr("Marked values differ from the profile (Ctrl+S)")
                                         : tr("Nothing differs from the profile (Ctrl+S)"));
+}
+
+void TuningPanel::setPresetMenu(QMenu* menu) {
+  preset_->setMenu(menu);
+  preset_->setVisible(menu != nullptr);
 }
 
 void TuningPanel::showTargetByHand(bool by_hand) { (by_hand ? by_hand_ : from_robot_)->setChecked(true); }

@@ -3,11 +3,13 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QToolButton>
 #include <vector>
 
+#include "widgets/tuning_compare.h"
 #include "widgets/tuning_model.h"
 #include "widgets/tuning_row.h"
 
@@ -35,6 +37,10 @@ class TuningPanel : public QFrame {
   [[nodiscard]] TuningRow* row(const QString& id) const;
   [[nodiscard]] const std::vector<TuningRow*>& rows() const { return rows_; }
   [[nodiscard]] QPushButton* saveButton() const { return save_; }
+  /// Presets are files, which this panel does not know: the menu is the owner's. Without one there is no button.
+  void setPresetMenu(QMenu* menu);
+  [[nodiscard]] QToolButton* presetButton() const { return preset_; }
+  [[nodiscard]] TuningCompare* compare() const { return compare_; }
   [[nodiscard]] QRadioButton* byHandButton() const { return by_hand_; }
   [[nodiscard]] QRadioButton* fromRobotButton() const { return from_robot_; }
 
@@ -56,6 +62,8 @@ class TuningPanel : public QFrame {
   QRadioButton* by_hand_;
   QToolButton* undo_ = nullptr;
   QToolButton* redo_ = nullptr;
+  TuningCompare* compare_ = nullptr;
+  QToolButton* preset_ = nullptr;
   QPushButton* save_ = nullptr;
 };
 

@@ -7,13 +7,10 @@
 #include "widgets/core_text.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
+#include "widgets/tuning_text.h"
 
 namespace fyd::widgets {
 namespace {
-
-QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
-
-QString unitText(std::string_view unit) { return unit == "1" ? QString() : fromView(unit); }
 
 /// Where a slider ends: the range itself, or, when that is far wider than anybody tunes, ten times the default.
 double sliderEnd(const TunedParameter& p) {
@@ -23,57 +20,35 @@ double sliderEnd(const TunedParameter& p) {
 
 }  // namespace
 
-TuningRow::TuningRow(TuningModel& model, QString id, const QString& label, Quantity quantity, QWidget* parent)
+TuningRow::TuningRow(TuningModel& model, QString id, const QString& label, Quantity quantity, QWidget* parent,
+                     RowDetail detail)
     : QWidget(parent),
       model_(model),
       id_(std::move(id)),
       id_std_(id_.toStdString()),
       quantity_(quantity),
       name_(new QLabel(label, this)),
-      mark_(new QLabel(this)),
-      reset_(new QToolButton(this)) {
-  const ParameterInfo& info = parameter().info.info;
-  const QString help = tr(std::string(info.help).c_str());
-  const QString unit = unitText(info.unit);
-  QString tip = help + QLatin1Char('\n') + QString::fromStdString(describeRange(parameter().info));
+      mark_(new QLabel(this)) {
+  const Parameter& info = parameter().info;
+  const QString help = coreText(info.info.help);
+  const QString unit = unitText(info);
+  QString tip = help + QLatin1Char('\n') + QString::fromStdString(describeRange(info));
   tip += QLatin1Char('\n') + tr("Parameter %1").arg(id_);
   name_->setToolTip(tip);
   setAccessibleName(unit.isEmpty() ? label : tr("%1 in %2").arg(label, unit));
   setAccessibleDescription(help);
-
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(kGrid / 2);
-  grid->setVerticalSpacing(0);
-  grid->setColumnStretch(1, 1);
-  mark_->setFixedWidth(kGrid);
-  mark_->setFont(textFont(TextSize::normal, true));
-  grid->addWidget(mark_, 0, 0);
-  grid->addWidget(name_, 0, 1);
-  reset_->setIcon(icon(QStringLiteral("reset")));
-  reset_->setIconSize({14, 14});
-  reset_->setFixedSize(26, 26);
-  reset_->setProperty("flat", true);
-  QSizePolicy keeps_its_place = reset_->sizePolicy();
-  keeps_its_place.setRetainSizeWhenHidden(true);
-  reset_->setSizePolicy(keeps_its_place);
-  reset_->setAccessibleName(tr("Reset %1 to its default").arg(label));
+  reset_ = buildBack(QStringLiteral("reset"), tr("Reset %1 to its default").arg(label));
   connect(reset_, &QToolButton::clicked, this, [this] { model_.resetToDefault(id_std_); });
-  if (parameter().info.kind == ParameterKind::choice) {
+  if (info.kind == ParameterKind::choice || info.kind == ParameterKind::boolean) {
     buildChoice();
-    grid->addWidget(choice_, 0, 2, 1, 2);
-    grid->addWidget(reset_, 0, 4);
   } else {
     buildNumber();
-    field_->setFixedWidth(QFontMetrics(textFont(TextSize::normal)).horizontalAdvance(QStringLiteral("0.00000")) + 16);
-    auto* unit_label = new QLabel(unit, this);
-    unit_label->setProperty("role", "muted");
-    unit_label->setFont(textFont(TextSize::small));
-    unit_label->setFixedWidth(QFontMetrics(textFont(TextSize::small)).horizontalAdvance(QStringLiteral("N/mm")));
-    grid->addWidget(field_, 0, 2);
-    grid->addWidget(unit_label, 0, 3);
-    grid->addWidget(reset_, 0, 4);
-    grid->addWidget(slider_, 1, 1, 1, 4);
+  }
+  if (detail == RowDetail::full) {
+    revert_ = buildBack(QStringLiteral("saved"), tr("Back to the saved value of %1").arg(label));
+    connect(revert_, &QToolButton::clicked, this, [this] { model_.revertToSaved(id_std_); });
+    help_ = new QLabel(help, this);
+    facts_ = new QLabel(this);
   }
   for (QWidget* editor :
        {static_cast<QWidget*>(slider_), static_cast<QWidget*>(field_), static_cast<QWidget*>(choice_)}) {
@@ -82,11 +57,70 @@ TuningRow::TuningRow(TuningModel& model, QString id, const QString& label, Quant
     editor->setAccessibleName(accessibleName());
     editor->setAccessibleDescription(help);
   }
+  layOut(detail);
   connect(&model_, &TuningModel::changed, this, [this](const QString& changed) {
     if (changed == id_) refresh();
   });
+  connect(&model_, &TuningModel::feelingSavedChanged, this, &TuningRow::refresh);
   connect(&Look::instance(), &Look::changed, this, &TuningRow::refresh);
   refresh();
+}
+
+QToolButton* TuningRow::buildBack(const QString& symbol, const QString& words) {
+  auto* button = new QToolButton(this);
+  button->setIcon(icon(symbol));
+  button->setIconSize({14, 14});
+  button->setFixedSize(26, 26);
+  button->setProperty("flat", true);
+  QSizePolicy keeps_its_place = button->sizePolicy();
+  keeps_its_place.setRetainSizeWhenHidden(true);
+  button->setSizePolicy(keeps_its_place);
+  button->setAccessibleName(words);
+  return button;
+}
+
+void TuningRow::layOut(RowDetail detail) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(kGrid / 2);
+  grid->setVerticalSpacing(0);
+  mark_->setFixedWidth(kGrid);
+  mark_->setFont(textFont(TextSize::normal, true));
+  grid->addWidget(mark_, 0, 0);
+  grid->addWidget(name_, 0, 1);
+  const bool full = detail == RowDetail::full;
+  grid->setColumnStretch(full ? 2 : 1, 1);
+  if (full) name_->setFixedWidth(22 * kGrid);
+  const int editor = full ? 3 : 2;  // in the full row the slider stands between name and field
+  if (choice_ != nullptr) {
+    grid->addWidget(choice_, 0, editor, 1, 2);
+  } else {
+    field_->setFixedWidth(QFontMetrics(textFont(TextSize::normal)).horizontalAdvance(QStringLiteral("0.00000")) + 16);
+    auto* unit = new QLabel(unitText(parameter().info), this);
+    unit->setProperty("role", "muted");
+    unit->setFont(textFont(TextSize::small));
+    const QFontMetrics metrics(textFont(TextSize::small));
+    unit->setFixedWidth(metrics.horizontalAdvance(full ? QStringLiteral("deg/(N/mm)/s") : QStringLiteral("N/mm")));
+    grid->addWidget(field_, 0, editor);
+    grid->addWidget(unit, 0, editor + 1);
+    if (full) {
+      grid->addWidget(slider_, 0, 2);
+    } else {
+      grid->addWidget(slider_, 1, 1, 1, 4);
+    }
+  }
+  if (!full) {
+    grid->addWidget(reset_, 0, 4);
+    return;
+  }
+  grid->addWidget(revert_, 0, 5);
+  grid->addWidget(reset_, 0, 6);
+  for (QLabel* label : {help_, facts_}) {
+    label->setFont(textFont(TextSize::small));
+    label->setWordWrap(true);
+    label->setProperty("role", "muted");
+    grid->addWidget(label, label == help_ ? 1 : 2, 1, 1, 6);
+  }
 }
 
 void TuningRow::buildNumber() {
@@ -97,7 +131,9 @@ void TuningRow::buildNumber() {
   slider_->setObjectName(id_ + QStringLiteral("_slider"));
   slider_->setRange(0, kSteps);
   slider_->setPageStep(kSteps / 20);
-  slider_->setProperty("quantity", quantity_ == Quantity::stiffness ? "stiffness" : "vibration");
+  slider_->setProperty("quantity", quantity_ == Quantity::stiffness   ? "stiffness"
+                                   : quantity_ == Quantity::vibration ? "vibration"
+                                                                      : "");
   slider_->setFocusPolicy(Qt::StrongFocus);
   slider_->installEventFilter(this);
   field_ = new QLineEdit(this);
@@ -112,7 +148,9 @@ void TuningRow::buildNumber() {
 void TuningRow::buildChoice() {
   choice_ = new QComboBox(this);
   choice_->setObjectName(id_ + QStringLiteral("_choice"));
-  for (const std::string_view name : parameter().info.choices) choice_->addItem(fromView(name));
+  const Parameter& info = parameter().info;
+  const auto count = info.kind == ParameterKind::boolean ? std::size_t{2} : info.choices.size();
+  for (std::size_t i = 0; i < count; ++i) choice_->addItem(valueText(info, static_cast<double>(i)));
   choice_->setFocusPolicy(Qt::StrongFocus);
   choice_->installEventFilter(this);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
@@ -162,24 +200,50 @@ void TuningRow::markRefused(bool refused) {
 
 void TuningRow::refresh() {
   const TunedParameter& p = parameter();
+  const double felt = model_.felt(p);
+  const bool free = !model_.feelingSaved();
   if (choice_ != nullptr) {
     const QSignalBlocker quiet(choice_);
-    choice_->setCurrentIndex(static_cast<int>(p.value));
+    choice_->setCurrentIndex(static_cast<int>(felt));
+    choice_->setEnabled(free);
   } else {
     const QSignalBlocker quiet(slider_);
-    slider_->setValue(toPosition(p.value));
-    field_->setText(plainNumber(p.value));
+    slider_->setValue(toPosition(felt));
+    slider_->setEnabled(free);
+    field_->setText(plainNumber(felt));
     field_->setModified(false);
+    field_->setEnabled(free);
     markRefused(false);
   }
-  mark_->setText(p.changed() ? QStringLiteral("•") : QString());
-  mark_->setToolTip(p.changed() ? tr("Changed; the profile has %1").arg(plainNumber(p.saved)) : QString());
-  mark_->setAccessibleName(p.changed() ? tr("Changed, not saved") : QString());
-  reset_->setVisible(p.value != p.standard);
-  reset_->setToolTip(tr("Back to the default, %1")
-                         .arg(p.info.kind == ParameterKind::choice
-                                  ? fromView(p.info.choices[static_cast<std::size_t>(p.standard)])
-                                  : plainNumber(p.standard)));
+  refreshMark();
+  reset_->setVisible(felt != p.standard);
+  reset_->setEnabled(free);
+  reset_->setToolTip(tr("Back to the default, %1").arg(valueText(p.info, p.standard)));
+  if (revert_ == nullptr) return;
+  revert_->setVisible(p.changed());
+  revert_->setEnabled(free);
+  revert_->setToolTip(tr("Back to the saved value, %1").arg(valueText(p.info, p.saved)));
+}
+
+void TuningRow::refreshMark() {
+  const TunedParameter& p = parameter();
+  const bool trouble = p.delivery == Delivery::refused || p.delivery == Delivery::silent;
+  const QString words = deliveryWords(p);
+  const QString saved = p.changed() ? tr("Changed; the profile has %1").arg(valueText(p.info, p.saved)) : QString();
+  mark_->setText(trouble                           ? QStringLiteral("!")
+                 : p.delivery == Delivery::pending ? QStringLiteral("◦")
+                 : p.changed()                     ? QStringLiteral("•")
+                                                   : QString());
+  const QString role = trouble ? QStringLiteral("warning") : QString();
+  if (mark_->property("role").toString() != role) {
+    mark_->setProperty("role", role);
+    restyle(*mark_);
+  }
+  mark_->setToolTip(words.isEmpty() ? saved : words);
+  mark_->setAccessibleName(!words.isEmpty() ? words : p.changed() ? tr("Changed, not saved") : QString());
+  if (facts_ == nullptr) return;
+  const QString facts = tunedFacts(model_, p);
+  facts_->setText(words.isEmpty() ? facts : facts + QStringLiteral(" · ") + words);
 }
 
 bool TuningRow::eventFilter(QObject* watched, QEvent* event) {

@@ -1,5 +1,6 @@
-// One parameter in the tuning panel: name, slider and field (or a choice), unit, mark when it differs from what is
-// saved, and the way back to the default. All of it comes from the parameter's description.
+// One parameter in a tuning panel: name, slider and field (or a choice), unit, mark when it differs from what is saved
+// or is not yet confirmed by the station, and the ways back to the saved value and to the default. All of it comes from
+// the parameter's description.
 #pragma once
 
 #include <QComboBox>
@@ -14,16 +15,25 @@
 
 namespace fyd::widgets {
 
+enum class RowDetail {
+  brief,  ///< what a narrow panel has room for; the rest in the tool tip
+  full,   ///< help, and what was, is, is saved and is the default
+};
+
 class TuningRow : public QWidget {
   Q_OBJECT
  public:
-  TuningRow(TuningModel& model, QString id, const QString& label, Quantity quantity, QWidget* parent = nullptr);
+  TuningRow(TuningModel& model, QString id, const QString& label, Quantity quantity, QWidget* parent = nullptr,
+            RowDetail detail = RowDetail::brief);
 
   [[nodiscard]] const QString& id() const { return id_; }
   [[nodiscard]] QSlider* slider() const { return slider_; }
   [[nodiscard]] QLineEdit* field() const { return field_; }
   [[nodiscard]] QComboBox* choice() const { return choice_; }
   [[nodiscard]] QToolButton* resetButton() const { return reset_; }
+  [[nodiscard]] QToolButton* revertButton() const { return revert_; }  ///< nullptr in a brief row
+  [[nodiscard]] QLabel* mark() const { return mark_; }
+  [[nodiscard]] QString facts() const { return facts_ == nullptr ? QString() : facts_->text(); }
 
  signals:
   /// An entry was refused; the sentence says what is allowed.
@@ -35,9 +45,12 @@ class TuningRow : public QWidget {
  private:
   static constexpr int kSteps = 400;
 
+  QToolButton* buildBack(const QString& symbol, const QString& words);
   void buildNumber();
   void buildChoice();
+  void layOut(RowDetail detail);
   void refresh();
+  void refreshMark();
   void takeSlider(int position);
   void takeField();
   void markRefused(bool refused);
@@ -54,6 +67,9 @@ class TuningRow : public QWidget {
   QLabel* name_;
   QLabel* mark_;
   QToolButton* reset_;
+  QToolButton* revert_ = nullptr;
+  QLabel* help_ = nullptr;
+  QLabel* facts_ = nullptr;
   QSlider* slider_ = nullptr;
   QLineEdit* field_ = nullptr;
   QComboBox* choice_ = nullptr;

@@ -133,6 +133,9 @@ void MainWindow::connectCommands() {
   on("help.context", [this](bool) { help_->showTopic(manualTopic(QApplication::focusWidget(), frame_->place())); });
   on("view.notices_read", [this](bool) { notices_->dismissAll(); });
   on("view.palette", [this](bool) { palette_->open(); });
+  connect(operate()->readiness(), &widgets::ReadinessList::commandAsked, this, [this](const QString& id) {
+    if (QAction* action = commands_->action(id)) action->trigger();
+  });
 }
 
 void MainWindow::connectLook() {

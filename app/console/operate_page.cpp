@@ -1,6 +1,7 @@
 #include "app/console/operate_page.h"
 
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QVBoxLayout>
 
 #include "app/console/side_dock.h"
@@ -89,6 +90,9 @@ void OperatePage::connectTuning() {
   connect(tuning_, &widgets::TuningPanel::saveAsked, bridge, &TuningBridge::save);
   connect(tuning_, &widgets::TuningPanel::refused, this,
           [this](const QString& why) { context_.tell(widgets::Severity::warning, why); });
+  auto* presets = new QMenu(this);
+  bridge->presets().feed(*presets);
+  tuning_->setPresetMenu(presets);
   connect(bridge, &TuningBridge::targetShown, tuning_, &widgets::TuningPanel::showTargetByHand);
 }
 
@@ -110,12 +114,14 @@ void OperatePage::connectFinger() {
 }
 
 void OperatePage::addCommands(PlaceCommands& commands) {
-  QUndoStack* undo = context_.tuning.model().undoStack();
+  widgets::TuningModel* model = &context_.tuning.model();
   commands.add(
       {"edit.undo", QT_TRANSLATE_NOOP("Commands", "Edit"), QT_TRANSLATE_NOOP("Commands", "Undo"), "undo", "Ctrl+Z"},
-      [undo](bool) { undo->undo(); });
+      [model](bool) { model->undo(); });
   commands.add({"edit.redo", "Edit", QT_TRANSLATE_NOOP("Commands", "Redo"), "redo", "Ctrl+Shift+Z"},
-               [undo](bool) { undo->redo(); });
+               [model](bool) { model->redo(); });
+  commands.add({"edit.compare", "Edit", QT_TRANSLATE_NOOP("Commands", "Feel saved or current values"), "", "Ctrl+B"},
+               [model](bool) { model->feelSaved(!model->feelingSaved()); });
   commands.add({"session.target_by_hand", "Edit", QT_TRANSLATE_NOOP("Commands", "Target by hand"), "", "Ctrl+H"},
                [this](bool) { tuning_->byHandButton()->click(); });
   commands.add({"session.target_from_robot", "Edit", QT_TRANSLATE_NOOP("Commands", "Target from robot"), "robot",

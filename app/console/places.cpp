@@ -6,6 +6,7 @@
 #include "app/console/operate_page.h"
 #include "app/console/page.h"
 #include "app/console/review_page.h"
+#include "app/console/tune_page.h"
 
 namespace fyd::console {
 namespace {
@@ -23,6 +24,7 @@ const std::vector<PlaceInfo>& places() {
       {"calibrate", QT_TRANSLATE_NOOP("Commands", "Calibrate"), "place-calibrate", "Ctrl+2", make<CalibratePage>},
       {"review", QT_TRANSLATE_NOOP("Commands", "Review"), "place-review", "Ctrl+3", make<ReviewPage>},
       {"devices", QT_TRANSLATE_NOOP("Commands", "Devices"), "place-devices", "Ctrl+5", make<DevicesPage>},
+      {"tune", QT_TRANSLATE_NOOP("Commands", "Tune"), "place-tune", "Ctrl+6", make<TunePage>},
   };
   return kPlaces;
 }

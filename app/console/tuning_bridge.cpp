@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "app/console/operate_page.h"
 #include "widgets/core_text.h"
@@ -11,25 +12,44 @@ namespace fyd::console {
 using widgets::Severity;
 
 TuningBridge::TuningBridge(Session& session, QString profile_path, QObject* parent)
-    : QObject(parent), session_(session), profile_path_(std::move(profile_path)) {
+    : QObject(parent),
+      session_(session),
+      profile_path_(std::move(profile_path)),
+      presets_(session_, model_, station::presetFolder(profile_path_.toStdString())) {
   station::Profile current = session_.currentProfile();
   station::Profile standard;
   const auto bound = bindParameters(current);
   model_.load(bound, bindParameters(standard));
   for (const Parameter& parameter : bound) names_.push_back(QString::fromStdString(std::string(parameter.id)));
   connect(&model_, &widgets::TuningModel::asked, this, &TuningBridge::apply);
+  connect(&presets_, &TuningPresets::told, this, &TuningBridge::told);
+  constexpr int kLook_ms = 500;
+  silence_.setInterval(kLook_ms);
+  connect(&silence_, &QTimer::timeout, this, &TuningBridge::lookForSilence);
 }
 
 void TuningBridge::apply(const QString& id, double value) {
   const std::string name = id.toStdString();
   if (const auto ok = session_.setParameter(name, value); !ok) {
-    emit told(Severity::warning, widgets::coreText(ok.error().message));
-    station::Profile current = session_.currentProfile();
-    const auto bound = bindParameters(current);
-    if (const Parameter* real = findParameter(bound, name)) model_.accept(name, real->value());
+    const QString why = widgets::coreText(ok.error().message);
+    emit told(Severity::warning, why);
+    model_.refuse(name, why);
     return;
   }
-  ++under_way_[id];
+  UnderWay& own = under_way_[id];
+  own.values.push_back(value);
+  own.since.start();
+  model_.setDelivery(name, widgets::Delivery::pending);
+  silence_.start();
+}
+
+bool TuningBridge::settle(const QString& id, double value) {
+  const auto own = under_way_.find(id);
+  if (own == under_way_.end()) return false;
+  const auto answered = std::ranges::find(own->values, value);
+  if (answered == own->values.end()) return false;
+  own->values.erase(own->values.begin(), answered + 1);
+  return true;
 }
 
 void TuningBridge::hear(const pipeline::Event& event) {
@@ -37,13 +57,37 @@ void TuningBridge::hear(const pipeline::Event& event) {
       event.kind == pipeline::EventKind::parameter_changed || event.kind == pipeline::EventKind::parameter_refused;
   if (!about_parameter || event.index >= names_.size()) return;
   const QString& id = names_[event.index];
+  const std::string name = id.toStdString();
+  const bool own = settle(id, event.value);
   // While own changes are under way, an echo tells of an older one: the slider must not jump back.
-  if (int& waiting = under_way_[id]; waiting > 0 && --waiting >= 0) return;
-  if (event.kind == pipeline::EventKind::parameter_changed) model_.accept(id.toStdString(), event.value);
+  const bool more = under_way_.contains(id) && !under_way_[id].values.empty();
+  if (!more) under_way_.remove(id);
+  if (event.kind == pipeline::EventKind::parameter_refused) {
+    if (own && !more) model_.refuse(name, tr("The step refused %1: it cannot be used now.").arg(event.value));
+  } else if (more) {
+    return;
+  } else if (own) {
+    model_.confirm(name, event.value);
+  } else {
+    model_.accept(name, event.value);
+  }
+}
+
+void TuningBridge::lookForSilence() {
+  for (auto each = under_way_.begin(); each != under_way_.end();) {
+    if (each->since.elapsed() < kAnswer_ms) {
+      ++each;
+      continue;
+    }
+    model_.setDelivery(each.key().toStdString(), widgets::Delivery::silent);
+    each = under_way_.erase(each);
+  }
+  if (under_way_.isEmpty()) silence_.stop();
 }
 
 void TuningBridge::restart() {
   under_way_.clear();
+  model_.feelSaved(false);  // what the operator had set goes into the new session
   station::Profile current = session_.currentProfile();
   for (const Parameter& parameter : bindParameters(current)) {
     if (parameter.kind != ParameterKind::list) model_.accept(parameter.id, parameter.value());
@@ -72,6 +116,7 @@ void TuningBridge::targetFromRobot() {
 }
 
 void TuningBridge::save() {
+  model_.feelSaved(false);
   QDir().mkpath(QFileInfo(profile_path_).absolutePath());
   if (const auto ok = station::saveProfile(session_.currentProfile(), profile_path_.toStdString()); !ok) {
     emit told(Severity::error, tr("Profile not saved. %1").arg(widgets::coreText(ok.error().message)));

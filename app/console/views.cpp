@@ -86,6 +86,35 @@ widgets::LinkView::Health healthOf(pipeline::LinkPhase phase) {
   return speaking ? Health::well : Health::waiting;
 }
 
+/// Where the window helps with what is missing.
+struct Mending {
+  const char* command = "";
+  const char* words = "";
+};
+
+Mending mendingOf(pipeline::Lack lack) {
+  using enum pipeline::Lack;
+  switch (lack) {
+    case motors_stale:
+    case ir_stale:
+    case bridge_stale:
+    case camera_stale: return {"place.devices", QT_TRANSLATE_NOOP("Views", "Look at the devices")};
+    case ir_invalid:
+    case bridge_invalid:
+    case camera_blind: return {"place.calibrate", QT_TRANSLATE_NOOP("Views", "Look at its signal")};
+    case robot_waiting:
+    case robot_lost:
+    case robot_closed:
+    case robot_frozen: return {"view.link", QT_TRANSLATE_NOOP("Views", "Show the link")};
+    case no_target: return {"session.target_by_hand", QT_TRANSLATE_NOOP("Views", "Set the target by hand")};
+    case none:
+    case step_gap:
+    case steps_missed:
+    case operator_silent: break;
+  }
+  return {};
+}
+
 }  // namespace
 
 QImage toImage(const cv::Mat& picture) {
@@ -146,9 +175,15 @@ widgets::LinkView toLink(const station::StationStatus& status) {
 std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines) {
   std::vector<widgets::ReadinessRow> out;
   for (const station::ReadinessLine& line : lines) {
-    QString remedy = widgets::coreText(line.remedy);
-    if (!remedy.isEmpty()) remedy[0] = remedy[0].toUpper();
-    out.push_back({.what = widgets::coreText(line.what), .ok = line.ok, .remedy = remedy});
+    QString why = widgets::coreText(line.why);
+    if (!why.isEmpty()) why[0] = why[0].toUpper();
+    const Mending mending = mendingOf(line.lack);
+    out.push_back({.what = widgets::coreText(line.what),
+                   .ok = line.ok,
+                   .why = why,
+                   .remedy = widgets::coreText(line.remedy),
+                   .command = QLatin1String(mending.command),
+                   .action = *mending.words == '\0' ? QString() : tr(mending.words)});
   }
   return out;
 }

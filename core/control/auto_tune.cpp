@@ -1,6 +1,7 @@
 #include "core/control/auto_tune.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fyd::control {
 namespace {
@@ -39,10 +40,16 @@ bool keepsMargins(const IdentifiedFabric& fabric, const ControlParameters& p) {
 
 }  // namespace
 
-Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const ControlParameters& present) {
+Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const ControlParameters& present,
+                                  const TuneProgress& progress) {
+  constexpr double kIdentified = 0.5;  // about half of the time goes into the fit
+  const auto ended = [&](double done) { return progress && !progress(done); };
+  if (ended(0.0)) return fail("auto-tune: cancelled");
   const auto fabric = identifyFabric(recording, present);
   if (!fabric) return tl::unexpected(fabric.error());
   for (double lambda_s = kFastest_s; lambda_s <= kSlowest_s; lambda_s *= 1.05) {
+    const double tried = std::log(lambda_s / kFastest_s) / std::log(kSlowest_s / kFastest_s);
+    if (ended(kIdentified + (1 - kIdentified) * tried)) return fail("auto-tune: cancelled");
     const ControlParameters proposed = tuned(present, *fabric, lambda_s);
     if (!keepsMargins(*fabric, proposed)) continue;
     return TuneProposal{*fabric, proposed, predictLoop(*fabric, present), predictLoop(*fabric, proposed)};

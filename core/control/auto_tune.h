@@ -9,6 +9,7 @@
 // ≥ 60°, also with ±30 % of g, ±30 % of the lag and 50 ms more dead time.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "core/control/loop_prediction.h"
@@ -23,8 +24,12 @@ struct TuneProposal {
   LoopPrediction after;   ///< with the proposed ones
 };
 
-/// @return the errors of identifyFabric, or that no λ up to 10 s keeps the margins
-[[nodiscard]] Result<TuneProposal> proposeGains(std::span<const TuneSample> recording,
-                                                const ControlParameters& present);
+/// Asked now and then with the share of the work that is done; false ends it.
+using TuneProgress = std::function<bool(double done)>;
+
+/// @param progress empty: the work goes on to its end
+/// @return the errors of identifyFabric, that no λ up to 10 s keeps the margins, or that `progress` ended it
+[[nodiscard]] Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const ControlParameters& present,
+                                                const TuneProgress& progress = {});
 
 }  // namespace fyd::control

@@ -27,13 +27,42 @@ Complex loop(double omega, const IdentifiedFabric& fabric, const ControlParamete
   return pid * (1.0 + error * observed) / (kMotorLag_s * s + 1.0);
 }
 
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+constexpr double kStep_s = 0.001, kLongest_s = 10.0, kBand = 0.05, kSteady_s = 2.0;
+
 struct Run {
+  double rise_s = kNever;
   double overshoot_percent = 0.0;
-  double settling_s = std::numeric_limits<double>::quiet_NaN();
+  double settling_s = kNever;
+  double steady_error_percent = 0.0;
 };
 
-Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& parameters) {
-  constexpr double kSoftness = 0.7, kStep_s = 0.001, kLongest_s = 10.0, kBand = 0.05;
+/// @param relative the stiffness at every step, as a share of the target
+Run judge(const std::vector<double>& relative) {
+  Run run;
+  const double way = 1.0 - relative.front();
+  double tenth_s = kNever;
+  const auto steady_from = relative.size() - static_cast<std::size_t>(kSteady_s / kStep_s);
+  for (std::size_t i = 0; i < relative.size(); ++i) {
+    const double time_s = static_cast<double>(i) * kStep_s;
+    const double gone = way != 0 ? (relative[i] - relative.front()) / way : 1.0;
+    if (std::isnan(tenth_s) && gone >= 0.1) tenth_s = time_s;
+    if (std::isnan(run.rise_s) && gone >= 0.9) run.rise_s = time_s - tenth_s;
+    run.overshoot_percent = std::max(run.overshoot_percent, 100 * (relative[i] - 1));
+    const double off = std::abs(relative[i] - 1);
+    if (!(off <= kBand)) {
+      run.settling_s = kNever;
+    } else if (std::isnan(run.settling_s)) {
+      run.settling_s = time_s;
+    }
+    if (i >= steady_from) run.steady_error_percent += 100 * off / static_cast<double>(relative.size() - steady_from);
+  }
+  return run;
+}
+
+Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& parameters, std::vector<LoopPoint>* course) {
+  constexpr double kSoftness = 0.7;
+  constexpr int kThin = 10;
   ControlParameters p = parameters;
   p.mode = ControlMode::normal;
   StiffnessController controller(p);
@@ -48,11 +77,14 @@ Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& paramete
   sensor.configure(fabric.delay_s, fabric.lag_s);
   sensor.reset(stiffnessAt(angle_deg));
 
-  Run run;
-  double inside_since_s = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> relative;
+  relative.reserve(static_cast<std::size_t>(kLongest_s / kStep_s) + 1);
+  if (course != nullptr) course->clear();
   for (int i = 0; i * kStep_s <= kLongest_s; ++i) {
     const double time_s = i * kStep_s;
     const double stiffness = stiffnessAt(angle_deg);
+    relative.push_back(stiffness / target);
+    if (course != nullptr && i % kThin == 0) course->push_back({time_s, relative.back(), angle_deg});
     const ControlOutput output =
         controller.step({.now = instantAt(time_s),
                          .target_N_per_mm = target,
@@ -65,15 +97,8 @@ Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& paramete
     const double reach_deg = p.rate_limit_deg_per_s * kStep_s;
     angle_deg +=
         std::clamp((output.stretch_angle_deg - angle_deg) * kStep_s / (kMotorLag_s + kStep_s), -reach_deg, reach_deg);
-    run.overshoot_percent = std::max(run.overshoot_percent, 100 * (stiffness / target - 1));
-    if (std::abs(stiffness / target - 1) > kBand) {
-      inside_since_s = std::numeric_limits<double>::quiet_NaN();
-    } else if (std::isnan(inside_since_s)) {
-      inside_since_s = time_s;
-    }
   }
-  run.settling_s = inside_since_s;
-  return run;
+  return judge(relative);
 }
 
 }  // namespace
@@ -104,15 +129,22 @@ LoopMargins loopMargins(const IdentifiedFabric& fabric, const ControlParameters&
   return margins;
 }
 
-LoopPrediction predictLoop(const IdentifiedFabric& fabric, const ControlParameters& parameters) {
-  const Run run = runOnModel(fabric, parameters);
+LoopPrediction predictLoop(const IdentifiedFabric& fabric, const ControlParameters& parameters,
+                           std::vector<LoopPoint>* course) {
+  const Run run = runOnModel(fabric, parameters, course);
   LoopPrediction prediction;
   prediction.margins = loopMargins(fabric, parameters);
+  prediction.rise_s = run.rise_s;
   prediction.overshoot_percent = run.overshoot_percent;
   prediction.settling_s = run.settling_s;
+  prediction.steady_error_percent = run.steady_error_percent;
   prediction.stable =
       prediction.margins.gain_margin > 1 && prediction.margins.phase_margin_deg > 0 && !std::isnan(run.settling_s);
   return prediction;
+}
+
+IdentifiedFabric assumedFabric(const ControlParameters& p) {
+  return {.delay_s = p.measurement_delay_s, .lag_s = p.measurement_lag_s, .noise_correlation_s = p.noise_correlation_s};
 }
 
 }  // namespace fyd::control

@@ -7,9 +7,11 @@
 //
 // with G the identified measurement, Ĝ the controller's own model of it (control.measurement_*), M the motors and O
 // the observer of the fabric's scale at the quickest it learns once a touch has begun.
-// Overshoot and settling: the controller itself, run on the identified model with motors at the rate limit, on a cloth
+// Course and its figures: the controller itself, run on the identified model with motors at the rate limit, on a cloth
 // 30 % softer than the law says: the case that the loop and not the feed-forward carries.
 #pragma once
+
+#include <vector>
 
 #include "core/control/control_parameters.h"
 #include "core/control/fabric_identification.h"
@@ -23,14 +25,29 @@ struct LoopMargins {
 
 struct LoopPrediction {
   LoopMargins margins;
-  double overshoot_percent = 0.0;  ///< of the target
-  double settling_s = 0.0;         ///< into ±5 % of the target for good; NaN: not within 10 s
-  bool stable = false;             ///< both margins positive and the run settles
+  double rise_s = 0.0;                ///< from 10 % to 90 % of the way to the target; NaN: not within 10 s
+  double overshoot_percent = 0.0;     ///< of the target
+  double settling_s = 0.0;            ///< into ±5 % of the target for good; NaN: not within 10 s
+  double steady_error_percent = 0.0;  ///< mean distance from the target over the last 2 s, of the target
+  bool stable = false;                ///< both margins positive and the run settles
+};
+
+/// One instant of the run.
+struct LoopPoint {
+  double time_s = 0.0;
+  double relative = 0.0;     ///< stiffness of the cloth as a share of the target: 1 is there
+  double stretch_deg = 0.0;  ///< of the rollers
 };
 
 inline constexpr double kMotorLag_s = 0.03;
 
 [[nodiscard]] LoopMargins loopMargins(const IdentifiedFabric& fabric, const ControlParameters& parameters);
-[[nodiscard]] LoopPrediction predictLoop(const IdentifiedFabric& fabric, const ControlParameters& parameters);
+/// @param course when given: every tenth millisecond of the run
+[[nodiscard]] LoopPrediction predictLoop(const IdentifiedFabric& fabric, const ControlParameters& parameters,
+                                         std::vector<LoopPoint>* course = nullptr);
+
+/// What the parameters themselves say of cloth and sensors, while no excitation has said more: the law holds, the
+/// measurement is as the controller believes it to be.
+[[nodiscard]] IdentifiedFabric assumedFabric(const ControlParameters& parameters);
 
 }  // namespace fyd::control

@@ -127,13 +127,14 @@ TrialResult runTrial(const StiffnessTrial& trial, std::vector<TrialPoint>* cours
   return result;
 }
 
-std::vector<control::TuneSample> recordExcitation(const StiffnessTrial& trial) {
+std::vector<control::TuneSample> recordExcitation(const StiffnessTrial& trial, const control::TuneProgress& progress) {
+  constexpr int kSlices = 120;
   LockstepOptions options = optionsOf(trial);
   Lockstep lockstep(options);
   std::vector<control::TuneSample> recording;
   control::MotorMixing mixing(trial.parameters.control);
   control::MotorCommand command{.active = true};
-  lockstep.run(control::kExcitation_s, [&](const pipeline::Outputs& outputs) {
+  const auto each = [&](const pipeline::Outputs& outputs) {
     const pipeline::TelemetrySample& sample = outputs.telemetry;
     // The pipeline stays unarmed: it only senses, the excitation drives the rollers.
     mixing.mix(control::excitationAngle_deg(lockstep.time_s(), trial.parameters.control), 0.0, command);
@@ -141,7 +142,11 @@ std::vector<control::TuneSample> recordExcitation(const StiffnessTrial& trial) {
     if (std::isnan(sample.stretch_measured_deg)) return;
     recording.push_back({lockstep.time_s(), sample.stretch_measured_deg,
                          sample.stiffness_observable ? sample.stiffness_N_per_mm : kNone});
-  });
+  };
+  for (int slice = 0; slice < kSlices; ++slice) {
+    if (progress && !progress(static_cast<double>(slice) / kSlices)) break;
+    lockstep.run(control::kExcitation_s / kSlices, each);
+  }
   return recording;
 }
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/control/fabric_identification.h"
+#include "core/control/auto_tune.h"
 #include "core/pipeline/parameters.h"
 #include "core/sim/sim_parameters.h"
 
@@ -46,7 +46,9 @@ struct TrialResult {
 [[nodiscard]] bool isStable(const std::vector<double>& stiffness_N_per_mm);
 
 /// The safe excitation of auto-tune on the same chain: what the sensors said of it.
-[[nodiscard]] std::vector<control::TuneSample> recordExcitation(const StiffnessTrial& trial);
+/// @param progress asked ten times a virtual second; false ends the excitation early
+[[nodiscard]] std::vector<control::TuneSample> recordExcitation(const StiffnessTrial& trial,
+                                                                const control::TuneProgress& progress = {});
 
 /// Mode thesis with the thesis' own static law: what the pipeline of 2014 would do with these gains.
 void useThesisController(control::ControlParameters& parameters);

@@ -26,7 +26,9 @@ std::vector<ReadinessLine> Station::readiness() const {
     for (const Lack lack : line.lacks) {
       if (!lacks.test(static_cast<std::size_t>(lack)) || !shown.ok) continue;
       shown.ok = false;
-      shown.remedy = fmt::format("{}. {}", pipeline::toString(lack), pipeline::remedy(lack));
+      shown.why = pipeline::toString(lack);
+      shown.remedy = pipeline::remedy(lack);
+      shown.lack = lack;
     }
     out.push_back(std::move(shown));
   }

@@ -85,7 +85,9 @@ struct StationStatus {
 struct ReadinessLine {
   std::string what;
   bool ok = false;
-  std::string remedy;  ///< empty when ok
+  std::string why;     ///< what is wrong, as a phrase; empty when ok
+  std::string remedy;  ///< what the operator does about it, as a sentence; empty when ok
+  pipeline::Lack lack = pipeline::Lack::none;
 };
 
 /// A picture as the detector saw it.

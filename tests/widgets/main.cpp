@@ -7,8 +7,8 @@ int main(int argc, char** argv) {
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
   int failed = 0;
   for (auto make :
-       {fyd::tests::makeCurveTest, fyd::tests::makeControlTest, fyd::tests::makeTuningTest, fyd::tests::makeLinkTest,
-        fyd::tests::makeConsoleTest, fyd::tests::makeFrameTest, fyd::tests::makeRecordingTest,
+       {fyd::tests::makeCurveTest, fyd::tests::makeControlTest, fyd::tests::makeTuningTest, fyd::tests::makeTuneTest,
+        fyd::tests::makeLinkTest, fyd::tests::makeConsoleTest, fyd::tests::makeFrameTest, fyd::tests::makeRecordingTest,
         fyd::tests::makeCalibrateTest, fyd::tests::makeReviewTest, fyd::tests::makeMannersTest}) {
     const auto suite = make();
     // While working on one: its name, or a part of it.

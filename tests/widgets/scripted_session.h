@@ -37,7 +37,7 @@ class ScriptedSession : public console::Session {
   std::vector<station::Notice> takeNotices() override { return std::exchange(notices, {}); }
   station::CameraView cameraView() const override { return view; }
   station::StationStatus status() const override { return now; }
-  std::vector<station::ReadinessLine> readiness() const override { return {{"Motors answer", true, ""}}; }
+  std::vector<station::ReadinessLine> readiness() const override { return lines; }
   std::vector<device::DeviceReport> devices() const override { return reports; }
   Result<void> startDeviceTest(device::DeviceTest test) override {
     if (refuses) return fail("device test: refused by the script");
@@ -103,6 +103,7 @@ class ScriptedSession : public console::Session {
   std::vector<station::Notice> notices;
   station::CameraView view;
   station::StationStatus now;
+  std::vector<station::ReadinessLine> lines = {{.what = "Motors answer", .ok = true}};
   std::vector<double> finger;
   std::vector<device::DeviceReport> reports;
   std::vector<device::DeviceTest> tests;

@@ -9,6 +9,7 @@ namespace fyd::tests {
 std::unique_ptr<QObject> makeCurveTest();
 std::unique_ptr<QObject> makeControlTest();
 std::unique_ptr<QObject> makeTuningTest();
+std::unique_ptr<QObject> makeTuneTest();
 std::unique_ptr<QObject> makeLinkTest();
 std::unique_ptr<QObject> makeConsoleTest();
 std::unique_ptr<QObject> makeFrameTest();

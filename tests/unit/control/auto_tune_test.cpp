@@ -152,5 +152,55 @@ TEST(LoopPrediction, NoGainsIsNoLoop) {
   EXPECT_TRUE(std::isinf(loopMargins({}, parameters).gain_margin));
 }
 
+TEST(LoopPrediction, CourseAndFiguresAreOfOneRun) {
+  const ControlParameters parameters;
+  const IdentifiedFabric assumed = assumedFabric(parameters);
+  EXPECT_EQ(assumed.delay_s, parameters.measurement_delay_s);
+  EXPECT_EQ(assumed.lag_s, parameters.measurement_lag_s);
+  std::vector<LoopPoint> course;
+  const LoopPrediction loop = predictLoop(assumed, parameters, &course);
+  ASSERT_EQ(course.size(), 1001u);  // 10 s by 10 ms
+  EXPECT_TRUE(loop.stable);
+  EXPECT_GT(loop.rise_s, 0.0);
+  EXPECT_LT(loop.rise_s, loop.settling_s + 1.0);
+  EXPECT_LT(loop.steady_error_percent, 2.0);
+  double highest = 0.0;
+  for (const LoopPoint& point : course) {
+    highest = std::max(highest, 100 * (point.relative - 1));
+    if (point.time_s <= loop.settling_s + 0.01) continue;
+    EXPECT_NEAR(point.relative, 1.0, 0.05) << point.time_s;
+  }
+  EXPECT_NEAR(highest, loop.overshoot_percent, 0.5);
+}
+
+TEST(LoopPrediction, WithoutGainsTheCourseStaysOff) {
+  ControlParameters parameters;
+  parameters.kp = parameters.ki_per_s = parameters.kd_s = 0;
+  const LoopPrediction loop = predictLoop(assumedFabric(parameters), parameters);
+  EXPECT_TRUE(std::isnan(loop.settling_s));
+  EXPECT_TRUE(std::isnan(loop.rise_s));
+  EXPECT_FALSE(loop.stable);
+  EXPECT_GT(loop.steady_error_percent, 5.0);
+}
+
+TEST(AutoTune, TellsHowFarItIsAndEndsWhenAsked) {
+  const auto recording = excite(1.1, 0.05, 0.2, 0.03);
+  std::vector<double> told;
+  const auto proposal = proposeGains(recording, {}, [&](double done) {
+    told.push_back(done);
+    return true;
+  });
+  ASSERT_TRUE(proposal);
+  ASSERT_GE(told.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0.0);
+  EXPECT_LE(told.back(), 1.0);
+  int asked = 0;
+  const auto ended = proposeGains(recording, {}, [&](double) { return ++asked < 2; });
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(asked, 2);
+  EXPECT_THAT(ended.error().message, testing::HasSubstr("cancelled"));
+}
+
 }  // namespace
 }  // namespace fyd::control

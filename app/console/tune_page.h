@@ -1,0 +1,72 @@
+// The place "Tune": every live parameter, what differs from the saved profile, presets, the step response beside the
+// gains, auto-tune.
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QToolButton>
+
+#include "app/console/loop_study.h"
+#include "app/console/page.h"
+#include "widgets/tuning_compare.h"
+#include "widgets/tuning_differences.h"
+#include "widgets/tuning_list.h"
+#include "widgets/tuning_preset_list.h"
+#include "widgets/tuning_proposal.h"
+#include "widgets/tuning_response.h"
+
+namespace fyd::console {
+
+class TunePage : public Page {
+  Q_OBJECT
+ public:
+  explicit TunePage(const PageContext& context, QWidget* parent = nullptr);
+  void addCommands(PlaceCommands& commands) override;
+  void enter() override;
+  void leave() override;
+
+  [[nodiscard]] widgets::TuningList* list() const { return list_; }
+  [[nodiscard]] widgets::TuningCompare* compare() const { return compare_; }
+  [[nodiscard]] widgets::TuningResponse* response() const { return response_; }
+  [[nodiscard]] widgets::TuningDifferences* differences() const { return differences_; }
+  [[nodiscard]] widgets::TuningPresetList* presets() const { return presets_; }
+  [[nodiscard]] widgets::TuningProposal* proposal() const { return proposal_; }
+  [[nodiscard]] QTabWidget* tabs() const { return tabs_; }
+  [[nodiscard]] LoopStudy& study() { return study_; }
+  [[nodiscard]] widgets::TuningModel& model() { return model_; }
+
+ private:
+  void build();
+  QWidget* buildFoot();
+  void connectModel();
+  void connectPresets();
+  void connectStudy();
+  void refreshFoot();
+  void studyValues();
+  void showProposal(const widgets::ResponseView& response);
+  void acceptProposal();
+  void discardProposal(const QString& words);
+  void showTaken(const Result<void>& taken);
+  void findParameter();
+  void showLive(std::span<const pipeline::TelemetrySample> samples);
+
+  PageContext context_;
+  widgets::TuningModel& model_;
+  LoopStudy study_;
+  widgets::TuningList* list_;
+  widgets::TuningCompare* compare_;
+  widgets::TuningResponse* response_;
+  widgets::TuningDifferences* differences_;
+  widgets::TuningPresetList* presets_;
+  widgets::TuningProposal* proposal_;
+  QTabWidget* tabs_;
+  QToolButton* undo_ = nullptr;
+  QToolButton* redo_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QLabel* live_;
+  std::vector<TuneSource> sources_;
+  bool shown_ = false;
+};
+
+}  // namespace fyd::console

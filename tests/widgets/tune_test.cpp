@@ -1,0 +1,392 @@
+// The place "Tune" on a scripted session: find and change, undo, compare, presets, step response, auto-tune; what the
+// station confirms and what it does not; the readiness list's buttons.
+#include "app/console/tune_page.h"
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+namespace {
+
+using widgets::TuningResponse;
+
+struct TuneFixture : Fixture {
+  TuneFixture() {
+    window->frame()->go(QStringLiteral("tune"));
+    page = qobject_cast<console::TunePage*>(window->frame()->page(QStringLiteral("tune")));
+  }
+  /// Types a value as an operator does.
+  void type(const char* id, const QString& text) const { enter(page->list()->row(QLatin1String(id))->field(), text); }
+  static void enter(QLineEdit* field, const QString& text) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClick(field, Qt::Key_Delete);
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+  static void click(QAbstractButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
+  [[nodiscard]] widgets::TuningModel& model() const { return page->model(); }
+  [[nodiscard]] double value(const char* id) const { return std::as_const(model()).find(id)->value; }
+  /// What the session, and so the touchpad, has.
+  [[nodiscard]] double used(const char* id) const {
+    const auto bound = bindParameters(session->profile);
+    return findParameter(bound, id)->value();
+  }
+  /// The step's answer to a change.
+  void answer(const char* id, double value, pipeline::EventKind kind = pipeline::EventKind::parameter_changed) const {
+    const auto bound = bindParameters(session->profile);
+    const auto index = static_cast<std::uint16_t>(findParameter(bound, id) - bound.data());
+    session->notices.push_back({.event = {.kind = kind, .index = index, .value = value}, .text = id});
+    window->feed().pump();
+  }
+  [[nodiscard]] QString mark(const char* id) const { return page->list()->row(QLatin1String(id))->mark()->text(); }
+  [[nodiscard]] QStringList presets() const {
+    QStringList out;
+    for (int i = 0; i < page->presets()->list()->count(); ++i) out << page->presets()->list()->item(i)->text();
+    return out;
+  }
+  void choosePreset(const QString& name) const {
+    page->tabs()->setCurrentWidget(page->presets());
+    page->presets()->list()->setCurrentItem(page->presets()->list()->findItems(name, Qt::MatchExactly).front());
+  }
+
+  console::TunePage* page;
+};
+
+}  // namespace
+
+class TuneTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void everyLiveParameterIsThereWithItsRangeDefaultAndHelp() {
+    TuneFixture f;
+    station::Profile profile;
+    int live = 0;
+    for (const Parameter& parameter : bindParameters(profile)) {
+      if (!parameter.info.live || parameter.kind == ParameterKind::list) continue;
+      ++live;
+      const QString id = QString::fromStdString(std::string(parameter.id));
+      const widgets::TuningRow* row = f.page->list()->row(id);
+      QVERIFY2(row != nullptr, qPrintable(id));
+      QVERIFY2(row->facts().contains(QStringLiteral("default")), qPrintable(row->facts()));
+      QVERIFY(!row->accessibleName().isEmpty() && !row->accessibleDescription().isEmpty());
+    }
+    QVERIFY(live > 40);
+    QCOMPARE(f.page->list()->rows().size(), static_cast<std::size_t>(live));
+    QCOMPARE(f.page->list()->shownCount(), live);
+  }
+
+  void searchFindsByNameIdentifierHelpAndGroup() {
+    TuneFixture f;
+    QTest::keyClick(f.window.get(), Qt::Key_F, Qt::ControlModifier);
+    QLineEdit* search = f.page->list()->search();
+    QVERIFY(search->hasFocus());
+    QTest::keyClicks(search, QStringLiteral("dead zone"));
+    QVERIFY(f.page->list()->row(QStringLiteral("texture.dead_zone_percent"))->isVisible());
+    QVERIFY(!f.page->list()->row(QStringLiteral("control.kp"))->isVisible());
+    for (const auto& [words, least] : {std::pair{"control.", 8}, {"stiffness control", 8}, {"FINGER threshold", 1}}) {
+      search->setText(QLatin1String(words));
+      QVERIFY2(f.page->list()->shownCount() >= least, words);
+    }
+    search->setText(QStringLiteral("no such thing"));
+    QCOMPARE(f.page->list()->shownCount(), 0);
+    search->clear();
+    f.type("control.kp", QStringLiteral("0.3"));
+    search->setFocus();
+    f.page->list()->onlyChanged()->click();
+    QCOMPARE(f.page->list()->shownCount(), 1);
+  }
+
+  void aChangeAppliesLiveIsConfirmedAndCanBeTakenBack() {
+    TuneFixture f;
+    f.type("control.kp", QStringLiteral("0,3"));
+    QCOMPARE(f.used("control.kp"), 0.3);
+    QCOMPARE(f.mark("control.kp"), QStringLiteral("◦"));  // sent, not confirmed
+    QVERIFY(f.page->list()->row(QStringLiteral("control.kp"))->facts().contains(QStringLiteral("not yet confirmed")));
+    f.answer("control.kp", 0.3);
+    QCOMPARE(f.mark("control.kp"), QStringLiteral("•"));
+    const QString facts = f.page->list()->row(QStringLiteral("control.kp"))->facts();
+    for (const char* each : {"was 0.15", "is 0.3", "saved 0.15", "default 0.15"}) {
+      QVERIFY2(facts.contains(QLatin1String(each)), qPrintable(facts));
+    }
+    QCOMPARE(f.window->operate()->tuning()->row(QStringLiteral("control.kp"))->field()->text(), QStringLiteral("0.3"));
+    QTest::keyClick(f.page, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(f.used("control.kp"), 0.15);
+    QTest::keyClick(f.page, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(f.used("control.kp"), 0.3);
+    click(f.page->list()->row(QStringLiteral("control.kp"))->revertButton());
+    QCOMPARE(f.used("control.kp"), 0.15);
+    f.type("texture.k_vib", QStringLiteral("2"));
+    QTest::keyClick(f.page, Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(!f.model().anyChanged());
+    QVERIFY(f.page->list()->row(QStringLiteral("texture.k_vib"))->resetButton()->isVisible());
+    click(f.page->list()->row(QStringLiteral("texture.k_vib"))->resetButton());
+    QCOMPARE(f.used("texture.k_vib"), 1.0);
+    QVERIFY(f.model().anyChanged());
+  }
+
+  void whatTheStationDoesNotAnswerOrRefusesIsSaid() {
+    TuneFixture f;
+    f.type("control.kp", QStringLiteral("0.3"));
+    f.answer("control.kp", 0.3, pipeline::EventKind::parameter_refused);
+    QCOMPARE(f.value("control.kp"), 0.15);  // what the step goes on with
+    QCOMPARE(f.mark("control.kp"), QStringLiteral("!"));
+    QVERIFY(f.page->list()->row(QStringLiteral("control.kp"))->facts().contains(QStringLiteral("refused")));
+    f.session->refuses = true;
+    f.type("control.ki", QStringLiteral("6"));
+    QCOMPARE(f.value("control.ki"), 5.0);
+    QVERIFY(f.page->list()->row(QStringLiteral("control.ki"))->facts().contains(QStringLiteral("by the script")));
+    f.session->refuses = false;
+    f.type("texture.k_vib", QStringLiteral("3"));
+    QTRY_COMPARE_WITH_TIMEOUT(f.mark("texture.k_vib"), QStringLiteral("!"), 15'000);
+    QVERIFY(f.page->list()->row(QStringLiteral("texture.k_vib"))->facts().contains(QStringLiteral("did not answer")));
+    f.answer("texture.k_vib", 3.0);  // late, but there
+    QCOMPARE(f.mark("texture.k_vib"), QStringLiteral("•"));
+  }
+
+  void everyFieldRefusesBadEntries() {
+    TuneFixture f;
+    QSignalSpy refused(f.page->list(), &widgets::TuningList::refused);
+    int tried = 0;
+    for (widgets::TuningRow* row : f.page->list()->rows()) {
+      if (row->field() == nullptr) continue;
+      const std::string id = row->id().toStdString();
+      const double before = f.value(id.c_str());
+      for (const char* entry : {"abc", "nan", "1e999", "-1e15"}) {
+        row->field()->setText(QLatin1String(entry));
+        row->field()->setModified(true);
+        QTest::keyClick(row->field(), Qt::Key_Return);
+        QCOMPARE(refused.count(), ++tried);
+        QCOMPARE(f.value(id.c_str()), before);
+      }
+    }
+    QVERIFY(f.session->changes.empty());
+  }
+
+  void compareSwitchesLiveAndNothingCanBeChangedMeanwhile() {
+    TuneFixture f;
+    QVERIFY(!f.page->compare()->savedButton()->isEnabled());  // nothing to compare
+    f.type("control.kp", QStringLiteral("0.3"));
+    f.type("texture.k_vib", QStringLiteral("2"));
+    QCOMPARE(f.page->differences()->table()->rowCount(), 2);
+    click(f.page->compare()->savedButton());
+    QCOMPARE(f.used("control.kp"), 0.15);
+    QCOMPARE(f.used("texture.k_vib"), 1.0);
+    QVERIFY(!f.page->list()->row(QStringLiteral("control.kp"))->field()->isEnabled());
+    QVERIFY(!f.window->operate()->tuning()->row(QStringLiteral("control.kp"))->slider()->isEnabled());
+    QVERIFY(!f.page->differences()->revertAllButton()->isEnabled());
+    QVERIFY(!f.model().change("control.ki", 6.0));
+    QCOMPARE(f.page->differences()->table()->rowCount(), 2);  // what differs stays listed
+    QTest::keyClick(f.page, Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(f.used("control.kp"), 0.3);
+    QCOMPARE(f.used("texture.k_vib"), 2.0);
+    // Undo returns to the current values first; saving keeps these, not what is felt.
+    click(f.page->compare()->savedButton());
+    QTest::keyClick(f.page, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(f.used("texture.k_vib"), 2.0);
+    click(f.page->compare()->savedButton());
+    QTest::keyClick(f.page, Qt::Key_S, Qt::ControlModifier);
+    const auto saved = station::loadProfile(f.folder.filePath(QStringLiteral("profile.toml")).toStdString());
+    QVERIFY(saved.has_value());
+    QCOMPARE(saved->step.control.kp, 0.3);
+    QCOMPARE(f.page->differences()->table()->rowCount(), 0);
+  }
+
+  void differencesGoBackOneByOneAndAllAtOnce() {
+    TuneFixture f;
+    f.type("control.kp", QStringLiteral("0.3"));
+    f.type("control.ki", QStringLiteral("6"));
+    f.type("texture.k_vib", QStringLiteral("2"));
+    f.page->differences()->table()->selectRow(1);
+    click(f.page->differences()->revertButton());
+    QCOMPARE(f.used("control.ki"), 5.0);
+    QCOMPARE(f.used("control.kp"), 0.3);
+    QTest::keyClick(f.page, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(!f.model().anyChanged());
+    f.model().undo();
+    QCOMPARE(f.used("control.kp"), 0.3);
+    QCOMPARE(f.used("texture.k_vib"), 2.0);
+  }
+
+  void presetsAreSavedLoadedRenamedDeletedAndTakenBack() {
+    TuneFixture f;
+    f.page->tabs()->setCurrentWidget(f.page->presets());
+    f.type("control.kp", QStringLiteral("0.3"));
+    f.type("texture.k_vib", QStringLiteral("2"));
+    f.enter(f.page->presets()->nameField(), QStringLiteral("soft"));
+    QCOMPARE(f.presets(), QStringList{QStringLiteral("soft")});
+    QVERIFY(QFileInfo::exists(f.folder.filePath(QStringLiteral("presets/soft.toml"))));
+    f.model().undo();  // the saving
+    QVERIFY(f.presets().isEmpty());
+    f.model().redo();
+    QVERIFY(f.model().revertAll().has_value());
+    QCOMPARE(f.used("control.kp"), 0.15);
+    const int steps = f.model().undoStack()->count();
+    f.choosePreset(QStringLiteral("soft"));
+    click(f.page->presets()->loadButton());
+    QCOMPARE(f.used("control.kp"), 0.3);
+    QCOMPARE(f.used("texture.k_vib"), 2.0);
+    QCOMPARE(f.model().undoStack()->count(), steps + 1);
+    f.model().undo();
+    QCOMPARE(f.used("control.kp"), 0.15);
+    QCOMPARE(f.used("texture.k_vib"), 1.0);
+
+    f.choosePreset(QStringLiteral("soft"));
+    f.page->presets()->nameField()->setText(QStringLiteral("softer"));
+    click(f.page->presets()->renameButton());
+    QCOMPARE(f.presets(), QStringList{QStringLiteral("softer")});
+    f.choosePreset(QStringLiteral("softer"));
+    click(f.page->presets()->removeButton());
+    QVERIFY(f.presets().isEmpty());
+    f.model().undo();
+    QCOMPARE(f.presets(), QStringList{QStringLiteral("softer")});
+    f.model().undo();
+    QCOMPARE(f.presets(), QStringList{QStringLiteral("soft")});
+    QMenu* menu = f.window->operate()->tuning()->presetButton()->menu();
+    emit menu->aboutToShow();
+    QCOMPARE(menu->actions().size(), 1);
+    menu->actions().front()->trigger();
+    QCOMPARE(f.used("control.kp"), 0.3);
+  }
+
+  void badPresetsAndNamesChangeNothingAndSayWhy() {
+    TuneFixture f;
+    f.page->tabs()->setCurrentWidget(f.page->presets());
+    for (const char* name : {"../evil", "a/b", ".hidden", " a", "a.b"}) {
+      f.enter(f.page->presets()->nameField(), QLatin1String(name));
+      QVERIFY2(f.page->presets()->words().contains(QStringLiteral("expected")), name);
+      QVERIFY(f.page->presets()->nameField()->property("refused").toBool());
+    }
+    QVERIFY(f.presets().isEmpty());
+    QVERIFY(QDir(f.folder.path()).mkdir(QStringLiteral("presets")));
+    QFile bad(f.folder.filePath(QStringLiteral("presets/bad.toml")));
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write("[texture]\nk_vib = 2\n[control]\nkp = -1\n");
+    bad.close();
+    f.window->frame()->go(QStringLiteral("operate"));
+    f.window->frame()->go(QStringLiteral("tune"));
+    f.choosePreset(QStringLiteral("bad"));
+    QTest::keyClick(f.page->presets()->list(), Qt::Key_Return);
+    QVERIFY2(f.page->presets()->words().contains(QStringLiteral("bad.toml:4")), qPrintable(f.page->presets()->words()));
+    QVERIFY(f.session->changes.empty());  // not even k_vib, which was good
+    f.enter(f.page->presets()->nameField(), QStringLiteral("good"));
+    f.choosePreset(QStringLiteral("bad"));
+    f.page->presets()->nameField()->setText(QStringLiteral("good"));
+    click(f.page->presets()->renameButton());
+    QVERIFY(f.page->presets()->words().contains(QStringLiteral("there is one of this name")));
+  }
+
+  void theStepResponseFollowsTheGains() {
+    TuneFixture f;
+    QTRY_VERIFY(f.page->response()->has(TuningResponse::current));
+    QVERIFY(f.page->response()->response(TuningResponse::current).stable);
+    const double before = f.page->response()->response(TuningResponse::current).settling_s;
+    QCOMPARE(f.page->response()->response(TuningResponse::saved).settling_s, before);
+    f.type("control.ki", QStringLiteral("0.5"));
+    QTRY_VERIFY(f.page->response()->response(TuningResponse::current).settling_s != before);
+    QCOMPARE(f.page->response()->response(TuningResponse::saved).settling_s, before);
+    f.type("control.ki", QStringLiteral("1e12"));
+    f.type("control.kp", QStringLiteral("1e12"));
+    QTRY_VERIFY(!f.page->response()->response(TuningResponse::current).stable);
+    QCOMPARE(f.page->response()->figure(TuningResponse::proposed, 0), QStringLiteral("—"));
+  }
+
+  void autoTuneProposesAndOnlyAcceptApplies() {
+    TuneFixture f;
+    f.type("control.ki", QStringLiteral("0.5"));
+    f.session->changes.clear();
+    QTest::keyClick(f.page, Qt::Key_U, Qt::ControlModifier);
+    QVERIFY(f.page->proposal()->cancelButton()->isEnabled());
+    QVERIFY(!f.page->proposal()->acceptButton()->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(f.page->proposal()->hasProposal(), 30'000);
+    QVERIFY(f.session->changes.empty());
+    QCOMPARE(f.page->proposal()->table()->rowCount(), 6);
+    QVERIFY(f.page->response()->has(TuningResponse::proposed));
+    const double proposed = f.page->study().proposal()->proposed.ki_per_s;
+    QVERIFY(proposed > 0.5);
+    const int steps = f.model().undoStack()->count();
+    click(f.page->proposal()->acceptButton());
+    QCOMPARE(f.used("control.ki"), proposed);
+    QCOMPARE(f.model().undoStack()->count(), steps + 1);
+    QVERIFY(!f.page->proposal()->acceptButton()->isEnabled());
+    f.model().undo();
+    QCOMPARE(f.used("control.ki"), 0.5);
+    QCOMPARE(f.used("control.measurement_lag_s"), 0.25);
+  }
+
+  void autoTuneCancelledOrDiscardedChangesNothing() {
+    TuneFixture f;
+    f.page->tabs()->setCurrentWidget(f.page->proposal());
+    click(f.page->proposal()->startButton());
+    click(f.page->proposal()->cancelButton());
+    QVERIFY(f.page->proposal()->startButton()->isEnabled());
+    QTest::qWait(300);
+    QVERIFY(!f.page->proposal()->hasProposal());
+    QVERIFY(f.page->proposal()->words().contains(QStringLiteral("Cancelled")));
+    click(f.page->proposal()->startButton());
+    QTRY_VERIFY_WITH_TIMEOUT(f.page->proposal()->hasProposal(), 30'000);
+    click(f.page->proposal()->discardButton());
+    QVERIFY(!f.page->study().proposal().has_value());
+    // A session in which nothing has moved says too little, and is told so.
+    f.page->proposal()->sources()->setCurrentIndex(1);
+    click(f.page->proposal()->startButton());
+    QTRY_VERIFY_WITH_TIMEOUT(f.page->proposal()->words().contains(QStringLiteral("expected")), 30'000);
+    QVERIFY(f.session->changes.empty());
+  }
+
+  void autoTuneReadsTheLastMinuteOfTheSession() {
+    TuneFixture f;
+    control::ControlParameters parameters;
+    const control::StaticLaw law(parameters);
+    std::vector<pipeline::TelemetrySample> samples;
+    for (int i = 0; i < 12'000; ++i) {
+      pipeline::TelemetrySample sample;
+      sample.now = instantAt(i * 0.001);
+      sample.stretch_measured_deg = control::excitationAngle_deg(i * 0.001, parameters);
+      sample.stiffness_N_per_mm = 1.1 * law.stiffness_N_per_mm(sample.stretch_measured_deg).value;
+      sample.stiffness_observable = true;
+      samples.push_back(sample);
+    }
+    f.page->study().listen(samples);
+    QVERIFY(f.page->study().heard() > 1000 && f.page->study().heard() < 1300);
+    f.page->tabs()->setCurrentWidget(f.page->proposal());
+    f.page->proposal()->sources()->setCurrentIndex(1);
+    click(f.page->proposal()->startButton());
+    QTRY_VERIFY_WITH_TIMEOUT(f.page->proposal()->hasProposal(), 30'000);
+    QVERIFY(std::abs(f.page->study().proposal()->fabric.scale - 1.1) < 0.02);
+    f.page->study().listen(std::span(samples).first(10));  // time goes back: another session
+    QCOMPARE(f.page->study().heard(), std::size_t{1});
+  }
+
+  void readinessSaysWhyAndHowAndLeadsToWhereItIsMended() {
+    Fixture f;
+    f.session->lines = {{.what = "Motors answer",
+                         .ok = false,
+                         .why = "the motor board is silent",
+                         .remedy = "Check the touchpad's power and its serial cable.",
+                         .lack = pipeline::Lack::motors_stale},
+                        {.what = "Stiffness target known",
+                         .ok = false,
+                         .why = "no stiffness target",
+                         .remedy = "Choose the robot's stiffness or set one by hand.",
+                         .lack = pipeline::Lack::no_target},
+                        {.what = "Camera sees", .ok = true}};
+    f.window->feed().pump();
+    const widgets::ReadinessList* list = f.window->operate()->readiness();
+    QVERIFY2(list->title().contains(QStringLiteral("1/3")), qPrintable(list->title()));
+    QStringList words;
+    for (const QLabel* label : list->findChildren<QLabel*>()) words << label->text();
+    QVERIFY(words.contains(QStringLiteral("The motor board is silent")));
+    QVERIFY(words.contains(QStringLiteral("Check the touchpad's power and its serial cable.")));
+    QCOMPARE(list->findChildren<QToolButton*>().size(), 2);
+    TuneFixture::click(list->findChild<QToolButton*>(QStringLiteral("mend_session.target_by_hand")));
+    QCOMPARE(f.session->count(pipeline::OperatorAction::target_by_hand), 1);
+    TuneFixture::click(list->findChild<QToolButton*>(QStringLiteral("mend_place.devices")));
+    QCOMPARE(f.window->frame()->place(), QStringLiteral("devices"));
+  }
+};
+
+std::unique_ptr<QObject> makeTuneTest() { return std::make_unique<TuneTest>(); }
+
+}  // namespace fyd::tests
+
+#include "tune_test.moc"
