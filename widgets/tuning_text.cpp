@@ -42,6 +42,7 @@ QString tunedName(const Parameter& parameter) {
     }
   }
   name.replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (!name.isEmpty()) name[0] = name[0].toUpper();
   return name;
 }
 

@@ -28,8 +28,6 @@ class LoopStudy : public QObject {
 
   /// Remembers the last minute of stretch and stiffness, for TuneSource::session.
   void listen(std::span<const pipeline::TelemetrySample> samples);
-  /// The session began anew: its time does as well.
-  void forget() { heard_.clear(); }
 
   /// Responses of these values follow soon; what is being computed for others is dropped.
   void setValues(const control::ControlParameters& current, const control::ControlParameters& saved);

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "app/console/tuning_readback_lines.h"
 #include "widgets/core_text.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
@@ -48,6 +49,7 @@ TunePage::TunePage(const PageContext& context, QWidget* parent)
       differences_(new widgets::TuningDifferences(model_, this)),
       presets_(new widgets::TuningPresetList(this)),
       proposal_(new widgets::TuningProposal(this)),
+      readback_(new widgets::TuningReadback(this)),
       tabs_(new QTabWidget(this)),
       live_(new QLabel(this)) {
   build();
@@ -73,6 +75,7 @@ void TunePage::build() {
   tabs_->addTab(differences_, tr("Differences"));
   tabs_->addTab(presets_, tr("Presets"));
   tabs_->addTab(proposal_, tr("Auto-tune"));
+  tabs_->addTab(readback_, tr("Read back"));
   auto* right = new QVBoxLayout;
   right->setSpacing(kGrid);
   right->addWidget(above, 1);
@@ -136,9 +139,13 @@ void TunePage::connectModel() {
     if (shown_ && id.startsWith(QLatin1String("control."))) studyValues();
   });
   connect(&model_, &widgets::TuningModel::feelingSavedChanged, this, &TunePage::refreshFoot);
+  constexpr int kRead_ms = 500;
+  reading_.setInterval(kRead_ms);
+  connect(&reading_, &QTimer::timeout, this, &TunePage::readBack);
   connect(model_.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshFoot);
   connect(&context_.feed, &SessionFeed::telemetry, this, [this](std::span<const pipeline::TelemetrySample> samples) {
     study_.listen(samples);
+    newest_ = samples.back();
     if (shown_) showLive(samples);
   });
   refreshFoot();
@@ -274,9 +281,16 @@ void TunePage::enter() {
   shown_ = true;
   presets_->setNames(context_.tuning.presets().names());  // another program may have written one
   studyValues();
+  readBack();
+  reading_.start();
 }
 
-void TunePage::leave() { shown_ = false; }
+void TunePage::leave() {
+  shown_ = false;
+  reading_.stop();
+}
+
+void TunePage::readBack() { readback_->setLines(readbackLines(model_, newest_, context_.session.devices())); }
 
 void TunePage::addCommands(PlaceCommands& commands) {
   widgets::TuningModel* model = &model_;

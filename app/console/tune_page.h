@@ -14,6 +14,7 @@
 #include "widgets/tuning_list.h"
 #include "widgets/tuning_preset_list.h"
 #include "widgets/tuning_proposal.h"
+#include "widgets/tuning_readback.h"
 #include "widgets/tuning_response.h"
 
 namespace fyd::console {
@@ -32,6 +33,7 @@ class TunePage : public Page {
   [[nodiscard]] widgets::TuningDifferences* differences() const { return differences_; }
   [[nodiscard]] widgets::TuningPresetList* presets() const { return presets_; }
   [[nodiscard]] widgets::TuningProposal* proposal() const { return proposal_; }
+  [[nodiscard]] widgets::TuningReadback* readback() const { return readback_; }
   [[nodiscard]] QTabWidget* tabs() const { return tabs_; }
   [[nodiscard]] LoopStudy& study() { return study_; }
   [[nodiscard]] widgets::TuningModel& model() { return model_; }
@@ -49,6 +51,7 @@ class TunePage : public Page {
   void discardProposal(const QString& words);
   void showTaken(const Result<void>& taken);
   void findParameter();
+  void readBack();
   void showLive(std::span<const pipeline::TelemetrySample> samples);
 
   PageContext context_;
@@ -60,12 +63,15 @@ class TunePage : public Page {
   widgets::TuningDifferences* differences_;
   widgets::TuningPresetList* presets_;
   widgets::TuningProposal* proposal_;
+  widgets::TuningReadback* readback_;
   QTabWidget* tabs_;
   QToolButton* undo_ = nullptr;
   QToolButton* redo_ = nullptr;
   QPushButton* save_ = nullptr;
   QLabel* live_;
   std::vector<TuneSource> sources_;
+  QTimer reading_;
+  pipeline::TelemetrySample newest_;
   bool shown_ = false;
 };
 

@@ -26,6 +26,10 @@
         <translation>%1   (%2)</translation>
     </message>
     <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
         <source>%1 %2 ± %3</source>
         <translation>%1 %2 ± %3</translation>
     </message>
@@ -152,6 +156,10 @@
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>%1 of %2 samples, %3 times real time.</source>
@@ -442,6 +450,18 @@
         <translation>A – B</translation>
     </message>
     <message>
+        <source>A: feel the saved values</source>
+        <translation>A : sentir les valeurs enregistrées</translation>
+    </message>
+    <message>
+        <source>A: feel the saved values. Nothing can be changed meanwhile (Ctrl+B)</source>
+        <translation>A : sentir les valeurs enregistrées. Rien ne peut être changé pendant ce temps (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>A: saved</source>
+        <translation>A : enregistré</translation>
+    </message>
+    <message>
         <source>Acceleration, peak</source>
         <translation>Accélération, pic</translation>
     </message>
@@ -458,6 +478,10 @@
         <translation>Accepter l'étalonnage</translation>
     </message>
     <message>
+        <source>Accept the proposed values</source>
+        <translation>Accepter les valeurs proposées</translation>
+    </message>
+    <message>
         <source>Accepted and written to %1, but the session goes on without it: %2. Start the window again to use it.</source>
         <translation>Accepté et écrit dans %1, mais la session continue sans : %2. Redémarrer la fenêtre pour l'utiliser.</translation>
     </message>
@@ -468,6 +492,10 @@
     <message>
         <source>Accepted. The values are in force and in the profile.</source>
         <translation>Accepté. Les valeurs sont en vigueur et dans le profil.</translation>
+    </message>
+    <message>
+        <source>Accepted: the proposed values are in use. Undo takes them back, Save profile keeps them.</source>
+        <translation>Accepté : les valeurs proposées sont en usage. Annuler les retire, Enregistrer le profil les garde.</translation>
     </message>
     <message>
         <source>Accepting begins the session anew and would end the recording: stop the recording first.</source>
@@ -510,12 +538,28 @@
         <translation>Les %1 essais sont tous faits.</translation>
     </message>
     <message>
+        <source>All back to saved</source>
+        <translation>Tout à l'enregistré</translation>
+    </message>
+    <message>
+        <source>All live parameters</source>
+        <translation>Tous les paramètres en direct</translation>
+    </message>
+    <message>
+        <source>All values back to saved</source>
+        <translation>Toutes les valeurs : retour aux valeurs enregistrées</translation>
+    </message>
+    <message>
         <source>An indentation less certain than this is unavailable.</source>
         <translation>Une indentation moins certaine que cela est indisponible.</translation>
     </message>
     <message>
         <source>Answers</source>
         <translation>Répond</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>Demandé</translation>
     </message>
     <message>
         <source>At A</source>
@@ -538,6 +582,10 @@
         <translation>Au moins %1 positions, pas sur une droite.</translation>
     </message>
     <message>
+        <source>Auto-tune</source>
+        <translation>Réglage automatique</translation>
+    </message>
+    <message>
         <source>Averages the signal and adds it to the points.</source>
         <translation>Fait la moyenne du signal et l'ajoute aux points.</translation>
     </message>
@@ -558,12 +606,36 @@
         <translation>B − A</translation>
     </message>
     <message>
+        <source>B: current</source>
+        <translation>B : actuel</translation>
+    </message>
+    <message>
+        <source>B: feel the current values</source>
+        <translation>B : sentir les valeurs actuelles</translation>
+    </message>
+    <message>
+        <source>B: feel the current values (Ctrl+B)</source>
+        <translation>B : sentir les valeurs actuelles (Ctrl+B)</translation>
+    </message>
+    <message>
         <source>Back</source>
         <translation>Retour</translation>
     </message>
     <message>
+        <source>Back to saved</source>
+        <translation>Retour à l'enregistré</translation>
+    </message>
+    <message>
         <source>Back to the default, %1</source>
         <translation>Revenir à la valeur par défaut, %1</translation>
+    </message>
+    <message>
+        <source>Back to the saved value of %1</source>
+        <translation>Retour à la valeur enregistrée de %1</translation>
+    </message>
+    <message>
+        <source>Back to the saved value, %1</source>
+        <translation>Retour à la valeur enregistrée, %1</translation>
     </message>
     <message>
         <source>Began, UTC</source>
@@ -632,6 +704,14 @@
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancel auto-tune</source>
+        <translation>Annuler le réglage automatique</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was changed.</source>
+        <translation>Annulé ; rien n'a été changé.</translation>
     </message>
     <message>
         <source>Change the robot</source>
@@ -758,6 +838,10 @@
         <translation>Fermée : le robot a pris congé</translation>
     </message>
     <message>
+        <source>Cloth %1 times its law's stiffness; sensors %2 s late with a lag of %3 s, noise %4 %. The courses above show what the proposal would do. Nothing is changed yet.</source>
+        <translation>Tissu à %1 fois la raideur de sa loi ; capteurs en retard de %2 s, constante de temps %3 s, bruit %4 %. Les courbes ci-dessus montrent ce que ferait la proposition. Rien n'est encore changé.</translation>
+    </message>
+    <message>
         <source>Cloth and robot answer (closed loop)</source>
         <translation>Tissu et robot répondent (boucle fermée)</translation>
     </message>
@@ -818,6 +902,14 @@
         <translation>Supprimer</translation>
     </message>
     <message>
+        <source>Delete the chosen preset</source>
+        <translation>Supprimer le préréglage choisi</translation>
+    </message>
+    <message>
+        <source>Delete the chosen preset; undo brings it back</source>
+        <translation>Supprimer le préréglage choisi ; Annuler le ramène</translation>
+    </message>
+    <message>
         <source>Depth
 mm</source>
         <translation>Profondeur
@@ -836,6 +928,10 @@ mm</translation>
         <translation>Appareils</translation>
     </message>
     <message>
+        <source>Differences</source>
+        <translation>Différences</translation>
+    </message>
+    <message>
         <source>Different from %1 s on (%2).</source>
         <translation>Différent à partir de %1 s (%2).</translation>
     </message>
@@ -846,6 +942,14 @@ mm</translation>
     <message>
         <source>Discard the points</source>
         <translation>Écarter les points</translation>
+    </message>
+    <message>
+        <source>Discard the proposed values</source>
+        <translation>Rejeter les valeurs proposées</translation>
+    </message>
+    <message>
+        <source>Discarded; nothing was changed.</source>
+        <translation>Rejeté ; rien n'a été changé.</translation>
     </message>
     <message>
         <source>Disconnected</source>
@@ -958,6 +1062,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Esc arrête.</translation>
     </message>
     <message>
+        <source>Every parameter takes its saved value again; one step to undo</source>
+        <translation>Chaque paramètre reprend sa valeur enregistrée ; une seule étape à annuler</translation>
+    </message>
+    <message>
         <source>Everything needed is there; motors off.</source>
         <translation>Tout le nécessaire est là ; moteurs coupés.</translation>
     </message>
@@ -998,6 +1106,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Vitesse maximale de la position envoyée au robot.</translation>
     </message>
     <message>
+        <source>Feel saved or current values</source>
+        <translation>Sentir les valeurs enregistrées ou actuelles</translation>
+    </message>
+    <message>
         <source>Figures between A and B</source>
         <translation>Valeurs entre A et B</translation>
     </message>
@@ -1034,6 +1146,14 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Trouver une commande…</translation>
     </message>
     <message>
+        <source>Find a parameter…</source>
+        <translation>Chercher un paramètre…</translation>
+    </message>
+    <message>
+        <source>Finds out how cloth and sensors answer and proposes gains. Nothing changes until you accept.</source>
+        <translation>Apprend comment répondent tissu et capteurs et propose des gains. Rien ne change tant que vous n'acceptez pas.</translation>
+    </message>
+    <message>
         <source>Finger area in pixels</source>
         <translation>Aire du doigt en pixels</translation>
     </message>
@@ -1052,6 +1172,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Finger y in millimetres</source>
         <translation>y du doigt en millimètres</translation>
+    </message>
+    <message>
+        <source>Finger, indentation and force</source>
+        <translation>Doigt, indentation et force</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -1100,12 +1224,28 @@ N</translation>
         <translation>Trouvé dans le manuel</translation>
     </message>
     <message>
+        <source>From the last minute of this session</source>
+        <translation>De la dernière minute de cette séance</translation>
+    </message>
+    <message>
+        <source>From the simulated touchpad, 12 s of virtual time</source>
+        <translation>Du pavé simulé, 12 s de temps virtuel</translation>
+    </message>
+    <message>
         <source>Gain k_vib</source>
         <translation>Gain k_vib</translation>
     </message>
     <message>
+        <source>Gain margin</source>
+        <translation>Marge de gain</translation>
+    </message>
+    <message>
         <source>Gain of the vibration; the robot's operator moves it by 0.1.</source>
         <translation>Gain de la vibration ; l'opérateur du robot le change de 0.1.</translation>
+    </message>
+    <message>
+        <source>Give the chosen preset the name above</source>
+        <translation>Donner au préréglage choisi le nom ci-dessus</translation>
     </message>
     <message>
         <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
@@ -1220,6 +1360,10 @@ Robot : %2
         <translation>Identique, bit pour bit.</translation>
     </message>
     <message>
+        <source>Identify cloth and sensors and propose gains; nothing is changed (Ctrl+U)</source>
+        <translation>Identifier tissu et capteurs et proposer des gains ; rien n'est changé (Ctrl+U)</translation>
+    </message>
+    <message>
         <source>In force</source>
         <translation>En vigueur</translation>
     </message>
@@ -1258,6 +1402,10 @@ Robot : %2
     <message>
         <source>Kd</source>
         <translation>Kd</translation>
+    </message>
+    <message>
+        <source>Keep the present values of all live parameters under this name (Enter)</source>
+        <translation>Garder sous ce nom les valeurs actuelles de tous les paramètres en direct (Entrée)</translation>
     </message>
     <message>
         <source>Key file</source>
@@ -1374,8 +1522,16 @@ s</translation>
         <translation>Liste les ports série et les caméras comme « fyd devices ». Rien de ce qui est utilisé n'est dérangé.</translation>
     </message>
     <message>
+        <source>Live parameters, held by the step</source>
+        <translation>Paramètres en direct, tenus par le pas</translation>
+    </message>
+    <message>
         <source>Live values</source>
         <translation>Valeurs en direct</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charger</translation>
     </message>
     <message>
         <source>Load cell</source>
@@ -1398,12 +1554,28 @@ s</translation>
         <translation>Cellule de charge : bruit d'une lecture.</translation>
     </message>
     <message>
+        <source>Load the chosen preset</source>
+        <translation>Charger le préréglage choisi</translation>
+    </message>
+    <message>
+        <source>Loading one changes all its values at once; undo takes it back.</source>
+        <translation>En charger un change toutes ses valeurs à la fois ; Annuler le retire.</translation>
+    </message>
+    <message>
         <source>Log</source>
         <translation>Journal</translation>
     </message>
     <message>
         <source>Look again</source>
         <translation>Chercher à nouveau</translation>
+    </message>
+    <message>
+        <source>Look at its signal</source>
+        <translation>Voir son signal</translation>
+    </message>
+    <message>
+        <source>Look at the devices</source>
+        <translation>Voir les appareils</translation>
     </message>
     <message>
         <source>Look at the offsets at the right, then accept them or measure again.</source>
@@ -1536,12 +1708,20 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>N/mm</translation>
     </message>
     <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
         <source>Name a second recording: its curves are drawn faint behind these.</source>
         <translation>Indiquer un second enregistrement : ses courbes sont tracées en clair derrière celles-ci.</translation>
     </message>
     <message>
         <source>Name of the present layout</source>
         <translation>Nom de la disposition présente</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Nom du préréglage</translation>
     </message>
     <message>
         <source>Name one with --touchpad, --motors or --camera at the start.</source>
@@ -1580,6 +1760,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Pas de notes. N en écrit une au curseur.</translation>
     </message>
     <message>
+        <source>No parameter is found so. The search looks at name, identifier, help and group.</source>
+        <translation>Aucun paramètre trouvé ainsi. La recherche porte sur nom, identifiant, aide et groupe.</translation>
+    </message>
+    <message>
         <source>No picture</source>
         <translation>Pas d'image</translation>
     </message>
@@ -1602,6 +1786,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>No points yet. The values in force stay until you accept new ones.</source>
         <translation>Pas encore de points. Les valeurs en vigueur restent jusqu'à l'acceptation de nouvelles.</translation>
+    </message>
+    <message>
+        <source>No preset yet. Tune what you like to keep, write a name and press Save.</source>
+        <translation>Pas encore de préréglage. Réglez ce que vous voulez garder, écrivez un nom et pressez Enregistrer.</translation>
+    </message>
+    <message>
+        <source>No preset yet; the place Tune saves one</source>
+        <translation>Pas encore de préréglage ; le lieu Réglage en enregistre</translation>
     </message>
     <message>
         <source>No real-time priority: the system may delay the loop.</source>
@@ -1712,6 +1904,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Rien ne diffère du profil (Ctrl+S)</translation>
     </message>
     <message>
+        <source>Nothing differs from the saved profile. Change a value at the left and it is listed here; A and B then switch between saved and current while you feel.</source>
+        <translation>Rien ne diffère du profil enregistré. Changez une valeur à gauche et elle apparaît ici ; A et B passent alors de l'enregistré à l'actuel pendant que vous sentez.</translation>
+    </message>
+    <message>
+        <source>Nothing differs from the saved values</source>
+        <translation>Rien ne diffère des valeurs enregistrées</translation>
+    </message>
+    <message>
         <source>Nothing in the manual has these words.</source>
         <translation>Rien dans le manuel n'a ces mots.</translation>
     </message>
@@ -1744,12 +1944,24 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Décalage, mm</translation>
     </message>
     <message>
+        <source>On a cloth 30 % softer than its law says, with the sensors that the profile describes. Auto-tune finds out more.</source>
+        <translation>Sur un tissu 30 % plus souple que ne le dit sa loi, avec les capteurs décrits par le profil. Le réglage automatique en apprend plus.</translation>
+    </message>
+    <message>
+        <source>On the cloth that auto-tune identified, 30 % softer than its law says.</source>
+        <translation>Sur le tissu identifié par le réglage automatique, 30 % plus souple que ne le dit sa loi.</translation>
+    </message>
+    <message>
         <source>One measurement of 3 s.</source>
         <translation>Une mesure de 3 s.</translation>
     </message>
     <message>
         <source>Only a robot with the same key is heard; what is said cannot be read or changed.</source>
         <translation>Seul un robot avec la même clé est entendu ; ce qui est dit ne peut être ni lu ni changé.</translation>
+    </message>
+    <message>
+        <source>Only what differs</source>
+        <translation>Seulement ce qui diffère</translation>
     </message>
     <message>
         <source>Only while nothing renders: press Esc first.</source>
@@ -1780,8 +1992,16 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Opérateur : qui conduit ? Un nom ou des initiales.</translation>
     </message>
     <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
         <source>Page of the manual</source>
         <translation>Page du manuel</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
     </message>
     <message>
         <source>Parameter %1</source>
@@ -1826,6 +2046,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Paused by the robot</source>
         <translation>Mise en pause par le robot</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Marge de phase</translation>
     </message>
     <message>
         <source>Picture column of the touchpad's origin.</source>
@@ -1884,6 +2108,18 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Points, ajustement et résidus</translation>
     </message>
     <message>
+        <source>Present</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Préréglages</translation>
+    </message>
+    <message>
         <source>Press Esc, then restart the program.</source>
         <translation>Appuyer sur Esc, puis redémarrer le programme.</translation>
     </message>
@@ -1908,12 +2144,24 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Profil enregistré dans %1.</translation>
     </message>
     <message>
+        <source>Progress of auto-tune</source>
+        <translation>Avancement du réglage automatique</translation>
+    </message>
+    <message>
         <source>Proportional gain in thesis mode.</source>
         <translation>Gain proportionnel en mode thèse.</translation>
     </message>
     <message>
         <source>Proportional gain: relative correction for relative error.</source>
         <translation>Gain proportionnel : correction relative pour erreur relative.</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Proposé</translation>
+    </message>
+    <message>
+        <source>Proposed values</source>
+        <translation>Valeurs proposées</translation>
     </message>
     <message>
         <source>Protocol</source>
@@ -1944,6 +2192,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Read</source>
         <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Read back</source>
+        <translation>Relu</translation>
     </message>
     <message>
         <source>Readiness</source>
@@ -2048,6 +2300,14 @@ Appuyer pour lire pourquoi</translation>
         <translation>Refusés : aucun</translation>
     </message>
     <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Rename the chosen preset</source>
+        <translation>Renommer le préréglage choisi</translation>
+    </message>
+    <message>
         <source>Rendering; motors on.</source>
         <translation>Rendu en cours ; moteurs en marche.</translation>
     </message>
@@ -2078,6 +2338,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Review</source>
         <translation>Relecture</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Temps de montée</translation>
     </message>
     <message>
         <source>Robot</source>
@@ -2128,6 +2392,14 @@ Appuyer pour lire pourquoi</translation>
         <translation>Échantillons dans une trame de dft321 : plus de résolution pour plus de retard.</translation>
     </message>
     <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save a preset…</source>
+        <translation>Enregistrer un préréglage…</translation>
+    </message>
+    <message>
         <source>Save layout</source>
         <translation>Enregistrer la disposition</translation>
     </message>
@@ -2148,6 +2420,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Chercher opérateur, sujet, notes, étiquettes</translation>
     </message>
     <message>
+        <source>Search parameters</source>
+        <translation>Chercher des paramètres</translation>
+    </message>
+    <message>
         <source>Search the log</source>
         <translation>Chercher dans le journal</translation>
     </message>
@@ -2162,6 +2438,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Secured</source>
         <translation>Sécurisée</translation>
+    </message>
+    <message>
+        <source>Selected values back to saved</source>
+        <translation>Valeurs choisies : retour aux valeurs enregistrées</translation>
     </message>
     <message>
         <source>Sensors live, motors off.</source>
@@ -2192,10 +2472,22 @@ Appuyer pour lire pourquoi</translation>
         <translation>Placer B au curseur</translation>
     </message>
     <message>
+        <source>Set the target by hand</source>
+        <translation>Fixer la consigne à la main</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
         <source>Settled
 s</source>
         <translation>Établi
 s</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Temps d'établissement</translation>
     </message>
     <message>
         <source>Share of the robot's messages of the last second that did not arrive.</source>
@@ -2222,8 +2514,16 @@ s</translation>
         <translation>Afficher 60 s</translation>
     </message>
     <message>
+        <source>Show only parameters that differ from the saved profile</source>
+        <translation>Ne montrer que les paramètres qui diffèrent du profil enregistré</translation>
+    </message>
+    <message>
         <source>Show the last %1 s</source>
         <translation>Afficher les %1 dernières s</translation>
+    </message>
+    <message>
+        <source>Show the link</source>
+        <translation>Montrer la liaison</translation>
     </message>
     <message>
         <source>Show the whole session</source>
@@ -2314,6 +2614,18 @@ s</translation>
         <translation>État</translation>
     </message>
     <message>
+        <source>Steady error</source>
+        <translation>Erreur en régime permanent</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Réponse à un échelon</translation>
+    </message>
+    <message>
+        <source>Step response is being computed</source>
+        <translation>La réponse à un échelon est en calcul</translation>
+    </message>
+    <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
     </message>
@@ -2322,6 +2634,10 @@ s</translation>
 N/mm</source>
         <translation>Raideur
 N/mm</translation>
+    </message>
+    <message>
+        <source>Stiffness control</source>
+        <translation>Commande de la raideur</translation>
     </message>
     <message>
         <source>Stiffness error, RMS: %1 % recorded, %2 % so.</source>
@@ -2356,6 +2672,10 @@ N/mm</translation>
         <translation>Raideur de consigne tant qu'elle est réglée à la main.</translation>
     </message>
     <message>
+        <source>Stiffness, measured and target</source>
+        <translation>Raideur, mesurée et consigne</translation>
+    </message>
+    <message>
         <source>Still missing: %1</source>
         <translation>Il manque encore : %1</translation>
     </message>
@@ -2374,6 +2694,10 @@ N/mm</translation>
     <message>
         <source>Stopped by the operator; motors off.</source>
         <translation>Arrêté par l'opérateur ; moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>Stretch, read by the encoders</source>
+        <translation>Tension, lue par les codeurs</translation>
     </message>
     <message>
         <source>Subject</source>
@@ -2440,6 +2764,10 @@ N/mm</translation>
         <translation>Consigne</translation>
     </message>
     <message>
+        <source>Target and robot motion</source>
+        <translation>Consigne et mouvement du robot</translation>
+    </message>
+    <message>
         <source>Target by hand</source>
         <translation>Consigne à la main</translation>
     </message>
@@ -2456,6 +2784,10 @@ N/mm</translation>
         <translation>Texture</translation>
     </message>
     <message>
+        <source>Texture and vibration</source>
+        <translation>Texture et vibration</translation>
+    </message>
+    <message>
         <source>The camera sees the cloth mirrored left to right.</source>
         <translation>La caméra voit le tissu en miroir de gauche à droite.</translation>
     </message>
@@ -2466,6 +2798,10 @@ N/mm</translation>
     <message>
         <source>The clock went back by %1 s; that step moved nothing.</source>
         <translation>L'horloge a reculé de %1 s ; ce pas n'a rien bougé.</translation>
+    </message>
+    <message>
+        <source>The current values (B) are felt.</source>
+        <translation>On sent les valeurs actuelles (B).</translation>
     </message>
     <message>
         <source>The curves lost %1 samples.</source>
@@ -2504,6 +2840,10 @@ N/mm</translation>
         <translation>L'autre session est tracée %1 s plus tard qu'enregistrée.</translation>
     </message>
     <message>
+        <source>The proposal was not taken: %1</source>
+        <translation>La proposition n'a pas été prise : %1</translation>
+    </message>
+    <message>
         <source>The recording cannot be replayed exactly: the step gave another result the second time. The measured values are safe. Please report this fault with the file.</source>
         <translation>L'enregistrement ne peut être rejoué exactement : le pas a donné un autre résultat la seconde fois. Les valeurs mesurées sont en sûreté. Signaler ce défaut avec le fichier.</translation>
     </message>
@@ -2526,6 +2866,14 @@ N/mm</translation>
     <message>
         <source>The robot's operator asks: %1.</source>
         <translation>L'opérateur du robot demande : %1.</translation>
+    </message>
+    <message>
+        <source>The saved values (A) are felt. Go back to B to change anything.</source>
+        <translation>On sent les valeurs enregistrées (A). Revenez à B pour changer quelque chose.</translation>
+    </message>
+    <message>
+        <source>The selected parameters take their saved values again</source>
+        <translation>Les paramètres choisis reprennent leurs valeurs enregistrées</translation>
     </message>
     <message>
         <source>The session has no devices: it is closed. Choose a robot in the link's panel to open it again.</source>
@@ -2560,12 +2908,20 @@ N/mm</translation>
         <translation>La station se tait : attendre qu'elle réponde.</translation>
     </message>
     <message>
+        <source>The step refused %1: it cannot be used now.</source>
+        <translation>Le pas a refusé %1 : inutilisable en ce moment.</translation>
+    </message>
+    <message>
         <source>The target from above. Below, how far each mark is off. Crosses: points the others contradict.</source>
         <translation>La cible vue de dessus. Dessous, l'écart de chaque marque. Croix : points que les autres contredisent.</translation>
     </message>
     <message>
         <source>The target is out of reach; rendering the nearest, %1 N/mm.</source>
         <translation>La consigne est hors de portée ; rendu de la plus proche, %1 N/mm.</translation>
+    </message>
+    <message>
+        <source>The touchpad runs mode thesis; these courses are of mode default.</source>
+        <translation>Le pavé suit le mode thesis ; ces courbes sont du mode default.</translation>
     </message>
     <message>
         <source>The whole recording</source>
@@ -2656,6 +3012,10 @@ N/mm</translation>
         <translation>Essai %1 sur %2 : %3.</translation>
     </message>
     <message>
+        <source>Tune</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
         <source>Tuning</source>
         <translation>Réglage</translation>
     </message>
@@ -2692,6 +3052,18 @@ N/mm</translation>
         <translation>Utiliser</translation>
     </message>
     <message>
+        <source>Use a preset's values</source>
+        <translation>Utiliser les valeurs d'un préréglage</translation>
+    </message>
+    <message>
+        <source>Use the chosen preset's values; one step to undo (Enter on the list)</source>
+        <translation>Utiliser les valeurs du préréglage choisi ; une seule étape à annuler (Entrée sur la liste)</translation>
+    </message>
+    <message>
+        <source>Use the proposed values; one step to undo</source>
+        <translation>Utiliser les valeurs proposées ; une seule étape à annuler</translation>
+    </message>
+    <message>
         <source>Value</source>
         <translation>Valeur</translation>
     </message>
@@ -2700,8 +3072,16 @@ N/mm</translation>
         <translation>Valeurs en vigueur et nouvelles valeurs</translation>
     </message>
     <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
         <source>Vibration</source>
         <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Vibration duty, held by the motor board</source>
+        <translation>Rapport cyclique de vibration, tenu par la carte moteur</translation>
     </message>
     <message>
         <source>Vibration, peak</source>
@@ -2736,6 +3116,10 @@ N/mm</translation>
         <translation>Bien</translation>
     </message>
     <message>
+        <source>What differs from the saved profile</source>
+        <translation>Ce qui diffère du profil enregistré</translation>
+    </message>
+    <message>
         <source>What happened</source>
         <translation>Ce qui s'est passé</translation>
     </message>
@@ -2744,8 +3128,16 @@ N/mm</translation>
         <translation>Et si</translation>
     </message>
     <message>
+        <source>What the cloth is identified from</source>
+        <translation>De quoi le tissu est identifié</translation>
+    </message>
+    <message>
         <source>What to do now</source>
         <translation>Que faire maintenant</translation>
+    </message>
+    <message>
+        <source>What was asked, and what the part that holds it says of it. A value counts as confirmed only when that part has said so.</source>
+        <translation>Ce qui a été demandé, et ce qu'en dit la partie qui le tient. Une valeur n'est confirmée que lorsque cette partie l'a dit.</translation>
     </message>
     <message>
         <source>Who</source>
@@ -2758,6 +3150,10 @@ N/mm</translation>
     <message>
         <source>Width</source>
         <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Words of the name, the identifier, the help or the group (Ctrl+F)</source>
+        <translation>Mots du nom, de l'identifiant, de l'aide ou du groupe (Ctrl+F)</translation>
     </message>
     <message>
         <source>Write a note at the cursor</source>
@@ -2804,6 +3200,10 @@ N/mm</translation>
         <translation>alarme</translation>
     </message>
     <message>
+        <source>all back to the saved values</source>
+        <translation>retour à toutes les valeurs enregistrées</translation>
+    </message>
+    <message>
         <source>an answer of another unit</source>
         <translation>une réponse d'une autre unité</translation>
     </message>
@@ -2836,8 +3236,16 @@ N/mm</translation>
         <translation>au repos %1 g, dispersion %2 g</translation>
     </message>
     <message>
+        <source>auto-tune</source>
+        <translation>réglage automatique</translation>
+    </message>
+    <message>
         <source>average more readings at each distance, target square to the sensor</source>
         <translation>moyenner plus de lectures à chaque distance, cible d'équerre avec le capteur</translation>
+    </message>
+    <message>
+        <source>back to the saved values</source>
+        <translation>retour aux valeurs enregistrées</translation>
     </message>
     <message>
         <source>black picture</source>
@@ -2880,6 +3288,10 @@ N/mm</translation>
         <translation>caméra : non indiquée</translation>
     </message>
     <message>
+        <source>cannot be read back</source>
+        <translation>ne peut être relu</translation>
+    </message>
+    <message>
         <source>changed since it was calibrated %1 days ago</source>
         <translation>changé depuis l'étalonnage il y a %1 jours</translation>
     </message>
@@ -2900,6 +3312,10 @@ N/mm</translation>
         <translation>horloge</translation>
     </message>
     <message>
+        <source>confirmed</source>
+        <translation>confirmé</translation>
+    </message>
+    <message>
         <source>contrast</source>
         <translation>contraste</translation>
     </message>
@@ -2916,8 +3332,20 @@ N/mm</translation>
         <translation>courbe : %1</translation>
     </message>
     <message>
+        <source>dashed</source>
+        <translation>tirets</translation>
+    </message>
+    <message>
         <source>days left</source>
         <translation>jours restants</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>par défaut %1</translation>
+    </message>
+    <message>
+        <source>deleting of preset %1</source>
+        <translation>suppression du préréglage %1</translation>
     </message>
     <message>
         <source>device test '%1': %2</source>
@@ -2926,6 +3354,10 @@ N/mm</translation>
     <message>
         <source>device test: the session is closed</source>
         <translation>essai de l'appareil : la session est fermée</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>diffère</translation>
     </message>
     <message>
         <source>disconnect</source>
@@ -2944,8 +3376,16 @@ N/mm</translation>
         <translation>distances au tissu non touché %1 mm, dispersion %2 mm ; force %3 N</translation>
     </message>
     <message>
+        <source>does not settle</source>
+        <translation>ne s'établit pas</translation>
+    </message>
+    <message>
         <source>done</source>
         <translation>fait</translation>
+    </message>
+    <message>
+        <source>dotted</source>
+        <translation>pointillé</translation>
     </message>
     <message>
         <source>each ±%1 %2</source>
@@ -3108,6 +3548,10 @@ N/mm</translation>
         <translation>inverse, a/(v + b) + c</translation>
     </message>
     <message>
+        <source>is %1</source>
+        <translation>est %1</translation>
+    </message>
+    <message>
         <source>its recorder crashed: everything committed is shown; recover it with fyd session recover</source>
         <translation>son enregistreur s'est interrompu : tout ce qui est validé est montré ; récupérer avec fyd session recover</translation>
     </message>
@@ -3170,6 +3614,10 @@ N/mm</translation>
     <message>
         <source>measured</source>
         <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>measured %1 · target %2 N/mm</source>
+        <translation>mesurée %1 · consigne %2 N/mm</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>
@@ -3272,6 +3720,10 @@ N/mm</translation>
         <translation>pas un chiffre</translation>
     </message>
     <message>
+        <source>not confirmed: the station did not answer. It last used %1.</source>
+        <translation>non confirmé : la station n'a pas répondu. Elle utilisait en dernier %1.</translation>
+    </message>
+    <message>
         <source>note</source>
         <translation>note</translation>
     </message>
@@ -3328,8 +3780,16 @@ N/mm</translation>
         <translation>rapport de position %1</translation>
     </message>
     <message>
+        <source>preset %1</source>
+        <translation>préréglage %1</translation>
+    </message>
+    <message>
         <source>press slower, and hold each depth</source>
         <translation>appuyer plus lentement, et tenir chaque profondeur</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>proposé</translation>
     </message>
     <message>
         <source>px</source>
@@ -3342,6 +3802,14 @@ N/mm</translation>
     <message>
         <source>recording</source>
         <translation>enregistrement</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>refusé : %1</translation>
+    </message>
+    <message>
+        <source>renaming of preset %1</source>
+        <translation>changement de nom du préréglage %1</translation>
     </message>
     <message>
         <source>resume</source>
@@ -3372,6 +3840,14 @@ N/mm</translation>
         <translation>saturée</translation>
     </message>
     <message>
+        <source>saved %1</source>
+        <translation>enregistré %1</translation>
+    </message>
+    <message>
+        <source>saving of preset %1</source>
+        <translation>enregistrement du préréglage %1</translation>
+    </message>
+    <message>
         <source>send info and pause</source>
         <translation>envoyer les informations et pause</translation>
     </message>
@@ -3380,8 +3856,16 @@ N/mm</translation>
         <translation>les capteurs se contredisent</translation>
     </message>
     <message>
+        <source>sent, not yet confirmed</source>
+        <translation>envoyé, pas encore confirmé</translation>
+    </message>
+    <message>
         <source>set to %1 %</source>
         <translation>réglé à %1 %</translation>
+    </message>
+    <message>
+        <source>settles</source>
+        <translation>s'établit</translation>
     </message>
     <message>
         <source>several</source>
@@ -3402,6 +3886,14 @@ N/mm</translation>
     <message>
         <source>slope fits force against indentation with uncertainty; thesis is the bare ratio.</source>
         <translation>slope ajuste la force à l'indentation avec incertitude ; thesis est le simple rapport.</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>continu</translation>
+    </message>
+    <message>
+        <source>stiffness (% of target)</source>
+        <translation>raideur (% de la consigne)</translation>
     </message>
     <message>
         <source>still being recorded</source>
@@ -3568,6 +4060,10 @@ N/mm</translation>
         <translation>cette source n'en a pas</translation>
     </message>
     <message>
+        <source>time (s)</source>
+        <translation>temps (s)</translation>
+    </message>
+    <message>
         <source>too few distance sensors read within their span</source>
         <translation>trop peu de capteurs de distance lisent dans leur plage</translation>
     </message>
@@ -3642,6 +4138,10 @@ N/mm</translation>
     <message>
         <source>waiting for a robot on %1</source>
         <translation>en attente d'un robot sur %1</translation>
+    </message>
+    <message>
+        <source>was %1</source>
+        <translation>était %1</translation>
     </message>
     <message>
         <source>whole</source>

@@ -26,6 +26,10 @@
         <translation>%1   (%2)</translation>
     </message>
     <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
         <source>%1 %2 ± %3</source>
         <translation>%1 %2 ± %3</translation>
     </message>
@@ -152,6 +156,10 @@
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 di %2</translation>
     </message>
     <message>
         <source>%1 of %2 samples, %3 times real time.</source>
@@ -442,6 +450,18 @@
         <translation>A – B</translation>
     </message>
     <message>
+        <source>A: feel the saved values</source>
+        <translation>A: sentire i valori salvati</translation>
+    </message>
+    <message>
+        <source>A: feel the saved values. Nothing can be changed meanwhile (Ctrl+B)</source>
+        <translation>A: sentire i valori salvati. Intanto nulla può essere cambiato (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>A: saved</source>
+        <translation>A: salvato</translation>
+    </message>
+    <message>
         <source>Acceleration, peak</source>
         <translation>Accelerazione, picco</translation>
     </message>
@@ -458,6 +478,10 @@
         <translation>Accetta la calibrazione</translation>
     </message>
     <message>
+        <source>Accept the proposed values</source>
+        <translation>Accetta i valori proposti</translation>
+    </message>
+    <message>
         <source>Accepted and written to %1, but the session goes on without it: %2. Start the window again to use it.</source>
         <translation>Accettato e scritto in %1, ma la sessione continua senza: %2. Riavviare la finestra per usarlo.</translation>
     </message>
@@ -468,6 +492,10 @@
     <message>
         <source>Accepted. The values are in force and in the profile.</source>
         <translation>Accettato. I valori sono in vigore e nel profilo.</translation>
+    </message>
+    <message>
+        <source>Accepted: the proposed values are in use. Undo takes them back, Save profile keeps them.</source>
+        <translation>Accettato: i valori proposti sono in uso. Annulla li toglie, Salva profilo li conserva.</translation>
     </message>
     <message>
         <source>Accepting begins the session anew and would end the recording: stop the recording first.</source>
@@ -510,12 +538,28 @@
         <translation>Tutte le %1 prove sono fatte.</translation>
     </message>
     <message>
+        <source>All back to saved</source>
+        <translation>Tutto al salvato</translation>
+    </message>
+    <message>
+        <source>All live parameters</source>
+        <translation>Tutti i parametri dal vivo</translation>
+    </message>
+    <message>
+        <source>All values back to saved</source>
+        <translation>Riporta tutti i valori a quelli salvati</translation>
+    </message>
+    <message>
         <source>An indentation less certain than this is unavailable.</source>
         <translation>Un'indentazione meno certa di così non è disponibile.</translation>
     </message>
     <message>
         <source>Answers</source>
         <translation>Risponde</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>Chiesto</translation>
     </message>
     <message>
         <source>At A</source>
@@ -538,6 +582,10 @@
         <translation>Almeno %1 posizioni, non su una retta.</translation>
     </message>
     <message>
+        <source>Auto-tune</source>
+        <translation>Taratura automatica</translation>
+    </message>
+    <message>
         <source>Averages the signal and adds it to the points.</source>
         <translation>Fa la media del segnale e la aggiunge ai punti.</translation>
     </message>
@@ -558,12 +606,36 @@
         <translation>B − A</translation>
     </message>
     <message>
+        <source>B: current</source>
+        <translation>B: attuale</translation>
+    </message>
+    <message>
+        <source>B: feel the current values</source>
+        <translation>B: sentire i valori attuali</translation>
+    </message>
+    <message>
+        <source>B: feel the current values (Ctrl+B)</source>
+        <translation>B: sentire i valori attuali (Ctrl+B)</translation>
+    </message>
+    <message>
         <source>Back</source>
         <translation>Indietro</translation>
     </message>
     <message>
+        <source>Back to saved</source>
+        <translation>Torna al salvato</translation>
+    </message>
+    <message>
         <source>Back to the default, %1</source>
         <translation>Torna al valore predefinito, %1</translation>
+    </message>
+    <message>
+        <source>Back to the saved value of %1</source>
+        <translation>Torna al valore salvato di %1</translation>
+    </message>
+    <message>
+        <source>Back to the saved value, %1</source>
+        <translation>Torna al valore salvato, %1</translation>
     </message>
     <message>
         <source>Began, UTC</source>
@@ -632,6 +704,14 @@
     <message>
         <source>Cancel</source>
         <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Cancel auto-tune</source>
+        <translation>Annulla la taratura automatica</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was changed.</source>
+        <translation>Annullato; nulla è stato cambiato.</translation>
     </message>
     <message>
         <source>Change the robot</source>
@@ -758,6 +838,10 @@
         <translation>Chiuso: il robot si è congedato</translation>
     </message>
     <message>
+        <source>Cloth %1 times its law's stiffness; sensors %2 s late with a lag of %3 s, noise %4 %. The courses above show what the proposal would do. Nothing is changed yet.</source>
+        <translation>Tessuto %1 volte la rigidezza della sua legge; sensori in ritardo di %2 s con costante di tempo di %3 s, rumore %4 %. Gli andamenti sopra mostrano che cosa farebbe la proposta. Nulla è ancora cambiato.</translation>
+    </message>
+    <message>
         <source>Cloth and robot answer (closed loop)</source>
         <translation>Tessuto e robot rispondono (anello chiuso)</translation>
     </message>
@@ -818,6 +902,14 @@
         <translation>Elimina</translation>
     </message>
     <message>
+        <source>Delete the chosen preset</source>
+        <translation>Elimina la preimpostazione scelta</translation>
+    </message>
+    <message>
+        <source>Delete the chosen preset; undo brings it back</source>
+        <translation>Elimina la preimpostazione scelta; Annulla la riporta</translation>
+    </message>
+    <message>
         <source>Depth
 mm</source>
         <translation>Profondità
@@ -836,6 +928,10 @@ mm</translation>
         <translation>Dispositivi</translation>
     </message>
     <message>
+        <source>Differences</source>
+        <translation>Differenze</translation>
+    </message>
+    <message>
         <source>Different from %1 s on (%2).</source>
         <translation>Diverso da %1 s in poi (%2).</translation>
     </message>
@@ -846,6 +942,14 @@ mm</translation>
     <message>
         <source>Discard the points</source>
         <translation>Scarta i punti</translation>
+    </message>
+    <message>
+        <source>Discard the proposed values</source>
+        <translation>Scarta i valori proposti</translation>
+    </message>
+    <message>
+        <source>Discarded; nothing was changed.</source>
+        <translation>Scartato; nulla è stato cambiato.</translation>
     </message>
     <message>
         <source>Disconnected</source>
@@ -958,6 +1062,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Esc arresta.</translation>
     </message>
     <message>
+        <source>Every parameter takes its saved value again; one step to undo</source>
+        <translation>Ogni parametro riprende il valore salvato; un solo passo da annullare</translation>
+    </message>
+    <message>
         <source>Everything needed is there; motors off.</source>
         <translation>C'è tutto il necessario; motori spenti.</translation>
     </message>
@@ -998,6 +1106,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Massima velocità della posizione inviata al robot.</translation>
     </message>
     <message>
+        <source>Feel saved or current values</source>
+        <translation>Sentire i valori salvati o quelli attuali</translation>
+    </message>
+    <message>
         <source>Figures between A and B</source>
         <translation>Valori tra A e B</translation>
     </message>
@@ -1034,6 +1146,14 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Trova un comando…</translation>
     </message>
     <message>
+        <source>Find a parameter…</source>
+        <translation>Trova un parametro…</translation>
+    </message>
+    <message>
+        <source>Finds out how cloth and sensors answer and proposes gains. Nothing changes until you accept.</source>
+        <translation>Scopre come rispondono tessuto e sensori e propone guadagni. Nulla cambia finché non accettate.</translation>
+    </message>
+    <message>
         <source>Finger area in pixels</source>
         <translation>Area del dito in pixel</translation>
     </message>
@@ -1052,6 +1172,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Finger y in millimetres</source>
         <translation>y del dito in millimetri</translation>
+    </message>
+    <message>
+        <source>Finger, indentation and force</source>
+        <translation>Dito, indentazione e forza</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -1100,12 +1224,28 @@ N</translation>
         <translation>Trovato nel manuale</translation>
     </message>
     <message>
+        <source>From the last minute of this session</source>
+        <translation>Dall'ultimo minuto di questa sessione</translation>
+    </message>
+    <message>
+        <source>From the simulated touchpad, 12 s of virtual time</source>
+        <translation>Dal touchpad simulato, 12 s di tempo virtuale</translation>
+    </message>
+    <message>
         <source>Gain k_vib</source>
         <translation>Guadagno k_vib</translation>
     </message>
     <message>
+        <source>Gain margin</source>
+        <translation>Margine di guadagno</translation>
+    </message>
+    <message>
         <source>Gain of the vibration; the robot's operator moves it by 0.1.</source>
         <translation>Guadagno della vibrazione; l'operatore del robot lo muove di 0.1.</translation>
+    </message>
+    <message>
+        <source>Give the chosen preset the name above</source>
+        <translation>Dai alla preimpostazione scelta il nome qui sopra</translation>
     </message>
     <message>
         <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
@@ -1220,6 +1360,10 @@ Robot: %2
         <translation>Identica, bit per bit.</translation>
     </message>
     <message>
+        <source>Identify cloth and sensors and propose gains; nothing is changed (Ctrl+U)</source>
+        <translation>Identifica tessuto e sensori e propone guadagni; nulla cambia (Ctrl+U)</translation>
+    </message>
+    <message>
         <source>In force</source>
         <translation>In vigore</translation>
     </message>
@@ -1258,6 +1402,10 @@ Robot: %2
     <message>
         <source>Kd</source>
         <translation>Kd</translation>
+    </message>
+    <message>
+        <source>Keep the present values of all live parameters under this name (Enter)</source>
+        <translation>Conserva con questo nome i valori attuali di tutti i parametri dal vivo (Invio)</translation>
     </message>
     <message>
         <source>Key file</source>
@@ -1374,8 +1522,16 @@ s</translation>
         <translation>Elenca porte seriali e telecamere come fa "fyd devices". Nulla che sia in uso viene disturbato.</translation>
     </message>
     <message>
+        <source>Live parameters, held by the step</source>
+        <translation>Parametri dal vivo, tenuti dal passo</translation>
+    </message>
+    <message>
         <source>Live values</source>
         <translation>Valori dal vivo</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Carica</translation>
     </message>
     <message>
         <source>Load cell</source>
@@ -1398,12 +1554,28 @@ s</translation>
         <translation>Cella di carico: rumore di una lettura.</translation>
     </message>
     <message>
+        <source>Load the chosen preset</source>
+        <translation>Carica la preimpostazione scelta</translation>
+    </message>
+    <message>
+        <source>Loading one changes all its values at once; undo takes it back.</source>
+        <translation>Caricarne una cambia tutti i suoi valori insieme; Annulla la toglie.</translation>
+    </message>
+    <message>
         <source>Log</source>
         <translation>Registro</translation>
     </message>
     <message>
         <source>Look again</source>
         <translation>Cerca di nuovo</translation>
+    </message>
+    <message>
+        <source>Look at its signal</source>
+        <translation>Guarda il suo segnale</translation>
+    </message>
+    <message>
+        <source>Look at the devices</source>
+        <translation>Guarda i dispositivi</translation>
     </message>
     <message>
         <source>Look at the offsets at the right, then accept them or measure again.</source>
@@ -1536,12 +1708,20 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>N/mm</translation>
     </message>
     <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
         <source>Name a second recording: its curves are drawn faint behind these.</source>
         <translation>Indicare una seconda registrazione: le sue curve sono disegnate tenui dietro queste.</translation>
     </message>
     <message>
         <source>Name of the present layout</source>
         <translation>Nome della disposizione presente</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Nome della preimpostazione</translation>
     </message>
     <message>
         <source>Name one with --touchpad, --motors or --camera at the start.</source>
@@ -1580,6 +1760,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nessuna nota. N ne scrive una al cursore.</translation>
     </message>
     <message>
+        <source>No parameter is found so. The search looks at name, identifier, help and group.</source>
+        <translation>Nessun parametro trovato così. La ricerca guarda nome, identificatore, aiuto e gruppo.</translation>
+    </message>
+    <message>
         <source>No picture</source>
         <translation>Nessuna immagine</translation>
     </message>
@@ -1602,6 +1786,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>No points yet. The values in force stay until you accept new ones.</source>
         <translation>Ancora nessun punto. I valori in vigore restano finché non se ne accettano di nuovi.</translation>
+    </message>
+    <message>
+        <source>No preset yet. Tune what you like to keep, write a name and press Save.</source>
+        <translation>Ancora nessuna preimpostazione. Regolate ciò che volete conservare, scrivete un nome e premete Salva.</translation>
+    </message>
+    <message>
+        <source>No preset yet; the place Tune saves one</source>
+        <translation>Ancora nessuna preimpostazione; il luogo Regola ne salva una</translation>
     </message>
     <message>
         <source>No real-time priority: the system may delay the loop.</source>
@@ -1712,6 +1904,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nulla differisce dal profilo (Ctrl+S)</translation>
     </message>
     <message>
+        <source>Nothing differs from the saved profile. Change a value at the left and it is listed here; A and B then switch between saved and current while you feel.</source>
+        <translation>Nulla differisce dal profilo salvato. Cambiate un valore a sinistra e comparirà qui; A e B passano allora dal salvato all'attuale mentre sentite.</translation>
+    </message>
+    <message>
+        <source>Nothing differs from the saved values</source>
+        <translation>Nulla differisce dai valori salvati</translation>
+    </message>
+    <message>
         <source>Nothing in the manual has these words.</source>
         <translation>Nulla nel manuale ha queste parole.</translation>
     </message>
@@ -1744,12 +1944,24 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Offset, mm</translation>
     </message>
     <message>
+        <source>On a cloth 30 % softer than its law says, with the sensors that the profile describes. Auto-tune finds out more.</source>
+        <translation>Su un tessuto 30 % più morbido di quanto dice la sua legge, con i sensori descritti dal profilo. La taratura automatica ne scopre di più.</translation>
+    </message>
+    <message>
+        <source>On the cloth that auto-tune identified, 30 % softer than its law says.</source>
+        <translation>Sul tessuto identificato dalla taratura automatica, 30 % più morbido di quanto dice la sua legge.</translation>
+    </message>
+    <message>
         <source>One measurement of 3 s.</source>
         <translation>Una misura di 3 s.</translation>
     </message>
     <message>
         <source>Only a robot with the same key is heard; what is said cannot be read or changed.</source>
         <translation>Si ascolta solo un robot con la stessa chiave; ciò che si dice non si può leggere né cambiare.</translation>
+    </message>
+    <message>
+        <source>Only what differs</source>
+        <translation>Solo ciò che differisce</translation>
     </message>
     <message>
         <source>Only while nothing renders: press Esc first.</source>
@@ -1780,8 +1992,16 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Operatore: chi conduce? Un nome o le iniziali.</translation>
     </message>
     <message>
+        <source>Overshoot</source>
+        <translation>Sovraelongazione</translation>
+    </message>
+    <message>
         <source>Page of the manual</source>
         <translation>Pagina del manuale</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parametro</translation>
     </message>
     <message>
         <source>Parameter %1</source>
@@ -1826,6 +2046,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Paused by the robot</source>
         <translation>Messo in pausa dal robot</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Margine di fase</translation>
     </message>
     <message>
         <source>Picture column of the touchpad's origin.</source>
@@ -1884,6 +2108,18 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Punti, adattamento e residui</translation>
     </message>
     <message>
+        <source>Present</source>
+        <translation>Attuale</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preimpostazione</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Preimpostazioni</translation>
+    </message>
+    <message>
         <source>Press Esc, then restart the program.</source>
         <translation>Premere Esc, poi riavviare il programma.</translation>
     </message>
@@ -1908,12 +2144,24 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Profilo salvato in %1.</translation>
     </message>
     <message>
+        <source>Progress of auto-tune</source>
+        <translation>Avanzamento della taratura automatica</translation>
+    </message>
+    <message>
         <source>Proportional gain in thesis mode.</source>
         <translation>Guadagno proporzionale nel modo tesi.</translation>
     </message>
     <message>
         <source>Proportional gain: relative correction for relative error.</source>
         <translation>Guadagno proporzionale: correzione relativa per errore relativo.</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Proposto</translation>
+    </message>
+    <message>
+        <source>Proposed values</source>
+        <translation>Valori proposti</translation>
     </message>
     <message>
         <source>Protocol</source>
@@ -1944,6 +2192,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Read</source>
         <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>Read back</source>
+        <translation>Riletto</translation>
     </message>
     <message>
         <source>Readiness</source>
@@ -2048,6 +2300,14 @@ Premere per leggere perché</translation>
         <translation>Rifiutati: nessuno</translation>
     </message>
     <message>
+        <source>Rename</source>
+        <translation>Rinomina</translation>
+    </message>
+    <message>
+        <source>Rename the chosen preset</source>
+        <translation>Rinomina la preimpostazione scelta</translation>
+    </message>
+    <message>
         <source>Rendering; motors on.</source>
         <translation>Resa in corso; motori accesi.</translation>
     </message>
@@ -2078,6 +2338,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Review</source>
         <translation>Revisione</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Tempo di salita</translation>
     </message>
     <message>
         <source>Robot</source>
@@ -2128,6 +2392,14 @@ Premere per leggere perché</translation>
         <translation>Campioni in un frame di dft321: più risoluzione per più ritardo.</translation>
     </message>
     <message>
+        <source>Save</source>
+        <translation>Salva</translation>
+    </message>
+    <message>
+        <source>Save a preset…</source>
+        <translation>Salva una preimpostazione…</translation>
+    </message>
+    <message>
         <source>Save layout</source>
         <translation>Salva la disposizione</translation>
     </message>
@@ -2148,6 +2420,10 @@ Premere per leggere perché</translation>
         <translation>Cerca operatore, soggetto, note, etichette</translation>
     </message>
     <message>
+        <source>Search parameters</source>
+        <translation>Cerca parametri</translation>
+    </message>
+    <message>
         <source>Search the log</source>
         <translation>Cerca nel registro</translation>
     </message>
@@ -2162,6 +2438,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Secured</source>
         <translation>Protetto</translation>
+    </message>
+    <message>
+        <source>Selected values back to saved</source>
+        <translation>Riporta i valori scelti a quelli salvati</translation>
     </message>
     <message>
         <source>Sensors live, motors off.</source>
@@ -2192,10 +2472,22 @@ Premere per leggere perché</translation>
         <translation>Metti B al cursore</translation>
     </message>
     <message>
+        <source>Set the target by hand</source>
+        <translation>Imposta l'obiettivo a mano</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Impostazione</translation>
+    </message>
+    <message>
         <source>Settled
 s</source>
         <translation>Assestato
 s</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Tempo di assestamento</translation>
     </message>
     <message>
         <source>Share of the robot's messages of the last second that did not arrive.</source>
@@ -2222,8 +2514,16 @@ s</translation>
         <translation>Mostra 60 s</translation>
     </message>
     <message>
+        <source>Show only parameters that differ from the saved profile</source>
+        <translation>Mostra solo i parametri che differiscono dal profilo salvato</translation>
+    </message>
+    <message>
         <source>Show the last %1 s</source>
         <translation>Mostra gli ultimi %1 s</translation>
+    </message>
+    <message>
+        <source>Show the link</source>
+        <translation>Mostra il collegamento</translation>
     </message>
     <message>
         <source>Show the whole session</source>
@@ -2314,6 +2614,18 @@ s</translation>
         <translation>Stato</translation>
     </message>
     <message>
+        <source>Steady error</source>
+        <translation>Errore a regime</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Risposta al gradino</translation>
+    </message>
+    <message>
+        <source>Step response is being computed</source>
+        <translation>La risposta al gradino viene calcolata</translation>
+    </message>
+    <message>
         <source>Stiffness</source>
         <translation>Rigidezza</translation>
     </message>
@@ -2322,6 +2634,10 @@ s</translation>
 N/mm</source>
         <translation>Rigidezza
 N/mm</translation>
+    </message>
+    <message>
+        <source>Stiffness control</source>
+        <translation>Controllo della rigidezza</translation>
     </message>
     <message>
         <source>Stiffness error, RMS: %1 % recorded, %2 % so.</source>
@@ -2356,6 +2672,10 @@ N/mm</translation>
         <translation>Rigidezza desiderata mentre è impostata a mano.</translation>
     </message>
     <message>
+        <source>Stiffness, measured and target</source>
+        <translation>Rigidezza, misurata e obiettivo</translation>
+    </message>
+    <message>
         <source>Still missing: %1</source>
         <translation>Manca ancora: %1</translation>
     </message>
@@ -2374,6 +2694,10 @@ N/mm</translation>
     <message>
         <source>Stopped by the operator; motors off.</source>
         <translation>Fermato dall'operatore; motori spenti.</translation>
+    </message>
+    <message>
+        <source>Stretch, read by the encoders</source>
+        <translation>Tensione, letta dagli encoder</translation>
     </message>
     <message>
         <source>Subject</source>
@@ -2440,6 +2764,10 @@ N/mm</translation>
         <translation>Consegna</translation>
     </message>
     <message>
+        <source>Target and robot motion</source>
+        <translation>Obiettivo e moto del robot</translation>
+    </message>
+    <message>
         <source>Target by hand</source>
         <translation>Valore a mano</translation>
     </message>
@@ -2456,6 +2784,10 @@ N/mm</translation>
         <translation>Texture</translation>
     </message>
     <message>
+        <source>Texture and vibration</source>
+        <translation>Tessitura e vibrazione</translation>
+    </message>
+    <message>
         <source>The camera sees the cloth mirrored left to right.</source>
         <translation>La telecamera vede il tessuto specchiato da sinistra a destra.</translation>
     </message>
@@ -2466,6 +2798,10 @@ N/mm</translation>
     <message>
         <source>The clock went back by %1 s; that step moved nothing.</source>
         <translation>L'orologio è tornato indietro di %1 s; quel passo non ha mosso nulla.</translation>
+    </message>
+    <message>
+        <source>The current values (B) are felt.</source>
+        <translation>Si sentono i valori attuali (B).</translation>
     </message>
     <message>
         <source>The curves lost %1 samples.</source>
@@ -2504,6 +2840,10 @@ N/mm</translation>
         <translation>L'altra sessione è disegnata %1 s più tardi di quanto registrata.</translation>
     </message>
     <message>
+        <source>The proposal was not taken: %1</source>
+        <translation>La proposta non è stata accolta: %1</translation>
+    </message>
+    <message>
         <source>The recording cannot be replayed exactly: the step gave another result the second time. The measured values are safe. Please report this fault with the file.</source>
         <translation>La registrazione non si può riprodurre esattamente: la seconda volta il passo ha dato un altro risultato. I valori misurati sono al sicuro. Segnalare questo difetto con il file.</translation>
     </message>
@@ -2526,6 +2866,14 @@ N/mm</translation>
     <message>
         <source>The robot's operator asks: %1.</source>
         <translation>L'operatore del robot chiede: %1.</translation>
+    </message>
+    <message>
+        <source>The saved values (A) are felt. Go back to B to change anything.</source>
+        <translation>Si sentono i valori salvati (A). Tornate a B per cambiare qualcosa.</translation>
+    </message>
+    <message>
+        <source>The selected parameters take their saved values again</source>
+        <translation>I parametri scelti riprendono i valori salvati</translation>
     </message>
     <message>
         <source>The session has no devices: it is closed. Choose a robot in the link's panel to open it again.</source>
@@ -2560,12 +2908,20 @@ N/mm</translation>
         <translation>La stazione tace: attendere che risponda.</translation>
     </message>
     <message>
+        <source>The step refused %1: it cannot be used now.</source>
+        <translation>Il passo ha rifiutato %1: ora non può essere usato.</translation>
+    </message>
+    <message>
         <source>The target from above. Below, how far each mark is off. Crosses: points the others contradict.</source>
         <translation>Il bersaglio visto dall'alto. Sotto, quanto è fuori ciascun segno. Croci: punti che gli altri contraddicono.</translation>
     </message>
     <message>
         <source>The target is out of reach; rendering the nearest, %1 N/mm.</source>
         <translation>Il valore desiderato è fuori portata; si rende il più vicino, %1 N/mm.</translation>
+    </message>
+    <message>
+        <source>The touchpad runs mode thesis; these courses are of mode default.</source>
+        <translation>Il touchpad usa il modo thesis; questi andamenti sono del modo default.</translation>
     </message>
     <message>
         <source>The whole recording</source>
@@ -2656,6 +3012,10 @@ N/mm</translation>
         <translation>Prova %1 di %2: %3.</translation>
     </message>
     <message>
+        <source>Tune</source>
+        <translation>Regola</translation>
+    </message>
+    <message>
         <source>Tuning</source>
         <translation>Regolazione</translation>
     </message>
@@ -2692,6 +3052,18 @@ N/mm</translation>
         <translation>Usa</translation>
     </message>
     <message>
+        <source>Use a preset's values</source>
+        <translation>Usa i valori di una preimpostazione</translation>
+    </message>
+    <message>
+        <source>Use the chosen preset's values; one step to undo (Enter on the list)</source>
+        <translation>Usa i valori della preimpostazione scelta; un solo passo da annullare (Invio sulla lista)</translation>
+    </message>
+    <message>
+        <source>Use the proposed values; one step to undo</source>
+        <translation>Usa i valori proposti; un solo passo da annullare</translation>
+    </message>
+    <message>
         <source>Value</source>
         <translation>Valore</translation>
     </message>
@@ -2700,8 +3072,16 @@ N/mm</translation>
         <translation>Valori in vigore e nuovi valori</translation>
     </message>
     <message>
+        <source>Verdict</source>
+        <translation>Verdetto</translation>
+    </message>
+    <message>
         <source>Vibration</source>
         <translation>Vibrazione</translation>
+    </message>
+    <message>
+        <source>Vibration duty, held by the motor board</source>
+        <translation>Duty della vibrazione, tenuto dalla scheda motori</translation>
     </message>
     <message>
         <source>Vibration, peak</source>
@@ -2736,6 +3116,10 @@ N/mm</translation>
         <translation>Bene</translation>
     </message>
     <message>
+        <source>What differs from the saved profile</source>
+        <translation>Che cosa differisce dal profilo salvato</translation>
+    </message>
+    <message>
         <source>What happened</source>
         <translation>Che cosa è successo</translation>
     </message>
@@ -2744,8 +3128,16 @@ N/mm</translation>
         <translation>E se</translation>
     </message>
     <message>
+        <source>What the cloth is identified from</source>
+        <translation>Da che cosa si identifica il tessuto</translation>
+    </message>
+    <message>
         <source>What to do now</source>
         <translation>Che cosa fare ora</translation>
+    </message>
+    <message>
+        <source>What was asked, and what the part that holds it says of it. A value counts as confirmed only when that part has said so.</source>
+        <translation>Che cosa è stato chiesto, e che cosa ne dice la parte che lo tiene. Un valore è confermato solo quando quella parte lo ha detto.</translation>
     </message>
     <message>
         <source>Who</source>
@@ -2758,6 +3150,10 @@ N/mm</translation>
     <message>
         <source>Width</source>
         <translation>Larghezza</translation>
+    </message>
+    <message>
+        <source>Words of the name, the identifier, the help or the group (Ctrl+F)</source>
+        <translation>Parole del nome, dell'identificatore, dell'aiuto o del gruppo (Ctrl+F)</translation>
     </message>
     <message>
         <source>Write a note at the cursor</source>
@@ -2804,6 +3200,10 @@ N/mm</translation>
         <translation>allarme</translation>
     </message>
     <message>
+        <source>all back to the saved values</source>
+        <translation>tutto ai valori salvati</translation>
+    </message>
+    <message>
         <source>an answer of another unit</source>
         <translation>una risposta di un'altra unità</translation>
     </message>
@@ -2836,8 +3236,16 @@ N/mm</translation>
         <translation>a riposo %1 g, dispersione %2 g</translation>
     </message>
     <message>
+        <source>auto-tune</source>
+        <translation>taratura automatica</translation>
+    </message>
+    <message>
         <source>average more readings at each distance, target square to the sensor</source>
         <translation>fare la media di più letture a ogni distanza, bersaglio perpendicolare al sensore</translation>
+    </message>
+    <message>
+        <source>back to the saved values</source>
+        <translation>ritorno ai valori salvati</translation>
     </message>
     <message>
         <source>black picture</source>
@@ -2880,6 +3288,10 @@ N/mm</translation>
         <translation>telecamera: non indicata</translation>
     </message>
     <message>
+        <source>cannot be read back</source>
+        <translation>non si può rileggere</translation>
+    </message>
+    <message>
         <source>changed since it was calibrated %1 days ago</source>
         <translation>cambiato dopo la calibrazione di %1 giorni fa</translation>
     </message>
@@ -2900,6 +3312,10 @@ N/mm</translation>
         <translation>orologio</translation>
     </message>
     <message>
+        <source>confirmed</source>
+        <translation>confermato</translation>
+    </message>
+    <message>
         <source>contrast</source>
         <translation>contrasto</translation>
     </message>
@@ -2916,8 +3332,20 @@ N/mm</translation>
         <translation>curva: %1</translation>
     </message>
     <message>
+        <source>dashed</source>
+        <translation>tratteggiata</translation>
+    </message>
+    <message>
         <source>days left</source>
         <translation>giorni rimasti</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>predefinito %1</translation>
+    </message>
+    <message>
+        <source>deleting of preset %1</source>
+        <translation>eliminazione della preimpostazione %1</translation>
     </message>
     <message>
         <source>device test '%1': %2</source>
@@ -2926,6 +3354,10 @@ N/mm</translation>
     <message>
         <source>device test: the session is closed</source>
         <translation>prova del dispositivo: la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>differisce</translation>
     </message>
     <message>
         <source>disconnect</source>
@@ -2944,8 +3376,16 @@ N/mm</translation>
         <translation>distanze dal tessuto non toccato %1 mm, dispersione %2 mm; forza %3 N</translation>
     </message>
     <message>
+        <source>does not settle</source>
+        <translation>non si assesta</translation>
+    </message>
+    <message>
         <source>done</source>
         <translation>fatto</translation>
+    </message>
+    <message>
+        <source>dotted</source>
+        <translation>punteggiata</translation>
     </message>
     <message>
         <source>each ±%1 %2</source>
@@ -3108,6 +3548,10 @@ N/mm</translation>
         <translation>inversa, a/(v + b) + c</translation>
     </message>
     <message>
+        <source>is %1</source>
+        <translation>è %1</translation>
+    </message>
+    <message>
         <source>its recorder crashed: everything committed is shown; recover it with fyd session recover</source>
         <translation>il suo registratore si è interrotto: si mostra tutto ciò che è confermato; recuperare con fyd session recover</translation>
     </message>
@@ -3170,6 +3614,10 @@ N/mm</translation>
     <message>
         <source>measured</source>
         <translation>misurato</translation>
+    </message>
+    <message>
+        <source>measured %1 · target %2 N/mm</source>
+        <translation>misurata %1 · obiettivo %2 N/mm</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>
@@ -3272,6 +3720,10 @@ N/mm</translation>
         <translation>non è una cifra</translation>
     </message>
     <message>
+        <source>not confirmed: the station did not answer. It last used %1.</source>
+        <translation>non confermato: la stazione non ha risposto. Da ultimo usava %1.</translation>
+    </message>
+    <message>
         <source>note</source>
         <translation>nota</translation>
     </message>
@@ -3328,8 +3780,16 @@ N/mm</translation>
         <translation>ciclo di posizione %1</translation>
     </message>
     <message>
+        <source>preset %1</source>
+        <translation>preimpostazione %1</translation>
+    </message>
+    <message>
         <source>press slower, and hold each depth</source>
         <translation>premere più piano, e tenere ogni profondità</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>proposto</translation>
     </message>
     <message>
         <source>px</source>
@@ -3342,6 +3802,14 @@ N/mm</translation>
     <message>
         <source>recording</source>
         <translation>registrazione</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>rifiutato: %1</translation>
+    </message>
+    <message>
+        <source>renaming of preset %1</source>
+        <translation>cambio di nome della preimpostazione %1</translation>
     </message>
     <message>
         <source>resume</source>
@@ -3372,6 +3840,14 @@ N/mm</translation>
         <translation>saturata</translation>
     </message>
     <message>
+        <source>saved %1</source>
+        <translation>salvato %1</translation>
+    </message>
+    <message>
+        <source>saving of preset %1</source>
+        <translation>salvataggio della preimpostazione %1</translation>
+    </message>
+    <message>
         <source>send info and pause</source>
         <translation>inviare informazioni e pausa</translation>
     </message>
@@ -3380,8 +3856,16 @@ N/mm</translation>
         <translation>i sensori si contraddicono</translation>
     </message>
     <message>
+        <source>sent, not yet confirmed</source>
+        <translation>inviato, non ancora confermato</translation>
+    </message>
+    <message>
         <source>set to %1 %</source>
         <translation>impostato a %1 %</translation>
+    </message>
+    <message>
+        <source>settles</source>
+        <translation>si assesta</translation>
     </message>
     <message>
         <source>several</source>
@@ -3402,6 +3886,14 @@ N/mm</translation>
     <message>
         <source>slope fits force against indentation with uncertainty; thesis is the bare ratio.</source>
         <translation>slope adatta la forza all'indentazione con incertezza; thesis è il semplice rapporto.</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>continua</translation>
+    </message>
+    <message>
+        <source>stiffness (% of target)</source>
+        <translation>rigidezza (% dell'obiettivo)</translation>
     </message>
     <message>
         <source>still being recorded</source>
@@ -3568,6 +4060,10 @@ N/mm</translation>
         <translation>questa sorgente non ne ha</translation>
     </message>
     <message>
+        <source>time (s)</source>
+        <translation>tempo (s)</translation>
+    </message>
+    <message>
         <source>too few distance sensors read within their span</source>
         <translation>troppo pochi sensori di distanza leggono nel loro campo</translation>
     </message>
@@ -3642,6 +4138,10 @@ N/mm</translation>
     <message>
         <source>waiting for a robot on %1</source>
         <translation>in attesa di un robot su %1</translation>
+    </message>
+    <message>
+        <source>was %1</source>
+        <translation>era %1</translation>
     </message>
     <message>
         <source>whole</source>

@@ -1,6 +1,7 @@
 // The place "Tune" on a scripted session: find and change, undo, compare, presets, step response, auto-tune; what the
 // station confirms and what it does not; the readiness list's buttons.
 #include "app/console/tune_page.h"
+#include "core/control/static_law.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
 
@@ -8,6 +9,8 @@ namespace fyd::tests {
 namespace {
 
 using widgets::TuningResponse;
+
+void click(QAbstractButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
 
 struct TuneFixture : Fixture {
   TuneFixture() {
@@ -23,7 +26,6 @@ struct TuneFixture : Fixture {
     QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
   }
-  static void click(QAbstractButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
   [[nodiscard]] widgets::TuningModel& model() const { return page->model(); }
   [[nodiscard]] double value(const char* id) const { return std::as_const(model()).find(id)->value; }
   /// What the session, and so the touchpad, has.
@@ -284,8 +286,8 @@ class TuneTest : public QObject {
     f.type("control.ki", QStringLiteral("0.5"));
     QTRY_VERIFY(f.page->response()->response(TuningResponse::current).settling_s != before);
     QCOMPARE(f.page->response()->response(TuningResponse::saved).settling_s, before);
-    f.type("control.ki", QStringLiteral("1e12"));
-    f.type("control.kp", QStringLiteral("1e12"));
+    f.type("control.ki", QStringLiteral("0"));
+    f.type("control.kp", QStringLiteral("0"));
     QTRY_VERIFY(!f.page->response()->response(TuningResponse::current).stable);
     QCOMPARE(f.page->response()->figure(TuningResponse::proposed, 0), QStringLiteral("—"));
   }
@@ -357,6 +359,34 @@ class TuneTest : public QObject {
     QCOMPARE(f.page->study().heard(), std::size_t{1});
   }
 
+  void whatTheDevicesReadBackStandsBesideWhatWasAsked() {
+    TuneFixture f;
+    device::DeviceReport camera{.name = "Camera"};
+    camera.controls = {{.name = "brightness", .wanted = 40.0, .actual = 40.0, .supported = true},
+                       {.name = "contrast", .wanted = 40.0, .actual = 55.0, .supported = true},
+                       {.name = "exposure", .wanted = 40.0}};
+    f.session->reports = {camera};
+    pipeline::TelemetrySample sample;
+    sample.now = instantAt(0.001);
+    sample.stretch_reference_deg = 45.0;
+    sample.stretch_measured_deg = 44.8;
+    f.session->telemetry = {sample};
+    f.type("control.kp", QStringLiteral("0.3"));  // and no answer yet
+    f.window->feed().pump();
+    f.window->frame()->go(QStringLiteral("operate"));
+    f.window->frame()->go(QStringLiteral("tune"));
+    const auto said = [&](int row) { return f.page->readback()->table()->item(row, 3)->text(); };
+    QCOMPARE(f.page->readback()->table()->rowCount(), 6);
+    QCOMPARE(said(0), QStringLiteral("differs"));
+    QCOMPARE(said(1), QStringLiteral("confirmed"));
+    QCOMPARE(said(2), QStringLiteral("confirmed"));
+    QCOMPARE(said(3), QStringLiteral("differs"));
+    QCOMPARE(said(4), QStringLiteral("cannot be read back"));
+    QCOMPARE(said(5), QStringLiteral("cannot be read back"));
+    f.answer("control.kp", 0.3);
+    QTRY_COMPARE(said(0), QStringLiteral("confirmed"));
+  }
+
   void readinessSaysWhyAndHowAndLeadsToWhereItIsMended() {
     Fixture f;
     f.session->lines = {{.what = "Motors answer",
@@ -378,9 +408,9 @@ class TuneTest : public QObject {
     QVERIFY(words.contains(QStringLiteral("The motor board is silent")));
     QVERIFY(words.contains(QStringLiteral("Check the touchpad's power and its serial cable.")));
     QCOMPARE(list->findChildren<QToolButton*>().size(), 2);
-    TuneFixture::click(list->findChild<QToolButton*>(QStringLiteral("mend_session.target_by_hand")));
+    click(list->findChild<QToolButton*>(QStringLiteral("mend_session.target_by_hand")));
     QCOMPARE(f.session->count(pipeline::OperatorAction::target_by_hand), 1);
-    TuneFixture::click(list->findChild<QToolButton*>(QStringLiteral("mend_place.devices")));
+    click(list->findChild<QToolButton*>(QStringLiteral("mend_place.devices")));
     QCOMPARE(f.window->frame()->place(), QStringLiteral("devices"));
   }
 };

@@ -1,0 +1,58 @@
+#include "app/console/tuning_readback_lines.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/core_text.h"
+#include "widgets/number_text.h"
+
+namespace fyd::console {
+namespace {
+
+using widgets::ReadbackLine;
+
+constexpr double kFollows_deg = 2.0;   // nearer than this the motors are where they were asked to be
+constexpr double kSame_percent = 1.0;  // drivers round to their own steps
+
+QString tr(const char* text) { return QCoreApplication::translate("Readback", text); }
+
+/// @return `asked` and `said` compared; NaN on one side is no answer
+ReadbackLine compare(const QString& what, double asked, double said, double tolerance, const QString& unit) {
+  ReadbackLine line{
+      .what = what, .asked = widgets::quantityText(asked, 1, unit), .said = widgets::quantityText(said, 1, unit)};
+  if (std::isnan(asked) || std::isnan(said)) return line;
+  line.state = std::abs(asked - said) <= tolerance ? ReadbackLine::State::confirmed : ReadbackLine::State::differs;
+  return line;
+}
+
+}  // namespace
+
+std::vector<ReadbackLine> readbackLines(const widgets::TuningModel& model, const pipeline::TelemetrySample& newest,
+                                        const std::vector<device::DeviceReport>& reports) {
+  const auto all = model.parameters();
+  const auto live = std::ranges::count_if(all, [](const auto& p) { return p.info.info.live; });
+  const auto open = std::ranges::count_if(
+      all, [](const auto& p) { return p.info.info.live && p.delivery != widgets::Delivery::confirmed; });
+  std::vector<ReadbackLine> out;
+  out.push_back({.what = tr("Live parameters, held by the step"),
+                 .asked = QString::number(live),
+                 .said = QString::number(live - open),
+                 .state = open == 0 ? ReadbackLine::State::confirmed : ReadbackLine::State::differs});
+  out.push_back(compare(tr("Stretch, read by the encoders"), newest.stretch_reference_deg, newest.stretch_measured_deg,
+                        kFollows_deg, QStringLiteral("°")));
+  for (const device::DeviceReport& report : reports) {
+    for (const device::CameraControl& control : report.controls) {
+      if (std::isnan(control.wanted)) continue;  // left as it is
+      const QString what = tr("%1: %2").arg(widgets::coreText(report.name), widgets::coreText(control.name));
+      out.push_back(compare(what, control.wanted, control.supported ? control.actual : std::nan(""), kSame_percent,
+                            QStringLiteral("%")));
+    }
+  }
+  out.push_back({.what = tr("Vibration duty, held by the motor board"),
+                 .asked = widgets::quantityText(newest.vibration_duty_percent, 0, QStringLiteral("%")),
+                 .said = widgets::kNoValue});
+  return out;
+}
+
+}  // namespace fyd::console
