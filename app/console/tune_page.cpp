@@ -1,6 +1,7 @@
 #include "app/console/tune_page.h"
 
 #include <QHBoxLayout>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include "app/console/tuning_readback_lines.h"
@@ -72,6 +73,7 @@ void TunePage::build() {
   above_layout->setContentsMargins(0, 0, 0, 0);
   above_layout->addWidget(response_);
   tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setAccessibleName(tr("Differences, presets, auto-tune, read back"));
   tabs_->addTab(differences_, tr("Differences"));
   tabs_->addTab(presets_, tr("Presets"));
   tabs_->addTab(proposal_, tr("Auto-tune"));

@@ -932,6 +932,10 @@ mm</translation>
         <translation>Différences</translation>
     </message>
     <message>
+        <source>Differences, presets, auto-tune, read back</source>
+        <translation>Différences, préréglages, réglage automatique, relu</translation>
+    </message>
+    <message>
         <source>Different from %1 s on (%2).</source>
         <translation>Différent à partir de %1 s (%2).</translation>
     </message>

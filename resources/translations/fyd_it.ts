@@ -932,6 +932,10 @@ mm</translation>
         <translation>Differenze</translation>
     </message>
     <message>
+        <source>Differences, presets, auto-tune, read back</source>
+        <translation>Differenze, preimpostazioni, taratura automatica, riletto</translation>
+    </message>
+    <message>
         <source>Different from %1 s on (%2).</source>
         <translation>Diverso da %1 s in poi (%2).</translation>
     </message>
