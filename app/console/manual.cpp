@@ -23,6 +23,13 @@ constexpr Topic kWidgets[] = {
     {"fyd::widgets::CameraPanel", "operate.md#camera"},
     {"fyd::widgets::CurveView", "operate.md#curves"},
     {"fyd::widgets::TuningPanel", "operate.md#tuning"},
+    {"fyd::widgets::TuningList", "tuning.md#a-value"},
+    {"fyd::widgets::TuningCompare", "tuning.md#a-and-b"},
+    {"fyd::widgets::TuningDifferences", "tuning.md#a-and-b"},
+    {"fyd::widgets::TuningPresetList", "tuning.md#presets"},
+    {"fyd::widgets::TuningResponse", "tuning.md#step-response"},
+    {"fyd::widgets::TuningProposal", "tuning.md#auto-tune"},
+    {"fyd::widgets::TuningReadback", "tuning.md#read-back"},
     {"fyd::widgets::RecordingForm", "operate.md#recording"},
     {"fyd::widgets::ReadinessList", "operate.md#start-work-stop"},
     {"fyd::widgets::LogView", "operate.md#notices-and-log"},
@@ -43,6 +50,7 @@ constexpr Topic kPlaces[] = {
     {"calibrate", "calibration.md#in-the-window"},
     {"review", "review.md"},
     {"devices", "operate.md#devices"},
+    {"tune", "tuning.md"},
 };
 
 QString read(const QString& page) {
