@@ -95,16 +95,13 @@ QWidget* TuningPanel::buildFoot() {
   redo_ = button(QStringLiteral("redo"), tr("Redo"));
   undo_->setObjectName(QStringLiteral("undo_button"));
   redo_->setObjectName(QStringLiteral("redo_button"));
+  preset_ = button(QStringLiteral("preset"), tr("Use a preset's values"));
+  preset_->setObjectName(QStringLiteral("preset_button"));
+  preset_->setPopupMode(QToolButton::InstantPopup);
+  preset_->hide();  // until somebody gives it a menu
   layout->addStretch(1);
   compare_ = new TuningCompare(model_, foot);
   layout->addWidget(compare_);
-  preset_ = new QToolButton(foot);
-  preset_->setObjectName(QStringLiteral("preset_button"));
-  preset_->setText(tr("Preset"));
-  preset_->setToolTip(tr("Use a preset's values"));
-  preset_->setPopupMode(QToolButton::InstantPopup);
-  preset_->hide();  // until somebody gives it a menu
-  below->addWidget(preset_);
   below->addStretch(1);
   save_ = new QPushButton(tr("Save profile"), foot);
   save_->setObjectName(QStringLiteral("save_button"));

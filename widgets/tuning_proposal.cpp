@@ -20,6 +20,7 @@ TuningProposal::TuningProposal(QWidget* parent)
       accept_(new QPushButton(tr("Accept"), this)),
       discard_(new QPushButton(tr("Discard"), this)) {
   source_->setObjectName(QStringLiteral("auto_tune_source"));
+  source_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   source_->setAccessibleName(tr("What the cloth is identified from"));
   start_->setObjectName(QStringLiteral("auto_tune_start"));
   start_->setToolTip(tr("Identify cloth and sensors and propose gains; nothing is changed (Ctrl+U)"));

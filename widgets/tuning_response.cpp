@@ -28,7 +28,7 @@ TuningResponse::TuningResponse(QWidget* parent)
   setAccessibleName(tr("Step response"));
   auto* title = new QLabel(tr("Step response"), this);
   title->setFont(textFont(TextSize::normal, true));
-  plot_->setMinimumSize(200, 120);
+  plot_->setMinimumSize(160, 120);
   plot_->setFocusPolicy(Qt::NoFocus);
   plot_->xAxis->setLabel(tr("time (s)"));
   plot_->yAxis->setLabel(tr("stiffness (% of target)"));
@@ -53,7 +53,7 @@ TuningResponse::TuningResponse(QWidget* parent)
   ground_->setProperty("role", "muted");
   ground_->setFont(textFont(TextSize::small));
   auto* figures = new QGridLayout;
-  figures->setHorizontalSpacing(2 * kGrid);
+  figures->setHorizontalSpacing(kGrid);
   figures->setVerticalSpacing(0);
   buildFigures(figures);
   auto* layout = new QVBoxLayout(this);
@@ -90,7 +90,8 @@ void TuningResponse::buildFigures(QGridLayout* grid) {
   }
   for (int column = 0; column < kCount; ++column) {
     const auto at = static_cast<std::size_t>(column);
-    heads_[at] = new QLabel(tr("%1 (%2)").arg(names[at], lines[at]), this);
+    heads_[at] = new QLabel(names[at] + QLatin1Char('\n') + lines[at], this);
+    heads_[at]->setAlignment(Qt::AlignRight);
     heads_[at]->setFont(textFont(TextSize::small, true));
     grid->addWidget(heads_[at], 0, column + 1, Qt::AlignRight);
     for (std::size_t line = 0; line < kFigures; ++line) {

@@ -120,6 +120,7 @@ QWidget* TunePage::buildFoot() {
   live_->setFont(widgets::textFont(widgets::TextSize::small));
   live_->setProperty("role", "muted");
   live_->setAccessibleName(tr("Stiffness, measured and target"));
+  live_->setToolTip(live_->accessibleName());
   layout->addWidget(live_, 1);
   save_ = new QPushButton(tr("Save profile"), foot);
   save_->setObjectName(QStringLiteral("tune_save"));
@@ -270,8 +271,8 @@ void TunePage::discardProposal(const QString& words) {
 void TunePage::showLive(std::span<const pipeline::TelemetrySample> samples) {
   const pipeline::TelemetrySample& newest = samples.back();
   const double measured = newest.stiffness_observable ? newest.stiffness_N_per_mm : std::nan("");
-  live_->setText(tr("measured %1 · target %2 N/mm")
-                     .arg(widgets::numberText(measured, 2), widgets::numberText(newest.target_N_per_mm, 2)));
+  live_->setText(
+      tr("%1 / %2 N/mm").arg(widgets::numberText(measured, 2), widgets::numberText(newest.target_N_per_mm, 2)));
 }
 
 void TunePage::findParameter() {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct ExportOptions {
   std::vector<std::string> fields;                           ///< names of telemetryFields(); empty: all
   bool region = false;   ///< pictures: the detector's region of interest, exactly; else the whole picture
   bool replace = false;  ///< existing files may be replaced
+  /// Told now and then which share of the rows or pictures is done; false ends the export, and no file is left.
+  std::function<bool(double done)> progress = {};
 };
 
 struct ExportResult {
@@ -36,7 +39,8 @@ struct ExportResult {
 };
 
 /// Every file is written under a temporary name in the same folder, synced, then renamed: there is never half a file.
-/// @return an error for an unknown extension or field, an empty range, an existing file, a full disk
+/// @return an error for an unknown extension or field, an empty range, an existing file, a full disk, and when
+/// `progress` ended it
 [[nodiscard]] Result<ExportResult> exportRecording(const Recording& recording, const std::string& path,
                                                    const ExportOptions& options);
 

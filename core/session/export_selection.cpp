@@ -34,7 +34,7 @@ Result<ExportSelection> selectRows(const Recording& recording, const ExportOptio
   }
   auto fields = selectFields(options.fields);
   if (!fields) return tl::unexpected(fields.error());
-  ExportSelection selection{.fields = std::move(*fields)};
+  ExportSelection selection{.fields = std::move(*fields), .progress = options.progress};
   const auto first = recording.rowAt(options.from_s);
   if (!first) return tl::unexpected(first.error());
   // The row at to_s itself belongs to the export.
@@ -57,9 +57,12 @@ Result<ExportSelection> selectSomeRows(const Recording& recording, const ExportO
 Result<void> forEachBlock(const Recording& recording, const ExportSelection& selection, const RowsConsumer& consume) {
   std::vector<pipeline::TelemetrySample> block;
   for (std::uint64_t row = selection.first; row < selection.end; row += block.size()) {
+    const double done =
+        static_cast<double>(row - selection.first) / static_cast<double>(selection.end - selection.first);
+    if (selection.progress && !selection.progress(done)) return fail("export: cancelled; no file was written");
     block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kExportBlockRows, selection.end - row)));
     if (auto read = recording.telemetry(row, block); !read) return read;
-    if (auto done = consume(block); !done) return done;
+    if (auto consumed = consume(block); !consumed) return consumed;
   }
   return {};
 }

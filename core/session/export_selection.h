@@ -19,6 +19,7 @@ struct ExportSelection {
   std::uint64_t first = 0;
   std::uint64_t end = 0;  ///< one past the last row
   std::vector<const pipeline::TelemetryField*> fields;
+  std::function<bool(double done)> progress;  ///< as in the options
 };
 
 /// @return an error that names the option: bounds in the wrong order or NaN, an unknown field (with the names there
@@ -28,7 +29,7 @@ struct ExportSelection {
 [[nodiscard]] Result<ExportSelection> selectSomeRows(const Recording& recording, const ExportOptions& options);
 
 using RowsConsumer = std::function<Result<void>(std::span<const pipeline::TelemetrySample>)>;
-/// Hands all rows of the selection to `consume`, at most kExportBlockRows at a time, in order.
+/// Hands all rows of the selection to `consume`, at most kExportBlockRows at a time, in order; ends when asked to.
 [[nodiscard]] Result<void> forEachBlock(const Recording& recording, const ExportSelection& selection,
                                         const RowsConsumer& consume);
 

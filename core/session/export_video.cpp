@@ -130,6 +130,8 @@ Result<void> writeFrames(const Recording& recording, std::uint64_t first, const 
   double start_s = 0.0;
   if (auto titled = times.write("frame,picture,camera_number,time_s\n"); !titled) return titled;
   for (std::uint64_t i = first; i < recording.info().frames; ++i) {
+    const double done = static_cast<double>(i - first) / static_cast<double>(recording.info().frames - first);
+    if (options.progress && !options.progress(done)) return fail("export: cancelled; no file was written");
     const auto picture = recording.picture(i);
     if (!picture) return tl::unexpected(picture.error());
     if (picture->time_s > options.to_s) break;

@@ -42,6 +42,10 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>%1 / %2 N/mm</source>
+        <translation>%1 / %2 N/mm</translation>
+    </message>
+    <message>
         <source>%1 = %2 was refused.</source>
         <translation>%1 = %2 a été refusé.</translation>
     </message>
@@ -1965,7 +1969,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Only what differs</source>
-        <translation>Seulement ce qui diffère</translation>
+        <translation>Différences seules</translation>
     </message>
     <message>
         <source>Only while nothing renders: press Esc first.</source>
@@ -2114,10 +2118,6 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Present</source>
         <translation>Actuel</translation>
-    </message>
-    <message>
-        <source>Preset</source>
-        <translation>Préréglage</translation>
     </message>
     <message>
         <source>Presets</source>
@@ -2619,7 +2619,7 @@ s</translation>
     </message>
     <message>
         <source>Steady error</source>
-        <translation>Erreur en régime permanent</translation>
+        <translation>Erreur finale</translation>
     </message>
     <message>
         <source>Step response</source>
@@ -3618,10 +3618,6 @@ N/mm</translation>
     <message>
         <source>measured</source>
         <translation>mesuré</translation>
-    </message>
-    <message>
-        <source>measured %1 · target %2 N/mm</source>
-        <translation>mesurée %1 · consigne %2 N/mm</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>

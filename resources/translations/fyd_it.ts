@@ -42,6 +42,10 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>%1 / %2 N/mm</source>
+        <translation>%1 / %2 N/mm</translation>
+    </message>
+    <message>
         <source>%1 = %2 was refused.</source>
         <translation>%1 = %2 è stato rifiutato.</translation>
     </message>
@@ -2116,10 +2120,6 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Attuale</translation>
     </message>
     <message>
-        <source>Preset</source>
-        <translation>Preimpostazione</translation>
-    </message>
-    <message>
         <source>Presets</source>
         <translation>Preimpostazioni</translation>
     </message>
@@ -3618,10 +3618,6 @@ N/mm</translation>
     <message>
         <source>measured</source>
         <translation>misurato</translation>
-    </message>
-    <message>
-        <source>measured %1 · target %2 N/mm</source>
-        <translation>misurata %1 · obiettivo %2 N/mm</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>

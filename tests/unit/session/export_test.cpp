@@ -187,6 +187,31 @@ TEST_F(Export, ADamagedRecordingOrAFullDiskLeavesNothing) {
   EXPECT_EQ(left, 0U);
 }
 
+TEST_F(Export, TellsHowFarItIsAndLeavesNothingWhenEnded) {
+  FakeRecording recording = session(5000);
+  addPictures(recording, {0.0, 0.1, 0.2, 0.3});
+  for (const char* name : {"all.csv", "all.mat", "all.mcap", "all.mkv"}) {
+    std::vector<double> told;
+    const auto tell = [&](double share) {
+      told.push_back(share);
+      return true;
+    };
+    done(exportRecording(recording, path(name), {.progress = tell}));
+    ASSERT_GE(told.size(), 3U) << name;
+    EXPECT_GE(told.front(), 0.0) << name;
+    EXPECT_LE(told.back(), 1.0) << name;
+  }
+  const std::size_t before = files();
+  for (const char* name : {"no.csv", "no.mat", "no.mcap", "no.mkv"}) {
+    int asked = 0;
+    const auto ended = exportRecording(recording, path(name), {.progress = [&](double) { return ++asked < 2; }});
+    ASSERT_FALSE(ended) << name;
+    EXPECT_THAT(ended.error().message, HasSubstr("cancelled"));
+    EXPECT_EQ(asked, 2) << name;
+  }
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(Export, NeverReadsMoreThanABlock) {
   FakeRecording recording = session(200'000);
   for (const char* name : {"a.csv", "a.mat", "a.mcap"})
