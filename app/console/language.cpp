@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QTranslator>
 #include <algorithm>
+#include <clocale>
 
 namespace fyd::console {
 namespace {
@@ -44,6 +45,8 @@ QString chooseLanguage(const QStringList& wanted) {
 void speak(QCoreApplication& application, const QString& code) {
   for (QTranslator* former : application.findChildren<QTranslator*>(Qt::FindDirectChildrenOnly)) delete former;
   QLocale::setDefault(QLocale(code));
+  // Qt took the system's locale for the C library as well; files are written with a point, whatever the system speaks.
+  std::setlocale(LC_NUMERIC, "C");
   auto* qt = new QTranslator(&application);
   if (qt->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
     QCoreApplication::installTranslator(qt);
