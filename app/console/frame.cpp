@@ -11,6 +11,16 @@ namespace fyd::console {
 
 using widgets::kGrid;
 
+namespace {
+
+/// Only the page that is shown: a wide one must not push the window apart while another is looked at.
+void claimRoom(Page& page, bool claims) {
+  const auto policy = claims ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+  page.setSizePolicy(policy, policy);
+}
+
+}  // namespace
+
 Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* parent)
     : QWidget(parent),
       commands_(commands),
@@ -27,6 +37,7 @@ Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* par
     rail_->add(action);
     Page* page = info.make(context, stack_);
     stack_->addWidget(page);
+    claimRoom(*page, false);
     pages_[id] = page;
     PlaceCommands own(commands_, id);
     page->addCommands(own);
@@ -45,8 +56,12 @@ Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* par
 void Frame::go(const QString& place) {
   const auto wanted = pages_.find(place);
   if (wanted == pages_.end() || place == place_) return;
-  if (Page* former = page(place_)) former->leave();
+  if (Page* former = page(place_)) {
+    former->leave();
+    claimRoom(*former, false);
+  }
   place_ = place;
+  claimRoom(*wanted->second, true);
   stack_->setCurrentWidget(wanted->second);
   commands_.showPlace(place);
   commands_.action(QStringLiteral("place.") + place)->setChecked(true);

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/console/side_dock.h"
 #include "app/console/views.h"
@@ -63,7 +64,7 @@ void OperatePage::build() {
     return made;
   };
   using Parts = std::vector<QWidget*>;
-  tuning_->setMinimumWidth(34 * kGrid);  // it scrolls, but not sideways
+  tuning_->setMinimumWidth(std::max(34 * kGrid, tuning_->minimumSizeHint().width()));  // it scrolls, but not sideways
   dock(tr("Camera"), "camera", tr("Close the camera's panel"), Parts{camera_}, Qt::LeftDockWidgetArea);
   dock(tr("Readiness"), "readiness", tr("Close the readiness list"), Parts{readiness_}, Qt::LeftDockWidgetArea);
   dock(tr("Tuning"), "tuning", tr("Close the tuning panel"), static_cast<QWidget*>(tuning_), Qt::RightDockWidgetArea);
