@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "widgets/number_text.h"
+#include "widgets/parameter_names.h"
 
 namespace fyd::widgets {
 namespace {
@@ -43,7 +44,7 @@ QString tunedName(const Parameter& parameter) {
   }
   name.replace(QLatin1Char('_'), QLatin1Char(' '));
   if (!name.isEmpty()) name[0] = name[0].toUpper();
-  return name;
+  return parameterName(name);
 }
 
 QString roomTitle(std::string_view id) {

@@ -878,8 +878,16 @@
         <translation>Commandes</translation>
     </message>
     <message>
+        <source>Corner</source>
+        <translation>Coupure</translation>
+    </message>
+    <message>
         <source>Corner (-3 dB) of the default high-pass.</source>
         <translation>Fréquence de coupure (-3 dB) du passe-haut par défaut.</translation>
+    </message>
+    <message>
+        <source>Crossfade</source>
+        <translation>Fondu</translation>
     </message>
     <message>
         <source>Cursor</source>
@@ -892,6 +900,10 @@
     <message>
         <source>Dark theme</source>
         <translation>Thème sombre</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Bande morte</translation>
     </message>
     <message>
         <source>Dead time of the measured stiffness behind the stretch; auto-tune measures it.</source>
@@ -918,6 +930,10 @@
 mm</source>
         <translation>Profondeur
 mm</translation>
+    </message>
+    <message>
+        <source>Derivative filter</source>
+        <translation>Filtre du dérivé</translation>
     </message>
     <message>
         <source>Derivative gain in thesis mode (the thesis used none).</source>
@@ -1146,6 +1162,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Fichier : où mettre l'enregistrement ?</translation>
     </message>
     <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
         <source>Find a command</source>
         <translation>Trouver une commande</translation>
     </message>
@@ -1166,12 +1186,52 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Aire du doigt en pixels</translation>
     </message>
     <message>
+        <source>Finger centre x</source>
+        <translation>Centre x du doigt</translation>
+    </message>
+    <message>
+        <source>Finger centre y</source>
+        <translation>Centre y du doigt</translation>
+    </message>
+    <message>
         <source>Finger found</source>
         <translation>Doigt trouvé</translation>
     </message>
     <message>
         <source>Finger mask</source>
         <translation>Masque du doigt</translation>
+    </message>
+    <message>
+        <source>Finger minimum area</source>
+        <translation>Aire minimale du doigt</translation>
+    </message>
+    <message>
+        <source>Finger minimum contrast</source>
+        <translation>Contraste minimal du doigt</translation>
+    </message>
+    <message>
+        <source>Finger mirror</source>
+        <translation>Miroir du doigt</translation>
+    </message>
+    <message>
+        <source>Finger mode</source>
+        <translation>Mode du doigt</translation>
+    </message>
+    <message>
+        <source>Finger rotation</source>
+        <translation>Rotation du doigt</translation>
+    </message>
+    <message>
+        <source>Finger scale x</source>
+        <translation>Échelle x du doigt</translation>
+    </message>
+    <message>
+        <source>Finger scale y</source>
+        <translation>Échelle y du doigt</translation>
+    </message>
+    <message>
+        <source>Finger threshold</source>
+        <translation>Seuil du doigt</translation>
     </message>
     <message>
         <source>Finger x in millimetres</source>
@@ -1220,6 +1280,18 @@ N</source>
 N</translation>
     </message>
     <message>
+        <source>Force noise</source>
+        <translation>Bruit de la force</translation>
+    </message>
+    <message>
+        <source>Force tare sigma</source>
+        <translation>Sigma de tare de la force</translation>
+    </message>
+    <message>
+        <source>Force zero</source>
+        <translation>Zéro de la force</translation>
+    </message>
+    <message>
         <source>Force, N</source>
         <translation>Force, N</translation>
     </message>
@@ -1232,12 +1304,20 @@ N</translation>
         <translation>Trouvé dans le manuel</translation>
     </message>
     <message>
+        <source>Frame</source>
+        <translation>Trame</translation>
+    </message>
+    <message>
         <source>From the last minute of this session</source>
         <translation>De la dernière minute de cette séance</translation>
     </message>
     <message>
         <source>From the simulated touchpad, 12 s of virtual time</source>
         <translation>Du pavé simulé, 12 s de temps virtuel</translation>
+    </message>
+    <message>
+        <source>Full scale</source>
+        <translation>Pleine échelle</translation>
     </message>
     <message>
         <source>Gain k_vib</source>
@@ -1266,6 +1346,10 @@ N</translation>
     <message>
         <source>Grey value</source>
         <translation>Niveau de gris</translation>
+    </message>
+    <message>
+        <source>Hand target</source>
+        <translation>Consigne à la main</translation>
     </message>
     <message>
         <source>Height</source>
@@ -1336,6 +1420,10 @@ Robot : %2
         <translation>Maintenir : réarmer</translation>
     </message>
     <message>
+        <source>Hop</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
         <source>How far the time between the robot's messages strays: four mean deviations.</source>
         <translation>De combien varie le temps entre les messages du robot : quatre écarts moyens.</translation>
     </message>
@@ -1380,12 +1468,40 @@ Robot : %2
         <translation>Indentation</translation>
     </message>
     <message>
+        <source>Indentation holding</source>
+        <translation>Indentation, doigt immobile</translation>
+    </message>
+    <message>
+        <source>Indentation mode</source>
+        <translation>Mode d'indentation</translation>
+    </message>
+    <message>
+        <source>Indentation moving</source>
+        <translation>Indentation, doigt mobile</translation>
+    </message>
+    <message>
+        <source>Indentation sigma limit</source>
+        <translation>Limite sigma indentation</translation>
+    </message>
+    <message>
+        <source>Input delay</source>
+        <translation>Retard d'entrée</translation>
+    </message>
+    <message>
         <source>Integral gain in thesis mode.</source>
         <translation>Gain intégral en mode thèse.</translation>
     </message>
     <message>
         <source>Integral gain, of the relative error.</source>
         <translation>Gain intégral, de l'erreur relative.</translation>
+    </message>
+    <message>
+        <source>Ir noise</source>
+        <translation>Bruit IR</translation>
+    </message>
+    <message>
+        <source>Ir offset</source>
+        <translation>Décalage IR</translation>
     </message>
     <message>
         <source>It ends at the first of %1 lost samples.</source>
@@ -1398,6 +1514,10 @@ Robot : %2
     <message>
         <source>Jitter</source>
         <translation>Gigue</translation>
+    </message>
+    <message>
+        <source>K vib</source>
+        <translation>K vib</translation>
     </message>
     <message>
         <source>Kalman filter: how much it wanders while the finger presses or lifts.</source>
@@ -1664,12 +1784,24 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Maximum</translation>
     </message>
     <message>
+        <source>Maximum gap</source>
+        <translation>Lacune maximale</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Moyenne</translation>
     </message>
     <message>
         <source>Measured.</source>
         <translation>Mesuré.</translation>
+    </message>
+    <message>
+        <source>Measurement delay</source>
+        <translation>Temps mort de la mesure</translation>
+    </message>
+    <message>
+        <source>Measurement lag</source>
+        <translation>Retard de la mesure</translation>
     </message>
     <message>
         <source>Messages</source>
@@ -1686,6 +1818,18 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Millimetres per pixel along a picture row.</source>
         <translation>Millimètres par pixel le long d'une ligne de l'image.</translation>
+    </message>
+    <message>
+        <source>Motion depth scale</source>
+        <translation>Échelle en profondeur</translation>
+    </message>
+    <message>
+        <source>Motion scale</source>
+        <translation>Échelle du mouvement</translation>
+    </message>
+    <message>
+        <source>Motion speed limit</source>
+        <translation>Vitesse maximale</translation>
     </message>
     <message>
         <source>Motor board</source>
@@ -1834,6 +1978,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>No-touch offsets</source>
         <translation>Décalages sans contact</translation>
+    </message>
+    <message>
+        <source>Noise correlation</source>
+        <translation>Corrélation du bruit</translation>
     </message>
     <message>
         <source>None</source>
@@ -2180,6 +2328,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Poser le poids connu suivant sur la cellule, le saisir, attendre le repos, prendre le point.</translation>
     </message>
     <message>
+        <source>Pwm</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
         <source>Quit</source>
         <translation>Quitter</translation>
     </message>
@@ -2192,6 +2344,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>RMS</source>
         <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Rate limit</source>
+        <translation>Limite de vitesse</translation>
     </message>
     <message>
         <source>Read</source>
@@ -2660,6 +2816,26 @@ N/mm</translation>
         <translation>La raideur n'est pas observable avec moins d'indentation que cela.</translation>
     </message>
     <message>
+        <source>Stiffness minimum force</source>
+        <translation>Force minimale</translation>
+    </message>
+    <message>
+        <source>Stiffness minimum indentation</source>
+        <translation>Indentation minimale</translation>
+    </message>
+    <message>
+        <source>Stiffness mode</source>
+        <translation>Mode de raideur</translation>
+    </message>
+    <message>
+        <source>Stiffness pace</source>
+        <translation>Rythme de la raideur</translation>
+    </message>
+    <message>
+        <source>Stiffness relative sigma limit</source>
+        <translation>Limite sigma raideur</translation>
+    </message>
+    <message>
         <source>Stiffness target by hand</source>
         <translation>Raideur de consigne à la main</translation>
     </message>
@@ -2954,6 +3130,18 @@ N/mm</translation>
     <message>
         <source>These points are simulated: discard them before you measure.</source>
         <translation>Ces points sont simulés : les écarter avant de mesurer.</translation>
+    </message>
+    <message>
+        <source>Thesis kd</source>
+        <translation>Kd de la thèse</translation>
+    </message>
+    <message>
+        <source>Thesis ki</source>
+        <translation>Ki de la thèse</translation>
+    </message>
+    <message>
+        <source>Thesis kp</source>
+        <translation>Kp de la thèse</translation>
     </message>
     <message>
         <source>Thesis mode: grey values below it are the finger.</source>

@@ -878,8 +878,16 @@
         <translation>Comandi</translation>
     </message>
     <message>
+        <source>Corner</source>
+        <translation>Taglio</translation>
+    </message>
+    <message>
         <source>Corner (-3 dB) of the default high-pass.</source>
         <translation>Frequenza di taglio (-3 dB) del passa-alto predefinito.</translation>
+    </message>
+    <message>
+        <source>Crossfade</source>
+        <translation>Passaggio</translation>
     </message>
     <message>
         <source>Cursor</source>
@@ -892,6 +900,10 @@
     <message>
         <source>Dark theme</source>
         <translation>Tema scuro</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Banda morta</translation>
     </message>
     <message>
         <source>Dead time of the measured stiffness behind the stretch; auto-tune measures it.</source>
@@ -918,6 +930,10 @@
 mm</source>
         <translation>Profondità
 mm</translation>
+    </message>
+    <message>
+        <source>Derivative filter</source>
+        <translation>Filtro derivativo</translation>
     </message>
     <message>
         <source>Derivative gain in thesis mode (the thesis used none).</source>
@@ -1146,6 +1162,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>File: dove va la registrazione?</translation>
     </message>
     <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
         <source>Find a command</source>
         <translation>Trova un comando</translation>
     </message>
@@ -1166,12 +1186,52 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Area del dito in pixel</translation>
     </message>
     <message>
+        <source>Finger centre x</source>
+        <translation>Centro x del dito</translation>
+    </message>
+    <message>
+        <source>Finger centre y</source>
+        <translation>Centro y del dito</translation>
+    </message>
+    <message>
         <source>Finger found</source>
         <translation>Dito trovato</translation>
     </message>
     <message>
         <source>Finger mask</source>
         <translation>Maschera del dito</translation>
+    </message>
+    <message>
+        <source>Finger minimum area</source>
+        <translation>Area minima del dito</translation>
+    </message>
+    <message>
+        <source>Finger minimum contrast</source>
+        <translation>Contrasto minimo del dito</translation>
+    </message>
+    <message>
+        <source>Finger mirror</source>
+        <translation>Specchio del dito</translation>
+    </message>
+    <message>
+        <source>Finger mode</source>
+        <translation>Modo del dito</translation>
+    </message>
+    <message>
+        <source>Finger rotation</source>
+        <translation>Rotazione del dito</translation>
+    </message>
+    <message>
+        <source>Finger scale x</source>
+        <translation>Scala x del dito</translation>
+    </message>
+    <message>
+        <source>Finger scale y</source>
+        <translation>Scala y del dito</translation>
+    </message>
+    <message>
+        <source>Finger threshold</source>
+        <translation>Soglia del dito</translation>
     </message>
     <message>
         <source>Finger x in millimetres</source>
@@ -1220,6 +1280,18 @@ N</source>
 N</translation>
     </message>
     <message>
+        <source>Force noise</source>
+        <translation>Rumore della forza</translation>
+    </message>
+    <message>
+        <source>Force tare sigma</source>
+        <translation>Sigma tara della forza</translation>
+    </message>
+    <message>
+        <source>Force zero</source>
+        <translation>Zero della forza</translation>
+    </message>
+    <message>
         <source>Force, N</source>
         <translation>Forza, N</translation>
     </message>
@@ -1232,12 +1304,20 @@ N</translation>
         <translation>Trovato nel manuale</translation>
     </message>
     <message>
+        <source>Frame</source>
+        <translation>Frame</translation>
+    </message>
+    <message>
         <source>From the last minute of this session</source>
         <translation>Dall'ultimo minuto di questa sessione</translation>
     </message>
     <message>
         <source>From the simulated touchpad, 12 s of virtual time</source>
         <translation>Dal touchpad simulato, 12 s di tempo virtuale</translation>
+    </message>
+    <message>
+        <source>Full scale</source>
+        <translation>Fondo scala</translation>
     </message>
     <message>
         <source>Gain k_vib</source>
@@ -1266,6 +1346,10 @@ N</translation>
     <message>
         <source>Grey value</source>
         <translation>Valore di grigio</translation>
+    </message>
+    <message>
+        <source>Hand target</source>
+        <translation>Valore a mano</translation>
     </message>
     <message>
         <source>Height</source>
@@ -1336,6 +1420,10 @@ Robot: %2
         <translation>Tenere: riarma</translation>
     </message>
     <message>
+        <source>Hop</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
         <source>How far the time between the robot's messages strays: four mean deviations.</source>
         <translation>Quanto varia il tempo tra i messaggi del robot: quattro deviazioni medie.</translation>
     </message>
@@ -1380,12 +1468,40 @@ Robot: %2
         <translation>Indentazione</translation>
     </message>
     <message>
+        <source>Indentation holding</source>
+        <translation>Indentazione, dito fermo</translation>
+    </message>
+    <message>
+        <source>Indentation mode</source>
+        <translation>Modo d'indentazione</translation>
+    </message>
+    <message>
+        <source>Indentation moving</source>
+        <translation>Indentazione, dito in moto</translation>
+    </message>
+    <message>
+        <source>Indentation sigma limit</source>
+        <translation>Limite sigma indentazione</translation>
+    </message>
+    <message>
+        <source>Input delay</source>
+        <translation>Ritardo d'ingresso</translation>
+    </message>
+    <message>
         <source>Integral gain in thesis mode.</source>
         <translation>Guadagno integrale nel modo tesi.</translation>
     </message>
     <message>
         <source>Integral gain, of the relative error.</source>
         <translation>Guadagno integrale, dell'errore relativo.</translation>
+    </message>
+    <message>
+        <source>Ir noise</source>
+        <translation>Rumore IR</translation>
+    </message>
+    <message>
+        <source>Ir offset</source>
+        <translation>Offset IR</translation>
     </message>
     <message>
         <source>It ends at the first of %1 lost samples.</source>
@@ -1398,6 +1514,10 @@ Robot: %2
     <message>
         <source>Jitter</source>
         <translation>Fluttuazione</translation>
+    </message>
+    <message>
+        <source>K vib</source>
+        <translation>K vib</translation>
     </message>
     <message>
         <source>Kalman filter: how much it wanders while the finger presses or lifts.</source>
@@ -1664,12 +1784,24 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Massimo</translation>
     </message>
     <message>
+        <source>Maximum gap</source>
+        <translation>Lacuna massima</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Media</translation>
     </message>
     <message>
         <source>Measured.</source>
         <translation>Misurato.</translation>
+    </message>
+    <message>
+        <source>Measurement delay</source>
+        <translation>Tempo morto della misura</translation>
+    </message>
+    <message>
+        <source>Measurement lag</source>
+        <translation>Ritardo della misura</translation>
     </message>
     <message>
         <source>Messages</source>
@@ -1686,6 +1818,18 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Millimetres per pixel along a picture row.</source>
         <translation>Millimetri per pixel lungo una riga dell'immagine.</translation>
+    </message>
+    <message>
+        <source>Motion depth scale</source>
+        <translation>Scala del moto in profondità</translation>
+    </message>
+    <message>
+        <source>Motion scale</source>
+        <translation>Scala del moto</translation>
+    </message>
+    <message>
+        <source>Motion speed limit</source>
+        <translation>Limite di velocità del moto</translation>
     </message>
     <message>
         <source>Motor board</source>
@@ -1834,6 +1978,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>No-touch offsets</source>
         <translation>Offset a riposo</translation>
+    </message>
+    <message>
+        <source>Noise correlation</source>
+        <translation>Correlazione del rumore</translation>
     </message>
     <message>
         <source>None</source>
@@ -2120,6 +2268,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Attuale</translation>
     </message>
     <message>
+        <source>Preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
         <source>Presets</source>
         <translation>Preimpostazioni</translation>
     </message>
@@ -2180,6 +2332,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Mettere sulla cella il peso noto seguente, scriverlo, attendere che sia fermo, prendere il punto.</translation>
     </message>
     <message>
+        <source>Pwm</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
         <source>Quit</source>
         <translation>Esci</translation>
     </message>
@@ -2192,6 +2348,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>RMS</source>
         <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Rate limit</source>
+        <translation>Limite di velocità</translation>
     </message>
     <message>
         <source>Read</source>
@@ -2660,6 +2820,26 @@ N/mm</translation>
         <translation>La rigidezza non è osservabile con meno indentazione di così.</translation>
     </message>
     <message>
+        <source>Stiffness minimum force</source>
+        <translation>Forza minima</translation>
+    </message>
+    <message>
+        <source>Stiffness minimum indentation</source>
+        <translation>Indentazione minima</translation>
+    </message>
+    <message>
+        <source>Stiffness mode</source>
+        <translation>Modo di rigidezza</translation>
+    </message>
+    <message>
+        <source>Stiffness pace</source>
+        <translation>Ritmo della rigidezza</translation>
+    </message>
+    <message>
+        <source>Stiffness relative sigma limit</source>
+        <translation>Limite sigma rigidezza</translation>
+    </message>
+    <message>
         <source>Stiffness target by hand</source>
         <translation>Rigidezza desiderata impostata a mano</translation>
     </message>
@@ -2954,6 +3134,18 @@ N/mm</translation>
     <message>
         <source>These points are simulated: discard them before you measure.</source>
         <translation>Questi punti sono simulati: scartarli prima di misurare.</translation>
+    </message>
+    <message>
+        <source>Thesis kd</source>
+        <translation>Kd della tesi</translation>
+    </message>
+    <message>
+        <source>Thesis ki</source>
+        <translation>Ki della tesi</translation>
+    </message>
+    <message>
+        <source>Thesis kp</source>
+        <translation>Kp della tesi</translation>
     </message>
     <message>
         <source>Thesis mode: grey values below it are the finger.</source>
@@ -3618,6 +3810,10 @@ N/mm</translation>
     <message>
         <source>measured</source>
         <translation>misurato</translation>
+    </message>
+    <message>
+        <source>measured %1 · target %2 N/mm</source>
+        <translation>misurata %1 · obiettivo %2 N/mm</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>
