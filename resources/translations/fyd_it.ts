@@ -2268,10 +2268,6 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Attuale</translation>
     </message>
     <message>
-        <source>Preset</source>
-        <translation>Preset</translation>
-    </message>
-    <message>
         <source>Presets</source>
         <translation>Preimpostazioni</translation>
     </message>
@@ -3810,10 +3806,6 @@ N/mm</translation>
     <message>
         <source>measured</source>
         <translation>misurato</translation>
-    </message>
-    <message>
-        <source>measured %1 · target %2 N/mm</source>
-        <translation>misurata %1 · obiettivo %2 N/mm</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>

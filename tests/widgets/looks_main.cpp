@@ -3,6 +3,7 @@
 #include "app/console/calibrate_page.h"
 #include "app/console/language.h"
 #include "app/console/review_page.h"
+#include "app/console/tune_page.h"
 #include "core/session/recording_writer.h"
 #include "tests/widgets/look_check.h"
 #include "tests/widgets/scripted_session.h"
@@ -95,6 +96,13 @@ class LooksTest : public QObject {
     for (int part = 1; part < calibrate->parts()->count(); ++part) {
       calibrate->parts()->setCurrentRow(part);
       look(f, qPrintable(QStringLiteral("calibrate-%1").arg(part)));
+    }
+    go(f, "tune");
+    auto* tune = qobject_cast<console::TunePage*>(f.window->frame()->page(QStringLiteral("tune")));
+    tune->response()->setResponse(widgets::TuningResponse::proposed, {.course = {{0.0, 84.0}, {1.0, 100.0}}});
+    for (int tab = 0; tab < tune->tabs()->count(); ++tab) {
+      tune->tabs()->setCurrentIndex(tab);
+      look(f, qPrintable(QStringLiteral("tune-%1").arg(tab)));
     }
     f.window->review(makeRecording(f.folder));
     look(f, "review-recording");
