@@ -54,7 +54,7 @@ bool CurveBuffer::append(double time_s, std::span<const float> values) {
 }
 
 void CurveBuffer::store(double time_s, std::span<const float> values) {
-  const auto position = static_cast<std::size_t>(next_ % times_.size());
+  const std::size_t position = head_;
   times_[position] = time_s;
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     Channel& channel = channels_[c];
@@ -67,9 +67,13 @@ void CurveBuffer::store(double time_s, std::span<const float> values) {
     }
   }
   ++next_;
+  if (++head_ == times_.size()) head_ = 0;
 }
 
-void CurveBuffer::clear() { next_ = 0; }
+void CurveBuffer::clear() {
+  next_ = 0;
+  head_ = 0;
+}
 
 double CurveBuffer::firstTime_s() const {
   return empty() ? std::numeric_limits<double>::quiet_NaN() : timeOf(oldest());
@@ -80,12 +84,17 @@ double CurveBuffer::lastTime_s() const {
 
 float CurveBuffer::last(std::size_t channel) const {
   if (empty()) return kNaN;
-  const float value = channels_[channel].values[static_cast<std::size_t>((next_ - 1) % times_.size())];
+  const float value = channels_[channel].values[positionOf(next_ - 1)];
   return std::isfinite(value) ? value : kNaN;
 }
 
+// In steps that double, then by halving: a picture asks for one column after the other, and the next edge is near.
 std::uint64_t CurveBuffer::firstNotBefore(double time_s, std::uint64_t from) const {
-  std::uint64_t to = next_;
+  std::uint64_t to = from;
+  for (std::uint64_t step = 1; to < next_ && timeOf(to) < time_s; step *= 2) {
+    from = to + 1;
+    to = std::min(next_, to + step);
+  }
   while (from < to) {
     const std::uint64_t middle = from + (to - from) / 2;
     if (timeOf(middle) < time_s) {
@@ -95,6 +104,27 @@ std::uint64_t CurveBuffer::firstNotBefore(double time_s, std::uint64_t from) con
     }
   }
   return from;
+}
+
+double CurveBuffer::valueAt(std::size_t channel, double time_s) const {
+  if (!std::isfinite(time_s) || empty() || time_s > lastTime_s() + longest_step_s_) return kNaN;
+  const std::uint64_t after = firstNotBefore(std::nextafter(time_s, std::numeric_limits<double>::infinity()), oldest());
+  if (after == oldest()) return kNaN;
+  return channels_[channel].values[positionOf(after - 1)];
+}
+
+CurveRows CurveBuffer::rows(std::span<const std::size_t> channels, double from_s, double to_s) const {
+  CurveRows out;
+  out.values.resize(channels.size());
+  if (!std::isfinite(from_s) || !std::isfinite(to_s)) return out;
+  for (std::uint64_t i = firstNotBefore(from_s, oldest()); i < next_ && timeOf(i) <= to_s; ++i) {
+    out.time_s.push_back(timeOf(i));
+    const std::size_t position = positionOf(i);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      out.values[c].push_back(channels_[channels[c]].values[position]);
+    }
+  }
+  return out;
 }
 
 CurveBuffer::Extent CurveBuffer::extent(const Channel& channel, std::uint64_t from, std::uint64_t to) const {
@@ -107,7 +137,7 @@ CurveBuffer::Extent CurveBuffer::extent(const Channel& channel, std::uint64_t fr
       if (from % wider != 0 || from + wider > to) break;
       ++level;
     }
-    const auto position = static_cast<std::size_t>(from % times_.size());
+    const std::size_t position = positionOf(from);
     if (level == 0) {
       result.add(channel.values[position]);
     } else {

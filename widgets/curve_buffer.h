@@ -43,6 +43,8 @@ class CurveBuffer : public CurveSource {
   /// curve does not flicker. @param out one or two more than `columns`; reused without allocating
   void decimate(std::size_t channel, double from_s, double to_s, std::size_t columns,
                 std::vector<CurveColumn>& out) const override;
+  [[nodiscard]] double valueAt(std::size_t channel, double time_s) const override;
+  [[nodiscard]] CurveRows rows(std::span<const std::size_t> channels, double from_s, double to_s) const override;
 
  private:
   struct Extent {
@@ -61,9 +63,12 @@ class CurveBuffer : public CurveSource {
   static constexpr std::size_t kLevels = 4;
 
   [[nodiscard]] std::uint64_t oldest() const { return next_ > times_.size() ? next_ - times_.size() : 0; }
-  [[nodiscard]] double timeOf(std::uint64_t index) const {
-    return times_[static_cast<std::size_t>(index % times_.size())];
+  /// In the ring, of a stored sample; without a division, of which a picture would need thousands.
+  [[nodiscard]] std::size_t positionOf(std::uint64_t index) const {
+    const auto behind = static_cast<std::size_t>(next_ - index);
+    return behind <= head_ ? head_ - behind : head_ + times_.size() - behind;
   }
+  [[nodiscard]] double timeOf(std::uint64_t index) const { return times_[positionOf(index)]; }
   [[nodiscard]] std::uint64_t firstNotBefore(double time_s, std::uint64_t from) const;
   [[nodiscard]] Extent extent(const Channel& channel, std::uint64_t from, std::uint64_t to) const;
   void store(double time_s, std::span<const float> values);
@@ -72,6 +77,7 @@ class CurveBuffer : public CurveSource {
   std::vector<Channel> channels_;
   std::vector<float> hole_;  ///< one NaN per channel
   std::uint64_t next_ = 0;   ///< counts every sample ever stored
+  std::size_t head_ = 0;     ///< where the next one goes in the ring
   double longest_step_s_;
 };
 

@@ -17,7 +17,7 @@ constexpr int kStill_px = 3;  // a press that moves no farther is a click
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 QPen penOf(const Trace& trace) {
-  QColor colour = theme().of(trace.quantity);
+  QColor colour = trace.quantity == Quantity::none ? theme().text : theme().of(trace.quantity);
   if (trace.stroke == Stroke::faint) colour.setAlphaF(0.45F);
   const Qt::PenStyle style = trace.stroke == Stroke::dashed   ? Qt::DashLine
                              : trace.stroke == Stroke::dotted ? Qt::DotLine
@@ -59,6 +59,7 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
       traces_(std::move(traces)),
       range_(least),
       unit_(unit),
+      mark_words_(new QCPItemText(plot_)),
       with_time_scale_(with_time_scale),
       band_(new QRubberBand(QRubberBand::Rectangle, plot_)) {
   auto* layout = new QVBoxLayout(this);
@@ -77,8 +78,7 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
          "Ctrl and wheel to stretch this curve, double-click or F to follow again."));
   QCPAxisRect* rect = plot_->axisRect();
   rect->setAutoMargins(QCP::msNone);
-  rect->setMargins(QMargins(kLeftMargin, 4, kRightMargin, with_time_scale_ ? kScaleHeight : 4));
-  plot_->xAxis->setTickLabels(with_time_scale_);
+  setTimeScale(with_time_scale_);
   plot_->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(tr("s"))));
   plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
   plot_->yAxis->ticker()->setTickCount(3);
@@ -94,8 +94,46 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
   }
   lanes_ = !traces_.front().lane.isEmpty();
   if (lanes_) buildLanes();
+  mark_words_->position->setType(QCPItemPosition::ptAxisRectRatio);
+  mark_words_->position->setCoords(1.0, 0.0);
+  mark_words_->setPositionAlignment(Qt::AlignRight | Qt::AlignTop);
+  mark_words_->setPadding(QMargins(4, 0, 4, 0));
+  mark_words_->setVisible(false);
   connect(&Look::instance(), &Look::changed, this, &CurveStrip::dress);
   dress();
+}
+
+void CurveStrip::setTimeScale(bool shown) {
+  with_time_scale_ = shown;
+  plot_->axisRect()->setMargins(QMargins(kLeftMargin, 4, kRightMargin, shown ? kScaleHeight : 4));
+  plot_->xAxis->setTickLabels(shown);
+}
+
+void CurveStrip::setMarkWords(const QString& words) {
+  if (words == mark_words_->text()) return;
+  mark_words_->setText(words);
+  mark_words_->setVisible(!words.isEmpty());
+  setAccessibleDescription(words);
+}
+
+QString CurveStrip::markWords() const { return mark_words_->text(); }
+
+void CurveStrip::chooseRange(std::optional<Range> range) {
+  chosen_range_ = range;
+  fixed_range_.reset();
+}
+
+void CurveStrip::setLimits(std::vector<double> limits) {
+  if (lanes_) return;
+  while (limit_lines_.size() < limits.size()) limit_lines_.push_back(new QCPItemStraightLine(plot_));
+  for (std::size_t i = 0; i < limit_lines_.size(); ++i) {
+    const bool shown = i < limits.size() && std::isfinite(limits[i]);
+    limit_lines_[i]->setVisible(shown);
+    if (!shown) continue;
+    limit_lines_[i]->point1->setCoords(0.0, limits[i]);
+    limit_lines_[i]->point2->setCoords(1.0, limits[i]);
+    limit_lines_[i]->setPen(QPen(theme().danger, 1, Qt::DashDotLine));
+  }
 }
 
 void CurveStrip::buildLanes() {
@@ -130,6 +168,10 @@ void CurveStrip::dress() {
     scale_text_->setColor(t.muted);
     scale_text_->setBrush(QBrush(t.panel));
   }
+  mark_words_->setFont(textFont(TextSize::small));
+  mark_words_->setColor(t.text);
+  mark_words_->setBrush(QBrush(t.panel));
+  for (QCPItemStraightLine* line : limit_lines_) line->setPen(QPen(t.danger, 1, Qt::DashDotLine));
   for (std::size_t i = 0; i < traces_.size(); ++i) {
     plot_->graph(static_cast<int>(i))->setPen(penOf(traces_[i]));
   }
@@ -141,12 +183,14 @@ void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveSource& so
   const auto width =
       std::max<std::size_t>(1, static_cast<std::size_t>(plot_->axisRect()->width() * plot_->devicePixelRatioF()));
   source.decimate(trace.channel, window.from_s(), window.to_s(), width, columns_);
+  const double last_x = -0.75 * window.span_s() / static_cast<double>(width);
   QVector<QCPGraphData> points;
   points.reserve(static_cast<qsizetype>(columns_.size()) * 2);
   double last = kNaN;
   for (const CurveColumn& column : columns_) {
     if (column.empty) continue;  // zoomed in beyond the samples: the line goes on to the next one
-    const double x = column.time_s - window.to_s();
+    // The first and the last column reach beyond the picture: what is in them must not fall outside with their middle.
+    const double x = std::clamp(column.time_s - window.to_s(), -window.span_s(), last_x);
     if (!std::isnan(column.minimum)) {
       double first = column.minimum;
       double second = column.maximum;
@@ -179,9 +223,9 @@ void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
   }
   for (std::size_t i = 0; i < traces_.size(); ++i) fill(plot_->graph(static_cast<int>(i)), traces_[i], source, window);
   if (drawn_.lower <= drawn_.upper) range_.fit(drawn_.lower, drawn_.upper);
-  Range shown = shownRange();
+  Range shown = fixed_range_.value_or(baseRange());
   if (lanes_) {
-    const double full = std::max(std::abs(range_.shown().lower), std::abs(range_.shown().upper));
+    const double full = std::max(std::abs(baseRange().lower), std::abs(baseRange().upper));
     for (std::size_t i = 0; i < traces_.size(); ++i) {
       for (QCPGraphData& point : *plot_->graph(static_cast<int>(i))->data()) {
         point.value = laneCentre(i) + 0.5 * point.value / full;
@@ -190,7 +234,8 @@ void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
     scale_text_->setText(tr("each ±%1 %2").arg(full).arg(unit_));
     if (!fixed_range_) shown = {-0.5, static_cast<double>(traces_.size()) - 0.5};
   }
-  const double margin = fixed_range_ ? 0.0 : 0.04 * (shown.upper - shown.lower);  // the line at the end stays visible
+  const double margin =
+      fixed_range_ || chosen_range_ ? 0.0 : 0.04 * (shown.upper - shown.lower);  // the line at the end stays visible
   if (time_itself_) static_cast<NumberTicker*>(plot_->xAxis->ticker().data())->setShown(window.to_s());
   drawMarks(window);
   plot_->xAxis->setRange(-window.span_s(), 0.0);
@@ -226,7 +271,19 @@ void CurveStrip::drawMarks(const TimeWindow& window) {
   }
 }
 
-Range CurveStrip::shownRange() const { return fixed_range_.value_or(range_.shown()); }
+void CurveStrip::paintTo(QCPPainter& painter, QSize size) {
+  // SVG knows no clipping here: a curve must not leave its strip. What lies outside lies just outside.
+  const QCPRange shown = plot_->yAxis->range();
+  const double outside = shown.size() / std::max(1, size.height());
+  for (std::size_t i = 0; i < traces_.size(); ++i) {
+    for (QCPGraphData& point : *plot_->graph(static_cast<int>(i))->data()) {
+      if (!std::isnan(point.value)) point.value = std::clamp(point.value, shown.lower - outside, shown.upper + outside);
+    }
+  }
+  plot_->toPainter(&painter, size.width(), size.height());
+}
+
+Range CurveStrip::shownRange() const { return fixed_range_ && !lanes_ ? *fixed_range_ : baseRange(); }
 
 double CurveStrip::timeAt(double x_px) const { return plot_->xAxis->pixelToCoord(x_px); }
 

@@ -17,6 +17,7 @@
 class QCustomPlot;
 class QCPGraph;
 class QCPItemStraightLine;
+class QCPPainter;
 class QCPItemText;
 class QRubberBand;
 
@@ -52,13 +53,24 @@ class CurveStrip : public QWidget {
              QWidget* parent = nullptr);
 
   void draw(const CurveSource& source, const TimeWindow& window);
+  /// What the last `draw` drew, for a picture on paper or in a file.
+  void paintTo(QCPPainter& painter, QSize size);
   /// The scale tells the time itself, not how long before the right edge.
   void showTimeItself() { time_itself_ = true; }
+  void setTimeScale(bool shown);
   /// Drawn with the next `draw`.
   void setMarks(std::vector<TimeMark> marks) { marks_ = std::move(marks); }
-  /// Back to a vertical range that follows the data.
+  /// What the marks tell, in the corner; empty: nothing.
+  void setMarkWords(const QString& words);
+  [[nodiscard]] QString markWords() const;
+  /// Values not to be passed, drawn across the picture; not in lanes.
+  void setLimits(std::vector<double> limits);
+  /// Back from a stretched or boxed range to the chosen one, or to one that follows the data.
   void freeRange() { fixed_range_.reset(); }
   void fixRange(Range range) { fixed_range_ = range; }
+  /// The operator's choice; none: the range follows the data.
+  void chooseRange(std::optional<Range> range);
+  [[nodiscard]] const std::optional<Range>& chosenRange() const { return chosen_range_; }
   [[nodiscard]] Range shownRange() const;
   /// Largest and smallest value drawn in the last `draw`; for tests.
   [[nodiscard]] Range drawnExtent() const { return drawn_; }
@@ -79,6 +91,7 @@ class CurveStrip : public QWidget {
   void fill(QCPGraph* graph, const Trace& trace, const CurveSource& source, const TimeWindow& window);
   void buildLanes();
   void drawMarks(const TimeWindow& window);
+  [[nodiscard]] Range baseRange() const { return chosen_range_.value_or(range_.shown()); }
   [[nodiscard]] double laneCentre(std::size_t trace) const;
   [[nodiscard]] double timeAt(double x_px) const;
   bool press(const QMouseEvent& event);
@@ -90,6 +103,7 @@ class CurveStrip : public QWidget {
   std::vector<Trace> traces_;
   ValueRange range_;
   std::optional<Range> fixed_range_;
+  std::optional<Range> chosen_range_;
   QString unit_;
   bool lanes_ = false;
   QCPItemText* scale_text_ = nullptr;  ///< what a lane's height means
@@ -98,6 +112,8 @@ class CurveStrip : public QWidget {
   std::vector<TimeMark> marks_;
   std::vector<QCPItemStraightLine*> mark_lines_;  ///< as many as were ever needed; spare ones are hidden
   std::vector<QCPItemText*> mark_names_;
+  QCPItemText* mark_words_;
+  std::vector<QCPItemStraightLine*> limit_lines_;
   bool with_time_scale_;
   bool time_itself_ = false;
   QRubberBand* band_;

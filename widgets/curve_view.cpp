@@ -2,24 +2,16 @@
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
+#include "widgets/curve_catalogue.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
 
 namespace fyd::widgets {
 namespace {
-
-enum Channel : std::size_t {
-  kForce,
-  kIndentation,
-  kStiffness,
-  kTarget,
-  kVibration,
-  kAccelerationX,
-  kAccelerationY,
-  kAccelerationZ,
-  kChannelCount
-};
 
 constexpr std::size_t kCapacity = 262144;  // 4 min at 1 kHz
 constexpr int kRedraw_ms = 33;
@@ -35,30 +27,23 @@ QString agedNote(double age_ms, double usual_ms) {
 
 }  // namespace
 
-CurveView::CurveView(QWidget* parent) : QWidget(parent), buffer_(kChannelCount, kCapacity), recent_(kChannelCount) {
-  for (const std::size_t c : {kVibration, kAccelerationX, kAccelerationY, kAccelerationZ}) {
-    recent_[c] = RecentValue(RecentValue::Kind::peak);
-  }
+CurveView::CurveView(QWidget* parent)
+    : QWidget(parent),
+      buffer_(kCurveChannels, kCapacity),
+      stack_(new CurveStack(TimeWindow{}, this)),
+      recent_(kCurveChannels) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid / 2);
   layout->setSpacing(0);
   buildBar(layout);
-  addStrip(tr("Force"), tr("N"), {0, 2}, {{kForce, Quantity::force}}, {{{}, Quantity::force, false, 2}}, true, false);
-  addStrip(tr("Indentation"), tr("mm"), {0, 5}, {{kIndentation, Quantity::indentation}},
-           {{{}, Quantity::indentation, false, 2}}, true, false);
-  addStrip(tr("Stiffness"), tr("N/mm"), {0, 1},
-           {{kTarget, Quantity::stiffness, Stroke::dashed}, {kStiffness, Quantity::stiffness}},
-           {{{}, Quantity::stiffness, false, 2}, {tr("target"), Quantity::stiffness, true, 2}}, true, false);
-  addStrip(tr("Vibration, peak"), tr("%"), {-100, 100}, {{kVibration, Quantity::vibration}},
-           {{{}, Quantity::vibration, false, 0}}, true, false);
-  addStrip(tr("Acceleration, peak"), tr("g"), {-1, 1},
-           {{kAccelerationX, Quantity::acceleration_x, Stroke::solid, tr("x")},
-            {kAccelerationY, Quantity::acceleration_y, Stroke::solid, tr("y")},
-            {kAccelerationZ, Quantity::acceleration_z, Stroke::solid, tr("z")}},
-           {{tr("x"), Quantity::acceleration_x, false, 2},
-            {tr("y"), Quantity::acceleration_y, false, 2},
-            {tr("z"), Quantity::acceleration_z, false, 2}},
-           false, true);
+  layout->addWidget(stack_, 1);
+  addStrips();
+  connect(stack_, &CurveStack::moved, this, [this] {
+    dirty_ = true;
+    if (following() != was_following_) sayFollowing();
+  });
+  connect(stack_, &CurveStack::clicked, stack_, &CurveStack::setCursor_s);
+  connect(stack_, &CurveStack::followAsked, this, &CurveView::follow);
   connect(&redraw_timer_, &QTimer::timeout, this, &CurveView::redraw);
   connect(&numeral_timer_, &QTimer::timeout, this, &CurveView::refreshNumerals);
   redraw_timer_.start(kRedraw_ms);
@@ -66,8 +51,30 @@ CurveView::CurveView(QWidget* parent) : QWidget(parent), buffer_(kChannelCount, 
   sayFollowing();
 }
 
+void CurveView::addStrips() {
+  for (const StripPlan& plan : stripPlans()) {
+    StripSetup setup = setupOf(plan);
+    if (plan.peak) setup.title = tr("%1, peak").arg(setup.title);
+    // The first of them stands above the others: what was measured covers what was asked for.
+    for (auto channel = plan.channels.rbegin(); channel != plan.channels.rend(); ++channel) {
+      const CurveQuantity& q = curveQuantities()[*channel];
+      setup.traces.push_back({.channel = *channel, .quantity = q.quantity, .stroke = q.stroke});
+    }
+    if (plan.lanes) {
+      std::ranges::reverse(setup.traces);  // the first lane on top
+      for (Trace& trace : setup.traces) trace.lane = wordOf(curveQuantities()[trace.channel]);
+    }
+    if (plan.peak) {
+      for (const std::size_t channel : plan.channels) recent_[channel] = RecentValue(RecentValue::Kind::peak);
+    }
+    stack_->add(std::move(setup));
+  }
+}
+
+void CurveView::addButton(QToolButton* button) { bar_->insertWidget(2, button); }
+
 void CurveView::buildBar(QVBoxLayout* layout) {
-  auto* bar = new QHBoxLayout;
+  auto* bar = bar_ = new QHBoxLayout;
   bar->setSpacing(kGrid / 2);
   follow_button_ = new QToolButton(this);
   follow_button_->setObjectName(QStringLiteral("follow_button"));
@@ -86,7 +93,7 @@ void CurveView::buildBar(QVBoxLayout* layout) {
     button->setCheckable(true);
     button->setAccessibleName(tr("Show %1 seconds").arg(span_s));
     button->setToolTip(tr("Show the last %1 s").arg(span_s));
-    button->setChecked(span_s == window_.chosenSpan_s());
+    button->setChecked(span_s == stack_->window().chosenSpan_s());
     spans_->addButton(button);
     bar->addWidget(button);
     connect(button, &QToolButton::clicked, this, [this, span_s] { chooseSpan(span_s); });
@@ -95,103 +102,87 @@ void CurveView::buildBar(QVBoxLayout* layout) {
   layout->addSpacing(kGrid / 2);
 }
 
-void CurveView::addStrip(const QString& title, const QString& unit, Range least, std::vector<Trace> traces,
-                         std::vector<Readout::Entry> entries, bool large, bool last) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kGrid);
-  auto* strip = new CurveStrip(title, unit, least, std::move(traces), last, this);
-  auto* readout = new Readout(title, unit, std::move(entries), large, this);
-  row->addWidget(strip, 1);
-  row->addWidget(readout);
-  static_cast<QVBoxLayout*>(layout())->addLayout(row, last ? 5 : 4);  // the last one also carries the time scale
-  connect(strip, &CurveStrip::panned, this, [this](double by_s) {
-    window_.pan(by_s);
-    sayFollowing();
-  });
-  connect(strip, &CurveStrip::zoomed, this, [this](double factor, double about_s) {
-    window_.zoom(factor, window_.to_s() + about_s);
-    sayFollowing();
-  });
-  connect(strip, &CurveStrip::boxed, this, [this](double from_s, double to_s) {
-    window_.show(window_.to_s() + from_s, window_.to_s() + to_s);
-    sayFollowing();
-  });
-  connect(strip, &CurveStrip::followAsked, this, &CurveView::follow);
-  strips_.push_back(strip);
-  readouts_.push_back(readout);
-}
-
 void CurveView::append(std::span<const pipeline::TelemetrySample> samples) {
+  const auto fields = pipeline::telemetryFields();
   for (const pipeline::TelemetrySample& s : samples) {
     if (!any_) origin_ = s.now;
     any_ = true;
-    const std::array<double, kChannelCount> values = {
-        s.force_N,          s.indentation_mm,   s.stiffness_N_per_mm, s.target_N_per_mm, s.vibration_duty_percent,
-        s.acceleration_x_g, s.acceleration_y_g, s.acceleration_z_g};
-    std::array<float, kChannelCount> stored{};
-    for (std::size_t c = 0; c < kChannelCount; ++c) {
-      stored[c] = static_cast<float>(values[c]);
-      recent_[c].add(values[c]);
+    std::array<float, kCurveChannels> stored{};
+    for (std::size_t c = 0; c < kCurveChannels; ++c) {
+      const double value = fields[curveFields()[c]].read(s);
+      stored[c] = static_cast<float>(value);
+      recent_[c].add(value);
     }
     buffer_.append(toSeconds(s.now - origin_), stored);
   }
   if (samples.empty()) return;
   newest_ = samples.back();
   since_sample_.start();
-  window_.advance(buffer_.lastTime_s());
+  stack_->advance(buffer_.lastTime_s());
   dirty_ = true;
 }
 
 void CurveView::redraw() {
   if (!isVisible() || !dirty_) return;
   dirty_ = false;
-  for (CurveStrip* strip : strips_) strip->draw(buffer_, window_);
+  stack_->draw(buffer_);
+  emit drawn();
+}
+
+QString CurveView::noteOf(const QString& strip) const {
+  if (!since_sample_.isValid() || since_sample_.elapsed() > kSilence_ms) return tr("no data");
+  if (strip == QLatin1String("force")) return agedNote(newest_.bridge_age_ms, kUsualBridgeAge_ms);
+  if (strip == QLatin1String("indentation")) return agedNote(newest_.ir_age_ms, kUsualIrAge_ms);
+  if (strip == QLatin1String("acceleration")) return agedNote(newest_.robot_age_ms, kUsualRobotAge_ms);
+  if (strip != QLatin1String("stiffness")) return {};
+  const bool held_value = std::isfinite(newest_.stiffness_N_per_mm) && !newest_.stiffness_observable;
+  return newest_.target_clamped ? tr("target limited") : held_value ? tr("last touch") : QString();
 }
 
 void CurveView::refreshNumerals() {
-  const bool silent = !since_sample_.isValid() || since_sample_.elapsed() > kSilence_ms;
-  std::array<double, kChannelCount> v{};
-  for (std::size_t c = 0; c < kChannelCount; ++c) v[c] = recent_[c].take();
-  readouts_[0]->setValue(0, v[kForce]);
-  readouts_[1]->setValue(0, v[kIndentation]);
-  readouts_[2]->setValue(0, v[kStiffness]);
-  readouts_[2]->setValue(1, v[kTarget]);
-  readouts_[3]->setValue(0, v[kVibration]);
-  for (std::size_t axis = 0; axis < 3; ++axis) readouts_[4]->setValue(axis, v[kAccelerationX + axis]);
-  if (silent) {
-    for (Readout* readout : readouts_) readout->setNote(tr("no data"));
-    return;
+  std::array<double, kCurveChannels> v{};
+  for (std::size_t c = 0; c < kCurveChannels; ++c) v[c] = recent_[c].take();
+  for (std::size_t i = 0; i < stack_->size(); ++i) {
+    if (!stack_->shown(i)) continue;
+    const auto& channels = stack_->setup(i).channels;
+    for (std::size_t entry = 0; entry < channels.size(); ++entry) readout(i)->setValue(entry, v[channels[entry]]);
+    readout(i)->setNote(noteOf(stack_->setup(i).id));
   }
-  readouts_[0]->setNote(agedNote(newest_.bridge_age_ms, kUsualBridgeAge_ms));
-  readouts_[1]->setNote(agedNote(newest_.ir_age_ms, kUsualIrAge_ms));
-  const bool held_value = std::isfinite(newest_.stiffness_N_per_mm) && !newest_.stiffness_observable;
-  readouts_[2]->setNote(newest_.target_clamped ? tr("target limited") : held_value ? tr("last touch") : QString());
-  readouts_[3]->setNote({});
-  readouts_[4]->setNote(agedNote(newest_.robot_age_ms, kUsualRobotAge_ms));
 }
 
 void CurveView::follow() {
-  for (CurveStrip* strip : strips_) strip->freeRange();
-  window_.follow();
-  sayFollowing();
+  stack_->freeRanges();
+  stack_->forEachWindow([](TimeWindow& window) { window.follow(); });
 }
 
 void CurveView::pause() {
-  window_.pause();
-  sayFollowing();
+  stack_->forEachWindow([](TimeWindow& window) { window.pause(); });
 }
 
-void CurveView::togglePause() { window_.following() ? pause() : follow(); }
+void CurveView::togglePause() { following() ? pause() : follow(); }
 
 void CurveView::chooseSpan(double span_s) {
-  window_.chooseSpan(span_s);
   for (QAbstractButton* button : spans_->buttons()) button->setChecked(button->text() == tr("%1 s").arg(span_s));
-  sayFollowing();
+  stack_->forEachWindow([span_s](TimeWindow& window) { window.chooseSpan(span_s); });
+}
+
+void CurveView::setMark(CurveStack::Mark which) {
+  stack_->setMark(which, std::isfinite(stack_->cursor_s()) ? stack_->cursor_s() : buffer_.lastTime_s());
+}
+
+void CurveView::clearMarks() {
+  stack_->clearMarks();
+  stack_->setCursor_s(std::numeric_limits<double>::quiet_NaN());
+}
+
+void CurveView::moveCursor(double by_s) {
+  if (buffer_.empty()) return;
+  const double from_s = std::isfinite(stack_->cursor_s()) ? stack_->cursor_s() : buffer_.lastTime_s();
+  stack_->setCursor_s(std::clamp(from_s + by_s, buffer_.firstTime_s(), buffer_.lastTime_s()));
 }
 
 void CurveView::sayFollowing() {
-  dirty_ = true;
-  const bool now = window_.following();
+  const bool now = following();
   follow_label_->setText(now ? tr("Following") : tr("Not following: press F to follow again"));
   follow_label_->setProperty("role", now ? "muted" : "warning");
   restyle(*follow_label_);

@@ -1,5 +1,4 @@
-// The curves of a session, one below the other on one time axis, each with its numeral:
-// force, indentation, stiffness (target dashed, measured), vibration duty, the robot's three accelerations.
+// The live curves of a session: a stack of strips on a buffer of the newest minutes, the bar above them, following.
 //
 // Samples may come at any rate; pictures are drawn at most 30 times a second, numerals 8 times.
 #pragma once
@@ -15,10 +14,8 @@
 
 #include "core/pipeline/telemetry.h"
 #include "widgets/curve_buffer.h"
-#include "widgets/curve_strip.h"
-#include "widgets/readout.h"
+#include "widgets/curve_stack.h"
 #include "widgets/recent_value.h"
-#include "widgets/time_window.h"
 
 namespace fyd::widgets {
 
@@ -28,35 +25,43 @@ class CurveView : public QWidget {
   explicit CurveView(QWidget* parent = nullptr);
 
   void append(std::span<const pipeline::TelemetrySample> samples);
-  [[nodiscard]] bool following() const { return window_.following(); }
-  [[nodiscard]] const TimeWindow& timeWindow() const { return window_; }
+  [[nodiscard]] bool following() const { return stack_->window().following(); }
+  [[nodiscard]] const TimeWindow& timeWindow() const { return stack_->window(); }
   [[nodiscard]] const CurveBuffer& buffer() const { return buffer_; }
-  [[nodiscard]] CurveStrip* strip(std::size_t index) const { return strips_[index]; }
-  [[nodiscard]] std::size_t stripCount() const { return strips_.size(); }
-  [[nodiscard]] Readout* readout(std::size_t index) const { return readouts_[index]; }
+  [[nodiscard]] CurveStack* stack() const { return stack_; }
+  [[nodiscard]] CurveStrip* strip(std::size_t index) const { return stack_->strip(index); }
+  [[nodiscard]] Readout* readout(std::size_t index) const { return stack_->readout(index); }
   [[nodiscard]] QString followText() const { return follow_label_->text(); }
+  /// In the bar, before the lengths of the window.
+  void addButton(QToolButton* button);
 
  public slots:
   void follow();
   void pause();
   void togglePause();
   void chooseSpan(double span_s);
+  /// At the cursor, without one at the newest value.
+  void setMark(CurveStack::Mark which);
+  void clearMarks();  ///< and the cursor
+  /// @param by_s > 0 towards the newest; without a cursor it appears at the newest value
+  void moveCursor(double by_s);
+  /// Draws now what is due; for tests, pictures and the bench.
+  void redraw();
 
  signals:
   void followingChanged(bool following);
+  void drawn();  ///< a picture was drawn with all samples there were
 
  private:
-  void addStrip(const QString& title, const QString& unit, Range least, std::vector<Trace> traces,
-                std::vector<Readout::Entry> entries, bool large, bool last);
   void buildBar(class QVBoxLayout* layout);
-  void redraw();
+  void addStrips();
   void refreshNumerals();
+  /// Why a strip's numeral is old or missing; empty: all is well.
+  [[nodiscard]] QString noteOf(const QString& strip) const;
   void sayFollowing();
 
   CurveBuffer buffer_;
-  TimeWindow window_;
-  std::vector<CurveStrip*> strips_;
-  std::vector<Readout*> readouts_;
+  CurveStack* stack_;
   std::vector<RecentValue> recent_;  ///< one per channel
   pipeline::TelemetrySample newest_;
   Instant origin_{};
@@ -66,6 +71,7 @@ class CurveView : public QWidget {
   QElapsedTimer since_sample_;
   QTimer redraw_timer_;
   QTimer numeral_timer_;
+  class QHBoxLayout* bar_ = nullptr;
   QToolButton* follow_button_ = nullptr;
   QLabel* follow_label_ = nullptr;
   QButtonGroup* spans_ = nullptr;

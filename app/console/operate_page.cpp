@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/console/recording_control.h"
 #include "app/console/side_dock.h"
 #include "app/console/views.h"
 #include "core/sensing/finger_detector.h"
@@ -40,22 +41,30 @@ OperatePage::OperatePage(const PageContext& context, QWidget* parent)
       camera_(new widgets::CameraPanel(this)),
       readiness_(new widgets::ReadinessList(this)),
       curves_(new widgets::CurveView(this)),
+      curve_tools_(new CurveTools(curves_->stack(), context.tell, this)),
       tuning_(new widgets::TuningPanel(context.tuning.model(), sections(), QLatin1String(kHandTarget), this)),
       area_(new QMainWindow(this)),
       panels_(*area_) {
   build();
   connectFeed();
+  connectCurves();
   connectTuning();
   connectFinger();
 }
 
 void OperatePage::build() {
   area_->setWindowFlags(Qt::Widget);  // a part of the page, not a window of its own
+  curve_tools_->saver().setFolder(sessionsFolder());
   auto* panel = new QFrame(this);
   panel->setProperty("surface", "panel");
-  auto* panel_layout = new QVBoxLayout(panel);
+  auto* panel_layout = new QHBoxLayout(panel);
   panel_layout->setContentsMargins(0, 0, 0, 0);
-  panel_layout->addWidget(curves_);
+  panel_layout->setSpacing(0);
+  auto* pictures = new QVBoxLayout;
+  pictures->addWidget(curves_, 2);
+  pictures->addWidget(curve_tools_->spectrum(), 1);
+  panel_layout->addLayout(pictures, 1);
+  panel_layout->addWidget(curve_tools_->panel());
 
   const auto dock = [this](const QString& title, const char* name, const QString& close, auto body,
                            Qt::DockWidgetArea side) {
@@ -82,6 +91,23 @@ void OperatePage::connectFeed() {
   });
   connect(feed, &SessionFeed::cameraMissing, camera_, &widgets::CameraPanel::showMissing);
   connect(feed, &SessionFeed::readiness, readiness_, &widgets::ReadinessList::setRows);
+}
+
+void OperatePage::connectCurves() {
+  widgets::SpectrumView* spectrum = curve_tools_->spectrum();
+  const auto draw = [this, spectrum](bool even_soon) {
+    spectrum->draw(curves_->buffer(), curves_->timeWindow(), even_soon);
+  };
+  connect(curves_, &widgets::CurveView::drawn, spectrum, [draw] { draw(false); });
+  connect(spectrum, &widgets::SpectrumView::changed, spectrum, [draw] { draw(true); });
+  const auto limit = [this] {
+    widgets::CurveStack* stack = curves_->stack();
+    const widgets::TunedParameter* maximum = context_.tuning.model().find("texture.maximum_percent");
+    const double most = maximum == nullptr ? pipeline::kNone : maximum->value;
+    stack->strip(stack->indexOf(QStringLiteral("vibration")))->setLimits({-most, most});
+  };
+  connect(&context_.tuning.model(), &widgets::TuningModel::changed, this, limit);
+  limit();
 }
 
 void OperatePage::connectTuning() {
@@ -114,6 +140,43 @@ void OperatePage::connectFinger() {
   connect(image, &widgets::CameraImage::fingerReleased, this, [&session] { session.releaseSimulatedFinger(); });
 }
 
+void OperatePage::addCurveCommands(PlaceCommands& commands) {
+  commands.add({"curves.pause", QT_TRANSLATE_NOOP("Commands", "Curves"),
+                QT_TRANSLATE_NOOP("Commands", "Pause or follow"), "pause", "Space"},
+               [this](bool) { curves_->togglePause(); });
+  commands.add({"curves.follow", "Curves", QT_TRANSLATE_NOOP("Commands", "Follow the newest values"), "follow", "F"},
+               [this](bool) { curves_->follow(); });
+  const auto span = [&](const char* id, const char* text, const char* keys, double span_s) {
+    commands.add({id, "Curves", text, "", keys}, [this, span_s](bool) { curves_->chooseSpan(span_s); });
+  };
+  span("curves.span_5", QT_TRANSLATE_NOOP("Commands", "Show 5 s"), "Alt+1", 5.0);
+  span("curves.span_10", QT_TRANSLATE_NOOP("Commands", "Show 10 s"), "Alt+2", 10.0);
+  span("curves.span_30", QT_TRANSLATE_NOOP("Commands", "Show 30 s"), "Alt+3", 30.0);
+  span("curves.span_60", QT_TRANSLATE_NOOP("Commands", "Show 60 s"), "Alt+4", 60.0);
+  using Mark = widgets::CurveStack::Mark;
+  const auto add = [&](const char* id, const char* text, const char* keys, std::function<void()> run) {
+    commands.add({id, "Curves", text, "", keys}, [run = std::move(run)](bool) { run(); });
+  };
+  add("curves.mark_a", QT_TRANSLATE_NOOP("Commands", "Set A"), "[", [this] { curves_->setMark(Mark::a); });
+  add("curves.mark_b", QT_TRANSLATE_NOOP("Commands", "Set B"), "]", [this] { curves_->setMark(Mark::b); });
+  add("curves.clear_marks", QT_TRANSLATE_NOOP("Commands", "Take the cursor, A and B away"), "\\",
+      [this] { curves_->clearMarks(); });
+  constexpr double kSample_s = 0.001;
+  add("curves.previous_sample", QT_TRANSLATE_NOOP("Commands", "Cursor to the previous sample"), ",",
+      [this] { curves_->moveCursor(-kSample_s); });
+  add("curves.next_sample", QT_TRANSLATE_NOOP("Commands", "Cursor to the next sample"), ".",
+      [this] { curves_->moveCursor(kSample_s); });
+  constexpr double kStep = 0.01;  // of what is shown
+  add("curves.cursor_back", QT_TRANSLATE_NOOP("Commands", "Cursor back by a hundredth"), "Ctrl+Left",
+      [this] { curves_->moveCursor(-kStep * curves_->timeWindow().span_s()); });
+  add("curves.cursor_on", QT_TRANSLATE_NOOP("Commands", "Cursor on by a hundredth"), "Ctrl+Right",
+      [this] { curves_->moveCursor(kStep * curves_->timeWindow().span_s()); });
+  curve_tools_->addCommands(commands, "curves", "Curves", [this] {
+    curve_tools_->saver().saveTable(widgets::tableOf(*curves_->stack(), curves_->buffer()));
+  });
+  for (QToolButton* button : curve_tools_->makeButtons(curves_)) curves_->addButton(button);
+}
+
 void OperatePage::addCommands(PlaceCommands& commands) {
   widgets::TuningModel* model = &context_.tuning.model();
   commands.add(
@@ -128,11 +191,6 @@ void OperatePage::addCommands(PlaceCommands& commands) {
   commands.add({"session.target_from_robot", "Edit", QT_TRANSLATE_NOOP("Commands", "Target from robot"), "robot",
                 "Ctrl+Shift+H"},
                [this](bool) { tuning_->fromRobotButton()->click(); });
-  commands.add({"curves.pause", QT_TRANSLATE_NOOP("Commands", "Curves"),
-                QT_TRANSLATE_NOOP("Commands", "Pause or follow"), "pause", "Space"},
-               [this](bool) { curves_->togglePause(); });
-  commands.add({"curves.follow", "Curves", QT_TRANSLATE_NOOP("Commands", "Follow the newest values"), "follow", "F"},
-               [this](bool) { curves_->follow(); });
   const auto panel = [&](const char* id, const char* text, const char* dock) {
     connectToggle(commands.add({id, "View", text, "", "", true}, [](bool) {}),
                   area_->findChild<QDockWidget*>(QLatin1String(dock)));
@@ -140,13 +198,7 @@ void OperatePage::addCommands(PlaceCommands& commands) {
   panel("view.panel_camera", QT_TRANSLATE_NOOP("Commands", "Camera panel"), "camera");
   panel("view.panel_readiness", QT_TRANSLATE_NOOP("Commands", "Readiness list"), "readiness");
   panel("view.panel_tuning", QT_TRANSLATE_NOOP("Commands", "Tuning panel"), "tuning");
-  const auto span = [&](const char* id, const char* text, const char* keys, double span_s) {
-    commands.add({id, "Curves", text, "", keys}, [this, span_s](bool) { curves_->chooseSpan(span_s); });
-  };
-  span("curves.span_5", QT_TRANSLATE_NOOP("Commands", "Show 5 s"), "Alt+1", 5.0);
-  span("curves.span_10", QT_TRANSLATE_NOOP("Commands", "Show 10 s"), "Alt+2", 10.0);
-  span("curves.span_30", QT_TRANSLATE_NOOP("Commands", "Show 30 s"), "Alt+3", 30.0);
-  span("curves.span_60", QT_TRANSLATE_NOOP("Commands", "Show 60 s"), "Alt+4", 60.0);
+  addCurveCommands(commands);
   QToolButton* mask = camera_->maskButton();
   QAction* mask_action =
       commands.add({"view.mask", "View", QT_TRANSLATE_NOOP("Commands", "Finger mask"), "mask", "M", true},

@@ -1,6 +1,7 @@
 // The place "Operate": what is felt now. Camera and readiness, curves, tuning.
 #pragma once
 
+#include "app/console/curve_tools.h"
 #include "app/console/dock_set.h"
 #include "app/console/page.h"
 #include "widgets/camera_panel.h"
@@ -19,6 +20,7 @@ class OperatePage : public Page {
   [[nodiscard]] widgets::CameraPanel* camera() const { return camera_; }
   [[nodiscard]] widgets::ReadinessList* readiness() const { return readiness_; }
   [[nodiscard]] widgets::CurveView* curves() const { return curves_; }
+  [[nodiscard]] CurveTools* curveTools() const { return curve_tools_; }
   [[nodiscard]] widgets::TuningPanel* tuning() const { return tuning_; }
   /// Camera, readiness and tuning around the curves.
   [[nodiscard]] DockSet& panels() { return panels_; }
@@ -26,13 +28,16 @@ class OperatePage : public Page {
  private:
   void build();
   void connectFeed();
+  void connectCurves();
   void connectTuning();
   void connectFinger();
+  void addCurveCommands(PlaceCommands& commands);
 
   PageContext context_;
   widgets::CameraPanel* camera_;
   widgets::ReadinessList* readiness_;
   widgets::CurveView* curves_;
+  CurveTools* curve_tools_;
   widgets::TuningPanel* tuning_;
   QMainWindow* area_;
   DockSet panels_;

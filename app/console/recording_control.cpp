@@ -54,12 +54,14 @@ RecordingControl::RecordingControl(const PageContext& context, QString memory, Q
   connect(&context_.feed, &SessionFeed::recorder, this, &RecordingControl::take);
 }
 
+QString sessionsFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/FYD sessions");
+}
+
 QString RecordingControl::suggestedFile(const QString& subject) {
-  const QString folder =
-      QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/FYD sessions");
   QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH-mm-ss"));
   if (!subject.isEmpty()) name += QLatin1Char(' ') + subject;
-  return folder + QLatin1Char('/') + name + QStringLiteral(".h5");
+  return sessionsFolder() + QLatin1Char('/') + name + QStringLiteral(".h5");
 }
 
 void RecordingControl::connectButton(widgets::RecordButton* button) {

@@ -12,6 +12,9 @@
 
 namespace fyd::console {
 
+/// Where recordings and pictures of curves go, unless another place is named.
+[[nodiscard]] QString sessionsFolder();
+
 class RecordingControl : public QObject {
   Q_OBJECT
  public:

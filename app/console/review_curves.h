@@ -1,16 +1,12 @@
-// The curves of a review: strips on one time axis, the cursor and the marks A and B across all of them, and beside
-// each strip its values at the cursor.
+// The curves of a review: the stack of strips on a recording, held within its length, and beside each strip its values
+// at the cursor.
 #pragma once
 
 #include <QTimer>
 #include <QWidget>
-#include <limits>
-#include <vector>
 
 #include "app/console/review_source.h"
-#include "widgets/curve_strip.h"
-#include "widgets/readout.h"
-#include "widgets/time_window.h"
+#include "widgets/curve_stack.h"
 
 namespace fyd::console {
 
@@ -20,18 +16,16 @@ class ReviewCurves : public QWidget {
   explicit ReviewCurves(QWidget* parent = nullptr);
 
   [[nodiscard]] ReviewSource& source() { return source_; }
-  [[nodiscard]] const widgets::TimeWindow& window() const { return window_; }
-  [[nodiscard]] widgets::CurveStrip* strip(std::size_t index) const { return strips_[index]; }
-  [[nodiscard]] std::size_t stripCount() const { return strips_.size(); }
-  [[nodiscard]] widgets::Readout* readout(std::size_t index) const { return readouts_[index]; }
+  [[nodiscard]] widgets::CurveStack* stack() const { return stack_; }
+  [[nodiscard]] const widgets::TimeWindow& window() const { return stack_->window(); }
+  [[nodiscard]] widgets::CurveStrip* strip(std::size_t index) const { return stack_->strip(index); }
+  [[nodiscard]] widgets::Readout* readout(std::size_t index) const { return stack_->readout(index); }
 
   /// The session's length changed or another one is shown.
   void setDuration(double duration_s) { duration_s_ = duration_s; }
   void show(double from_s, double to_s);
   void setCursor_s(double time_s);
-  [[nodiscard]] double cursor_s() const { return cursor_s_; }
-  void setMark(int which, double time_s);  ///< 0: A, 1: B; NaN takes it away
-  [[nodiscard]] double mark_s(int which) const { return marks_s_[which]; }
+  [[nodiscard]] double cursor_s() const { return stack_->cursor_s(); }
   /// The sources changed: draws soon.
   void redrawSoon();
   /// Draws now; for tests and screenshots.
@@ -40,21 +34,15 @@ class ReviewCurves : public QWidget {
  signals:
   void windowShown(double from_s, double to_s);
   void cursorAsked(double time_s);
+  void drawn();
   void problem(const QString& text);
 
  private:
-  void addStrip(const QString& title, const QString& unit, widgets::Range least, std::vector<std::size_t> quantities,
-                bool last);
-  void moveInto();
+  void addStrips();
 
   ReviewSource source_;
-  widgets::TimeWindow window_{std::numeric_limits<double>::max()};
-  std::vector<widgets::CurveStrip*> strips_;
-  std::vector<widgets::Readout*> readouts_;
-  std::vector<std::vector<std::size_t>> quantities_;  // of each strip
+  widgets::CurveStack* stack_;
   double duration_s_ = 0.0;
-  double cursor_s_ = 0.0;
-  double marks_s_[2] = {pipeline::kNone, pipeline::kNone};
   QTimer timer_;
 };
 

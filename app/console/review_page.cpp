@@ -3,11 +3,12 @@
 
 #include <QDateTime>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "app/console/views.h"
-#include "core/session/export_recording.h"
+#include "core/session/recorded_profile.h"
 #include "core/session/report.h"
 #include "core/station/notice.h"
 #include "widgets/core_text.h"
@@ -17,6 +18,7 @@ namespace fyd::console {
 namespace {
 
 using widgets::numberText;
+using Mark = widgets::CurveStack::Mark;
 using widgets::Severity;
 
 QString wholenessWords(const session::RecordingInfo& info) {
@@ -91,6 +93,8 @@ void ReviewPage::open(const QString& path) {
   close();
   recording_ = std::move(*opened);
   path_ = path;
+  curve_tools_->saver().setFolder(QFileInfo(path).absolutePath());
+  curve_tools_->saver().setStem(QFileInfo(path).completeBaseName() + tr(" curves"));
   auto notes = session::readReviewNotes(path.toStdString());
   notes_damaged_ = !notes;
   if (notes) {
@@ -101,8 +105,11 @@ void ReviewPage::open(const QString& path) {
   const double duration_s = recording_->info().duration_s;
   curves_->source().setSession(recording_.get());
   curves_->setDuration(duration_s);
-  curves_->setMark(0, pipeline::kNone);
-  curves_->setMark(1, pipeline::kNone);
+  curves_->stack()->clearMarks();
+  if (const auto felt = session::recordedParameters(recording_->info().header)) {
+    const double most = felt->texture.maximum_percent;
+    curves_->strip(curves_->stack()->indexOf(QStringLiteral("vibration")))->setLimits({-most, most});
+  }
   figures_table_->setFigures({});
   touch_table_->setTouches({});
   what_if_->setRecording(path);
@@ -226,16 +233,16 @@ void ReviewPage::look(double time_s) {
                      : QString::fromUtf8(sensing::toString(finger.reason).data()));
 }
 
-void ReviewPage::setMark(int which) {
+void ReviewPage::setMark(widgets::CurveStack::Mark which) {
   if (!recording_) return;
-  curves_->setMark(which, player_.time_s());
+  curves_->stack()->setMark(which, player_.time_s());
   tabs_->setCurrentIndex(1);
   computeFigures();
 }
 
 void ReviewPage::computeFigures() {
-  const double a_s = curves_->mark_s(0);
-  const double b_s = curves_->mark_s(1);
+  const double a_s = curves_->stack()->mark_s(Mark::a);
+  const double b_s = curves_->stack()->mark_s(Mark::b);
   if (!std::isfinite(a_s) || !std::isfinite(b_s)) return;
   figures_work_.run([this, path = path_.toStdString(), a_s, b_s](const std::stop_token& stop) -> Background::Finish {
     auto opened = session::Recording::open(path);
@@ -328,19 +335,39 @@ void ReviewPage::alignAt(int ours, int theirs) {
   compare_words_->setText(tr("The other session is drawn %1 s later than recorded.").arg(numberText(later_by_s, 3)));
 }
 
+// Read again on a thread of its own: what is shown may be hours.
+void ReviewPage::saveShownValues() {
+  if (!recording_) return;
+  const widgets::CurveStack& stack = *curves_->stack();
+  session::ExportOptions options{.from_s = curves_->window().from_s(), .to_s = curves_->window().to_s()};
+  options.fields.emplace_back("t_s");
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    if (!stack.shown(i)) continue;
+    for (const widgets::Trace& trace : stack.setup(i).traces) {
+      if (trace.channel < widgets::kCurveChannels)
+        options.fields.emplace_back(widgets::curveQuantities()[trace.channel].field);
+    }
+  }
+  exportTo(curve_tools_->saver().pathFor(QStringLiteral("csv")).toStdString(), options);
+}
+
 void ReviewPage::exportAs(const QString& ending) {
   if (!recording_) return;
   const QFileInfo file(path_);
   const std::string target =
       (file.absolutePath() + QLatin1Char('/') + file.completeBaseName() + QLatin1Char('.') + ending).toStdString();
+  exportTo(target, {});
+}
+
+void ReviewPage::exportTo(const std::string& target, const session::ExportOptions& options) {
   context_.tell(Severity::information, tr("Writing %1 …").arg(QString::fromStdString(target)));
-  export_work_.run([this, path = path_.toStdString(), target](const std::stop_token&) -> Background::Finish {
+  export_work_.run([this, path = path_.toStdString(), target, options](const std::stop_token&) -> Background::Finish {
     Result<void> done;
     if (auto opened = session::Recording::open(path); !opened) {
       done = tl::unexpected(opened.error());
     } else if (target.ends_with(".html") || target.ends_with(".pdf")) {
       done = session::writeReport(**opened, target, false);
-    } else if (auto exported = session::exportRecording(**opened, target, {}); !exported) {
+    } else if (auto exported = session::exportRecording(**opened, target, options); !exported) {
       done = tl::unexpected(exported.error());
     }
     return [this, done, target] {
@@ -367,8 +394,12 @@ void ReviewPage::addCommands(PlaceCommands& commands) {
       [this] { player_.stepPictures(1); });
   add("review.previous_picture", QT_TRANSLATE_NOOP("Commands", "Previous picture"), "", "Shift+Left",
       [this] { player_.stepPictures(-1); });
-  add("review.mark_a", QT_TRANSLATE_NOOP("Commands", "Set A at the cursor"), "", "[", [this] { setMark(0); });
-  add("review.mark_b", QT_TRANSLATE_NOOP("Commands", "Set B at the cursor"), "", "]", [this] { setMark(1); });
+  add("review.mark_a", QT_TRANSLATE_NOOP("Commands", "Set A at the cursor"), "", "[", [this] { setMark(Mark::a); });
+  add("review.mark_b", QT_TRANSLATE_NOOP("Commands", "Set B at the cursor"), "", "]", [this] { setMark(Mark::b); });
+  add("review.clear_marks", QT_TRANSLATE_NOOP("Commands", "Take A and B away"), "", "\\",
+      [this] { curves_->stack()->clearMarks(); });
+  curve_tools_->addCommands(commands, "review", review, [this] { saveShownValues(); });
+  for (QToolButton* button : curve_tools_->makeButtons(this)) bar_->addWidget(button);
   add("review.note", QT_TRANSLATE_NOOP("Commands", "Write a note at the cursor"), "", "N",
       [this] { note_field_->setFocus(); });
   add("review.bookmark", QT_TRANSLATE_NOOP("Commands", "Bookmark at the cursor"), "", "B",

@@ -10,12 +10,14 @@
 #include <QToolButton>
 #include <memory>
 
+#include "app/console/curve_tools.h"
 #include "app/console/page.h"
 #include "app/console/review_curves.h"
 #include "app/console/review_player.h"
 #include "app/console/review_tables.h"
 #include "app/console/session_list.h"
 #include "app/console/what_if_panel.h"
+#include "core/session/export_recording.h"
 #include "core/session/review_notes.h"
 #include "widgets/camera_image.h"
 #include "widgets/session_overview.h"
@@ -38,12 +40,14 @@ class ReviewPage : public Page {
   void compare(const QString& path);
   void alignAt(int ours, int theirs);
   void writeNote(session::NoteKind kind, const QString& text);
-  void setMark(int which);
+  void setMark(widgets::CurveStack::Mark which);
   /// Beside the recording, in the format of the ending: report.html, report.pdf, csv, mat, mcap, mkv.
   void exportAs(const QString& ending);
+  void saveShownValues();
 
   [[nodiscard]] const session::Recording* recording() const { return recording_.get(); }
   [[nodiscard]] ReviewPlayer* player() { return &player_; }
+  [[nodiscard]] CurveTools* curveTools() const { return curve_tools_; }
   [[nodiscard]] ReviewCurves* curves() const { return curves_; }
   [[nodiscard]] widgets::SessionOverview* overview() const { return overview_; }
   [[nodiscard]] SessionList* list() const { return list_; }
@@ -57,6 +61,7 @@ class ReviewPage : public Page {
   [[nodiscard]] QString title() const { return title_->text(); }
 
  private:
+  void exportTo(const std::string& target, const session::ExportOptions& options);
   QWidget* buildReview();
   QWidget* buildBar();
   QWidget* buildLeft();
@@ -90,6 +95,8 @@ class ReviewPage : public Page {
   QComboBox* speed_ = nullptr;
   widgets::SessionOverview* overview_;
   ReviewCurves* curves_;
+  CurveTools* curve_tools_;
+  class QHBoxLayout* bar_ = nullptr;
   widgets::CameraImage* camera_ = nullptr;
   QLabel* camera_words_ = nullptr;
   NoteTable* note_table_ = nullptr;

@@ -31,7 +31,8 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
       stack_(new QStackedWidget(this)),
       list_(new SessionList(context.catalogue, this)),
       overview_(new widgets::SessionOverview(this)),
-      curves_(new ReviewCurves(this)) {
+      curves_(new ReviewCurves(this)),
+      curve_tools_(new CurveTools(curves_->stack(), context.tell, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(stack_);
@@ -51,7 +52,17 @@ QWidget* ReviewPage::buildReview() {
   auto* body = new QHBoxLayout;
   body->setSpacing(kGrid);
   body->addWidget(buildLeft());
-  body->addWidget(panel(curves_, review), 1);
+  auto* curves = new QWidget(review);
+  auto* beside = new QHBoxLayout(curves);
+  beside->setContentsMargins(0, 0, 0, 0);
+  beside->setSpacing(0);
+  auto* pictures = new QVBoxLayout;
+  pictures->setSpacing(0);
+  pictures->addWidget(curves_, 2);
+  pictures->addWidget(curve_tools_->spectrum(), 1);
+  beside->addLayout(pictures, 1);
+  beside->addWidget(curve_tools_->panel());
+  body->addWidget(panel(curves, review), 1);
   body->addWidget(buildRight());
   layout->addLayout(body, 1);
   return review;
@@ -59,7 +70,7 @@ QWidget* ReviewPage::buildReview() {
 
 QWidget* ReviewPage::buildBar() {
   auto* bar = new QWidget(this);
-  auto* layout = new QHBoxLayout(bar);
+  auto* layout = bar_ = new QHBoxLayout(bar);
   layout->setContentsMargins(kGrid, 0, kGrid, 0);
   layout->setSpacing(kGrid);
   auto* back = new QToolButton(bar);
@@ -172,6 +183,12 @@ void ReviewPage::connectCursor() {
   connect(&player_, &ReviewPlayer::moved, this, &ReviewPage::look);
   connect(curves_, &ReviewCurves::cursorAsked, &player_, &ReviewPlayer::goTo);
   connect(curves_, &ReviewCurves::windowShown, overview_, &widgets::SessionOverview::setWindow);
+  widgets::SpectrumView* spectrum = curve_tools_->spectrum();
+  const auto draw = [this, spectrum](bool even_soon) {
+    spectrum->draw(curves_->source(), curves_->window(), even_soon);
+  };
+  connect(curves_, &ReviewCurves::drawn, spectrum, [draw] { draw(false); });
+  connect(spectrum, &widgets::SpectrumView::changed, spectrum, [draw] { draw(true); });
   connect(curves_, &ReviewCurves::problem, this,
           [this](const QString& text) { context_.tell(widgets::Severity::warning, text); });
   connect(overview_, &widgets::SessionOverview::cursorAsked, &player_, &ReviewPlayer::goTo);

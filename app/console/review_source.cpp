@@ -19,16 +19,16 @@ std::size_t fieldIndex(const char* name) {
 void ReviewSource::decimate(std::size_t channel, double from_s, double to_s, std::size_t columns,
                             std::vector<widgets::CurveColumn>& out) const {
   out.clear();
-  const std::size_t layer = channel / kReviewQuantities.size();
-  const std::size_t quantity = channel % kReviewQuantities.size();
+  const std::size_t layer = channel / widgets::kCurveChannels;
+  const std::size_t quantity = channel % widgets::kCurveChannels;
   if (layer == static_cast<std::size_t>(ReviewLayer::what_if)) {
-    if (what_if_) what_if_->decimate(quantity, from_s, to_s, columns, out);
+    if (what_if_ && quantity < what_if_->channels()) what_if_->decimate(quantity, from_s, to_s, columns, out);
     return;
   }
   const Layer& of = layers_[layer];
   if (of.recording == nullptr) return;
-  const auto overview = of.recording->overview(fieldIndex(kReviewQuantities[quantity].field), from_s - of.later_by_s,
-                                               to_s - of.later_by_s, columns);
+  const auto overview =
+      of.recording->overview(widgets::curveFields()[quantity], from_s - of.later_by_s, to_s - of.later_by_s, columns);
   if (!overview) {
     problem_ = overview.error().message;
     return;
@@ -50,16 +50,42 @@ void ReviewSource::decimate(std::size_t channel, double from_s, double to_s, std
 }
 
 double ReviewSource::valueAt(std::size_t channel, double time_s) const {
-  const std::size_t layer = channel / kReviewQuantities.size();
-  const char* field = kReviewQuantities[channel % kReviewQuantities.size()].field;
+  const std::size_t layer = channel / widgets::kCurveChannels;
+  const std::size_t field = widgets::curveFields()[channel % widgets::kCurveChannels];
   if (layer >= layers_.size() || layers_[layer].recording == nullptr) return pipeline::kNone;
   const session::Recording& recording = *layers_[layer].recording;
   const double at_s = time_s - layers_[layer].later_by_s;
   const auto next = recording.rowAt(justAfter(at_s));
   if (!next || *next == 0 || at_s > recording.info().duration_s + kLongestStep_s) return pipeline::kNone;
   double value = pipeline::kNone;
-  if (auto read = recording.field(fieldIndex(field), *next - 1, {&value, 1}); !read) problem_ = read.error().message;
+  if (auto read = recording.field(field, *next - 1, {&value, 1}); !read) problem_ = read.error().message;
   return value;
+}
+
+widgets::CurveRows ReviewSource::rows(std::span<const std::size_t> channels, double from_s, double to_s) const {
+  widgets::CurveRows out;
+  out.values.resize(channels.size());
+  const std::size_t layer = channels.empty() ? layers_.size() : channels.front() / widgets::kCurveChannels;
+  if (layer >= layers_.size() || layers_[layer].recording == nullptr) return out;
+  const auto& [recording, later_by_s] = layers_[layer];
+  const auto first = recording->rowAt(from_s - later_by_s);
+  const auto end = recording->rowAt(justAfter(to_s - later_by_s));
+  if (!first || !end || *end <= *first) return out;
+  std::vector<double> column(static_cast<std::size_t>(*end - *first));
+  const auto read = [&](std::size_t field) {
+    const auto done = recording->field(field, *first, column);
+    if (!done) problem_ = done.error().message;
+    return done.has_value();
+  };
+  constexpr std::size_t kTime = 0;  // of telemetryFields()
+  if (!read(kTime)) return out;
+  const double started_s = toSeconds(recording->info().header.started.time_since_epoch());
+  for (const double time_s : column) out.time_s.push_back(time_s - started_s + later_by_s);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    if (!read(widgets::curveFields()[channels[c] % widgets::kCurveChannels])) return {};
+    out.values[c].assign(column.begin(), column.end());
+  }
+  return out;
 }
 
 }  // namespace fyd::console

@@ -6,6 +6,7 @@
 
 #include "core/session/recording.h"
 #include "widgets/curve_buffer.h"
+#include "widgets/curve_catalogue.h"
 #include "widgets/theme.h"
 
 namespace fyd::console {
@@ -13,7 +14,7 @@ namespace fyd::console {
 enum class ReviewLayer : std::uint8_t { session, other, what_if };
 inline constexpr std::size_t kReviewLayers = 3;
 
-/// What is drawn of each layer.
+/// What is reckoned with and replayed: the first of widgets::CurveChannel, in that order.
 struct ReviewQuantity {
   const char* field;  ///< name in telemetryFields()
   const char* word;
@@ -37,8 +38,9 @@ inline constexpr std::array<ReviewQuantity, 5> kReviewQuantities = {{
 
 class ReviewSource : public widgets::CurveSource {
  public:
+  /// @param quantity a widgets::CurveChannel
   [[nodiscard]] static std::size_t channel(ReviewLayer layer, std::size_t quantity) {
-    return static_cast<std::size_t>(layer) * kReviewQuantities.size() + quantity;
+    return static_cast<std::size_t>(layer) * widgets::kCurveChannels + quantity;
   }
 
   /// nullptr: none. They must outlive this.
@@ -49,8 +51,10 @@ class ReviewSource : public widgets::CurveSource {
 
   void decimate(std::size_t channel, double from_s, double to_s, std::size_t columns,
                 std::vector<widgets::CurveColumn>& out) const override;
-  /// The value at `time_s`: of the last row at or before it; NaN outside.
-  [[nodiscard]] double valueAt(std::size_t channel, double time_s) const;
+  [[nodiscard]] double valueAt(std::size_t channel, double time_s) const override;
+  /// Of the session and the other one; a replay has none.
+  [[nodiscard]] widgets::CurveRows rows(std::span<const std::size_t> channels, double from_s,
+                                        double to_s) const override;
   /// What could not be read since the last call; empty: nothing.
   [[nodiscard]] std::string takeProblem() const { return std::exchange(problem_, {}); }
 

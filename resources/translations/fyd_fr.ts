@@ -12,6 +12,10 @@
         <translation> UTC</translation>
     </message>
     <message>
+        <source> curves</source>
+        <translation> courbes</translation>
+    </message>
+    <message>
         <source>%</source>
         <translation>%</translation>
     </message>
@@ -126,6 +130,10 @@
         <translation>%1 n'est pas enregistrée : le fichier des réglages de la fenêtre ne peut être écrit.</translation>
     </message>
     <message>
+        <source>%1 is not written: %2</source>
+        <translation>%1 n'est pas écrit : %2</translation>
+    </message>
+    <message>
         <source>%1 is now %2.</source>
         <translation>%1 vaut maintenant %2.</translation>
     </message>
@@ -202,6 +210,10 @@
         <translation>de %1 à %2</translation>
     </message>
     <message>
+        <source>%1 to %2: the upper end must be the larger one</source>
+        <translation>de %1 à %2 : la borne supérieure doit être la plus grande</translation>
+    </message>
+    <message>
         <source>%1 ×</source>
         <translation>%1 ×</translation>
     </message>
@@ -224,6 +236,10 @@
     <message>
         <source>%1, in the unit beside</source>
         <translation>%1, dans l'unité à côté</translation>
+    </message>
+    <message>
+        <source>%1, peak</source>
+        <translation>%1, crête</translation>
     </message>
     <message>
         <source>%1. %2</source>
@@ -302,6 +318,14 @@
         <translation>%1 : attendu %2</translation>
     </message>
     <message>
+        <source>%1: expected a number</source>
+        <translation>%1 : un nombre est attendu</translation>
+    </message>
+    <message>
+        <source>%1: expected at least %2 s</source>
+        <translation>%1 : au moins %2 s attendues</translation>
+    </message>
+    <message>
         <source>%1: expected true or false</source>
         <translation>%1 : attendu true ou false</translation>
     </message>
@@ -374,6 +398,10 @@
         <translation>%1 : ce fichier n'existe pas</translation>
     </message>
     <message>
+        <source>%1: this folder cannot be made</source>
+        <translation>%1 : ce dossier ne peut pas être créé</translation>
+    </message>
+    <message>
         <source>%1: too many changes at once</source>
         <translation>%1 : trop de changements à la fois</translation>
     </message>
@@ -426,6 +454,10 @@
         <translation>A</translation>
     </message>
     <message>
+        <source>A %1</source>
+        <translation>A %1</translation>
+    </message>
+    <message>
         <source>A motor goes 2° out and back; the vibration lasts half a second.</source>
         <translation>Un moteur avance de 2° et revient ; la vibration dure une demi-seconde.</translation>
     </message>
@@ -466,8 +498,12 @@
         <translation>A : enregistré</translation>
     </message>
     <message>
-        <source>Acceleration, peak</source>
-        <translation>Accélération, pic</translation>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Acceleration %1</source>
+        <translation>Accélération %1</translation>
     </message>
     <message>
         <source>Accelerations further apart than this are a gap, during which the texture is silent.</source>
@@ -530,6 +566,10 @@
         <translation>Avance d'une trame à la suivante : une trame entière donne des blocs, moins les recouvre.</translation>
     </message>
     <message>
+        <source>Age of inputs</source>
+        <translation>Âge des entrées</translation>
+    </message>
+    <message>
         <source>Align the other session at</source>
         <translation>Aligner l'autre session à</translation>
     </message>
@@ -552,6 +592,10 @@
     <message>
         <source>All values back to saved</source>
         <translation>Toutes les valeurs : retour aux valeurs enregistrées</translation>
+    </message>
+    <message>
+        <source>Amplitude over frequency, Hz</source>
+        <translation>Amplitude en fréquence, Hz</translation>
     </message>
     <message>
         <source>An indentation less certain than this is unavailable.</source>
@@ -606,6 +650,10 @@
         <translation>B</translation>
     </message>
     <message>
+        <source>B %1</source>
+        <translation>B %1</translation>
+    </message>
+    <message>
         <source>B − A</source>
         <translation>B − A</translation>
     </message>
@@ -652,6 +700,10 @@
     <message>
         <source>Bookmark at the cursor</source>
         <translation>Signet au curseur</translation>
+    </message>
+    <message>
+        <source>Both ends: this range is kept. Both empty: it follows the values.</source>
+        <translation>Les deux bornes : cette plage est gardée. Les deux vides : elle suit les valeurs.</translation>
     </message>
     <message>
         <source>Bridge</source>
@@ -766,8 +818,16 @@
         <translation>Vérifier l'alimentation du touchpad et son câble série.</translation>
     </message>
     <message>
+        <source>Choice of curves</source>
+        <translation>Choix des courbes</translation>
+    </message>
+    <message>
         <source>Choose a session, or write the path of a recording.</source>
         <translation>Choisir une session, ou saisir le chemin d'un enregistrement.</translation>
+    </message>
+    <message>
+        <source>Choose curves</source>
+        <translation>Choisir les courbes</translation>
     </message>
     <message>
         <source>Choose the file</source>
@@ -808,6 +868,10 @@
     <message>
         <source>Close the camera's panel</source>
         <translation>Fermer le panneau de la caméra</translation>
+    </message>
+    <message>
+        <source>Close the choice of curves</source>
+        <translation>Fermer le choix des courbes</translation>
     </message>
     <message>
         <source>Close the link's panel</source>
@@ -894,8 +958,28 @@
         <translation>Curseur</translation>
     </message>
     <message>
+        <source>Cursor back by a hundredth</source>
+        <translation>Reculer le curseur d'un centième</translation>
+    </message>
+    <message>
+        <source>Cursor on by a hundredth</source>
+        <translation>Avancer le curseur d'un centième</translation>
+    </message>
+    <message>
+        <source>Cursor to the next sample</source>
+        <translation>Curseur à l'échantillon suivant</translation>
+    </message>
+    <message>
+        <source>Cursor to the previous sample</source>
+        <translation>Curseur à l'échantillon précédent</translation>
+    </message>
+    <message>
         <source>Curves</source>
         <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Cycles missed</source>
+        <translation>Cycles manqués</translation>
     </message>
     <message>
         <source>Dark theme</source>
@@ -1182,6 +1266,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Apprend comment répondent tissu et capteurs et propose des gains. Rien ne change tant que vous n'acceptez pas.</translation>
     </message>
     <message>
+        <source>Finger</source>
+        <translation>Doigt</translation>
+    </message>
+    <message>
         <source>Finger area in pixels</source>
         <translation>Aire du doigt en pixels</translation>
     </message>
@@ -1240,6 +1328,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Finger y in millimetres</source>
         <translation>y du doigt en millimètres</translation>
+    </message>
+    <message>
+        <source>Finger's area</source>
+        <translation>Surface du doigt</translation>
     </message>
     <message>
         <source>Finger, indentation and force</source>
@@ -1308,6 +1400,10 @@ N</translation>
         <translation>Trame</translation>
     </message>
     <message>
+        <source>Frequency over time, Hz over s</source>
+        <translation>Fréquence dans le temps, Hz sur s</translation>
+    </message>
+    <message>
         <source>From the last minute of this session</source>
         <translation>De la dernière minute de cette séance</translation>
     </message>
@@ -1346,6 +1442,10 @@ N</translation>
     <message>
         <source>Grey value</source>
         <translation>Niveau de gris</translation>
+    </message>
+    <message>
+        <source>Half a second without a hole is needed.</source>
+        <translation>Il faut une demi-seconde sans trou.</translation>
     </message>
     <message>
         <source>Hand target</source>
@@ -1412,6 +1512,10 @@ Robot : %2
         <translation>Maintient la raideur réglée ci-dessous, quoi que touche le robot.</translation>
     </message>
     <message>
+        <source>Hold the vertical ranges</source>
+        <translation>Figer les plages verticales</translation>
+    </message>
+    <message>
         <source>Hold to arm</source>
         <translation>Maintenir : armer</translation>
     </message>
@@ -1446,6 +1550,14 @@ Robot : %2
     <message>
         <source>How three axes of vibration become one signal.</source>
         <translation>Comment trois axes de vibration deviennent un signal.</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>IR</source>
+        <translation>IR</translation>
     </message>
     <message>
         <source>IR sensor %1</source>
@@ -1750,6 +1862,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Lost: the robot is silent</source>
         <translation>Perdue : le robot se tait</translation>
+    </message>
+    <message>
+        <source>Lower end of %1</source>
+        <translation>Borne inférieure de %1</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -2096,6 +2212,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Avis</translation>
     </message>
     <message>
+        <source>Off: each curve is moved and zoomed by itself (T)</source>
+        <translation>Désactivé : chaque courbe se déplace et se zoome seule (T)</translation>
+    </message>
+    <message>
         <source>Offset, mm</source>
         <translation>Décalage, mm</translation>
     </message>
@@ -2110,6 +2230,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>One measurement of 3 s.</source>
         <translation>Une mesure de 3 s.</translation>
+    </message>
+    <message>
+        <source>One time for all curves</source>
+        <translation>Un seul temps pour toutes les courbes</translation>
     </message>
     <message>
         <source>Only a robot with the same key is heard; what is said cannot be read or changed.</source>
@@ -2262,6 +2386,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Points, fit and residuals</source>
         <translation>Points, ajustement et résidus</translation>
+    </message>
+    <message>
+        <source>Position sent</source>
+        <translation>Position envoyée</translation>
     </message>
     <message>
         <source>Present</source>
@@ -2520,6 +2648,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Robot inchangé. %1.</translation>
     </message>
     <message>
+        <source>Robot's position</source>
+        <translation>Position du robot</translation>
+    </message>
+    <message>
         <source>Robot's travel downward for the finger's indentation.</source>
         <translation>Course du robot vers le bas pour l'indentation du doigt.</translation>
     </message>
@@ -2568,8 +2700,28 @@ Appuyer pour lire pourquoi</translation>
         <translation>Enregistrer le profil</translation>
     </message>
     <message>
+        <source>Save the curves as PDF</source>
+        <translation>Enregistrer les courbes en PDF</translation>
+    </message>
+    <message>
+        <source>Save the curves as PNG</source>
+        <translation>Enregistrer les courbes en PNG</translation>
+    </message>
+    <message>
+        <source>Save the curves as SVG</source>
+        <translation>Enregistrer les courbes en SVG</translation>
+    </message>
+    <message>
+        <source>Save the values shown as CSV</source>
+        <translation>Enregistrer les valeurs affichées en CSV</translation>
+    </message>
+    <message>
         <source>Saved layouts</source>
         <translation>Dispositions enregistrées</translation>
+    </message>
+    <message>
+        <source>Scale of the spectrum</source>
+        <translation>Échelle du spectre</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -2624,8 +2776,16 @@ Appuyer pour lire pourquoi</translation>
         <translation>Sessions</translation>
     </message>
     <message>
+        <source>Set A</source>
+        <translation>Placer A</translation>
+    </message>
+    <message>
         <source>Set A at the cursor</source>
         <translation>Placer A au curseur</translation>
+    </message>
+    <message>
+        <source>Set B</source>
+        <translation>Placer B</translation>
     </message>
     <message>
         <source>Set B at the cursor</source>
@@ -2652,6 +2812,10 @@ s</translation>
     <message>
         <source>Share of the robot's messages of the last second that did not arrive.</source>
         <translation>Part des messages du robot de la dernière seconde qui ne sont pas arrivés.</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Afficher %1</translation>
     </message>
     <message>
         <source>Show %1 seconds</source>
@@ -2688,6 +2852,10 @@ s</translation>
     <message>
         <source>Show the whole session</source>
         <translation>Afficher toute la session</translation>
+    </message>
+    <message>
+        <source>Signal of the spectrum</source>
+        <translation>Signal du spectre</translation>
     </message>
     <message>
         <source>Signal that asks for the largest duty (s_max of the thesis).</source>
@@ -2730,6 +2898,10 @@ par s</translation>
     <message>
         <source>Something needed went missing.</source>
         <translation>Quelque chose de nécessaire est venu à manquer.</translation>
+    </message>
+    <message>
+        <source>Spectrum of the vibration</source>
+        <translation>Spectre de la vibration</translation>
     </message>
     <message>
         <source>Speed of playing</source>
@@ -2784,6 +2956,10 @@ s</translation>
     <message>
         <source>Step response is being computed</source>
         <translation>La réponse à un échelon est en calcul</translation>
+    </message>
+    <message>
+        <source>Steps clipped</source>
+        <translation>Pas écrêtés</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -2876,6 +3052,10 @@ N/mm</translation>
         <translation>Arrêté par l'opérateur ; moteurs coupés.</translation>
     </message>
     <message>
+        <source>Stretch</source>
+        <translation>Tension</translation>
+    </message>
+    <message>
         <source>Stretch, read by the encoders</source>
         <translation>Tension, lue par les codeurs</translation>
     </message>
@@ -2900,6 +3080,10 @@ N/mm</translation>
         <translation>Étiquettes : %1 sont trop ; au plus %2.</translation>
     </message>
     <message>
+        <source>Take A and B away</source>
+        <translation>Enlever A et B</translation>
+    </message>
+    <message>
         <source>Take everything off the cloth, keep your hands away, and take the point: it lasts 3 s.</source>
         <translation>Tout retirer du tissu, éloigner les mains et prendre le point : cela dure 3 s.</translation>
     </message>
@@ -2910,6 +3094,10 @@ N/mm</translation>
     <message>
         <source>Take simulated points</source>
         <translation>Prendre des points simulés</translation>
+    </message>
+    <message>
+        <source>Take the cursor, A and B away</source>
+        <translation>Enlever le curseur, A et B</translation>
     </message>
     <message>
         <source>Take the last point back</source>
@@ -2968,6 +3156,10 @@ N/mm</translation>
         <translation>Texture et vibration</translation>
     </message>
     <message>
+        <source>Texture signal</source>
+        <translation>Signal de texture</translation>
+    </message>
+    <message>
         <source>The camera sees the cloth mirrored left to right.</source>
         <translation>La caméra voit le tissu en miroir de gauche à droite.</translation>
     </message>
@@ -2986,6 +3178,10 @@ N/mm</translation>
     <message>
         <source>The curves lost %1 samples.</source>
         <translation>Les courbes ont perdu %1 échantillons.</translation>
+    </message>
+    <message>
+        <source>The file before is still being written; try again.</source>
+        <translation>Le fichier précédent est encore en cours d'écriture ; réessayez.</translation>
     </message>
     <message>
         <source>The file begins up to 10 s before you start. Ctrl+M puts a marker.</source>
@@ -3116,6 +3312,10 @@ N/mm</translation>
         <translation>Puis maintenir Réarmer.</translation>
     </message>
     <message>
+        <source>There are no values to save yet.</source>
+        <translation>Il n'y a pas encore de valeurs à enregistrer.</translation>
+    </message>
+    <message>
         <source>There is no parameter '%1'.</source>
         <translation>Il n'y a pas de paramètre '%1'.</translation>
     </message>
@@ -3176,6 +3376,14 @@ N/mm</translation>
         <translation>Temps au bout duquel le bruit de la raideur mesurée se répète ; le réglage automatique le mesure.</translation>
     </message>
     <message>
+        <source>Time shown</source>
+        <translation>Temps affiché</translation>
+    </message>
+    <message>
+        <source>Time shown in seconds</source>
+        <translation>Temps affiché en secondes</translation>
+    </message>
+    <message>
         <source>Times lost</source>
         <translation>Fois perdue</translation>
     </message>
@@ -3198,6 +3406,10 @@ N/mm</translation>
     <message>
         <source>Touchpad</source>
         <translation>Touchpad</translation>
+    </message>
+    <message>
+        <source>Translation</source>
+        <translation>Translation</translation>
     </message>
     <message>
         <source>Trial %1 of %2: %3.</source>
@@ -3240,6 +3452,10 @@ N/mm</translation>
         <translation>Inconnu</translation>
     </message>
     <message>
+        <source>Upper end of %1</source>
+        <translation>Borne supérieure de %1</translation>
+    </message>
+    <message>
         <source>Use</source>
         <translation>Utiliser</translation>
     </message>
@@ -3274,10 +3490,6 @@ N/mm</translation>
     <message>
         <source>Vibration duty, held by the motor board</source>
         <translation>Rapport cyclique de vibration, tenu par la carte moteur</translation>
-    </message>
-    <message>
-        <source>Vibration, peak</source>
-        <translation>Vibration, pic</translation>
     </message>
     <message>
         <source>View</source>
@@ -3428,6 +3640,10 @@ N/mm</translation>
         <translation>au repos %1 g, dispersion %2 g</translation>
     </message>
     <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
         <source>auto-tune</source>
         <translation>réglage automatique</translation>
     </message>
@@ -3522,6 +3738,10 @@ N/mm</translation>
     <message>
         <source>curve: %1</source>
         <translation>courbe : %1</translation>
+    </message>
+    <message>
+        <source>dB re 1 m/s²</source>
+        <translation>dB réf. 1 m/s²</translation>
     </message>
     <message>
         <source>dashed</source>
@@ -3648,6 +3868,10 @@ N/mm</translation>
         <translation>depuis %1</translation>
     </message>
     <message>
+        <source>force</source>
+        <translation>force</translation>
+    </message>
+    <message>
         <source>force too small</source>
         <translation>force trop petite</translation>
     </message>
@@ -3660,16 +3884,16 @@ N/mm</translation>
         <translation>trouvé</translation>
     </message>
     <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
         <source>from robot</source>
         <translation>du robot</translation>
     </message>
     <message>
         <source>from the start</source>
         <translation>depuis le début</translation>
-    </message>
-    <message>
-        <source>g</source>
-        <translation>g</translation>
     </message>
     <message>
         <source>gives no picture any more</source>
@@ -3752,6 +3976,10 @@ N/mm</translation>
         <translation>fichier de clé %1 : %2</translation>
     </message>
     <message>
+        <source>largest %1 at %2</source>
+        <translation>maximum %1 à %2</translation>
+    </message>
+    <message>
         <source>largest residual %1</source>
         <translation>plus grand résidu %1</translation>
     </message>
@@ -3794,6 +4022,10 @@ N/mm</translation>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>regarder les courbes des capteurs de distance et le câble de la cellule de charge</translation>
+    </message>
+    <message>
+        <source>m/s²</source>
+        <translation>m/s²</translation>
     </message>
     <message>
         <source>measure the outliers again</source>
@@ -3984,12 +4216,20 @@ N/mm</translation>
         <translation>px</translation>
     </message>
     <message>
+        <source>reachable</source>
+        <translation>atteignable</translation>
+    </message>
+    <message>
         <source>readings too unsteady</source>
         <translation>lectures trop instables</translation>
     </message>
     <message>
         <source>recording</source>
         <translation>enregistrement</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
     </message>
     <message>
         <source>refused: %1</source>
@@ -4002,6 +4242,10 @@ N/mm</translation>
     <message>
         <source>resume</source>
         <translation>reprendre</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
     </message>
     <message>
         <source>robot '%1': FYD Link needs a key file</source>
@@ -4252,6 +4496,10 @@ N/mm</translation>
         <translation>temps (s)</translation>
     </message>
     <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
         <source>too few distance sensors read within their span</source>
         <translation>trop peu de capteurs de distance lisent dans leur plage</translation>
     </message>
@@ -4400,8 +4648,12 @@ N/mm</translation>
         <translation>y, vers le fond</translation>
     </message>
     <message>
-        <source>z</source>
-        <translation>z</translation>
+        <source>Δ %1</source>
+        <translation>Δ %1</translation>
+    </message>
+    <message>
+        <source>Δt %1</source>
+        <translation>Δt %1</translation>
     </message>
     <message>
         <source>Δt %1 s</source>

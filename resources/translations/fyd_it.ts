@@ -12,6 +12,10 @@
         <translation> UTC</translation>
     </message>
     <message>
+        <source> curves</source>
+        <translation> curve</translation>
+    </message>
+    <message>
         <source>%</source>
         <translation>%</translation>
     </message>
@@ -126,6 +130,10 @@
         <translation>%1 non è salvata: il file delle impostazioni della finestra non si può scrivere.</translation>
     </message>
     <message>
+        <source>%1 is not written: %2</source>
+        <translation>%1 non è stato scritto: %2</translation>
+    </message>
+    <message>
         <source>%1 is now %2.</source>
         <translation>%1 vale ora %2.</translation>
     </message>
@@ -202,6 +210,10 @@
         <translation>da %1 a %2</translation>
     </message>
     <message>
+        <source>%1 to %2: the upper end must be the larger one</source>
+        <translation>da %1 a %2: l'estremo superiore deve essere il maggiore</translation>
+    </message>
+    <message>
         <source>%1 ×</source>
         <translation>%1 ×</translation>
     </message>
@@ -224,6 +236,10 @@
     <message>
         <source>%1, in the unit beside</source>
         <translation>%1, nell'unità a fianco</translation>
+    </message>
+    <message>
+        <source>%1, peak</source>
+        <translation>%1, picco</translation>
     </message>
     <message>
         <source>%1. %2</source>
@@ -302,6 +318,14 @@
         <translation>%1: atteso %2</translation>
     </message>
     <message>
+        <source>%1: expected a number</source>
+        <translation>%1: atteso un numero</translation>
+    </message>
+    <message>
+        <source>%1: expected at least %2 s</source>
+        <translation>%1: attesi almeno %2 s</translation>
+    </message>
+    <message>
         <source>%1: expected true or false</source>
         <translation>%1: atteso true o false</translation>
     </message>
@@ -374,6 +398,10 @@
         <translation>%1: questo file non esiste</translation>
     </message>
     <message>
+        <source>%1: this folder cannot be made</source>
+        <translation>%1: questa cartella non può essere creata</translation>
+    </message>
+    <message>
         <source>%1: too many changes at once</source>
         <translation>%1: troppe modifiche in una volta</translation>
     </message>
@@ -426,6 +454,10 @@
         <translation>A</translation>
     </message>
     <message>
+        <source>A %1</source>
+        <translation>A %1</translation>
+    </message>
+    <message>
         <source>A motor goes 2° out and back; the vibration lasts half a second.</source>
         <translation>Un motore va avanti di 2° e torna; la vibrazione dura mezzo secondo.</translation>
     </message>
@@ -466,8 +498,12 @@
         <translation>A: salvato</translation>
     </message>
     <message>
-        <source>Acceleration, peak</source>
-        <translation>Accelerazione, picco</translation>
+        <source>Acceleration</source>
+        <translation>Accelerazione</translation>
+    </message>
+    <message>
+        <source>Acceleration %1</source>
+        <translation>Accelerazione %1</translation>
     </message>
     <message>
         <source>Accelerations further apart than this are a gap, during which the texture is silent.</source>
@@ -530,6 +566,10 @@
         <translation>Avanzamento da un frame al seguente: un frame intero dà blocchi, meno li sovrappone.</translation>
     </message>
     <message>
+        <source>Age of inputs</source>
+        <translation>Età degli ingressi</translation>
+    </message>
+    <message>
         <source>Align the other session at</source>
         <translation>Allinea l'altra sessione a</translation>
     </message>
@@ -552,6 +592,10 @@
     <message>
         <source>All values back to saved</source>
         <translation>Riporta tutti i valori a quelli salvati</translation>
+    </message>
+    <message>
+        <source>Amplitude over frequency, Hz</source>
+        <translation>Ampiezza in frequenza, Hz</translation>
     </message>
     <message>
         <source>An indentation less certain than this is unavailable.</source>
@@ -606,6 +650,10 @@
         <translation>B</translation>
     </message>
     <message>
+        <source>B %1</source>
+        <translation>B %1</translation>
+    </message>
+    <message>
         <source>B − A</source>
         <translation>B − A</translation>
     </message>
@@ -652,6 +700,10 @@
     <message>
         <source>Bookmark at the cursor</source>
         <translation>Segnalibro al cursore</translation>
+    </message>
+    <message>
+        <source>Both ends: this range is kept. Both empty: it follows the values.</source>
+        <translation>Entrambi gli estremi: questo intervallo resta. Entrambi vuoti: segue i valori.</translation>
     </message>
     <message>
         <source>Bridge</source>
@@ -766,8 +818,16 @@
         <translation>Controllare l'alimentazione del touchpad e il suo cavo seriale.</translation>
     </message>
     <message>
+        <source>Choice of curves</source>
+        <translation>Scelta delle curve</translation>
+    </message>
+    <message>
         <source>Choose a session, or write the path of a recording.</source>
         <translation>Scegliere una sessione, o scrivere il percorso di una registrazione.</translation>
+    </message>
+    <message>
+        <source>Choose curves</source>
+        <translation>Scegli le curve</translation>
     </message>
     <message>
         <source>Choose the file</source>
@@ -808,6 +868,10 @@
     <message>
         <source>Close the camera's panel</source>
         <translation>Chiudi il pannello della telecamera</translation>
+    </message>
+    <message>
+        <source>Close the choice of curves</source>
+        <translation>Chiudi la scelta delle curve</translation>
     </message>
     <message>
         <source>Close the link's panel</source>
@@ -894,8 +958,28 @@
         <translation>Cursore</translation>
     </message>
     <message>
+        <source>Cursor back by a hundredth</source>
+        <translation>Cursore indietro di un centesimo</translation>
+    </message>
+    <message>
+        <source>Cursor on by a hundredth</source>
+        <translation>Cursore avanti di un centesimo</translation>
+    </message>
+    <message>
+        <source>Cursor to the next sample</source>
+        <translation>Cursore al campione successivo</translation>
+    </message>
+    <message>
+        <source>Cursor to the previous sample</source>
+        <translation>Cursore al campione precedente</translation>
+    </message>
+    <message>
         <source>Curves</source>
         <translation>Curve</translation>
+    </message>
+    <message>
+        <source>Cycles missed</source>
+        <translation>Cicli mancati</translation>
     </message>
     <message>
         <source>Dark theme</source>
@@ -1182,6 +1266,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Scopre come rispondono tessuto e sensori e propone guadagni. Nulla cambia finché non accettate.</translation>
     </message>
     <message>
+        <source>Finger</source>
+        <translation>Dito</translation>
+    </message>
+    <message>
         <source>Finger area in pixels</source>
         <translation>Area del dito in pixel</translation>
     </message>
@@ -1240,6 +1328,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Finger y in millimetres</source>
         <translation>y del dito in millimetri</translation>
+    </message>
+    <message>
+        <source>Finger's area</source>
+        <translation>Area del dito</translation>
     </message>
     <message>
         <source>Finger, indentation and force</source>
@@ -1308,6 +1400,10 @@ N</translation>
         <translation>Frame</translation>
     </message>
     <message>
+        <source>Frequency over time, Hz over s</source>
+        <translation>Frequenza nel tempo, Hz su s</translation>
+    </message>
+    <message>
         <source>From the last minute of this session</source>
         <translation>Dall'ultimo minuto di questa sessione</translation>
     </message>
@@ -1346,6 +1442,10 @@ N</translation>
     <message>
         <source>Grey value</source>
         <translation>Valore di grigio</translation>
+    </message>
+    <message>
+        <source>Half a second without a hole is needed.</source>
+        <translation>Serve mezzo secondo senza buchi.</translation>
     </message>
     <message>
         <source>Hand target</source>
@@ -1412,6 +1512,10 @@ Robot: %2
         <translation>Mantiene la rigidezza impostata sotto, qualunque cosa tocchi il robot.</translation>
     </message>
     <message>
+        <source>Hold the vertical ranges</source>
+        <translation>Blocca gli intervalli verticali</translation>
+    </message>
+    <message>
         <source>Hold to arm</source>
         <translation>Tenere: arma</translation>
     </message>
@@ -1446,6 +1550,14 @@ Robot: %2
     <message>
         <source>How three axes of vibration become one signal.</source>
         <translation>Come tre assi di vibrazione diventano un segnale.</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>IR</source>
+        <translation>IR</translation>
     </message>
     <message>
         <source>IR sensor %1</source>
@@ -1750,6 +1862,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Lost: the robot is silent</source>
         <translation>Perso: il robot tace</translation>
+    </message>
+    <message>
+        <source>Lower end of %1</source>
+        <translation>Estremo inferiore di %1</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -2096,6 +2212,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Avvisi</translation>
     </message>
     <message>
+        <source>Off: each curve is moved and zoomed by itself (T)</source>
+        <translation>Disattivato: ogni curva si sposta e si ingrandisce da sola (T)</translation>
+    </message>
+    <message>
         <source>Offset, mm</source>
         <translation>Offset, mm</translation>
     </message>
@@ -2110,6 +2230,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>One measurement of 3 s.</source>
         <translation>Una misura di 3 s.</translation>
+    </message>
+    <message>
+        <source>One time for all curves</source>
+        <translation>Un solo tempo per tutte le curve</translation>
     </message>
     <message>
         <source>Only a robot with the same key is heard; what is said cannot be read or changed.</source>
@@ -2262,6 +2386,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Points, fit and residuals</source>
         <translation>Punti, adattamento e residui</translation>
+    </message>
+    <message>
+        <source>Position sent</source>
+        <translation>Posizione inviata</translation>
     </message>
     <message>
         <source>Present</source>
@@ -2520,6 +2648,10 @@ Premere per leggere perché</translation>
         <translation>Robot non cambiato. %1.</translation>
     </message>
     <message>
+        <source>Robot's position</source>
+        <translation>Posizione del robot</translation>
+    </message>
+    <message>
         <source>Robot's travel downward for the finger's indentation.</source>
         <translation>Corsa del robot verso il basso per l'indentazione del dito.</translation>
     </message>
@@ -2568,8 +2700,28 @@ Premere per leggere perché</translation>
         <translation>Salva il profilo</translation>
     </message>
     <message>
+        <source>Save the curves as PDF</source>
+        <translation>Salva le curve come PDF</translation>
+    </message>
+    <message>
+        <source>Save the curves as PNG</source>
+        <translation>Salva le curve come PNG</translation>
+    </message>
+    <message>
+        <source>Save the curves as SVG</source>
+        <translation>Salva le curve come SVG</translation>
+    </message>
+    <message>
+        <source>Save the values shown as CSV</source>
+        <translation>Salva i valori mostrati come CSV</translation>
+    </message>
+    <message>
         <source>Saved layouts</source>
         <translation>Disposizioni salvate</translation>
+    </message>
+    <message>
+        <source>Scale of the spectrum</source>
+        <translation>Scala dello spettro</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -2624,8 +2776,16 @@ Premere per leggere perché</translation>
         <translation>Sessioni</translation>
     </message>
     <message>
+        <source>Set A</source>
+        <translation>Imposta A</translation>
+    </message>
+    <message>
         <source>Set A at the cursor</source>
         <translation>Metti A al cursore</translation>
+    </message>
+    <message>
+        <source>Set B</source>
+        <translation>Imposta B</translation>
     </message>
     <message>
         <source>Set B at the cursor</source>
@@ -2652,6 +2812,10 @@ s</translation>
     <message>
         <source>Share of the robot's messages of the last second that did not arrive.</source>
         <translation>Quota dei messaggi del robot dell'ultimo secondo che non sono arrivati.</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Mostra %1</translation>
     </message>
     <message>
         <source>Show %1 seconds</source>
@@ -2688,6 +2852,10 @@ s</translation>
     <message>
         <source>Show the whole session</source>
         <translation>Mostra tutta la sessione</translation>
+    </message>
+    <message>
+        <source>Signal of the spectrum</source>
+        <translation>Segnale dello spettro</translation>
     </message>
     <message>
         <source>Signal that asks for the largest duty (s_max of the thesis).</source>
@@ -2730,6 +2898,10 @@ al s</translation>
     <message>
         <source>Something needed went missing.</source>
         <translation>È venuto a mancare qualcosa di necessario.</translation>
+    </message>
+    <message>
+        <source>Spectrum of the vibration</source>
+        <translation>Spettro della vibrazione</translation>
     </message>
     <message>
         <source>Speed of playing</source>
@@ -2784,6 +2956,10 @@ s</translation>
     <message>
         <source>Step response is being computed</source>
         <translation>La risposta al gradino viene calcolata</translation>
+    </message>
+    <message>
+        <source>Steps clipped</source>
+        <translation>Passi limitati</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -2876,6 +3052,10 @@ N/mm</translation>
         <translation>Fermato dall'operatore; motori spenti.</translation>
     </message>
     <message>
+        <source>Stretch</source>
+        <translation>Tensione</translation>
+    </message>
+    <message>
         <source>Stretch, read by the encoders</source>
         <translation>Tensione, letta dagli encoder</translation>
     </message>
@@ -2900,6 +3080,10 @@ N/mm</translation>
         <translation>Etichette: %1 sono troppe; al più %2.</translation>
     </message>
     <message>
+        <source>Take A and B away</source>
+        <translation>Togli A e B</translation>
+    </message>
+    <message>
         <source>Take everything off the cloth, keep your hands away, and take the point: it lasts 3 s.</source>
         <translation>Togliere tutto dal tessuto, tenere lontane le mani e prendere il punto: dura 3 s.</translation>
     </message>
@@ -2910,6 +3094,10 @@ N/mm</translation>
     <message>
         <source>Take simulated points</source>
         <translation>Prendi punti simulati</translation>
+    </message>
+    <message>
+        <source>Take the cursor, A and B away</source>
+        <translation>Togli il cursore, A e B</translation>
     </message>
     <message>
         <source>Take the last point back</source>
@@ -2968,6 +3156,10 @@ N/mm</translation>
         <translation>Tessitura e vibrazione</translation>
     </message>
     <message>
+        <source>Texture signal</source>
+        <translation>Segnale della trama</translation>
+    </message>
+    <message>
         <source>The camera sees the cloth mirrored left to right.</source>
         <translation>La telecamera vede il tessuto specchiato da sinistra a destra.</translation>
     </message>
@@ -2986,6 +3178,10 @@ N/mm</translation>
     <message>
         <source>The curves lost %1 samples.</source>
         <translation>Le curve hanno perso %1 campioni.</translation>
+    </message>
+    <message>
+        <source>The file before is still being written; try again.</source>
+        <translation>Il file precedente è ancora in scrittura; riprova.</translation>
     </message>
     <message>
         <source>The file begins up to 10 s before you start. Ctrl+M puts a marker.</source>
@@ -3116,6 +3312,10 @@ N/mm</translation>
         <translation>Poi tenere premuto Riarma.</translation>
     </message>
     <message>
+        <source>There are no values to save yet.</source>
+        <translation>Non ci sono ancora valori da salvare.</translation>
+    </message>
+    <message>
         <source>There is no parameter '%1'.</source>
         <translation>Non c'è il parametro '%1'.</translation>
     </message>
@@ -3176,6 +3376,14 @@ N/mm</translation>
         <translation>Tempo dopo il quale il rumore della rigidezza misurata si ripete; l'autoregolazione lo misura.</translation>
     </message>
     <message>
+        <source>Time shown</source>
+        <translation>Tempo mostrato</translation>
+    </message>
+    <message>
+        <source>Time shown in seconds</source>
+        <translation>Tempo mostrato in secondi</translation>
+    </message>
+    <message>
         <source>Times lost</source>
         <translation>Volte perso</translation>
     </message>
@@ -3198,6 +3406,10 @@ N/mm</translation>
     <message>
         <source>Touchpad</source>
         <translation>Touchpad</translation>
+    </message>
+    <message>
+        <source>Translation</source>
+        <translation>Traslazione</translation>
     </message>
     <message>
         <source>Trial %1 of %2: %3.</source>
@@ -3240,6 +3452,10 @@ N/mm</translation>
         <translation>Sconosciuto</translation>
     </message>
     <message>
+        <source>Upper end of %1</source>
+        <translation>Estremo superiore di %1</translation>
+    </message>
+    <message>
         <source>Use</source>
         <translation>Usa</translation>
     </message>
@@ -3274,10 +3490,6 @@ N/mm</translation>
     <message>
         <source>Vibration duty, held by the motor board</source>
         <translation>Duty della vibrazione, tenuto dalla scheda motori</translation>
-    </message>
-    <message>
-        <source>Vibration, peak</source>
-        <translation>Vibrazione, picco</translation>
     </message>
     <message>
         <source>View</source>
@@ -3428,6 +3640,10 @@ N/mm</translation>
         <translation>a riposo %1 g, dispersione %2 g</translation>
     </message>
     <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
         <source>auto-tune</source>
         <translation>taratura automatica</translation>
     </message>
@@ -3522,6 +3738,10 @@ N/mm</translation>
     <message>
         <source>curve: %1</source>
         <translation>curva: %1</translation>
+    </message>
+    <message>
+        <source>dB re 1 m/s²</source>
+        <translation>dB rif. 1 m/s²</translation>
     </message>
     <message>
         <source>dashed</source>
@@ -3648,6 +3868,10 @@ N/mm</translation>
         <translation>da %1</translation>
     </message>
     <message>
+        <source>force</source>
+        <translation>forza</translation>
+    </message>
+    <message>
         <source>force too small</source>
         <translation>forza troppo piccola</translation>
     </message>
@@ -3660,16 +3884,16 @@ N/mm</translation>
         <translation>trovato</translation>
     </message>
     <message>
+        <source>from</source>
+        <translation>da</translation>
+    </message>
+    <message>
         <source>from robot</source>
         <translation>dal robot</translation>
     </message>
     <message>
         <source>from the start</source>
         <translation>dall'inizio</translation>
-    </message>
-    <message>
-        <source>g</source>
-        <translation>g</translation>
     </message>
     <message>
         <source>gives no picture any more</source>
@@ -3752,6 +3976,10 @@ N/mm</translation>
         <translation>file della chiave %1: %2</translation>
     </message>
     <message>
+        <source>largest %1 at %2</source>
+        <translation>massimo %1 a %2</translation>
+    </message>
+    <message>
         <source>largest residual %1</source>
         <translation>residuo maggiore %1</translation>
     </message>
@@ -3794,6 +4022,10 @@ N/mm</translation>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>guardare le curve dei sensori di distanza e il cavo della cella di carico</translation>
+    </message>
+    <message>
+        <source>m/s²</source>
+        <translation>m/s²</translation>
     </message>
     <message>
         <source>measure the outliers again</source>
@@ -3984,12 +4216,20 @@ N/mm</translation>
         <translation>px</translation>
     </message>
     <message>
+        <source>reachable</source>
+        <translation>raggiungibile</translation>
+    </message>
+    <message>
         <source>readings too unsteady</source>
         <translation>letture troppo instabili</translation>
     </message>
     <message>
         <source>recording</source>
         <translation>registrazione</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>riferimento</translation>
     </message>
     <message>
         <source>refused: %1</source>
@@ -4002,6 +4242,10 @@ N/mm</translation>
     <message>
         <source>resume</source>
         <translation>riprendere</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
     </message>
     <message>
         <source>robot '%1': FYD Link needs a key file</source>
@@ -4252,6 +4496,10 @@ N/mm</translation>
         <translation>tempo (s)</translation>
     </message>
     <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
         <source>too few distance sensors read within their span</source>
         <translation>troppo pochi sensori di distanza leggono nel loro campo</translation>
     </message>
@@ -4400,8 +4648,12 @@ N/mm</translation>
         <translation>y, verso il fondo</translation>
     </message>
     <message>
-        <source>z</source>
-        <translation>z</translation>
+        <source>Δ %1</source>
+        <translation>Δ %1</translation>
+    </message>
+    <message>
+        <source>Δt %1</source>
+        <translation>Δt %1</translation>
     </message>
     <message>
         <source>Δt %1 s</source>

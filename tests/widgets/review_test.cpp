@@ -141,6 +141,9 @@ class ReviewTest : public QObject {
     f.key(Qt::Key_BracketLeft);
     f.page->player()->goTo(1.5);
     f.key(Qt::Key_BracketRight);
+    f.page->curves()->redraw();
+    QCOMPARE(f.page->curves()->strip(0)->markWords(), QStringLiteral("Δ 1.00 N"));
+    QVERIFY(f.page->curves()->stack()->markText().contains(QStringLiteral("Δt 1.000 s")));
     QTRY_COMPARE(f.page->figures()->rowCount(), 5);
     QCOMPARE(f.page->figures()->item(0, 3)->text(), QStringLiteral("1.000"));     // B − A, N
     QCOMPARE(f.page->figures()->item(0, 4)->text(), QStringLiteral("1.000"));     // N/s
@@ -250,6 +253,34 @@ class ReviewTest : public QObject {
     QTRY_VERIFY(f.told().contains(QStringLiteral("exists")));
     f.page->exportAs(QStringLiteral("html"));
     QTRY_VERIFY(f.told().contains(QStringLiteral("session.html is written")));
+  }
+
+  void whatIsShownIsSavedBesideTheFile() {
+    ReviewFixture f;
+    f.openByPath();
+    f.page->curves()->show(1.0, 2.0);
+    f.key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(f.told().contains(QStringLiteral(".csv is written")));
+    const QStringList found =
+        QDir(f.folder.path()).entryList({QStringLiteral("session curves*.csv")}, QDir::Files, QDir::Size);
+    QVERIFY(!found.isEmpty());
+    QFile csv(f.folder.filePath(found.first()));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = csv.readAll().split('\n');
+    QVERIFY(lines.front().contains("force_N"));
+    QVERIFY(!lines.front().contains("robot_x_mm"));
+    QVERIFY(lines.size() >= 1001 && lines.size() <= 1003);  // 1 s with or without its ends, the names, the end
+    f.key(Qt::Key_G, Qt::ControlModifier);
+    QTRY_VERIFY(f.told().contains(QStringLiteral(".png is written")));
+  }
+
+  void theSpectrumLooksAtTheRecording() {
+    ReviewFixture f;
+    f.openByPath();
+    f.key(Qt::Key_S);
+    QVERIFY(f.page->curveTools()->spectrum()->isVisible());
+    QTRY_VERIFY(f.page->curveTools()->spectrum()->words().contains(QStringLiteral("m/s²")));
+    f.key(Qt::Key_S);
   }
 };
 

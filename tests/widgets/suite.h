@@ -7,6 +7,7 @@
 namespace fyd::tests {
 
 std::unique_ptr<QObject> makeCurveTest();
+std::unique_ptr<QObject> makeCurveToolsTest();
 std::unique_ptr<QObject> makeControlTest();
 std::unique_ptr<QObject> makeTuningTest();
 std::unique_ptr<QObject> makeTuneTest();

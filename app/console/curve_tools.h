@@ -1,0 +1,44 @@
+// What Operate and Review do alike with their curves: the panel that chooses them, saving, and the commands for both.
+#pragma once
+
+#include <QObject>
+#include <string>
+
+#include "app/console/curve_saver.h"
+#include "app/console/page.h"
+#include "widgets/curve_setup_panel.h"
+#include "widgets/spectrum_view.h"
+
+namespace fyd::console {
+
+class CurveTools : public QObject {
+  Q_OBJECT
+ public:
+  /// @param stack must outlive this
+  CurveTools(widgets::CurveStack* stack, CurveSaver::Tell tell, QWidget* page);
+
+  /// To be placed beside the curves; hidden until it is asked for.
+  [[nodiscard]] widgets::CurveSetupPanel* panel() const { return panel_; }
+  /// To be placed below the curves; hidden until it is asked for. Its owner draws it.
+  [[nodiscard]] widgets::SpectrumView* spectrum() const { return spectrum_; }
+  [[nodiscard]] CurveSaver& saver() { return saver_; }
+  /// @param save_table saves the values that are shown as CSV
+  /// @param place before the dot of the commands' names: "curves" gives "curves.choose"
+  /// @param menu in which they stand
+  void addCommands(PlaceCommands& commands, const std::string& place, const char* menu,
+                   std::function<void()> save_table);
+  /// For a bar above the curves, after addCommands: opens and closes the panel, and the spectrum.
+  [[nodiscard]] std::vector<QToolButton*> makeButtons(QWidget* parent) const;
+
+ private:
+  void addSaving(PlaceCommands& commands, const std::string& place, const char* menu, std::function<void()> save_table);
+
+  widgets::CurveStack* stack_;
+  widgets::CurveSetupPanel* panel_;
+  widgets::SpectrumView* spectrum_;
+  CurveSaver saver_;
+  QAction* choose_action_ = nullptr;
+  QAction* spectrum_action_ = nullptr;
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,361 @@
+// What an operator does with the curves: cursors, choice, saving, the spectrum; a spike is seen at every zoom; hours
+// pass and nothing grows.
+#include <sys/resource.h>
+#include <QCheckBox>
+#include <cmath>
+#include <csignal>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include <qcustomplot.h>
+
+#include "app/console/review_source.h"
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+#include "widgets/curve_catalogue.h"
+#include "widgets/curve_picture.h"
+
+namespace fyd::tests {
+namespace {
+
+using widgets::CurveStack;
+
+/// Force rises by 1 N a second; the texture signal is a sine of 125 Hz and 0.5 g.
+std::vector<pipeline::TelemetrySample> rise(int count, double from_s = 0.0) {
+  std::vector<pipeline::TelemetrySample> out(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double t_s = from_s + 0.001 * static_cast<double>(i);
+    out[i].now = instantAt(1.0 + t_s);
+    out[i].force_N = t_s;
+    out[i].indentation_mm = 2.0;
+    out[i].texture_signal_g = 0.5 * std::sin(2.0 * std::numbers::pi * 125.0 * t_s);
+  }
+  return out;
+}
+
+struct CurveFixture : Fixture {
+  CurveFixture() {
+    QStandardPaths::setTestModeEnabled(true);
+    curves = window->operate()->curves();
+    tools = window->operate()->curveTools();
+    tools->saver().setFolder(folder.filePath(QStringLiteral("pictures")));
+    curves->append(rise(4000));
+    curves->redraw();
+    QApplication::processEvents();  // until then no strip knows its width
+  }
+  void key(Qt::Key key, Qt::KeyboardModifiers with = {}) {
+    window->setFocus();
+    QTest::keyClick(window.get(), key, with);
+  }
+  [[nodiscard]] QString told() const {
+    const int count = window->notices()->count();
+    return count == 0 ? QString() : window->notices()->text(count - 1);
+  }
+  [[nodiscard]] std::size_t indexOf(const char* id) const { return curves->stack()->indexOf(QLatin1String(id)); }
+  [[nodiscard]] QString saved(const char* ending) const {
+    const QStringList found =
+        QDir(tools->saver().folder()).entryList({QStringLiteral("*.") + QLatin1String(ending)}, QDir::Files);
+    return found.isEmpty() ? QString() : tools->saver().folder() + QLatin1Char('/') + found.first();
+  }
+  widgets::CurveView* curves;
+  console::CurveTools* tools;
+};
+
+/// A pixel of the curve's colour within two of where the spike must be.
+bool spikeOnScreen(widgets::CurveStrip& strip, double share, double value) {
+  QCustomPlot& plot = *strip.plot();
+  plot.replot(QCustomPlot::rpImmediateRefresh);
+  const QImage image = plot.grab().toImage();
+  const QRect rect = plot.axisRect()->rect();
+  const int x = rect.left() + static_cast<int>(share * rect.width());
+  const int y = static_cast<int>(plot.yAxis->coordToPixel(value));
+  const QRgb colour = widgets::theme().of(widgets::Quantity::force).rgb();
+  for (int column = std::max(rect.left(), x - 2); column <= std::min(rect.right(), x + 2); ++column) {
+    for (int line = y - 2; line <= y + 2; ++line) {
+      if (image.valid(column, line) && image.pixel(column, line) == colour) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+class CurveToolsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void marksTellTheirDifferencesAtOnce() {
+    CurveFixture f;
+    f.key(Qt::Key_BracketLeft);  // at the newest, 3.999 s
+    f.curves->redraw();
+    QCOMPARE(f.curves->strip(0)->markWords(), QStringLiteral("A 4.00 N"));
+    f.curves->append(rise(500, 4.0));
+    f.key(Qt::Key_BracketRight);
+    f.curves->redraw();
+    QVERIFY(f.curves->stack()->markText().contains(QStringLiteral("Δt 0.500 s")));
+    QVERIFY(f.curves->stack()->markText().contains(QStringLiteral("2.00 Hz")));
+    QCOMPARE(f.curves->strip(0)->markWords(), QStringLiteral("Δ 0.50 N"));
+    QCOMPARE(f.curves->strip(1)->markWords(), QStringLiteral("Δ 0.00 mm"));
+    QVERIFY(f.curves->strip(2)->markWords().contains(QStringLiteral("—")));  // there is no stiffness
+    f.key(Qt::Key_Backslash);
+    f.curves->redraw();
+    QVERIFY(f.curves->stack()->markText().isEmpty());
+    QVERIFY(f.curves->strip(0)->markWords().isEmpty());
+  }
+
+  void aClickPutsTheCursorAndKeysMoveIt() {
+    CurveFixture f;
+    f.curves->chooseSpan(5);
+    f.curves->redraw();
+    QApplication::processEvents();
+    QCustomPlot* plot = f.curves->strip(0)->plot();
+    QTest::mouseClick(plot, Qt::LeftButton, {}, plot->axisRect()->rect().center());
+    const double at_s = f.curves->stack()->cursor_s();
+    QVERIFY2(std::abs(at_s - 1.5) < 0.1, qPrintable(QString::number(at_s)));  // half of 5 s before 3.999 s
+    QVERIFY(f.curves->following());  // a look at a value does not stop the curves
+    f.key(Qt::Key_Comma);
+    QVERIFY(std::abs(f.curves->stack()->cursor_s() - (at_s - 0.001)) < 1e-9);
+    f.key(Qt::Key_BracketLeft);
+    QCOMPARE(f.curves->stack()->mark_s(CurveStack::Mark::a), f.curves->stack()->cursor_s());
+    f.key(Qt::Key_Right, Qt::ControlModifier);
+    f.key(Qt::Key_BracketRight);
+    QVERIFY(f.curves->stack()->markText().contains(QStringLiteral("Δt 0.050 s")));
+  }
+
+  void curvesAreChosenAndTheLastOneStays() {
+    CurveFixture f;
+    f.key(Qt::Key_C);
+    widgets::CurveSetupPanel* panel = f.tools->panel();
+    QVERIFY(panel->isVisible());
+    const std::size_t stretch = f.indexOf("stretch");
+    QVERIFY(!f.curves->strip(stretch)->isVisible());
+    panel->shownBox(stretch)->setFocus();
+    QTest::keyClick(panel->shownBox(stretch), Qt::Key_Space);
+    QVERIFY(f.curves->strip(stretch)->isVisible());
+    for (std::size_t i = 0; i < f.curves->stack()->size(); ++i) {
+      if (panel->shownBox(i)->isChecked()) panel->shownBox(i)->click();
+    }
+    int shown = 0;
+    for (std::size_t i = 0; i < f.curves->stack()->size(); ++i) {
+      shown += f.curves->stack()->shown(i) ? 1 : 0;
+      QCOMPARE(panel->shownBox(i)->isChecked(), f.curves->stack()->shown(i));
+    }
+    QCOMPARE(shown, 1);
+    QTest::mouseClick(panel->findChild<QToolButton*>(QStringLiteral("close_curve_setup")), Qt::LeftButton);
+    QVERIFY(!panel->isVisible());
+    f.key(Qt::Key_C);  // the key knows that it was closed
+    QVERIFY(panel->isVisible());
+  }
+
+  void rangesAreTakenAndBadEntriesAreSaidInWords() {
+    CurveFixture f;
+    f.key(Qt::Key_C);
+    widgets::CurveSetupPanel* panel = f.tools->panel();
+    const auto enter = [&](QLineEdit* field, const char* text) {
+      field->setFocus();
+      field->setText(QString::fromUtf8(text));
+      QTest::keyClick(field, Qt::Key_Return);
+    };
+    enter(panel->lowerField(0), "−1,5");
+    enter(panel->upperField(0), "8");
+    QCOMPARE(f.curves->strip(0)->shownRange(), (widgets::Range{-1.5, 8.0}));
+    f.curves->follow();  // an operator's choice outlives following again
+    QCOMPARE(f.curves->strip(0)->shownRange(), (widgets::Range{-1.5, 8.0}));
+    for (const char* wrong : {"soft", "nan", "inf", "1e99", "-2", "-1.5"}) {
+      enter(panel->upperField(0), wrong);
+      QVERIFY2(panel->problem().contains(QString::fromUtf8(wrong)), wrong);
+      QCOMPARE(f.curves->strip(0)->shownRange(), (widgets::Range{-1.5, 8.0}));
+    }
+    for (QLineEdit* field : {panel->lowerField(0), panel->upperField(0)}) enter(field, "");
+    QVERIFY(panel->problem().isEmpty());
+    QVERIFY(!f.curves->strip(0)->chosenRange());
+    for (const char* wrong : {"", "0", "-3", "nan", "x"}) {
+      enter(panel->spanField(), wrong);
+      QVERIFY2(!panel->problem().isEmpty(), wrong);
+      QCOMPARE(f.curves->timeWindow().span_s(), 10.0);
+    }
+    enter(panel->spanField(), "2.5");
+    QCOMPARE(f.curves->timeWindow().span_s(), 2.5);
+    f.key(Qt::Key_R);
+    const widgets::Range held = f.curves->strip(0)->shownRange();
+    auto high = rise(10, 4.0);
+    for (auto& sample : high) sample.force_N = 1000.0;
+    f.curves->append(high);
+    f.curves->redraw();
+    QCOMPARE(f.curves->strip(0)->shownRange(), held);
+    f.key(Qt::Key_R);
+    f.curves->redraw();
+    QVERIFY(f.curves->strip(0)->shownRange().upper >= 1000.0);
+  }
+
+  void timeIsUnlinkedAndLinkedAgain() {
+    CurveFixture f;
+    CurveStack* stack = f.curves->stack();
+    f.key(Qt::Key_T);
+    QVERIFY(!stack->linked());
+    QWidget* plot = f.curves->strip(1)->plot();
+    const QPointF middle = plot->rect().center();
+    QWheelEvent wheel(middle, plot->mapToGlobal(middle), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(plot, &wheel);
+    QCOMPARE(stack->window(0).span_s(), 10.0);
+    QVERIFY(stack->window(1).span_s() < 8.0);
+    const double span_s = stack->window(1).span_s();
+    f.key(Qt::Key_T);
+    QVERIFY(stack->linked());
+    QCOMPARE(stack->window(0).span_s(), span_s);
+    QVERIFY(f.tools->panel()->linkBox()->isChecked());
+  }
+
+  void picturesAndValuesAreWrittenAndNothingIsWrittenOver() {
+    CurveFixture f;
+    f.key(Qt::Key_G, Qt::ControlModifier);
+    QTRY_VERIFY(f.told().contains(QStringLiteral(".png is written")));
+    QVERIFY(QImage(f.saved("png")).width() > 400);
+    const QString first = f.saved("png");
+    QVERIFY(f.tools->saver().pathFor(QStringLiteral("png")) != first);
+    f.window->commands().action(QStringLiteral("curves.save_svg"))->trigger();
+    QTRY_VERIFY(f.told().contains(QStringLiteral(".svg is written")));
+    QFile svg(f.saved("svg"));
+    QVERIFY(svg.open(QIODevice::ReadOnly));
+    QVERIFY(svg.readAll().contains("<polyline"));
+    f.window->commands().action(QStringLiteral("curves.save_pdf"))->trigger();
+    QTRY_VERIFY(f.told().contains(QStringLiteral(".pdf is written")));
+    QFile pdf(f.saved("pdf"));
+    QVERIFY(pdf.open(QIODevice::ReadOnly));
+    QVERIFY(pdf.readAll().startsWith("%PDF"));
+    f.curves->chooseSpan(1);
+    f.key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(f.told().contains(QStringLiteral(".csv is written")));
+    QFile csv(f.saved("csv"));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = csv.readAll().split('\n');
+    QVERIFY(lines.front().startsWith("time [s],force_N [N],indentation_mm [mm]"));
+    QCOMPARE(lines.size(), qsizetype{1003});  // what is shown: 1 s with both ends, the names, the end
+    QVERIFY(lines.at(1).startsWith("2.999000,2.999,2,nan"));
+  }
+
+  void aPictureThatCannotBeWrittenIsToldWithItsPath() {
+    CurveFixture f;
+    f.tools->saver().setFolder(QStringLiteral("/proc/nothing"));
+    f.key(Qt::Key_G, Qt::ControlModifier);
+    QTRY_VERIFY(f.told().contains(QStringLiteral("/proc/nothing")));
+    // A full disk, as the system tells it: no file may grow beyond a kilobyte.
+    f.tools->saver().setFolder(f.folder.filePath(QStringLiteral("full")));
+    rlimit before{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{1024, before.rlim_max};
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
+    f.key(Qt::Key_G, Qt::ControlModifier);
+    const bool told = QTest::qWaitFor([&] { return f.told().contains(QStringLiteral("is not written")); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    QVERIFY(told);
+    QVERIFY(f.saved("png").isEmpty());  // and half a picture is not left behind
+  }
+
+  void theSpectrumReadsTheVibrationInItsUnit() {
+    CurveFixture f;
+    f.key(Qt::Key_S);
+    widgets::SpectrumView* spectrum = f.tools->spectrum();
+    QVERIFY(spectrum->isVisible());
+    // 0.5 g at 125 Hz.
+    QTRY_COMPARE(spectrum->words(), QStringLiteral("largest 4.903 m/s² at 125 Hz"));
+    QCOMPARE(spectrum->shown().resolution_Hz * static_cast<double>(spectrum->shown().bins - 1), 500.0);
+    spectrum->scaleBox()->setCurrentIndex(1);
+    QCOMPARE(spectrum->words(), QStringLiteral("largest 4.903 m/s² at 125 Hz"));
+    spectrum->signalBox()->setCurrentIndex(1);  // no robot speaks: no acceleration
+    QVERIFY(spectrum->words().contains(QStringLiteral("is needed")));
+    f.key(Qt::Key_S);
+    QVERIFY(!spectrum->isVisible());
+  }
+
+  void aSpikeInTenMillionSamplesIsOnTheScreenAtEveryZoom() {
+    constexpr std::size_t kSamples = 10'000'000;
+    widgets::CurveBuffer buffer(1, kSamples);
+    std::mt19937 random(11);
+    std::vector<std::size_t> spikes = {0, 1, kSamples - 1, 65536 * 100, 65536 * 100 - 1};
+    for (int i = 0; i < 20; ++i) spikes.push_back(random() % kSamples);
+    std::ranges::sort(spikes);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      float value[] = {static_cast<float>(i % 17) * 0.05F};
+      if (next < spikes.size() && spikes[next] == i) {
+        value[0] = 10.0F;
+        ++next;
+      }
+      (void)buffer.append(0.001 * static_cast<double>(i), value);
+    }
+    widgets::CurveStrip strip(QStringLiteral("Force"), QStringLiteral("N"), {0, 2},
+                              {{.channel = 0, .quantity = widgets::Quantity::force}}, true);
+    strip.resize(640, 160);
+    strip.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&strip));
+    std::uniform_real_distribution<double> anywhere(0.0, 1.0);
+    std::vector<widgets::CurveColumn> columns;
+    for (double span_s = 0.02; span_s <= 10'000.0; span_s *= 2.6) {
+      for (const double share : {0.0, 0.0004, anywhere(random), anywhere(random), 0.9996, 1.0}) {
+        const std::size_t spike = spikes[random() % spikes.size()];
+        const double at_s = 0.001 * static_cast<double>(spike);
+        // A sample exactly at an edge may fall to either side of it by a rounding.
+        const double from_s = at_s - std::clamp(share, 1e-6, 1.0 - 1e-6) * span_s;
+        buffer.decimate(0, from_s, from_s + span_s, 640, columns);
+        const QByteArray where =
+            QStringLiteral("sample %1, %2 s shown, at %3").arg(spike).arg(span_s).arg(share).toUtf8();
+        QVERIFY2(std::ranges::any_of(columns, [](const auto& c) { return c.maximum == 10.0F; }), where);
+        widgets::TimeWindow window(2e4);
+        window.show(from_s, from_s + span_s);
+        strip.draw(buffer, window);
+        QVERIFY2(spikeOnScreen(strip, share, 10.0), where);
+      }
+    }
+  }
+
+  void hoursOfSamplesPassAndMemoryStays() {
+    widgets::CurveView view;
+    view.resize(600, 400);
+    view.chooseSpan(60);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    const auto resident_pages = [] {
+      QFile file(QStringLiteral("/proc/self/statm"));
+      return file.open(QIODevice::ReadOnly) ? file.readAll().split(' ').value(1).toLongLong() : 0;
+    };
+    // The ring goes round in 4.4 min; 20 min more are four times that.
+    constexpr int kFilled = 5, kMinutes = 25;
+    qint64 filled_pages = 0;
+    for (int minute = 0; minute < kMinutes; ++minute) {
+      auto samples = rise(60'000, 60.0 * minute);
+      samples[30'000].force_N = 1e6;  // one sample; seen in every minute
+      view.append(samples);
+      view.redraw();
+      QCOMPARE(view.strip(0)->drawnExtent().upper, 1e6);
+      QCOMPARE(view.timeWindow().to_s(), view.buffer().lastTime_s());  // the newest is what is shown
+      QApplication::processEvents();
+      if (minute == kFilled) filled_pages = resident_pages();
+    }
+    QVERIFY(view.buffer().size() <= view.buffer().capacity());
+    const qint64 grown = resident_pages() - filled_pages;
+    QVERIFY2(grown < filled_pages / 10, qPrintable(QString::number(grown)));
+  }
+
+  void everyQuantityHasItsFieldAndTheFirstAreThoseReviewReckonsWith() {
+    const auto fields = pipeline::telemetryFields();
+    for (std::size_t c = 0; c < widgets::kCurveChannels; ++c) {
+      QVERIFY2(widgets::curveFields()[c] < fields.size(), widgets::curveQuantities()[c].field);
+    }
+    for (std::size_t q = 0; q < console::kReviewQuantities.size(); ++q) {
+      QCOMPARE(std::string(console::kReviewQuantities[q].field), std::string(widgets::curveQuantities()[q].field));
+    }
+    std::set<std::size_t> drawn;
+    for (const widgets::StripPlan& plan : widgets::stripPlans())
+      drawn.insert(plan.channels.begin(), plan.channels.end());
+    QCOMPARE(drawn.size(), std::size_t{widgets::kCurveChannels});
+  }
+};
+
+std::unique_ptr<QObject> makeCurveToolsTest() { return std::make_unique<CurveToolsTest>(); }
+
+}  // namespace fyd::tests
+
+#include "curve_tools_test.moc"
