@@ -144,13 +144,20 @@ void RecordingControl::mark() {
     context_.tell(Severity::warning, tr("No marker: nothing is being recorded. Ctrl+R starts."));
     return;
   }
+  const QString name = tr("Marker %1").arg(markers_ + 1);
+  if (const auto kept = context_.session.note(session::NoteKind::bookmark, name.toStdString()); !kept) {
+    context_.tell(Severity::warning, widgets::coreText(kept.error().message));
+    return;
+  }
   ++markers_;
-  context_.session.note(session::NoteKind::bookmark, tr("Marker %1").arg(markers_).toStdString());
   context_.tell(Severity::information, tr("Marker %1 at %2.").arg(markers_).arg(widgets::clockText(last_.seconds)));
 }
 
 void RecordingControl::note(const QString& words) {
-  context_.session.note(session::NoteKind::note, words.toStdString());
+  if (const auto kept = context_.session.note(session::NoteKind::note, words.toStdString()); !kept) {
+    context_.tell(Severity::warning, widgets::coreText(kept.error().message));
+    return;
+  }
   context_.tell(Severity::information, tr("Note in the recording: %1").arg(words));
 }
 

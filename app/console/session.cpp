@@ -68,8 +68,9 @@ class StationSession : public Session {
     if (!station_) return fail("the session is closed");
     return station_->stopRecording();
   }
-  void note(session::NoteKind kind, const std::string& text) override {
-    if (station_) station_->note(kind, text);
+  Result<void> note(session::NoteKind kind, const std::string& text) override {
+    if (!station_) return fail("{}: not kept, the session is closed", text);
+    return station_->note(kind, text);
   }
   session::RecorderStatus recorderStatus() const override {
     return station_ ? station_->recorderStatus() : session::RecorderStatus{};

@@ -45,7 +45,7 @@ class Session {
 
   [[nodiscard]] virtual Result<void> startRecording(const session::RecordingRequest& request) = 0;
   [[nodiscard]] virtual Result<void> stopRecording() = 0;
-  virtual void note(session::NoteKind kind, const std::string& text) = 0;
+  [[nodiscard]] virtual Result<void> note(session::NoteKind kind, const std::string& text) = 0;
   [[nodiscard]] virtual session::RecorderStatus recorderStatus() const = 0;
 
   virtual void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) = 0;

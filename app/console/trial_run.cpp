@@ -1,5 +1,7 @@
 #include "app/console/trial_run.h"
 
+#include "widgets/core_text.h"
+
 namespace fyd::console {
 
 using widgets::Severity;
@@ -21,6 +23,12 @@ Result<void> TrialRun::plan(const TrialWords& words) {
   return {};
 }
 
+bool TrialRun::mark(session::NoteKind kind, const session::Trial& trial) {
+  const auto kept = context_.session.note(kind, session::markerText(trial));
+  if (!kept) context_.tell(Severity::warning, widgets::coreText(kept.error().message));
+  return kept.has_value();
+}
+
 void TrialRun::next() {
   if (trials_.empty()) {
     context_.tell(Severity::information, tr("No trials are planned: start with --trials soft,hard,…"));
@@ -31,16 +39,17 @@ void TrialRun::next() {
     return;
   }
   if (under_way_) {
-    context_.session.note(session::NoteKind::trial_end, session::markerText(trials_[begun_ - 1]));
+    if (!mark(session::NoteKind::trial_end, trials_[begun_ - 1])) return;
     under_way_ = false;
   }
   if (begun_ == trials_.size()) {
     context_.tell(Severity::information, tr("All %1 trials are done.").arg(trials_.size()));
     return;
   }
-  const session::Trial& trial = trials_[begun_++];
+  const session::Trial& trial = trials_[begun_];
+  if (!mark(session::NoteKind::trial_start, trial)) return;
+  ++begun_;
   under_way_ = true;
-  context_.session.note(session::NoteKind::trial_start, session::markerText(trial));
   context_.tell(
       Severity::information,
       tr("Trial %1 of %2: %3.").arg(trial.number).arg(trials_.size()).arg(QString::fromStdString(trial.condition)));

@@ -34,6 +34,9 @@ class TrialRun : public QObject {
   [[nodiscard]] std::size_t begun() const { return begun_; }
 
  private:
+  /// @return whether the marker is in the recording; otherwise the operator was told
+  bool mark(session::NoteKind kind, const session::Trial& trial);
+
   PageContext context_;
   std::vector<session::Trial> trials_;
   std::size_t begun_ = 0;

@@ -171,7 +171,7 @@ class Station {
   /// Closes the file: it is whole when this returns without an error.
   [[nodiscard]] Result<void> stopRecording();
   /// A line of the recording's log; dropped while nothing is recorded.
-  void note(session::NoteKind kind, const std::string& text);
+  [[nodiscard]] Result<void> note(session::NoteKind kind, const std::string& text);
   [[nodiscard]] session::RecorderStatus recorderStatus() const;
 
   /// Simulation only: the finger goes where the mouse says until released; no effect on a real touchpad.

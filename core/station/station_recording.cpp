@@ -30,7 +30,7 @@ Result<void> Station::startRecording(const session::RecordingRequest& request) {
 
 Result<void> Station::stopRecording() { return impl_->recorder.end(); }
 
-void Station::note(session::NoteKind kind, const std::string& text) { impl_->recorder.note(kind, text); }
+Result<void> Station::note(session::NoteKind kind, const std::string& text) { return impl_->recorder.note(kind, text); }
 
 session::RecorderStatus Station::recorderStatus() const { return impl_->recorder.status(); }
 

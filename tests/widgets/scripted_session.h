@@ -63,7 +63,10 @@ class ScriptedSession : public console::Session {
     if (refuses) return fail("{}: refused by the script", recorder.path);
     return {};
   }
-  void note(session::NoteKind kind, const std::string& text) override { notes.emplace_back(kind, text); }
+  Result<void> note(session::NoteKind kind, const std::string& text) override {
+    notes.emplace_back(kind, text);
+    return {};
+  }
   session::RecorderStatus recorderStatus() const override { return recorder; }
   void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
     finger = {x_mm, y_mm, indentation_mm};
