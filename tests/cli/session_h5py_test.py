@@ -2,12 +2,19 @@
 import json
 import os
 import subprocess
+import time
 import unittest
 
 import fyd
 
 PEER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "h5py_peer.py")
 SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's own, which has Debian's h5py
+
+
+def look(*arguments):
+    peer = subprocess.run([SYSTEM_PYTHON, PEER, *arguments], capture_output=True, text=True, check=False, timeout=120)
+    assert peer.returncode == 0, peer.stderr
+    return json.loads(peer.stdout)
 
 
 class OpenedByH5py(fyd.Case):
@@ -20,9 +27,7 @@ class OpenedByH5py(fyd.Case):
                        "--operator", "Zoë", "--json")
         assert done.returncode == 0, done.stderr
         cls.samples = json.loads(done.stdout)["recording"]["samples"]
-        peer = subprocess.run([SYSTEM_PYTHON, PEER, cls.file], capture_output=True, text=True, check=False)
-        assert peer.returncode == 0, peer.stderr
-        cls.seen = json.loads(peer.stdout)
+        cls.seen = look(cls.file)
 
     def test_telemetry_has_a_row_for_each_step(self):
         self.assertEqual(self.seen["rows"], self.samples)
@@ -44,6 +49,35 @@ class OpenedByH5py(fyd.Case):
 
     def test_the_overview_has_the_extremes_of_its_rows(self):
         self.assertTrue(self.seen["overview_true"])
+
+
+class OpenedByH5pyBeforeItIsWhole(fyd.Case):
+    def test_while_it_grows_and_after_its_recorder_was_killed(self):
+        path = self.path("growing.h5")
+        recorder = subprocess.Popen([fyd.PROGRAM, "station", "--headless", "--simulate", "--record", path,
+                                     "--operator", "Ada"],
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(recorder.wait)
+        self.addCleanup(recorder.kill)
+        start = time.monotonic()
+        while time.monotonic() - start < 60:
+            time.sleep(0.3)
+            info = fyd.run("session", "info", path, "--json")
+            if info.returncode == 0 and json.loads(info.stdout)["committed_samples"] >= 500:
+                break
+        first, second = look("--shared", path + ".partial")
+        self.assertGreaterEqual(first["rows"], 500)
+        self.assertGreater(second["rows"], first["rows"])
+        self.assertTrue(second["steps_in_order"])
+        recorder.kill()
+        recorder.wait()
+        left, again = look("--shared", path + ".partial")
+        self.assertGreaterEqual(left["rows"], second["rows"])
+        self.assertEqual(again, left)
+        self.assertTrue(left["steps_in_order"])
+        # As h5py itself sees it, recovery takes the writer's mark away.
+        self.assertEqual(self.json("session", "recover", path, "--json")["result"], "whole")
+        self.assertGreaterEqual(look(path)["committed_rows"], left["rows"])
 
 
 if __name__ == "__main__":
