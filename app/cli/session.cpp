@@ -1,4 +1,4 @@
-// fyd session info | verify | recover | replay | trials, and what stands in session_*.cpp
+// fyd session info | verify | recover | replay | trials | export | report | list, each in its session_*.cpp
 #include "app/cli/session_cli.h"
 
 #include <iostream>

@@ -2,6 +2,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/session/picture_png.h"
+
 namespace fyd::session {
 namespace {
 
@@ -11,18 +13,17 @@ std::size_t bytesOf(const cv::Mat& picture) { return picture.total() * picture.e
 
 }  // namespace
 
-EncodedPicture encodePicture(const HeldPicture& held) {
+EncodedPicture encodePicture(const HeldPicture& held, bool with_whole) {
   EncodedPicture out{.taken = held.taken, .number = held.number, .region_px = held.region_px, .finger = held.finger};
   if (held.picture.empty()) return out;
   try {
-    cv::imencode(".jpg", held.picture, out.whole, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
     const cv::Rect whole(0, 0, held.picture.cols, held.picture.rows);
     const bool inside = held.region_px.area() > 0 && (held.region_px & whole) == held.region_px;
-    // OpenCV's own settings are the quickest: asking for a level would switch on every filter.
-    if (inside) cv::imencode(".png", held.picture(held.region_px), out.region);
-  } catch (const cv::Exception&) {  // a depth that these formats do not know
+    if (inside) out.region = encodePng(held.picture(held.region_px));
+    if (with_whole || out.region.empty())
+      cv::imencode(".jpg", held.picture, out.whole, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+  } catch (const cv::Exception&) {  // a depth that this format does not know
     out.whole.clear();
-    out.region.clear();
   }
   return out;
 }

@@ -16,8 +16,9 @@ struct HeldPicture {
   std::uint64_t number = 0;
 };
 
-/// The whole picture as JPEG, the region of interest as PNG; both empty when the picture cannot be compressed.
-[[nodiscard]] EncodedPicture encodePicture(const HeldPicture& held);
+/// The region of interest as PNG, and the whole picture as JPEG when it is asked for or there is no such region; both
+/// empty when the picture cannot be compressed.
+[[nodiscard]] EncodedPicture encodePicture(const HeldPicture& held, bool with_whole = true);
 
 /// Used by one thread at a time. Bounded in memory: a large camera's pictures go back less far than the steps.
 class PictureHistory {

@@ -44,12 +44,7 @@ Result<device::CameraFrame> RecordedCamera::next() {
   std::this_thread::sleep_until(due);
   ++next_;
   if (picture->whole.empty()) return fail("{}: picture {} was not kept", path_, picture->number);
-  device::CameraFrame frame{.picture = picture->whole, .taken = due, .number = picture->number};
-  const cv::Rect inside = picture->region_px & cv::Rect(0, 0, frame.picture.cols, frame.picture.rows);
-  const bool fits = inside == picture->region_px && picture->region.size() == inside.size() &&
-                    picture->region.type() == frame.picture.type();
-  if (fits && !picture->region.empty()) picture->region.copyTo(frame.picture(inside));
-  return frame;
+  return device::CameraFrame{.picture = picture->whole, .taken = due, .number = picture->number};
 }
 
 }  // namespace fyd::session

@@ -20,6 +20,8 @@ Recorder::Recorder(const RecorderOptions& options, const pipeline::Parameters& s
 
 Recorder::~Recorder() { shutDown(); }
 
+void Recorder::writeThrough(std::shared_ptr<DiskCalls> disk) { impl_->disk = std::move(disk); }
+
 void Recorder::start() {
   if (impl_->thread.joinable()) return;
   impl_->thread = std::jthread([impl = impl_.get()](const std::stop_token& stop) { impl->run(stop); });
@@ -81,10 +83,11 @@ Result<void> Recorder::end() {
   return answer->result;
 }
 
-void Recorder::note(NoteKind kind, const std::string& text) {
+Result<void> Recorder::note(NoteKind kind, const std::string& text) {
   const std::lock_guard lock(impl_->mutex);
-  if (impl_->status.state != RecorderState::recording) return;
+  if (impl_->status.state != RecorderState::recording) return fail("{}: not kept, nothing is being recorded", text);
   impl_->notes.push_back({.when = Clock::now(), .kind = kind, .text = text});
+  return {};
 }
 
 RecorderStatus Recorder::status() const {

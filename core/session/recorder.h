@@ -18,15 +18,11 @@
 #include "core/base/error.h"
 #include "core/pipeline/parameters.h"
 #include "core/session/packed_step.h"
+#include "core/session/recorder_options.h"
 #include "core/session/recording_types.h"
 #include "core/texture/virtual_texture.h"
 
 namespace fyd::session {
-
-struct RecorderOptions {
-  double pre_trigger_s = 10.0;
-  double smallest_free_MB = 200.0;  ///< recording stops, closed and whole, before the disk has less
-};
 
 /// What the operator says of a recording when it starts.
 struct RecordingRequest {
@@ -36,6 +32,8 @@ struct RecordingRequest {
   std::string notes;
   std::vector<std::string> tags;
 };
+
+class DiskCalls;
 
 enum class RecorderState : std::uint8_t { idle, recording, failed };
 
@@ -80,6 +78,8 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder();  ///< closes the recording
 
+  /// Tests put broken disks here; before `start`.
+  void writeThrough(std::shared_ptr<DiskCalls> disk);
   void start();     ///< the thread; before the haptic loop
   void shutDown();  ///< after the haptic loop: closes the recording, joins
 
@@ -94,8 +94,8 @@ class Recorder {
   [[nodiscard]] Result<void> begin(const RecordingRequest& request);
   /// Closes the file. @return its error, if any
   [[nodiscard]] Result<void> end();
-  /// Dropped while nothing is recorded.
-  void note(NoteKind kind, const std::string& text);
+  /// @return an error that names the text when nothing is being recorded: it is not kept
+  [[nodiscard]] Result<void> note(NoteKind kind, const std::string& text);
   [[nodiscard]] RecorderStatus status() const;
 
  private:

@@ -61,7 +61,7 @@ Result<void> Recorder::Impl::open(const RecordingRequest& request) {
             .step_state = from ? from->snapshot->state : shadow.saveState(),
             .version = FYD_VERSION};
   header.started_utc = utcOf(header.started);
-  auto made = RecordingWriter::create(request.path, header);
+  auto made = createRecording(request.path, header, disk);
   if (!made) return tl::unexpected(made.error());
   writer = std::move(*made);
   steps.readFromStart();
@@ -70,6 +70,7 @@ Result<void> Recorder::Impl::open(const RecordingRequest& request) {
   written_until = header.started;
   lost_before = lost_told = lost.load(std::memory_order_relaxed);
   growth = {};
+  newest_whole = {};
   commits_ms.clear();
   next_second = worked_since = Clock::now();
   work_before_s = threadWork_s();
@@ -80,7 +81,8 @@ Result<void> Recorder::Impl::write(std::size_t most_steps, std::size_t most_pict
   const std::uint64_t lost_now = lost.load(std::memory_order_relaxed);
   if (lost_now != lost_told) writer->countLost(lost_now - lost_told);
   lost_told = lost_now;
-  for (std::size_t i = 0; i < most_steps && steps.read(record); ++i) {
+  std::size_t taken = 0;
+  for (; taken < most_steps && steps.read(record); ++taken) {
     const std::uint64_t committed = writer->committedSteps();
     const Instant before = Clock::now();
     if (auto written = writer->append(record); !written) return written;
@@ -91,14 +93,25 @@ Result<void> Recorder::Impl::write(std::size_t most_steps, std::size_t most_pict
     ++now_recording.samples;
     written_until = record.inputs.now;
   }
-  for (std::size_t i = 0; i < most_pictures; ++i) {
+  std::size_t seen = 0;
+  for (; seen < most_pictures; ++seen) {
     const auto picture = pictures.read(written_until);
     if (!picture) break;
-    if (auto written = writer->append(encodePicture(*picture)); !written) return written;
+    if (auto written = writer->append(encodePicture(*picture, wholeIsDue(*picture))); !written) return written;
     ++now_recording.pictures;
   }
+  behind = taken == most_steps || seen == most_pictures;
   now_recording.pictures_lost = pictures.lost();
   return writeNotes();
+}
+
+// Half a millisecond of JPEG for each picture would be a third of this thread's work; the region comes with every one.
+bool Recorder::Impl::wholeIsDue(const HeldPicture& picture) {
+  constexpr std::chrono::milliseconds kUnevenness{10};  // of a camera's pace
+  const Duration since = picture.taken - newest_whole;
+  if (since > Duration::zero() && since + kUnevenness < fromSeconds(1.0 / options.whole_pictures_Hz)) return false;
+  newest_whole = picture.taken;
+  return true;
 }
 
 Result<void> Recorder::Impl::writeNotes() {
@@ -119,7 +132,7 @@ Result<void> Recorder::Impl::everySecond(Instant now) {
   if (const auto row = source.link ? source.link() : std::nullopt) {
     if (auto written = writer->append(*row); !written) return written;
   }
-  growth.observe(now, writer->bytes());
+  if (!behind) growth.observe(now, writer->bytes());  // what was kept from before the start goes in at once
   now_recording.bytes_per_s = growth.bytes_per_s();
   const auto free = freeBytes(now_recording.path);
   if (!free) return tl::unexpected(free.error());

@@ -11,7 +11,7 @@
 #include "core/session/disk_space.h"
 #include "core/session/picture_history.h"
 #include "core/session/recorder.h"
-#include "core/session/recording_writer.h"
+#include "core/session/recording_writer_on_disk.h"
 #include "core/session/step_history.h"
 
 namespace fyd::session {
@@ -37,6 +37,7 @@ struct Recorder::Impl {
   RecorderOptions options;
   StationDescription description;
   StationSource source;
+  std::shared_ptr<DiskCalls> disk;  // none: the system's
 
   // from the haptic loop and the camera thread
   Ring<std::byte> ring{kRingBytes};
@@ -69,6 +70,8 @@ struct Recorder::Impl {
   RecorderStatus now_recording;
   RecordingHeader header;
   Instant written_until{};
+  Instant newest_whole{};  // picture
+  bool behind = false;     // more waits than one turn may write
   std::uint64_t lost_before = 0;
   std::uint64_t lost_told = 0;
   GrowthRate growth;
@@ -80,6 +83,7 @@ struct Recorder::Impl {
   std::jthread thread;
 
   void run(const std::stop_token& stop);
+  [[nodiscard]] std::chrono::milliseconds turn() const;
   void takeSteps();
   void follow();
   void takePictures();
@@ -87,6 +91,7 @@ struct Recorder::Impl {
   [[nodiscard]] Result<void> open(const RecordingRequest& request);
   /// Writes what waits: no more than a few steps and pictures at a time, so that a start takes nobody's processor.
   [[nodiscard]] Result<void> write(std::size_t most_steps, std::size_t most_pictures);
+  [[nodiscard]] bool wholeIsDue(const HeldPicture& picture);
   [[nodiscard]] Result<void> writeNotes();
   [[nodiscard]] Result<void> everySecond(Instant now);
   [[nodiscard]] Result<void> close();

@@ -14,6 +14,8 @@
 namespace fyd::session {
 namespace {
 
+constexpr std::uint64_t kFarthestWhole = 1'000;  // pictures
+
 __extension__ using Wide = __int128;  // instants may be anything: their difference must not overflow
 
 void expect(const Result<void>& result) {
@@ -253,12 +255,28 @@ class Hdf5Recording final : public Recording {
   [[nodiscard]] RecordedPicture pictureOf(std::uint64_t index) const {
     const auto stored = encoded(index);
     if (!stored) throw RecordingFailure(stored.error().message);
-    return {.time_s = secondsFrom(nanoseconds(info_.header.started), nanoseconds(stored->taken)),
-            .number = stored->number,
-            .whole = decoded(stored->whole, "the whole picture"),
-            .region = decoded(stored->region, "the region"),
-            .region_px = stored->region_px,
-            .finger = stored->finger};
+    RecordedPicture picture{.time_s = secondsFrom(nanoseconds(info_.header.started), nanoseconds(stored->taken)),
+                            .number = stored->number,
+                            .whole = decoded(wholeAt(index), "the whole picture"),
+                            .region = decoded(stored->region, "the region"),
+                            .region_px = stored->region_px,
+                            .finger = stored->finger};
+    const cv::Rect inside = picture.region_px & cv::Rect({}, picture.whole.size());
+    if (inside == picture.region_px && picture.region.size() == inside.size() &&
+        picture.region.type() == picture.whole.type())
+      picture.region.copyTo(picture.whole(inside));
+    return picture;
+  }
+
+  /// The newest JPEG up to that picture; nothing when none is near.
+  [[nodiscard]] std::vector<std::uint8_t> wholeAt(std::uint64_t index) const {
+    for (std::uint64_t back = 0; back <= std::min(index, kFarthestWhole); ++back) {
+      const auto row = tables_->row<PictureRow>(Table::pictures, index - back);
+      if (row.whole_bytes == 0) continue;
+      const std::string bytes = tables_->bytes(Table::picture_bytes, row.bytes_start, row.whole_bytes);
+      return {bytes.begin(), bytes.end()};
+    }
+    return {};
   }
 
   std::string path_;

@@ -47,7 +47,7 @@ struct Overview {
 struct RecordedPicture {
   double time_s = 0.0;
   std::uint64_t number = 0;
-  cv::Mat whole;   ///< as compressed
+  cv::Mat whole;   ///< what lies around the region as compressed, perhaps of an earlier picture; the region exactly
   cv::Mat region;  ///< exactly as the detector saw it
   cv::Rect region_px;
   sensing::FingerDetection finger;

@@ -1,6 +1,9 @@
 #include "core/session/recording_hdf5.h"
 
+#include <algorithm>
 #include <cstring>
+
+#include "core/session/recording_chunks.h"
 
 namespace fyd::session {
 namespace {
@@ -122,6 +125,7 @@ Hdf5Table Hdf5Table::create(hid_t file, const TableLayout& layout) {
                                  set_properties.id(), H5P_DEFAULT),
                       H5Dclose, layout.path);
   if (!layout.columns.empty()) writeUnits(table.set_.id(), layout);
+  table.whole_chunks_ = table.made_here_ = true;
   return table;
 }
 
@@ -133,6 +137,7 @@ Hdf5Table Hdf5Table::open(hid_t file, const TableLayout& layout) {
   const Handle stored(H5Dget_type(table.set_.id()), H5Tclose, layout.path);
   if (H5Tequal(stored.id(), table.type_.id()) <= 0)
     failHard("{}: its columns are not those of this format", layout.path);
+  table.whole_chunks_ = hasOurChunks(table.set_.id(), layout);
   table.readExtent();
   return table;
 }
@@ -152,21 +157,69 @@ void Hdf5Table::refresh() {
 
 void Hdf5Table::append(std::span<const std::byte> rows) {
   if (rows.empty()) return;
+  const hsize_t size = rows_ + rows.size() / layout_->row_bytes;
+  check(H5Dset_extent(set_.id(), &size), layout_->path);
+  if (made_here_)
+    appendChunks(rows);
+  else
+    appendRows(rows);
+  rows_ = size;
+}
+
+void Hdf5Table::appendChunks(std::span<const std::byte> rows) {
+  const std::size_t whole = layout_->chunk_rows * layout_->row_bytes;
+  std::uint64_t chunk = rows_ / layout_->chunk_rows;
+  while (!rows.empty()) {
+    const auto taken = rows.first(std::min(rows.size(), whole - unfinished_.size()));
+    rows = rows.subspan(taken.size());
+    unfinished_.insert(unfinished_.end(), taken.begin(), taken.end());
+    writeChunk(set_.id(), *layout_, chunk * layout_->chunk_rows, unfinished_);
+    if (unfinished_.size() < whole) break;
+    unfinished_.clear();
+    ++chunk;
+  }
+}
+
+void Hdf5Table::appendRows(std::span<const std::byte> rows) {
   const hsize_t first = rows_;
   const hsize_t count = rows.size() / layout_->row_bytes;
-  const hsize_t size = first + count;
-  check(H5Dset_extent(set_.id(), &size), layout_->path);
   const Handle space(H5Dget_space(set_.id()), H5Sclose, layout_->path);
   check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &first, nullptr, &count, nullptr), layout_->path);
   const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose, layout_->path);
   check(H5Dwrite(set_.id(), type_.id(), memory.id(), space.id(), H5P_DEFAULT, rows.data()), layout_->path);
-  rows_ = size;
 }
 
 void Hdf5Table::read(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const {
   if (first > rows_ || count > rows_ - first) failHard("{}: rows {}+{} of {}", layout_->path, first, count, rows_);
   if (out.size() != count * layout_->row_bytes) failHard("{}: room for other rows than asked", layout_->path);
   if (count == 0) return;
+  if (whole_chunks_)
+    readChunks(first, out);
+  else
+    readRows(first, count, out);
+}
+
+void Hdf5Table::readChunks(std::uint64_t first, std::span<std::byte> out) const {
+  const std::size_t row_bytes = layout_->row_bytes;
+  const std::size_t whole = layout_->chunk_rows * row_bytes;
+  while (!out.empty()) {
+    const std::uint64_t start = first / layout_->chunk_rows * layout_->chunk_rows;
+    const std::size_t skipped = (first - start) * row_bytes;
+    const auto wanted = out.first(std::min(out.size(), whole - skipped));
+    if (wanted.size() == whole) {
+      readChunk(set_.id(), *layout_, start, wanted);
+    } else {
+      static std::vector<std::byte> chunk;  // scratch, under the HDF5 lock
+      chunk.resize(whole);
+      readChunk(set_.id(), *layout_, start, chunk);
+      std::memcpy(wanted.data(), chunk.data() + skipped, wanted.size());
+    }
+    first = start + layout_->chunk_rows;
+    out = out.subspan(wanted.size());
+  }
+}
+
+void Hdf5Table::readRows(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const {
   const hsize_t start = first;
   const hsize_t length = count;
   const Handle space(H5Dget_space(set_.id()), H5Sclose, layout_->path);

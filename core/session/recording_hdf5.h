@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/session/recording_format.h"
@@ -90,10 +91,18 @@ class Hdf5Table {
 
  private:
   void readExtent();
+  void appendChunks(std::span<const std::byte> rows);
+  void appendRows(std::span<const std::byte> rows);
+  void readChunks(std::uint64_t first, std::span<std::byte> out) const;
+  void readRows(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const;
+
   const TableLayout* layout_ = nullptr;
   Handle set_;
   Handle type_;
   std::uint64_t rows_ = 0;
+  bool made_here_ = false;             // and so written chunk by chunk
+  bool whole_chunks_ = false;          // can be read past HDF5's filters
+  std::vector<std::byte> unfinished_;  // the last chunk's rows, while it is not full
 };
 
 /// Single texts, and numbers of the root group; absent or of another kind: RecordingFailure.

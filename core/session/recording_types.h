@@ -31,11 +31,11 @@ struct RecordingHeader {
   std::string version;     ///< of the program that records
 };
 
-/// One picture: the whole one compressed, the region of interest exactly as the detector saw it.
+/// One picture: the whole one compressed, of some pictures only; the region of interest exactly as the detector saw it.
 struct EncodedPicture {
   Instant taken{};
   std::uint64_t number = 0;          ///< the camera's
-  std::vector<std::uint8_t> whole;   ///< JPEG
+  std::vector<std::uint8_t> whole;   ///< JPEG; empty when an earlier one shows what lies around
   std::vector<std::uint8_t> region;  ///< PNG, without loss; empty when the region lies outside the picture
   cv::Rect region_px;                ///< of interest, in the whole picture
   sensing::FingerDetection finger;

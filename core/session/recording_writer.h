@@ -3,9 +3,9 @@
 //   FILE.partial        while the recording grows (and after a crash, until `recover`); same folder
 //   FILE                after `close`: whole
 //
-// Fixed datasets are made before writing begins; then again and again: rows → flush → fdatasync → commit row with the
-// row counts and a CRC32C of each dataset's new block → flush → fdatasync. A reader trusts committed rows only.
-// The layout stands in recording_format.h and in resources/manual/session.md.
+// Fixed datasets are made before writing begins; then again and again: rows and a commit row with the row counts and a
+// CRC32C of each dataset's new block → flush → all or nothing of it lasts. A reader trusts committed rows only.
+// The layout stands in recording_format.h and in resources/manual/recording-format.md.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // Everything a laboratory keeps of a touchpad between sessions: the step's parameters (calibrated values among them),
-// the link's, the simulation's, the devices', and what a calibration must reach. One TOML file.
+// the link's, the simulation's, the devices', the recorder's, and what a calibration must reach. One TOML file.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 #include "core/device/device_parameters.h"
 #include "core/pipeline/parameters.h"
 #include "core/protocol/link_parameters.h"
+#include "core/session/recorder_options.h"
 #include "core/sim/sim_parameters.h"
 
 namespace fyd::station {
@@ -19,6 +20,7 @@ struct Profile {
   sim::SimParameters sim;
   device::DeviceParameters device;
   calibration::CalibrationParameters calibration;
+  session::RecorderOptions session;
 
   /// The step's parameters come first, so that an index counts the same here and in the step.
   template <class Visitor>
@@ -28,6 +30,7 @@ struct Profile {
     sim.describe(v);
     device.describe(v);
     calibration.describe(v);
+    session.describe(v);
   }
 };
 

@@ -69,7 +69,8 @@ Station::Impl::Impl(const StationOptions& options, const std::optional<texture::
     : profile(options.profile),
       bound(bindParameters(profile)),
       pipeline(options.profile.step, surface),
-      recorder({}, options.profile.step, surface, describeForRecording(options, surface), recorderSource()),
+      recorder(options.profile.session, options.profile.step, surface, describeForRecording(options, surface),
+               recorderSource()),
       world(std::move(simulated_world)),
       touchpad(std::move(opened_touchpad), options.profile.device),
       camera(

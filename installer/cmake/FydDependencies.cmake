@@ -26,6 +26,7 @@ target_link_libraries(asio INTERFACE Threads::Threads)
 # Recordings, their exports and the catalogue.
 find_package(cereal REQUIRED)
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5)
+pkg_check_modules(isal REQUIRED IMPORTED_TARGET libisal)
 pkg_check_modules(matio REQUIRED IMPORTED_TARGET matio)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-svg)
 find_path(SOCI_INCLUDE_DIR soci/soci.h REQUIRED)

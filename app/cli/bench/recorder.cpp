@@ -113,7 +113,7 @@ Table bench_recorder() {
                    stationRow("simulated station, recorded", with)},
           .notes = {"Pushes at 1 kHz from a simulated session with one acceleration a step; the station runs 12 s each "
                     "way, with pictures. What the recorder's thread takes while it does not record is the second "
-                    "pipeline that follows the step."}};
+                    "pipeline that follows the step. The first seconds, in which the file is made, count as well."}};
 }
 
 }  // namespace fyd::bench

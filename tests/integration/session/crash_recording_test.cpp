@@ -9,7 +9,9 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
+#include "core/session/picture_history.h"
 #include "core/session/recording_disk.h"
 #include "core/session/recording_place.h"
 #include "core/session/recording_writer_on_disk.h"
@@ -42,6 +44,8 @@ std::uint64_t expectPlain(const Recording& recording, std::uint64_t at_least) {
   return rows;
 }
 
+constexpr std::uint64_t kStepsPerPicture = 33;
+
 std::uint64_t expectCrashedAndWhole(const std::string& file, std::uint64_t at_least) {
   const auto recording = Recording::open(file);
   if (!recording) {
@@ -51,13 +55,46 @@ std::uint64_t expectCrashedAndWhole(const std::string& file, std::uint64_t at_le
   return expectPlain(**recording, at_least);
 }
 
-/// Records plain steps until it is killed, telling through the pipe what was committed.
+const cv::Rect kRegion(10, 5, 40, 30);
+
+/// A picture that tells its number.
+cv::Mat plainPicture(std::uint64_t number) {
+  cv::Mat picture(48, 64, CV_8UC1);
+  cv::RNG random(number + 1);
+  random.fill(picture, cv::RNG::UNIFORM, 0, 255);
+  return picture;
+}
+
+/// Every third picture has the whole beside its region.
+EncodedPicture plainEncoded(std::uint64_t number) {
+  return encodePicture({.picture = plainPicture(number),
+                        .region_px = kRegion,
+                        .taken = plainStep(number * kStepsPerPicture).inputs.now,
+                        .number = number},
+                       number % 3 == 0);
+}
+
+/// Every committed picture is the one it was, and all up to the last committed step are there.
+void expectPlainPictures(const Recording& recording) {
+  const RecordingInfo& info = recording.info();
+  EXPECT_GE(info.frames * kStepsPerPicture + kStepsPerPicture, info.committed_samples);
+  for (std::uint64_t i = 0; i < info.frames; ++i) {
+    const auto picture = recording.picture(i);
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_EQ(picture->number, i);
+    EXPECT_EQ(cv::norm(picture->region, plainPicture(i)(kRegion), cv::NORM_INF), 0.0);
+    EXPECT_EQ(cv::norm(picture->whole(kRegion), picture->region, cv::NORM_INF), 0.0);
+  }
+}
+
+/// Records plain steps and pictures until it is killed, telling through the pipe what was committed.
 [[noreturn]] void recordForEver(const std::string& file, int tell) {
   auto writer = RecordingWriter::create(file, header());
   if (!writer) ::_exit(1);
   std::uint64_t told = 0;
   (void)!::write(tell, &told, sizeof told);
   for (std::uint64_t row = 0;; ++row) {
+    if (row % kStepsPerPicture == 0 && !(*writer)->append(plainEncoded(row / kStepsPerPicture))) ::_exit(3);
     if (!(*writer)->append(plainStep(row))) ::_exit(2);
     if ((*writer)->committedSteps() == told) continue;
     told = (*writer)->committedSteps();
@@ -107,6 +144,7 @@ TEST(CrashRecording, AKilledRecorderLosesNothingItAcknowledged) {
     ASSERT_TRUE(whole) << whole.error().message;
     EXPECT_EQ((*whole)->info().wholeness, Wholeness::whole);
     EXPECT_EQ(expectPlain(**whole, acknowledged), rows);
+    expectPlainPictures(**whole);
     EXPECT_FALSE(std::filesystem::exists(partialOf(folder.file())));
     if (HasFailure()) break;
   }

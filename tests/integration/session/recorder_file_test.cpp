@@ -19,7 +19,7 @@ TEST_F(Recorded, EverythingSinceTheStartIsInTheFile) {
       recorder->begin({.path = file("a.h5"), .operator_name = "Ada", .subject = "S1", .tags = {"soft", "dry"}}));
   EXPECT_EQ(recorder->status().state, RecorderState::recording);
   run(2.3);
-  recorder->note(NoteKind::bookmark, "here");
+  ASSERT_TRUE(recorder->note(NoteKind::bookmark, "here"));
   ASSERT_TRUE(recorder->end());
   const RecorderStatus status = recorder->status();
   EXPECT_EQ(status.state, RecorderState::idle);
@@ -161,6 +161,34 @@ TEST_F(Recorded, ALoopThatOutrunsTheRecorderNeitherWaitsNorHidesIt) {
   for (int i = 0; i < 500 && unread.status().lost == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_GT(unread.status().lost, 0U);
   EXPECT_LT(unread.status().lost, 18'000U) << "two seconds fit at least";
+}
+
+TEST_F(Recorded, WholePicturesComeAtTheirRateAndRegionsWithEveryOne) {
+  startRecorder({.whole_pictures_Hz = 10.0});
+  run(1.0);
+  const cv::Rect region(50, 45, 220, 150);
+  std::vector<cv::Mat> pictures;
+  for (int i = 0; i < 24; ++i) {
+    cv::Mat picture(240, 320, CV_8UC1, cv::Scalar(10 * i));
+    cv::randu(picture(region), 0, 255);
+    pictures.push_back(picture);
+    recorder->offerPicture(picture, region, {}, samples.front().now + std::chrono::milliseconds(33 * i),
+                           static_cast<std::uint64_t>(i));
+  }
+  ASSERT_TRUE(recorder->begin({.path = file("wholes.h5")}));
+  run(0.3);
+  ASSERT_TRUE(recorder->end());
+  const auto recording = open("wholes.h5");
+  ASSERT_TRUE(recording);
+  ASSERT_EQ(recording->info().frames, pictures.size());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const auto back = recording->picture(i);
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(cv::norm(back->region, pictures[i](region), cv::NORM_INF), 0.0);
+    EXPECT_EQ(cv::norm(back->whole(region), back->region, cv::NORM_INF), 0.0) << "the region is never an older one";
+    const int around = back->whole.at<std::uint8_t>(0, 0);
+    EXPECT_NEAR(around, 10.0 * static_cast<double>(i / 3 * 3), 2.0) << "every third whole at 30 in a second";
+  }
 }
 
 TEST_F(Recorded, PicturesComeBackAsTheDetectorSawThem) {

@@ -12,6 +12,7 @@
 #include "core/base/profile_text.h"
 #include "core/session/recorder.h"
 #include "core/session/recording.h"
+#include "core/session/recording_disk.h"
 #include "core/session/replay.h"
 #include "core/sim/lockstep.h"
 
@@ -43,6 +44,7 @@ class Recorded : public testing::Test {
                             return formatProfile(bindParameters(copy));
                           },
                       .link = {}});
+    if (disk) recorder->writeThrough(disk);
     recorder->start();
     lockstep = std::make_unique<sim::Lockstep>(options);
     lockstep->spoil = [this](pipeline::Inputs& in) {
@@ -81,6 +83,7 @@ class Recorded : public testing::Test {
 
   std::filesystem::path folder;
   sim::LockstepOptions options = usual();
+  std::shared_ptr<DiskCalls> disk;
   std::unique_ptr<Recorder> recorder;
   std::unique_ptr<sim::Lockstep> lockstep;
   pipeline::Inputs inputs;
