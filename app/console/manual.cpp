@@ -22,6 +22,8 @@ constexpr Topic kWidgets[] = {
     {"fyd::widgets::RobotForm", "operate.md#link"},
     {"fyd::widgets::CameraPanel", "operate.md#camera"},
     {"fyd::widgets::CurveView", "operate.md#curves"},
+    {"fyd::widgets::CurveSetupPanel", "operate.md#curves"},
+    {"fyd::widgets::SpectrumView", "operate.md#curves"},
     {"fyd::widgets::TuningPanel", "operate.md#tuning"},
     {"fyd::widgets::TuningList", "tuning.md#a-value"},
     {"fyd::widgets::TuningCompare", "tuning.md#a-and-b"},
