@@ -46,9 +46,9 @@ class StationSession : public Session {
     return station_ ? station_->devices() : std::vector<device::DeviceReport>{};
   }
 
-  Result<void> startDeviceTest(device::DeviceTest test) override {
+  Result<void> startDeviceTest(device::DeviceTest test, double stretch_deg) override {
     if (!station_) return fail("device test: the session is closed");
-    return station_->startDeviceTest(test);
+    return station_->startDeviceTest(test, stretch_deg);
   }
   void keepDeviceTest() override {
     if (station_) station_->keepDeviceTest();

@@ -38,7 +38,7 @@ class Session {
   [[nodiscard]] virtual std::vector<station::ReadinessLine> readiness() const = 0;
   [[nodiscard]] virtual std::vector<device::DeviceReport> devices() const = 0;
 
-  [[nodiscard]] virtual Result<void> startDeviceTest(device::DeviceTest test) = 0;
+  [[nodiscard]] virtual Result<void> startDeviceTest(device::DeviceTest test, double stretch_deg) = 0;
   virtual void keepDeviceTest() = 0;
   virtual void stopDeviceTest() = 0;
   [[nodiscard]] virtual station::DeviceTestStatus deviceTestStatus() const = 0;

@@ -16,23 +16,55 @@ constexpr double kVibration_s = 0.5;
 constexpr double kVibrationRamp_s = 0.1;
 constexpr double kVibration_Hz = 150.0;
 
-double motionLength_s(DeviceTest test) { return test == DeviceTest::vibration ? kVibration_s : kMotion_s; }
+constexpr double kStretchSpeed_deg_s = 10.0;  // on average; π/2 times that at most
+constexpr double kStretchLeast_s = 0.5;
+constexpr double kStretchHold_s = 60.0;
+constexpr double kSweepLevel_s = 1.2;
+constexpr double kSweepMove_s = 0.4;
+constexpr double kSettled_s = 0.3;
+
+/// 0 to 1 with no speed at both ends.
+double eased(double share) { return 0.5 * (1.0 - std::cos(std::numbers::pi * std::clamp(share, 0.0, 1.0))); }
+
+/// Stretch of a level of the sweep: 0, 5, … 30, … 5, 0.
+double sweepLevel_deg(double level) {
+  constexpr double kTop = kSweepTop_deg / kSweepStep_deg;
+  return kSweepStep_deg * std::max(0.0, kTop - std::abs(level - kTop));
+}
+
+constexpr double kSweepLevels = 2.0 * kSweepTop_deg / kSweepStep_deg + 1.0;
 
 }  // namespace
 
 Result<TestMotion> TestMotion::plan(DeviceTest test, const std::array<double, control::kMotorCount>& motor_deg,
-                                    double motor_limit_deg) {
+                                    double motor_limit_deg, double stretch_deg) {
   if (static_cast<std::size_t>(test) >= kDeviceTestNames.size()) {
     return fail("device test {}: there is none of this number", static_cast<int>(test));
+  }
+  TestMotion out;
+  out.test_ = test;
+  out.rest_deg_ = motor_deg;
+  if (test == DeviceTest::sweep) {
+    out.rest_deg_ = {};
+    out.length_s_ = kSweepLevels * kSweepLevel_s;
+    return out;
   }
   for (std::size_t i = 0; i < motor_deg.size(); ++i) {
     if (std::abs(motor_deg[i]) <= motor_limit_deg) continue;  // false for NaN
     return fail("motor {} stands at {:.1f}°, beyond control.motor_limit_deg = {:.0f}: check the encoder's zero", i + 1,
                 motor_deg[i], motor_limit_deg);
   }
-  TestMotion out;
-  out.test_ = test;
-  out.rest_deg_ = motor_deg;
+  if (test == DeviceTest::stretch) {
+    if (!(std::abs(stretch_deg) <= motor_limit_deg)) {
+      return fail("stretch {:g}°: beyond control.motor_limit_deg = {:.0f}", stretch_deg, motor_limit_deg);
+    }
+    out.stretch_deg_ = stretch_deg;
+    const double way = std::max(std::abs(stretch_deg - motor_deg[0]), std::abs(stretch_deg + motor_deg[1]));
+    out.travel_s_ = std::max(kStretchLeast_s, way / kStretchSpeed_deg_s);
+    out.length_s_ = out.travel_s_ + kStretchHold_s;
+    return out;
+  }
+  out.length_s_ = test == DeviceTest::vibration ? kVibration_s : kMotion_s;
   if (test != DeviceTest::vibration) {
     const double rest = motor_deg[static_cast<std::size_t>(test)];
     out.travel_deg_ = rest + kTestTravel_deg <= motor_limit_deg ? kTestTravel_deg : -kTestTravel_deg;
@@ -40,16 +72,30 @@ Result<TestMotion> TestMotion::plan(DeviceTest test, const std::array<double, co
   return out;
 }
 
-Duration TestMotion::length() const { return fromSeconds(kRestBefore_s + motionLength_s(test_) + kRestAfter_s); }
+Duration TestMotion::length() const { return fromSeconds(kRestBefore_s + length_s_ + kRestAfter_s); }
 
 std::array<double, control::kMotorCount> TestMotion::anglesAt(Duration since_start) const {
   std::array<double, control::kMotorCount> out = rest_deg_;
-  const double t = std::clamp(toSeconds(since_start) - kRestBefore_s, 0.0, motionLength_s(test_));
-  if (test_ != DeviceTest::vibration) {
-    out[static_cast<std::size_t>(test_)] +=
-        travel_deg_ * 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * t / kMotion_s));
+  const double t = std::clamp(toSeconds(since_start) - kRestBefore_s, 0.0, length_s_);
+  if (test_ == DeviceTest::vibration) return out;
+  if (test_ == DeviceTest::sweep) {
+    const double level = std::floor(t / kSweepLevel_s);
+    const double share = eased((t - level * kSweepLevel_s) / kSweepMove_s);
+    const double before = sweepLevel_deg(level - 1.0);
+    const double stretch = before + (sweepLevel_deg(level) - before) * share;
+    return {stretch, -stretch};
   }
+  if (test_ == DeviceTest::stretch) {
+    const double share = eased(t / travel_s_);
+    return {out[0] + (stretch_deg_ - out[0]) * share, out[1] + (-stretch_deg_ - out[1]) * share};
+  }
+  out[static_cast<std::size_t>(test_)] += travel_deg_ * 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * t / kMotion_s));
   return out;
+}
+
+bool TestMotion::restsAt(Duration since_start) const {
+  return since_start >= fromSeconds(kSettled_s) &&
+         anglesAt(since_start) == anglesAt(since_start - fromSeconds(kSettled_s));
 }
 
 std::optional<control::MotorCommand> TestMotion::at(Duration since_start) const {

@@ -4,7 +4,12 @@
 //                      1.6°/s at most; inward when 2° outward would pass the motor's limit
 //   vibration          0.3 s at rest, 0.5 s of both motors at 150 Hz and 10 % duty, rising and falling over 0.1 s
 //
-// The rest is where the motors stand at the start, so that nothing moves by switching them on.
+//   stretch            0.3 s at rest, then both motors to a stretch at 16°/s at most, and there for a minute
+//   sweep              both motors by steps of 5° from stretch 0 to 30° and back, 1.2 s a step: for the encoders
+//
+// The rest is where the motors stand at the start, so that nothing moves by switching them on. The sweep begins at the
+// motors' own zero instead: it is made to find the encoders' zeros and signs, so they are not believed. The cloth is
+// slack there, and that is where motors that are off stand anyway.
 #pragma once
 
 #include <array>
@@ -18,30 +23,43 @@
 
 namespace fyd::device {
 
-enum class DeviceTest : std::uint8_t { motor_1, motor_2, vibration };
-inline constexpr std::array<std::string_view, 3> kDeviceTestNames = {"motor 1", "motor 2", "vibration"};
+enum class DeviceTest : std::uint8_t { motor_1, motor_2, vibration, stretch, sweep };
+inline constexpr std::array<std::string_view, 5> kDeviceTestNames = {"motor 1", "motor 2", "vibration", "stretch",
+                                                                     "sweep"};
+/// The first of them try one part each; stretch and sweep are for calibrations.
+inline constexpr std::size_t kPartTests = 3;
 
 inline constexpr double kTestTravel_deg = 2.0;
 inline constexpr double kTestDuty_percent = 10.0;
+inline constexpr double kSweepTop_deg = 30.0;
+inline constexpr double kSweepStep_deg = 5.0;
 
 class TestMotion {
  public:
   /// @param motor_deg where the motors stand now, from the profile's zeros
-  /// @return an error when an angle is no number or lies beyond the limit
+  /// @param stretch_deg where `stretch` goes; the others ignore it
+  /// @return an error when an angle is no number or lies beyond the limit; where the motors stand matters not to a
+  /// sweep
   [[nodiscard]] static Result<TestMotion> plan(DeviceTest test,
                                                const std::array<double, control::kMotorCount>& motor_deg,
-                                               double motor_limit_deg);
+                                               double motor_limit_deg, double stretch_deg = 0.0);
 
   [[nodiscard]] Duration length() const;
   /// The command at this time after the start; nothing before 0 and from `length` on: the motors are off then.
   [[nodiscard]] std::optional<control::MotorCommand> at(Duration since_start) const;
   /// Angles that `at` asks for, degrees.
   [[nodiscard]] std::array<double, control::kMotorCount> anglesAt(Duration since_start) const;
+  /// Whether `anglesAt` has not changed for 0.3 s, so that the motors stand there.
+  [[nodiscard]] bool restsAt(Duration since_start) const;
+  [[nodiscard]] DeviceTest test() const { return test_; }
 
  private:
   DeviceTest test_ = DeviceTest::motor_1;
   std::array<double, control::kMotorCount> rest_deg_{};
   double travel_deg_ = 0.0;
+  double stretch_deg_ = 0.0;
+  double travel_s_ = 0.0;  ///< of `stretch` until it is there
+  double length_s_ = 0.0;  ///< of the motion between the rests
 };
 
 }  // namespace fyd::device

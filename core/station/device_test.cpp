@@ -10,6 +10,7 @@ namespace {
 
 constexpr Duration kLongestGap = std::chrono::milliseconds(20);
 constexpr double kOffCourse_deg = 10.0;
+constexpr Duration kFirstStep = std::chrono::milliseconds(1100);  // a sweep rests at 0 until 1.5 s
 
 bool has(const pipeline::Lacks& lacks, pipeline::Lack lack) { return lacks.test(static_cast<std::size_t>(lack)); }
 
@@ -28,18 +29,23 @@ std::string_view DeviceTestRunner::words(End end) {
     case End::off_course: return "ended: a motor was not where it was sent; check its encoder and that it can turn";
     case End::not_now: return "the motors are not free: stop the session first";
     case End::beyond_limit: return "a motor stands beyond control.motor_limit_deg: check the encoder's zero";
+    case End::beyond_travel:
+      return "the stretch lies outside control.travel_minimum_deg and control.travel_maximum_deg";
   }
   return "";
 }
 
-Result<void> DeviceTestRunner::start(device::DeviceTest test, Instant now) {
+Result<void> DeviceTestRunner::start(device::DeviceTest test, Instant now, double stretch_deg) {
   const auto index = static_cast<std::size_t>(test);
   if (index >= device::kDeviceTestNames.size()) return fail("device test {}: there is none of this number", index);
   stop();
   if (const End refused = refused_now_.load(std::memory_order_relaxed); refused != End::none) {
     return fail("device test '{}': {}", device::kDeviceTestNames[index], words(refused));
   }
+  if (!std::isfinite(stretch_deg))
+    return fail("device test '{}': {}", device::kDeviceTestNames[index], words(End::beyond_travel));
   keep(now);
+  wanted_stretch_deg_.store(stretch_deg, std::memory_order_relaxed);
   asked_ = (++presses_ << 8U) | static_cast<std::uint32_t>(index) | 0x80U;  // never 0
   request_.store(asked_, std::memory_order_release);
   return {};
@@ -56,6 +62,11 @@ DeviceTestStatus DeviceTestRunner::status() const {
   out.running = waiting || end == End::running;
   out.progress = taken_up ? progress_.load(std::memory_order_relaxed) : 0.0;
   out.words = words(waiting ? End::running : end);
+  if (!taken_up || !out.running) return out;
+  for (std::size_t i = 0; i < out.commanded_deg.size(); ++i) {
+    out.commanded_deg[i] = commanded_deg_[i].load(std::memory_order_relaxed);
+  }
+  out.resting = resting_.load(std::memory_order_acquire);
   return out;
 }
 
@@ -78,11 +89,23 @@ DeviceTestRunner::End DeviceTestRunner::check(const pipeline::Inputs& inputs, co
   if (inputs.now - last_step_ > kLongestGap || inputs.now < last_step_) return End::steps_missing;
   const Instant kept{Duration(kept_.load(std::memory_order_relaxed))};
   if (request_.load(std::memory_order_acquire) != seen_ || inputs.now - kept > kHold) return End::released;
-  const auto wanted = motion_->anglesAt(inputs.now - started_);
+  return follows(inputs.now - started_, motor_deg) ? End::running : End::off_course;
+}
+
+bool DeviceTestRunner::follows(Duration elapsed, const std::array<double, control::kMotorCount>& motor_deg) const {
+  const auto wanted = motion_->anglesAt(elapsed);
+  const bool sweep = motion_->test() == device::DeviceTest::sweep;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (!(std::abs(wanted[i] - motor_deg[i]) <= kOffCourse_deg)) return End::off_course;
+    double away = wanted[i] - motor_deg[i];
+    if (sweep) {
+      // Until the first step the motor is on its way to its own zero, and anything but silence is well.
+      const double turned =
+          elapsed < kFirstStep ? 0.0 : std::abs(std::remainder(motor_deg[i] - swept_from_deg_[i], 360.0));
+      away = std::isfinite(motor_deg[i]) ? std::abs(wanted[i]) - turned : motor_deg[i];
+    }
+    if (!(std::abs(away) <= kOffCourse_deg)) return false;
   }
-  return End::running;
+  return true;
 }
 
 void DeviceTestRunner::end(End why) {
@@ -97,14 +120,22 @@ void DeviceTestRunner::begin(const pipeline::Inputs& inputs, const pipeline::Out
     end(refused);
     return;
   }
-  const bool within =
-      std::ranges::all_of(motor_deg, [&](double angle) { return std::abs(angle) <= parameters.motor_limit_deg; });
+  const auto test = static_cast<device::DeviceTest>(seen_ & 0x7FU);
+  const double stretch_deg = wanted_stretch_deg_.load(std::memory_order_relaxed);
+  const bool within = test == device::DeviceTest::sweep || std::ranges::all_of(motor_deg, [&](double angle) {
+                        return std::abs(angle) <= parameters.motor_limit_deg;
+                      });
   if (!within) {  // asked here, because a refusal in words would allocate
     end(End::beyond_limit);
     return;
   }
-  const auto planned =
-      device::TestMotion::plan(static_cast<device::DeviceTest>(seen_ & 0x7FU), motor_deg, parameters.motor_limit_deg);
+  if (test == device::DeviceTest::stretch &&
+      !(stretch_deg >= parameters.travel_minimum_deg && stretch_deg <= parameters.travel_maximum_deg &&
+        stretch_deg <= parameters.motor_limit_deg)) {
+    end(End::beyond_travel);
+    return;
+  }
+  const auto planned = device::TestMotion::plan(test, motor_deg, parameters.motor_limit_deg, stretch_deg);
   if (!planned) {
     end(End::not_now);
     return;
@@ -137,6 +168,10 @@ std::optional<control::MotorCommand> DeviceTestRunner::step(const pipeline::Inpu
   last_step_ = inputs.now;
   const Duration elapsed = inputs.now - started_;
   progress_.store(toSeconds(elapsed) / toSeconds(motion_->length()), std::memory_order_relaxed);
+  if (elapsed < kFirstStep) swept_from_deg_ = motor_deg;
+  const auto angles = motion_->anglesAt(elapsed);
+  for (std::size_t i = 0; i < angles.size(); ++i) commanded_deg_[i].store(angles[i], std::memory_order_relaxed);
+  resting_.store(motion_->restsAt(elapsed), std::memory_order_release);
   const auto command = motion_->at(elapsed);
   if (!command) end(End::finished);
   return command;

@@ -2,7 +2,9 @@
 //
 // It runs in Connected, Ready and Stopped. It ends by itself, and by: the button's release or 0.5 s without a sign of
 // it, any stop or arm, any change of the safety state, a motor board that falls silent, 20 ms without a step, a motor
-// 10° away from where it was sent. Nothing starts it again but the next press.
+// 10° away from where it was sent. Nothing starts it again but the next press. A sweep believes neither zero nor sign
+// of an encoder: there a motor must turn as far as it was sent from the first step of the sweep on, whichever way it
+// counts.
 #pragma once
 
 #include <atomic>
@@ -19,9 +21,11 @@ namespace fyd::station {
 /// As an operator reads it.
 struct DeviceTestStatus {
   bool running = false;
-  device::DeviceTest test = device::DeviceTest::motor_1;  ///< the last one asked for
-  double progress = 0.0;                                  ///< 0…1
-  std::string words;                                      ///< "running", or how the last one ended; empty before it
+  device::DeviceTest test = device::DeviceTest::motor_1;     ///< the last one asked for
+  double progress = 0.0;                                     ///< 0…1
+  std::string words;                                         ///< "running", or how the last one ended; empty before it
+  std::array<double, control::kMotorCount> commanded_deg{};  ///< where the motors are sent; of the running one
+  bool resting = false;                                      ///< and stand there since 0.3 s
 };
 
 class DeviceTestRunner {
@@ -29,8 +33,9 @@ class DeviceTestRunner {
   static constexpr Duration kHold = std::chrono::milliseconds(500);  ///< longest silence of a held button
 
   // the operator's thread
+  /// @param stretch_deg where `stretch` goes, within control.travel_minimum_deg and travel_maximum_deg
   /// @return an error when it may not run now; a test that is running is ended by it
-  [[nodiscard]] Result<void> start(device::DeviceTest test, Instant now);
+  [[nodiscard]] Result<void> start(device::DeviceTest test, Instant now, double stretch_deg = 0.0);
   /// The button is still held.
   void keep(Instant now) { kept_.store(now.time_since_epoch().count(), std::memory_order_relaxed); }
   void stop() { request_.store(0, std::memory_order_release); }
@@ -56,11 +61,13 @@ class DeviceTestRunner {
     off_course,
     not_now,
     beyond_limit,
+    beyond_travel,
   };
   [[nodiscard]] static std::string_view words(End end);
   [[nodiscard]] static End refusal(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs);
   [[nodiscard]] End check(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs,
                           const std::array<double, control::kMotorCount>& motor_deg) const;
+  [[nodiscard]] bool follows(Duration elapsed, const std::array<double, control::kMotorCount>& motor_deg) const;
   void begin(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs,
              const control::ControlParameters& parameters, const std::array<double, control::kMotorCount>& motor_deg);
   void end(End why);
@@ -71,6 +78,9 @@ class DeviceTestRunner {
   std::atomic<End> refused_now_{End::not_now};
   std::atomic<std::uint64_t> outcome_{0};  // number of the press above, End in the low byte
   std::atomic<double> progress_{0.0};
+  std::atomic<double> wanted_stretch_deg_{0.0};  // of the press above
+  std::array<std::atomic<double>, control::kMotorCount> commanded_deg_{};
+  std::atomic<bool> resting_{false};
 
   // the operator's
   std::uint32_t presses_ = 0;
@@ -79,6 +89,7 @@ class DeviceTestRunner {
   // the loop's
   std::uint32_t seen_ = 0;  // the last request it took up
   std::optional<device::TestMotion> motion_;
+  std::array<double, control::kMotorCount> swept_from_deg_{};  // what the encoders said at the sweep's first rest
   Instant started_{};
   Instant last_step_{};
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;

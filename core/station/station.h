@@ -159,8 +159,9 @@ class Station {
 
   /// A small, slow motion on an operator's held button, from the operator's thread; see device_test.h for what ends it.
   /// While the button is held `keepDeviceTest` has to be called at least every 0.3 s; its release is `stopDeviceTest`.
+  /// @param stretch_deg where device::DeviceTest::stretch goes; the others ignore it
   /// @return an error when it may not run now: the session holds the motors, or they do not answer
-  [[nodiscard]] Result<void> startDeviceTest(device::DeviceTest test);
+  [[nodiscard]] Result<void> startDeviceTest(device::DeviceTest test, double stretch_deg = 0.0);
   void keepDeviceTest();
   void stopDeviceTest();
   [[nodiscard]] DeviceTestStatus deviceTestStatus() const;

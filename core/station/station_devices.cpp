@@ -12,8 +12,8 @@ std::vector<device::DeviceReport> Station::devices() const {
   return out;
 }
 
-Result<void> Station::startDeviceTest(device::DeviceTest test) {
-  auto started = impl_->device_test.start(test, Clock::now());
+Result<void> Station::startDeviceTest(device::DeviceTest test, double stretch_deg) {
+  auto started = impl_->device_test.start(test, Clock::now(), stretch_deg);
   if (started) spdlog::info("Device test '{}' started", device::kDeviceTestNames[static_cast<std::size_t>(test)]);
   return started;
 }

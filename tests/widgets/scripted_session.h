@@ -39,9 +39,10 @@ class ScriptedSession : public console::Session {
   station::StationStatus status() const override { return now; }
   std::vector<station::ReadinessLine> readiness() const override { return lines; }
   std::vector<device::DeviceReport> devices() const override { return reports; }
-  Result<void> startDeviceTest(device::DeviceTest test) override {
+  Result<void> startDeviceTest(device::DeviceTest test, double stretch_deg) override {
     if (refuses) return fail("device test: refused by the script");
     tests.push_back(test);
+    stretches.push_back(stretch_deg);
     test_status = {.running = true, .test = test, .progress = 0.0, .words = "running"};
     return {};
   }
@@ -110,6 +111,7 @@ class ScriptedSession : public console::Session {
   std::vector<double> finger;
   std::vector<device::DeviceReport> reports;
   std::vector<device::DeviceTest> tests;
+  std::vector<double> stretches;  ///< asked for with each of them
   station::DeviceTestStatus test_status;
   int keeps = 0;
   int test_stops = 0;

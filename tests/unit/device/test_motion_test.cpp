@@ -70,6 +70,40 @@ TEST(TestMotion, AtTheLimitItGoesInwardAndBeyondItNotAtAll) {
   EXPECT_FALSE(TestMotion::plan(static_cast<DeviceTest>(9), kRest, 120.0));
 }
 
+TEST(TestMotion, StretchGoesThereSlowlyFromWhereverTheMotorsStandAndWaits) {
+  const auto motion = TestMotion::plan(DeviceTest::stretch, kRest, 120.0, 60.0);
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion->anglesAt(ms(0)), kRest);
+  auto before = kRest;
+  Duration there{};
+  for (Duration t{}; t < motion->length(); t += ms(1)) {
+    const auto angles = motion->anglesAt(t);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_LE(std::abs(angles[i] - before[i]), 16e-3) << "16°/s";
+    EXPECT_FALSE(motion->restsAt(t) && angles != motion->anglesAt(t - ms(300)));
+    if (there == Duration{} && t > ms(500) && motion->restsAt(t)) there = t;
+    before = angles;
+  }
+  EXPECT_NEAR(before[0], 60.0, 1e-9);
+  EXPECT_NEAR(before[1], -60.0, 1e-9);
+  EXPECT_LT(there, std::chrono::seconds(5));
+  EXPECT_GE(motion->length() - there, std::chrono::seconds(59)) << "long enough to press";
+  EXPECT_FALSE(motion->at(motion->length()));
+  EXPECT_FALSE(TestMotion::plan(DeviceTest::stretch, kRest, 120.0, 121.0));
+  EXPECT_FALSE(TestMotion::plan(DeviceTest::stretch, kRest, 120.0, std::nan("")));
+}
+
+TEST(TestMotion, ASweepClimbsByStepsAndComesBackAndNeedsNoEncoder) {
+  const auto motion = TestMotion::plan(DeviceTest::sweep, {std::nan(""), 170.0}, 120.0);
+  ASSERT_TRUE(motion);
+  std::vector<double> rests;
+  for (Duration t{}; t < motion->length(); t += ms(1)) {
+    const auto angles = motion->anglesAt(t);
+    EXPECT_EQ(angles[1], -angles[0]);
+    if (motion->restsAt(t) && (rests.empty() || rests.back() != angles[0])) rests.push_back(angles[0]);
+  }
+  EXPECT_EQ(rests, (std::vector<double>{0, 5, 10, 15, 20, 25, 30, 25, 20, 15, 10, 5, 0}));
+}
+
 /// A camera whose driver knows some controls.
 struct Driver {
   std::map<int, double> share;

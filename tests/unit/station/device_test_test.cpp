@@ -34,7 +34,8 @@ struct Loop {
     if (command && follows) {
       for (std::size_t i = 0; i < 2; ++i) {
         const double deg = command->reference_ticks[i] / control::kTicksPerDegree;
-        counts[i] = static_cast<std::uint16_t>(std::lround(deg * control::kEncoderCountsPerDegree) & 0xFFF);
+        const double turned = deg * control::kEncoderCountsPerDegree * (inverted ? -1.0 : 1.0);
+        counts[i] = static_cast<std::uint16_t>(std::lround(turned + zero_counts) & 0xFFF);
       }
     }
     return command.has_value();
@@ -44,9 +45,9 @@ struct Loop {
     for (int i = 0; i < steps; ++i) moved += step() ? 1 : 0;
     return moved;
   }
-  Result<void> press(DeviceTest test = DeviceTest::motor_1) {
+  Result<void> press(DeviceTest test = DeviceTest::motor_1, double stretch_deg = 0.0) {
     held = true;
-    return runner.start(test, inputs.now);
+    return runner.start(test, inputs.now, stretch_deg);
   }
   std::string words() const { return runner.status().words; }
 
@@ -59,6 +60,8 @@ struct Loop {
   bool held = false;
   bool encoders_answer = true;
   bool follows = true;
+  bool inverted = false;
+  double zero_counts = 0.0;
 };
 
 TEST(DeviceTestRunner, RunsOnceFromWhereTheMotorsStandAndEndsByItself) {
@@ -153,6 +156,48 @@ TEST(DeviceTestRunner, AMotorBeyondItsLimitIsNotMoved) {
   ASSERT_TRUE(loop.press());
   EXPECT_EQ(loop.run(10), 0);
   EXPECT_THAT(loop.words(), HasSubstr("motor_limit_deg"));
+}
+
+TEST(DeviceTestRunner, AStretchIsHeldAsLongAsTheButtonAndNoLonger) {
+  Loop loop;
+  ASSERT_TRUE(loop.press(DeviceTest::stretch, 45.0));
+  EXPECT_EQ(loop.run(8000), 8000);
+  EXPECT_TRUE(loop.runner.status().resting);
+  EXPECT_NEAR(loop.runner.status().commanded_deg[0], 45.0, 1e-9);
+  EXPECT_NEAR(loop.runner.status().commanded_deg[1], -45.0, 1e-9);
+  loop.runner.stop();
+  EXPECT_FALSE(loop.step());
+  EXPECT_FALSE(loop.runner.status().resting);
+  for (const double beyond : {19.0, 91.0}) {
+    ASSERT_TRUE(loop.press(DeviceTest::stretch, beyond));
+    EXPECT_EQ(loop.run(10), 0) << beyond;
+    EXPECT_THAT(loop.words(), HasSubstr("travel_maximum_deg"));
+  }
+  EXPECT_FALSE(loop.press(DeviceTest::stretch, std::nan("")));
+}
+
+TEST(DeviceTestRunner, ASweepBelievesNeitherZeroNorSignButNeedsAMotorThatTurns) {
+  for (const bool inverted : {false, true}) {
+    for (const double zero : {0.0, 1500.0, 2048.0, 4090.0}) {
+      Loop loop;
+      loop.inverted = inverted;
+      loop.zero_counts = zero;
+      loop.counts.fill(static_cast<std::uint16_t>(zero));
+      ASSERT_TRUE(loop.press(DeviceTest::sweep));
+      EXPECT_GT(loop.run(20'000), 15'000) << zero << loop.words();
+      EXPECT_EQ(loop.words(), "finished");
+    }
+  }
+  Loop stuck;
+  stuck.follows = false;
+  ASSERT_TRUE(stuck.press(DeviceTest::sweep));
+  EXPECT_LT(stuck.run(20'000), 6000) << "within the third step of 5°";
+  EXPECT_THAT(stuck.words(), HasSubstr("not where it was sent"));
+  Loop silent;
+  ASSERT_TRUE(silent.press(DeviceTest::sweep));
+  silent.run(500);
+  silent.counts[1] = 5000;
+  EXPECT_FALSE(silent.step());
 }
 
 TEST(DeviceTestRunner, ASecondPressEndsTheFirstTest) {
