@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "core/station/calibration_file.h"
+#include "core/station/calibration_report.h"
 
 namespace fyd::cli {
 namespace {
@@ -45,6 +46,12 @@ void printCalibrateReport(const nlohmann::ordered_json& json) {
   std::cout << (json["accepted"].get<bool>() ? "accepted: " : "refused: ") << json["reason"].get<std::string>() << '\n';
 }
 
+/// Records the profile has already, for the report's "before"; none without a report or a profile.
+std::vector<calibration::CalibrationRecord> recordsBefore(const CalibrateOptions& options) {
+  if (options.report.empty() || options.profile.empty()) return {};
+  return valueOrFail(station::loadCalibrationRecords(options.profile));
+}
+
 }  // namespace
 
 void CalibrateOptions::addTo(CLI::App& command, const std::string& columns) {
@@ -53,6 +60,7 @@ void CalibrateOptions::addTo(CLI::App& command, const std::string& columns) {
                      "Profile to write an accepted result into; made from the defaults if it is new");
   command.add_option("--who", who, "Who measured, for the record");
   command.add_option("--conditions", conditions, "Light, temperature, target: for the record");
+  command.add_option("--report", report, "Before and after as a new .pdf or .html file, of a refused fit too");
   command.add_flag("--json", json, "As JSON; null stands for what is not known");
 }
 
@@ -109,17 +117,30 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
   json["threshold"] = result.verdict.threshold;
   json["accepted"] = result.verdict.accepted;
   json["reason"] = reason;
+  if (!options.report.empty() && std::filesystem::exists(options.report)) {
+    throw Failure(fmt::format("{}: exists already; nothing was written", options.report));
+  }
+  const auto former = recordsBefore(options);
+  auto record = calibration::makeRecord(result, {}, sensor, options.who, nowUtc(), options.conditions);
   if (result.verdict.accepted && !options.profile.empty()) {
     station::Profile profile = options.load();
-    const auto record = valueOrFail(station::saveCalibration(
-        result, {.sensor = sensor, .who = options.who, .when = nowUtc(), .conditions = options.conditions}, profile,
-        options.profile));
+    record = valueOrFail(station::saveCalibration(result, record, profile, options.profile));
     json["changes"] = nlohmann::ordered_json::array();
     for (const calibration::AppliedChange& change : record.changes) {
       json["changes"].push_back({{"id", change.id}, {"before", change.before}, {"after", change.after}});
     }
     json["written_to"] = options.profile;
     json["record"] = station::calibrationFileOf(options.profile);
+  }
+  if (!options.report.empty()) {
+    if (record.changes.empty() && result.verdict.accepted) {
+      station::Profile defaults = options.load();
+      record.changes = valueOrFail(calibration::applyChanges(bindParameters(defaults), result.changes));
+    }
+    valueOrFail(station::writeCalibrationReport(
+        {.record = record, .accepted = result.verdict.accepted, .outliers = result.outliers},
+        station::newestOf(former, record.procedure, sensor).newest, options.profile, options.report, false));
+    json["report"] = options.report;
   }
   if (options.json) {
     printJson(json);

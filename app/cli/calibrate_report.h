@@ -15,6 +15,7 @@ struct CalibrateOptions {
   std::string profile;
   std::string who;
   std::string conditions;
+  std::string report;  ///< PDF or HTML; empty: none
   bool json = false;
 
   void addTo(CLI::App& command, const std::string& columns);

@@ -153,7 +153,7 @@ void drawTimeAxis(cairo_t* cairo, const ChartTime& time, const ChartBox& box) {
     line(cairo, scale.x(second), bottom, scale.x(second), bottom + 3.0);
     drawText(cairo, scale.x(second), bottom + 11.0, fmt::format("{:g}", second), TextAlign::centre);
   }
-  drawText(cairo, scale.area.x + scale.area.width / 2.0, bottom + 21.0, "time from the start, s", TextAlign::centre);
+  drawText(cairo, scale.area.x + scale.area.width / 2.0, bottom + 21.0, time.axis, TextAlign::centre);
 }
 
 void drawMarkLabels(cairo_t* cairo, const ChartTime& time, const ChartBox& box, double y) {

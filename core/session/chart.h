@@ -33,6 +33,7 @@ struct ChartTime {
   std::vector<ChartSpan> touches;  ///< shaded
   std::vector<ChartSpan> gaps;     ///< lost samples
   std::vector<ChartMark> marks;
+  std::string axis = "time from the start, s";
 };
 
 struct ChartStrip {

@@ -33,18 +33,32 @@ void drawFigure(cairo_t* cairo, const ReportContent& content) {
   if (!content.strips.empty()) drawTimeAxis(cairo, content.time, box);
 }
 
-Result<void> writeReport(const Recording& recording, const std::string& path, bool replace) {
+namespace {
+
+/// @param gather gives the content, once the file is known to be writable
+template <class Gather>
+Result<void> writeGathered(Gather&& gather, const std::string& path, bool replace) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
   if (extension != ".html" && extension != ".pdf") return fail("{}: a report ends in .html or .pdf", path);
   auto file = ExportFile::create(path, replace);
   if (!file) return tl::unexpected(file.error());
-  const auto content = gatherReport(recording);
+  const Result<ReportContent> content = gather();
   if (!content) return tl::unexpected(content.error());
   const auto text = extension == ".pdf" ? reportPdf(*content) : reportHtml(*content);
   if (!text) return tl::unexpected(text.error());
   if (auto written = file->write(*text); !written) return written;
   return file->commit();
+}
+
+}  // namespace
+
+Result<void> writeReport(const Recording& recording, const std::string& path, bool replace) {
+  return writeGathered([&] { return gatherReport(recording); }, path, replace);
+}
+
+Result<void> writeReport(const ReportContent& content, const std::string& path, bool replace) {
+  return writeGathered([&]() -> Result<ReportContent> { return content; }, path, replace);
 }
 
 }  // namespace fyd::session

@@ -14,6 +14,9 @@ namespace fyd::session {
 /// @return an error when the recording cannot be read or the file not be written; then there is no file
 [[nodiscard]] Result<void> writeReport(const Recording& recording, const std::string& path, bool replace);
 
+/// The same for what was gathered elsewhere.
+[[nodiscard]] Result<void> writeReport(const ReportContent& content, const std::string& path, bool replace);
+
 [[nodiscard]] Result<std::string> reportHtml(const ReportContent& content);
 [[nodiscard]] Result<std::string> reportPdf(const ReportContent& content);
 

@@ -1,4 +1,4 @@
-// What a report says, gathered from a recording; HTML and PDF both print this.
+// What a report says, gathered from a recording or a calibration; HTML and PDF both print this.
 #pragma once
 
 #include <string>
@@ -28,10 +28,12 @@ struct ReportTable {
 
 struct ReportContent {
   std::string title;
+  std::string kind = "session report";                     ///< at the foot of each page
   std::vector<std::pair<std::string, std::string>> facts;  ///< what, and its text; may have several lines
   std::vector<ChartStrip> strips;
   ChartTime time;
-  std::string legend;               ///< of the figure
+  std::string figure = "Force, indentation, stiffness and vibration over the session";  ///< for who cannot see it
+  std::string legend;                                                                   ///< of the figure
   std::vector<ReportTable> tables;  ///< touches, health, gains and calibration, log
 };
 

@@ -93,9 +93,7 @@ Result<std::string> reportHtml(const ReportContent& content) {
   if (!content.strips.empty()) {
     const auto svg = figureSvg(content);
     if (!svg) return svg;
-    html += fmt::format(
-        "<div role=\"img\" aria-label=\"Force, indentation, stiffness and vibration over the session\">\n{}</div>\n",
-        *svg);
+    html += fmt::format("<div role=\"img\" aria-label=\"{}\">\n{}</div>\n", escaped(content.figure), *svg);
   }
   html += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", escaped(content.legend));
   for (const ReportTable& table : content.tables) html += tableHtml(table);

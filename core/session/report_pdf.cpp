@@ -162,7 +162,7 @@ Result<std::string> reportPdf(const ReportContent& content) {
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, content.title.c_str());
   cairo_t* cairo = cairo_create(surface);
   const std::string id = content.facts.empty() ? "" : content.facts.front().second;
-  Pages pages(cairo, "FYD Console · session report · " + id);
+  Pages pages(cairo, fmt::format("FYD Console · {} · {}", content.kind, id));
   pages.heading(content.title, 16.0, 8.0);
   for (const auto& [what, text] : content.facts) pages.fact(what, text);
   pages.skip(8.0);

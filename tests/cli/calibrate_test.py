@@ -197,6 +197,32 @@ class Calibrate(fyd.Case):
         self.assertAlmostEqual(self.json("calibrate", "rest", self.csv("r.csv", "x_g,y_g,z_g", rows), "--json")["magnitude_g"],
                                1, delta=0.01)
 
+    def test_the_report_shows_before_and_after_and_refused_fits(self):
+        profile = self.path("lab.toml")
+        file = self.csv("cell.csv", "value,force_N", self.load_rows())
+        self.json("calibrate", "load-cell", file, "--profile", profile, "--who", "R. Lee", "--json")
+        html = self.path("second.html")
+        found = self.json("calibrate", "load-cell", file, "--profile", profile, "--who", "M. Neri", "--report", html,
+                          "--json")
+        self.assertEqual(found["report"], html)
+        with open(html, encoding="utf-8") as report:
+            text = report.read()
+        for words in ["M. Neri", "R. Lee", "Residuals before, N", "sensing.force_slope_g", "held-out error", "<svg"]:
+            self.assertIn(words, text)
+        pdf = self.path("cell.pdf")
+        self.json("calibrate", "load-cell", file, "--report", pdf, "--json")  # no profile: what it would change
+        with open(pdf, "rb") as report:
+            self.assertTrue(report.read().startswith(b"%PDF"))
+        self.assertIn("exists already", self.refused(1, "calibrate", "load-cell", file, "--report", pdf))
+        self.assertIn(".html or .pdf", self.refused(1, "calibrate", "load-cell", file, "--report", self.path("r.doc")))
+        few = self.csv("few.csv", "value,force_N", self.load_rows()[:2])
+        html = self.path("refused.html")
+        self.refused_json("load-cell", few, "--profile", profile, "--report", html)
+        with open(html, encoding="utf-8") as report:
+            text = report.read()
+        self.assertIn("add weights between", text)
+        self.assertIn("values in force stay", text)
+
     def test_wrong_usage(self):
         file = self.ir_file()
         for arguments in [[], ["nothing"], ["ir"], ["ir", file, "--sensor", "9"], ["ir", file, "--sensor", "0"],
