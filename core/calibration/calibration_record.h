@@ -42,7 +42,8 @@ struct CalibrationRecord {
 /// @param source_name stands before the line in messages
 [[nodiscard]] Result<std::vector<CalibrationRecord>> parseRecords(std::string_view text, std::string_view source_name);
 
-/// Whether the profile still holds what the record wrote; false after a change by hand or a newer calibration.
+/// Whether the profile still holds what the record wrote; false after a change by hand or a newer calibration. Other
+/// sensors' entries in a shared list and a later tare of the load cell's zero do not count.
 [[nodiscard]] bool inForce(const CalibrationRecord& record, std::span<const Parameter> parameters);
 
 enum class Age : std::uint8_t { fresh, ageing, old };

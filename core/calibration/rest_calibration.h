@@ -2,7 +2,8 @@
 // cloth.
 //
 // The accelerometer's mean is not kept in the profile: the texture takes rest away by itself (texture/rest_removal.h).
-// What is judged is whether the sensor is plausible: still, and 1 g long.
+// What is judged is whether the sensor is plausible: still, and 1 g long, or about 0 g where the robot's end takes rest
+// away before it sends (device/robot_preparation.h); exactly 0 without any noise is no sensor.
 #pragma once
 
 #include <array>

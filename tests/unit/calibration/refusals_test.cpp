@@ -261,6 +261,17 @@ TEST(Rest, AcceptsStillnessAndRefusesMotionAndAWrongScale) {
     samples.axis_g[2].push_back(0.8);
   }
   EXPECT_TRUE(calibrateRest(samples, kStandard).result.verdict.accepted);
+  RestSamples without_gravity = samples;
+  for (std::size_t i = 0; i < 200; ++i) {
+    without_gravity.axis_g[1][i] -= 0.6;
+    without_gravity.axis_g[2][i] -= 0.8;
+  }
+  const auto taken_away = calibrateRest(without_gravity, kStandard).result;
+  EXPECT_TRUE(taken_away.verdict.accepted) << taken_away.verdict.reason;
+  ASSERT_EQ(taken_away.notes.size(), 1U);
+  RestSamples dead = samples;
+  for (auto& axis : dead.axis_g) std::fill(axis.begin(), axis.end(), 0.0);
+  EXPECT_FALSE(calibrateRest(dead, kStandard).result.verdict.accepted);
   RestSamples moving = samples;
   for (std::size_t i = 0; i < 200; ++i) moving.axis_g[0][i] *= 20;
   EXPECT_THAT(calibrateRest(moving, kStandard).result.verdict.reason, HasSubstr("it moves"));
@@ -365,6 +376,25 @@ TEST(Record, IsInForceUntilAParameterIsChangedByHand) {
   EXPECT_TRUE(inForce(exampleRecord(), bindParameters(sensing)));
   sensing.load_cell.zero_N = 0.26;
   EXPECT_FALSE(inForce(exampleRecord(), bindParameters(sensing)));
+}
+
+TEST(Record, AnotherSensorsEntryAndALaterTareDoNotTakeItOutOfForce) {
+  sensing::SensingParameters sensing;
+  const auto bound = bindParameters(sensing);
+  CalibrationRecord record = exampleRecord();
+  ASSERT_TRUE(assignParameter(*findParameter(bound, "sensing.ir_lowest_code"), "[500, 510, 520]"));
+  record.changes = {{"sensing.ir_lowest_code", "[524, 524, 524]", "[524, 510, 524]"}};
+  EXPECT_TRUE(inForce(record, bound)) << "the others were calibrated since";
+  ASSERT_TRUE(assignParameter(*findParameter(bound, "sensing.ir_lowest_code"), "[524, 511, 524]"));
+  EXPECT_FALSE(inForce(record, bound));
+  record.changes = {{"sensing.ir2_curve_mm", "[]", "[1, 2, 3]"}};
+  ASSERT_TRUE(assignParameter(*findParameter(bound, "sensing.ir2_curve_mm"), "[7, 2, 3]"));
+  EXPECT_FALSE(inForce(record, bound)) << "its own curve counts whole";
+  record.procedure = "load-cell";
+  record.sensor = 0;
+  record.changes = {{"sensing.force_zero_N", "0.1", "0"}};
+  sensing.load_cell.zero_N = 0.3;
+  EXPECT_TRUE(inForce(record, bound));
 }
 
 TEST(Record, AgesByTheCalendar) {
