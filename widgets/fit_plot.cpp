@@ -35,12 +35,19 @@ QCPRange rangeOf(const std::vector<double>& values, double least_span) {
 
 }  // namespace
 
-FitPlot::FitPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+FitPlot::FitPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)), empty_(new QLabel(this)) {
   setObjectName(QStringLiteral("fit_plot"));
   setAccessibleName(tr("Points, fit and residuals"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
+  layout->addWidget(empty_);
+  empty_->setObjectName(QStringLiteral("fit_plot_empty"));
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  empty_->setProperty("role", "muted");
+  empty_->setFont(textFont(TextSize::title));
+  empty_->setMinimumSize(200, 160);
   plot_->setMinimumSize(200, 160);
   plot_->setFocusPolicy(Qt::NoFocus);
   plot_->setInteractions({});
@@ -70,6 +77,9 @@ FitPlot::FitPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)
   outliers_ = addGraph(above_);
   residuals_ = addGraph(below_);
   outlier_residuals_ = addGraph(below_);
+  levels_ = addGraph(above_);
+  intervals_ = new QCPErrorBars(above_->axis(QCPAxis::atBottom), above_->axis(QCPAxis::atLeft));
+  intervals_->setDataPlottable(levels_);
   connect(&Look::instance(), &Look::changed, this, &FitPlot::dress);
   setFit({});
   dress();
@@ -105,6 +115,9 @@ void FitPlot::dress() {
   residuals_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, t.text, kPoint_px));
   outlier_residuals_->setLineStyle(QCPGraph::lsNone);
   outlier_residuals_->setScatterStyle(outliers_->scatterStyle());
+  levels_->setLineStyle(QCPGraph::lsNone);
+  levels_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(t.accent, 1), t.panel, kPoint_px));
+  intervals_->setPen(QPen(t.accent, 2));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -118,6 +131,15 @@ void FitPlot::setFit(const FitView& view) {
       xs.push_back(point.x());
       ys.push_back(point.y());
     }
+  }
+  QVector<QCPGraphData> levels;
+  QVector<QCPErrorBarsData> intervals;
+  for (const FitBar& bar : view_.bars) {
+    if (!std::isfinite(bar.x) || !std::isfinite(bar.low) || !std::isfinite(bar.high)) continue;
+    levels.append(QCPGraphData(bar.x, 0.5 * (bar.low + bar.high)));
+    intervals.append(QCPErrorBarsData(0.5 * (bar.high - bar.low)));
+    ys.insert(ys.end(), {bar.low, bar.high});
+    xs.push_back(bar.x);
   }
   for (std::size_t i = 0; i < view_.points.size(); ++i) {
     const bool outlier = std::ranges::find(view_.outliers, i) != view_.outliers.end();
@@ -134,6 +156,13 @@ void FitPlot::setFit(const FitView& view) {
   outliers_->data()->set(outliers, false);
   residuals_->data()->set(residuals, false);
   outlier_residuals_->data()->set(outlier_residuals, false);
+  levels_->data()->set(levels, true);
+  intervals_->data()->clear();
+  for (const QCPErrorBarsData& interval : intervals) intervals_->addData(interval.errorMinus);
+  // Axes from 0 to 1 without a point would look like a measurement.
+  empty_->setText(view_.empty_text);
+  empty_->setVisible(xs.empty());
+  plot_->setVisible(!xs.empty());
   below_->setVisible(!rs.empty());
   plot_->plotLayout()->setRowStretchFactor(1, rs.empty() ? 0.01 : 1.0);
   QCPAxis* x = above_->axis(QCPAxis::atBottom);

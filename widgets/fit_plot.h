@@ -3,16 +3,25 @@
 // Points the others contradict stand out by their shape, not by colour alone.
 #pragma once
 
+#include <QLabel>
 #include <QPointF>
 #include <QString>
 #include <QWidget>
 #include <vector>
 
 class QCPAxisRect;
+class QCPErrorBars;
 class QCPGraph;
 class QCustomPlot;
 
 namespace fyd::widgets {
+
+/// A level with its interval, such as the stiffness at one angle.
+struct FitBar {
+  double x = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
 
 struct FitView {
   QString x_title;  ///< with its unit
@@ -23,6 +32,8 @@ struct FitView {
   std::vector<QPointF> former_curve;  ///< of the values in force
   std::vector<double> residuals;      ///< one for each point; empty before there is a fit
   std::vector<std::size_t> outliers;  ///< rows of the points
+  std::vector<FitBar> bars;
+  QString empty_text;  ///< what to do, where the plot will be: as long as there is nothing to draw
 };
 
 class FitPlot : public QWidget {
@@ -32,6 +43,7 @@ class FitPlot : public QWidget {
   void setFit(const FitView& view);
   [[nodiscard]] const FitView& fit() const { return view_; }
   [[nodiscard]] QCustomPlot* plot() const { return plot_; }
+  [[nodiscard]] bool empty() const { return !empty_->isHidden(); }
 
  private:
   void dress();
@@ -39,6 +51,7 @@ class FitPlot : public QWidget {
 
   FitView view_;
   QCustomPlot* plot_;
+  QLabel* empty_;
   QCPAxisRect* above_;  ///< points and curves
   QCPAxisRect* below_;  ///< residuals
   QCPGraph* former_;
@@ -47,6 +60,8 @@ class FitPlot : public QWidget {
   QCPGraph* outliers_;
   QCPGraph* residuals_;
   QCPGraph* outlier_residuals_;
+  QCPGraph* levels_;  ///< of the bars
+  QCPErrorBars* intervals_;
 };
 
 }  // namespace fyd::widgets

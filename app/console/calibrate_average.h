@@ -18,6 +18,7 @@ class CalibrationAverage {
   [[nodiscard]] bool full() const { return static_cast<int>(kept_.size()) >= wanted_; }
   [[nodiscard]] double progress() const { return static_cast<double>(kept_.size()) / wanted_; }
   [[nodiscard]] bool empty() const { return kept_.empty(); }
+  [[nodiscard]] std::vector<std::vector<double>> readings() const { return {kept_.begin(), kept_.end()}; }
 
   [[nodiscard]] std::vector<double> mean() const;
   /// Standard deviation of one reading; 0 with fewer than two.

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -39,6 +40,8 @@ double allowedError(const std::string& procedure, station::Profile& profile) {
   if (procedure == "ir") id = "calibration.ir_held_out_mm";
   if (procedure == "load-cell") id = "calibration.force_held_out_N";
   if (procedure == "camera") id = "calibration.camera_held_out_mm";
+  if (procedure == "stiffness") id = "calibration.stiffness_held_out_N";
+  if (procedure == "encoders") id = "calibration.encoder_held_out_deg";
   const auto bound = bindParameters(profile);
   const Parameter* parameter = findParameter(bound, id);
   return parameter != nullptr ? parameter->value() : calibration::kUnknown;
@@ -134,7 +137,7 @@ void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, 
   if (points == 0) {
     verdict_->setText(tr("No points yet. The values in force stay until you accept new ones."));
   } else {
-    const QString reason = QString::fromStdString(result.verdict.reason);
+    const QString reason = widgets::coreText(result.verdict.reason);
     verdict_->setText(result.verdict.accepted  ? tr("Good: %1.").arg(reason)
                       : !fit.missing.isEmpty() ? tr("Not yet: %1.").arg(reason)
                                                : tr("Refused: %1.").arg(reason));
@@ -154,7 +157,13 @@ void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, 
       for (const std::size_t row : result.outliers) rows << QString::number(row + 1);
       figures << tr("the others contradict point %1").arg(rows.join(QStringLiteral(", ")));
     }
-    for (const std::string& note : result.notes) figures << QString::fromStdString(note);
+    if (result.valid_to > result.valid_from) {
+      figures << tr("valid from %1 to %2")
+                     .arg(widgets::numberText(result.valid_from, 1),
+                          widgets::quantityText(result.valid_to, 1, QString::fromStdString(result.valid_unit)));
+    }
+    figures << fit.figures;
+    for (const std::string& note : result.notes) figures << widgets::coreText(note);
   }
   figures_->setText(figures.join(QStringLiteral(" · ")));
 }

@@ -5,6 +5,7 @@
 #include "app/console/views.h"
 #include "core/station/calibration_file.h"
 #include "widgets/core_text.h"
+#include "widgets/icon.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -14,7 +15,11 @@ using pipeline::SafetyState;
 
 namespace {
 
-constexpr int kLiveReadings = 10;  // 1 s
+/// Readings behind the live figures: 1 s, or as many as a point that is taken by itself.
+int liveReadings(const CalibrationStep& step) {
+  constexpr int kSecond_ms = 1000;
+  return step.motion() != CalibrationStep::Motion::none ? step.readings() : kSecond_ms / step.interval_ms();
+}
 
 QString signOf(PartState::Kind kind) {
   switch (kind) {
@@ -34,19 +39,29 @@ CalibratePage::CalibratePage(const PageContext& context, QWidget* parent)
   steps_ = makeCalibrationSteps(profile_);
   build();
   for (std::size_t i = 0; i < steps_.size(); ++i) parts_->addItem(new QListWidgetItem);
+  clock_.start();
   timer_.setInterval(kPoll_ms);
+  hold_timer_.setInterval(kPoll_ms);
+  connect(&hold_timer_, &QTimer::timeout, this, &CalibratePage::holdOn);
   connect(&timer_, &QTimer::timeout, this, &CalibratePage::poll);
   connect(parts_, &QListWidget::currentRowChanged, this, &CalibratePage::showStep);
   connect(entries_, &CalibrationEntryForm::entered, this, &CalibratePage::startPoint);
   connect(picture_, &widgets::PicturePick::placePicked, this, &CalibratePage::poll);
   connect(picture_, &widgets::PicturePick::rectanglePicked, this, &CalibratePage::poll);
-  connect(&widgets::Look::instance(), &widgets::Look::changed, this, &CalibratePage::refreshParts);
+  connect(&widgets::Look::instance(), &widgets::Look::changed, this, [this] {
+    refreshParts();
+    refreshDrawing();
+  });
   const SessionFeed* feed = &context_.feed;
   connect(feed, &SessionFeed::telemetry, this, [this](std::span<const pipeline::TelemetrySample> samples) {
     newest_ = samples.back();
     can_move_ = newest_.state == SafetyState::active || newest_.state == SafetyState::held;
+    if (std::exchange(state_, newest_.state) != newest_.state) refreshButtons();
   });
-  connect(feed, &SessionFeed::silent, this, [this](bool silent) { silent_ = silent; });
+  connect(feed, &SessionFeed::silent, this, [this](bool silent) {
+    silent_ = silent;
+    refreshButtons();
+  });
   connect(feed, &SessionFeed::picture, this, [this](const station::CameraView& view) {
     if (isVisible() && step().picture() != CalibrationStep::Picture::none) picture_->setPicture(toImage(view.picture));
   });
@@ -65,6 +80,8 @@ void CalibratePage::addCommands(PlaceCommands& commands) {
       &CalibratePage::takeBack);
   add("calibrate.discard", QT_TRANSLATE_NOOP("Commands", "Discard the points"), "Ctrl+Shift+Backspace",
       &CalibratePage::discard);
+  add("calibrate.report", QT_TRANSLATE_NOOP("Commands", "Calibration report as PDF"), "Ctrl+Shift+P",
+      &CalibratePage::writeReport);
   add("calibrate.accept", QT_TRANSLATE_NOOP("Commands", "Accept the calibration"), "Ctrl+Shift+Return",
       &CalibratePage::accept);
 }
@@ -81,6 +98,7 @@ void CalibratePage::enter() {
 
 void CalibratePage::leave() {
   timer_.stop();
+  endMotion();
   endPoint({});
 }
 
@@ -92,11 +110,14 @@ void CalibratePage::choose(const QString& id) {
 
 void CalibratePage::showStep(int step) {
   if (step < 0 || step >= static_cast<int>(steps_.size())) return;
+  endMotion();
   endPoint({});
   step_ = step;
   const CalibrationStep& now = this->step();
   entries_->setEntries(now.entries());
-  recent_.restart(kLiveReadings);
+  timer_.setInterval(now.interval_ms());
+  refreshDrawing();
+  restartTrace();
   progress_->setValue(0);
   picture_->setVisible(now.picture() != CalibrationStep::Picture::none);
   picture_->setKind(now.picture() == CalibrationStep::Picture::rectangle ? widgets::PickKind::rectangle
@@ -106,6 +127,7 @@ void CalibratePage::showStep(int step) {
   picture_->setRectangle(QRect(finger.roi_x_px, finger.roi_y_px, finger.roi_width_px, finger.roi_height_px));
   say({}, false);
   refit();
+  offerNext();
   if (isVisible()) poll();
 }
 
@@ -115,20 +137,26 @@ CalibrationScene CalibratePage::scene() const {
           .profile = profile_,
           .picture = picture_->picture(),
           .place_px = picture_->place(),
-          .rectangle_px = picture_->rectangle()};
+          .rectangle_px = picture_->rectangle(),
+          .motion = motion_};
 }
 
 void CalibratePage::poll() {
   devices_ = context_.session.devices();
+  motion_ = context_.session.deviceTestStatus();
   const auto reading = step().read(scene());
+  const bool traced = step().picture() == CalibrationStep::Picture::none;
+  const double now_s = static_cast<double>(clock_.elapsed()) / 1000.0;
   if (!reading) {
-    recent_.restart(kLiveReadings);
+    recent_.restart(liveReadings(step()));
+    if (traced) trace_->add(now_s, {calibration::kUnknown});
     live_->setText(widgets::coreText(reading.error().message) + QLatin1Char('.'));
     if (taking_now_) endPoint(tr("Not taken: %1.").arg(widgets::coreText(reading.error().message)));
     return;
   }
   const auto wanted = step().signalsWanted(profile_);
   recent_.add(*reading);
+  if (traced) trace_->add(now_s, {reading->begin(), reading->begin() + static_cast<std::ptrdiff_t>(traced_)});
   QStringList lines;
   const auto mean = recent_.mean(), spread = recent_.spread();
   for (std::size_t i = 0; i < std::min(wanted.size(), mean.size()); ++i) {
@@ -145,6 +173,7 @@ void CalibratePage::poll() {
     lines << tr("%1 × %2 px at %3, %4").arg(region.width()).arg(region.height()).arg(region.x()).arg(region.y());
   }
   live_->setText(lines.join(wanted.size() > 1 ? QStringLiteral("\n") : QStringLiteral(" · ")));
+  if (step().motion() != CalibrationStep::Motion::none) takeByItself(wanted);
   if (!taking_now_) return;
   taking_.add(*reading);
   progress_->setValue(static_cast<int>(100.0 * taking_.progress()));
@@ -157,6 +186,29 @@ void CalibratePage::poll() {
   }
 }
 
+void CalibratePage::refreshDrawing() {
+  constexpr QSize kDrawing(18 * widgets::kGrid, 9 * widgets::kGrid);
+  const QString name = QStringLiteral("calibrate-%1").arg(QString::fromStdString(step().procedure()));
+  drawing_->setPixmap(widgets::icon(name, widgets::theme().muted).pixmap(kDrawing, devicePixelRatioF()));
+}
+
+void CalibratePage::restartTrace() {
+  recent_.restart(liveReadings(step()));
+  const auto wanted = step().signalsWanted(profile_);
+  QStringList names;
+  for (const CalibrationSignal& signal : wanted) {
+    const bool drawn =
+        signal.unit == wanted.front().unit && names.size() < static_cast<int>(widgets::LiveTrace::kMostSignals);
+    if (!drawn) break;
+    names << signal.name;
+  }
+  traced_ = static_cast<std::size_t>(names.size());
+  live_->setFont(
+      widgets::textFont(wanted.size() > 1 ? widgets::TextSize::normal : widgets::TextSize::title, wanted.size() > 1));
+  trace_->restart(names, wanted.empty() ? QString() : wanted.front().unit);
+  trace_->setVisible(step().picture() == CalibrationStep::Picture::none);
+}
+
 void CalibratePage::refit() {
   const std::vector<CalibrationPoint>& points = points_[step_];
   fit_ = step().fit(points, profile_);
@@ -166,6 +218,11 @@ void CalibratePage::refit() {
   if (!points.empty() && simulated_[step_])
     missing_->setText(missing_->text() + QLatin1Char(' ') + tr("Simulated points."));
   picture_->setMarks(step().marks(points));
+  std::vector<double> levels;
+  if (const int column = step().readingColumn(); column >= 0 && trace_->isVisibleTo(this)) {
+    levels = columnOf(points, static_cast<std::size_t>(column));
+  }
+  trace_->setLevels(levels);
   refreshTable();
   refreshButtons();
 }
@@ -208,6 +265,12 @@ void CalibratePage::refreshParts() {
 
 void CalibratePage::refreshButtons() {
   const bool any = !points_[step_].empty();
+  const bool moves = step().motion() != CalibrationStep::Motion::none;
+  const bool free = state_ == SafetyState::connected || state_ == SafetyState::ready || state_ == SafetyState::stopped;
+  take_->setVisible(!moves);
+  move_->setVisible(moves);
+  move_->setEnabled(free && !silent_);
+  report_->setEnabled(!taking_now_);
   take_->setEnabled(!taking_now_);
   simulate_->setEnabled(!taking_now_);
   back_->setEnabled(any && !taking_now_);

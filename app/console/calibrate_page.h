@@ -1,7 +1,9 @@
 // The place "Calibrate": the parts with the age of their calibration, what to do now, the live signal, the points, the
-// fit. Nothing is changed before "Accept", and nothing here moves a motor.
+// fit. Nothing is changed before "Accept". Motors move only while the operator holds the button of a part that needs
+// it, as the station's device tests do, and stand still when it is let go.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QListWidget>
 #include <QProgressBar>
@@ -17,6 +19,8 @@
 #include "app/console/calibrate_fit_panel.h"
 #include "app/console/calibrate_step.h"
 #include "app/console/page.h"
+#include "widgets/hold_button.h"
+#include "widgets/live_trace.h"
 #include "widgets/picture_pick.h"
 
 namespace fyd::console {
@@ -49,6 +53,9 @@ class CalibratePage : public Page {
   [[nodiscard]] QPushButton* simulateButton() const { return simulate_; }
   [[nodiscard]] QPushButton* discardButton() const { return discard_; }
   [[nodiscard]] QPushButton* acceptButton() const { return accept_; }
+  [[nodiscard]] QPushButton* reportButton() const { return report_; }
+  [[nodiscard]] widgets::HoldButton* moveButton() const { return move_; }
+  [[nodiscard]] widgets::LiveTrace* trace() const { return trace_; }
 
  private:
   static constexpr int kPoll_ms = 100;  ///< as often as the devices' reports are renewed
@@ -65,6 +72,14 @@ class CalibratePage : public Page {
   void discard();
   void accept();
   void simulate();
+  void startMotion();
+  void endMotion();
+  void holdOn();
+  void takeByItself(const std::vector<CalibrationSignal>& wanted);
+  void offerNext();
+  void restartTrace();
+  void refreshDrawing();
+  void writeReport();
   void refit();
   void refreshTable();
   void refreshParts();
@@ -78,20 +93,29 @@ class CalibratePage : public Page {
   int step_ = 0;
   std::map<int, std::vector<CalibrationPoint>> points_;  ///< of each step, until accepted or discarded
   std::map<int, bool> simulated_;                        ///< which of them hold simulated points
+  std::map<int, bool> on_simulation_;                    ///< and which were measured on the simulated touchpad
   CalibrationFit fit_;
   station::Profile profile_;  ///< with the values in force
   QTimer timer_;              ///< while the page is shown
+  QTimer hold_timer_;         ///< while the button is held
+  QElapsedTimer clock_;       ///< of the live curve
+  station::DeviceTestStatus motion_;
+  std::size_t traced_ = 0;  ///< signals on the live curve, the first ones
   CalibrationAverage recent_;
   CalibrationAverage taking_;
   bool taking_now_ = false;
-  bool lifted_ = false;  ///< the simulated finger is held away from the cloth
+  bool lifted_ = false;    ///< the simulated finger is held away from the cloth
+  bool pressing_ = false;  ///< the simulated finger presses while the button is held
+  QElapsedTimer pressing_since_;
   std::vector<double> entered_;
   std::vector<device::DeviceReport> devices_;
   pipeline::TelemetrySample newest_;
   bool silent_ = false;
   bool can_move_ = false;
+  pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
 
   QListWidget* parts_;
+  QLabel* drawing_;  ///< what the instruction says, as a picture
   QLabel* instruction_;
   QLabel* live_;
   QLabel* hint_;
@@ -100,7 +124,10 @@ class CalibratePage : public Page {
   CalibrationEntryForm* entries_;
   CalibrationFitPanel* fit_panel_;
   widgets::PicturePick* picture_;
+  widgets::LiveTrace* trace_;
   QTableWidget* table_;
+  widgets::HoldButton* move_;
+  QPushButton* report_;
   QPushButton* back_;
   QPushButton* take_;
   QPushButton* simulate_;

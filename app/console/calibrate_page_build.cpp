@@ -61,6 +61,8 @@ QWidget* CalibratePage::buildLeft() {
   auto* now = new QLabel(tr("What to do now"), out);
   now->setFont(widgets::textFont(TextSize::small));
   now->setProperty("role", "muted");
+  drawing_ = new QLabel(out);
+  drawing_->setObjectName(QStringLiteral("calibration_drawing"));
   instruction_ = new QLabel(out);
   instruction_->setObjectName(QStringLiteral("calibration_instruction"));
   instruction_->setFont(widgets::textFont(TextSize::normal, true));
@@ -69,6 +71,7 @@ QWidget* CalibratePage::buildLeft() {
   layout->addWidget(title);
   layout->addWidget(parts_, 1);
   layout->addWidget(now);
+  layout->addWidget(drawing_);
   layout->addWidget(instruction_);
   layout->addWidget(entries_);
   return out;
@@ -90,6 +93,7 @@ QWidget* CalibratePage::buildMiddle() {
   hint_ = new QLabel(out);
   hint_->setObjectName(QStringLiteral("calibration_hint"));
   hint_->setWordWrap(true);
+  trace_ = new widgets::LiveTrace(out);
   table_ = new QTableWidget(out);
   table_->setObjectName(QStringLiteral("calibration_points"));
   table_->setAccessibleName(tr("Points taken"));
@@ -104,6 +108,7 @@ QWidget* CalibratePage::buildMiddle() {
   layout->addWidget(live_);
   layout->addWidget(progress_);
   layout->addWidget(hint_);
+  layout->addWidget(trace_, 2);
   layout->addWidget(table_, 2);
   layout->addWidget(missing_);
   return out;
@@ -117,20 +122,32 @@ QWidget* CalibratePage::buildButtons() {
   row->setSpacing(kGrid);
   back_ = button(out, "calibrate_back", tr("Back"), tr("Takes the last point back."));
   take_ = button(out, "calibrate_take", tr("Take point"), tr("Averages the signal and adds it to the points."));
+  move_ = new widgets::HoldButton(tr("Hold to move"), out);
+  move_->setObjectName(QStringLiteral("calibrate_move"));
+  move_->setAccessibleName(tr("Hold to move the motors"));
+  move_->setToolTip(
+      tr("The motors move as long as this is held, by mouse or space bar, and are off when it is let go."));
+  report_ = button(out, "calibrate_report", tr("Report"),
+                   tr("Writes this part's last calibration, before and after, as a PDF beside the profile."));
   simulate_ = button(out, "calibrate_simulate", tr("Take simulated points"),
                      tr("Points as the simulated touchpad gives them; the record says that they are simulated."));
   discard_ =
       button(out, "calibrate_discard", tr("Discard"), tr("Forgets this part's points; the values in force stay."));
   accept_ = button(out, "calibrate_accept", tr("Accept"),
                    tr("Writes the new values with their record, and begins the session anew with them."));
+  row->addStretch(1);  // notices slide in at the left
   row->addWidget(back_);
   row->addWidget(take_);
+  row->addWidget(move_);
   row->addWidget(simulate_);
-  row->addStretch(1);
+  row->addWidget(report_);
   row->addWidget(discard_);
   row->addWidget(accept_);
   connect(back_, &QPushButton::clicked, this, &CalibratePage::takeBack);
   connect(take_, &QPushButton::clicked, this, &CalibratePage::startPoint);
+  connect(move_, &widgets::HoldButton::held, this, &CalibratePage::startMotion);
+  connect(move_, &widgets::HoldButton::letGo, this, &CalibratePage::endMotion);
+  connect(report_, &QPushButton::clicked, this, &CalibratePage::writeReport);
   connect(simulate_, &QPushButton::clicked, this, &CalibratePage::simulate);
   connect(discard_, &QPushButton::clicked, this, &CalibratePage::discard);
   connect(accept_, &QPushButton::clicked, this, &CalibratePage::accept);

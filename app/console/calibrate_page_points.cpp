@@ -14,6 +14,10 @@ QString words(const std::string& text) { return QString::fromStdString(text); }
 
 void CalibratePage::startPoint() {
   if (taking_now_) return;
+  if (step().motion() != CalibrationStep::Motion::none) {
+    say(tr("This part's points are taken by themselves while the button is held."), true);
+    return;
+  }
   if (!points().empty() && simulated_[step_] && !lifted_ && !step().onePoint()) {
     say(tr("These points are simulated: discard them before you measure."), true);
     return;
@@ -37,7 +41,7 @@ void CalibratePage::startPoint() {
     return;
   }
   taking_now_ = true;
-  say(tr("Averaging for %1 s: keep still.").arg(step().readings() * kPoll_ms / 1000.0), false);
+  say(tr("Averaging for %1 s: keep still.").arg(step().readings() * step().interval_ms() / 1000.0), false);
   refreshButtons();
 }
 
@@ -53,7 +57,9 @@ void CalibratePage::endPoint(const QString& why_not) {
 void CalibratePage::takePoint() {
   std::vector<CalibrationPoint>& points = points_[step_];
   if (step().onePoint()) points.clear();
-  points.push_back(step().point(entered_, taking_.mean(), taking_.spread()));
+  CalibrationPoint whole = step().pointOf(taking_.readings());
+  points.push_back(whole.empty() ? step().point(entered_, taking_.mean(), taking_.spread()) : std::move(whole));
+  trace_->mark();
   simulated_[step_] = lifted_;
   endPoint({});
   entries_->clear();
@@ -77,6 +83,7 @@ void CalibratePage::discard() {
   simulated_[step_] = false;
   say(tr("Points discarded; the values in force stay."), false);
   refit();
+  offerNext();
 }
 
 void CalibratePage::simulate() {
@@ -91,6 +98,7 @@ void CalibratePage::simulate() {
     simulated_[step_] = true;
     say(tr("Simulated points, from the simulator's own truth and noise. No part was measured."), false);
     refit();
+    offerNext();
     return;
   }
   lifted_ = true;
@@ -119,15 +127,22 @@ void CalibratePage::accept() {
     return;
   }
   AcceptedWords record = fit_panel_->words();
-  if (simulated_[step_])
+  if (simulated_[step_] || on_simulation_[step_])
     record.conditions = "simulated points" + (record.conditions.empty() ? "" : "; " + record.conditions);
   if (!acceptCalibration(context_, fit_.result, step().sensor(), record)) return;
   points_[step_].clear();
   simulated_[step_] = false;
+  on_simulation_[step_] = false;
   profile_ = context_.session.currentProfile();
   say(tr("Accepted. The values are in force and in the profile."), false);
   refreshParts();
   refit();
+}
+
+void CalibratePage::writeReport() {
+  const QString problem = writeCalibrationReport(context_, step().procedure(), step().sensor());
+  say(problem.isEmpty() ? tr("The report stands beside the profile.") : tr("No report: %1.").arg(problem),
+      !problem.isEmpty());
 }
 
 }  // namespace fyd::console

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/station/calibration_file.h"
+#include "core/station/calibration_report.h"
 #include "widgets/core_text.h"
 
 namespace fyd::console {
@@ -35,7 +36,9 @@ PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records
   const auto age = calibration::ageOf(*newest, today, profile.calibration);
   if (!age) return {PartState::Kind::old, widgets::coreText(age.error().message)};
   if (!calibration::inForce(*newest, bindParameters(profile))) {
-    return {PartState::Kind::changed, tr("changed since it was calibrated %1 days ago").arg(age->days)};
+    return {PartState::Kind::changed, age->days == 0
+                                          ? tr("changed since it was calibrated today")
+                                          : tr("changed since it was calibrated %1 days ago").arg(age->days)};
   }
   switch (age->age) {
     case calibration::Age::ageing: return {PartState::Kind::ageing, tr("ageing: %1").arg(words(age->warning))};
@@ -68,6 +71,12 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
     return false;
   }
 
+  const QString file = QDir::toNativeSeparators(path);
+  if (result.changes.empty()) {
+    context.tell(Severity::information, tr("Accepted and noted beside %1. It changes no value.").arg(file));
+    return true;
+  }
+
   // The values are of a kind that the running step does not change: the session takes them up from its beginning.
   context.feed.pump();
   Session& session = context.session;
@@ -79,7 +88,6 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   if (!exists) context.tuning.model().markSaved();
   for (const calibration::ParameterChange& change : result.changes) context.tuning.model().markSaved(change.id);
   if (context.tuning.targetIsByHand()) context.tuning.targetByHand();
-  const QString file = QDir::toNativeSeparators(path);
   if (begun) {
     context.tell(Severity::information, tr("Accepted and written to %1. The session has begun anew with it; motors "
                                            "stay off until you arm.")
@@ -90,6 +98,26 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
                                       .arg(file, widgets::coreText(begun.error().message)));
   }
   return true;
+}
+
+QString writeCalibrationReport(const PageContext& context, const std::string& procedure, int sensor) {
+  const QString profile = context.tuning.profilePath();
+  const auto records = station::loadCalibrationRecords(profile.toStdString());
+  if (!records) return widgets::coreText(records.error().message);
+  const auto pair = station::newestOf(*records, procedure, sensor);
+  if (pair.newest == nullptr) return tr("this part was never calibrated: accept a calibration first");
+  const QFileInfo info(profile);
+  QString part = words(procedure);
+  if (sensor > 0) part += QStringLiteral("-%1").arg(sensor);
+  const QString path =
+      info.dir().filePath(QStringLiteral("%1.%2.%3.pdf")
+                              .arg(info.completeBaseName(), part, words(pair.newest->when).remove(QLatin1Char(':'))));
+  // The same record gives the same file: writing it again replaces it.
+  const auto written = station::writeCalibrationReport({.record = *pair.newest, .accepted = true, .outliers = {}},
+                                                       pair.former, profile.toStdString(), path.toStdString(), true);
+  if (!written) return widgets::coreText(written.error().message);
+  context.tell(Severity::information, tr("Report written to %1.").arg(QDir::toNativeSeparators(path)));
+  return {};
 }
 
 }  // namespace fyd::console

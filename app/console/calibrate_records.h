@@ -35,4 +35,8 @@ struct AcceptedWords {
 [[nodiscard]] bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result,
                                      int sensor, const AcceptedWords& words);
 
+/// Writes the newest calibration of a part, with the one before it, as a PDF beside the profile, and tells where.
+/// @return why not, in words; empty when it is written
+[[nodiscard]] QString writeCalibrationReport(const PageContext& context, const std::string& procedure, int sensor);
+
 }  // namespace fyd::console

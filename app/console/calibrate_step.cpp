@@ -1,5 +1,6 @@
 #include "app/console/calibrate_step.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -18,12 +19,15 @@ QStringList CalibrationStep::row(const CalibrationPoint& point) const {
 
 std::vector<std::unique_ptr<CalibrationStep>> makeCalibrationSteps(const station::Profile& profile) {
   std::vector<std::unique_ptr<CalibrationStep>> out;
+  out.push_back(makeEncoderStep());
   out.push_back(makeNoTouchStep());
   out.push_back(makeLoadCellStep());
   const std::size_t sensors = profile.step.sensing.indentation.ir_x_mm.size();
   for (std::size_t i = 0; i < std::min(sensors, sensing::kMaximumIrSensors); ++i) out.push_back(makeIrStep(i));
   out.push_back(makeCameraRegionStep());
   out.push_back(makeCameraScaleStep());
+  out.push_back(makeStiffnessStep(profile.step.control));
+  out.push_back(makeRestStep());
   return out;
 }
 
@@ -51,9 +55,26 @@ sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& p, st
           p.ir_curve_form[sensor]};
 }
 
+QString missingOf(const calibration::CalibrationResult& result) {
+  const bool too_few = result.verdict.threshold.find("_fewest_") != std::string::npos ||
+                       result.verdict.threshold.find("_least_") != std::string::npos ||
+                       result.verdict.threshold == "calibration.widest_gap_percent";
+  return !result.verdict.accepted && too_few ? QString::fromStdString(result.verdict.reason) : QString();
+}
+
+std::vector<double> columnOf(const std::vector<CalibrationPoint>& points, std::size_t column) {
+  std::vector<double> out;
+  for (const CalibrationPoint& point : points) out.push_back(point[column]);
+  return out;
+}
+
 CalibrationFit noPoints(const QString& missing) {
   CalibrationFit out;
   out.missing = missing;
+  out.plot.empty_text = QCoreApplication::translate("CalibrationStep",
+                                                    "The fit and its residuals are drawn here.\n\n"
+                                                    "To begin: %1")
+                            .arg(missing);
   return out;
 }
 

@@ -14,6 +14,7 @@
 #include "core/calibration/calibration_result.h"
 #include "core/device/device_report.h"
 #include "core/pipeline/telemetry.h"
+#include "core/station/device_test.h"
 #include "core/station/profile.h"
 #include "widgets/fit_plot.h"
 
@@ -46,15 +47,17 @@ struct CalibrationScene {
   const pipeline::TelemetrySample& newest;
   const station::Profile& profile;  ///< with the values in force
   const QImage& picture;
-  std::optional<QPointF> place_px;  ///< clicked in the picture
-  QRect rectangle_px;               ///< dragged there
+  std::optional<QPointF> place_px;          ///< clicked in the picture
+  QRect rectangle_px;                       ///< dragged there
+  const station::DeviceTestStatus& motion;  ///< what the motors do on the held button
 };
 
 struct CalibrationFit {
   calibration::CalibrationResult result;
   widgets::FitView plot;
-  QString legend;   ///< what the lines of the plot are
-  QString missing;  ///< coverage: which points to add; empty when there are enough
+  QString legend;            ///< what the lines of the plot are
+  QString missing;           ///< coverage: which points to add; empty when there are enough
+  QStringList figures = {};  ///< what this part has beside the figures of every fit: drift, hysteresis, the law
 };
 
 class CalibrationStep {
@@ -79,6 +82,22 @@ class CalibrationStep {
                                                const std::vector<double>& spread) const = 0;
   [[nodiscard]] virtual CalibrationFit fit(const std::vector<CalibrationPoint>& points,
                                            const station::Profile& profile) const = 0;
+  /// Where a point is more than a mean and a spread: made of all its readings. Empty: `point` is taken.
+  [[nodiscard]] virtual CalibrationPoint pointOf(const std::vector<std::vector<double>>&) const { return {}; }
+  [[nodiscard]] virtual int interval_ms() const { return 100; }  ///< between readings
+  /// Which of a point's figures is the first signal's reading: marked beside the live curve. None: −1.
+  [[nodiscard]] virtual int readingColumn() const { return 0; }
+
+  /// What the motors do while the operator holds the button; points are then taken by themselves.
+  enum class Motion { none, stretch, sweep };
+  [[nodiscard]] virtual Motion motion() const { return Motion::none; }
+  /// Why no point can be taken by itself now, in words; empty: this reading is a new one.
+  [[nodiscard]] virtual QString notYet(const CalibrationScene&, const std::vector<CalibrationPoint>&,
+                                       const std::vector<double>& /*mean*/) const {
+    return {};
+  }
+  /// What the first field should offer next; NaN: nothing.
+  [[nodiscard]] virtual double offer(const std::vector<CalibrationPoint>&) const { return calibration::kUnknown; }
   /// Whether a new measurement replaces the former one.
   [[nodiscard]] virtual bool onePoint() const { return false; }
 
@@ -103,6 +122,7 @@ class CalibrationStep {
                                                    std::size_t sensor);
 
 /// A fit that has no points yet.
+/// @param missing which points to take; the empty plot says it too
 [[nodiscard]] CalibrationFit noPoints(const QString& missing);
 
 std::unique_ptr<CalibrationStep> makeNoTouchStep();
@@ -111,5 +131,13 @@ std::unique_ptr<CalibrationStep> makeLoadCellStep();
 std::unique_ptr<CalibrationStep> makeIrStep(std::size_t sensor);
 std::unique_ptr<CalibrationStep> makeCameraRegionStep();
 std::unique_ptr<CalibrationStep> makeCameraScaleStep();
+std::unique_ptr<CalibrationStep> makeEncoderStep();
+/// @param parameters for the travel that the stretch may be sent through
+std::unique_ptr<CalibrationStep> makeStiffnessStep(const control::ControlParameters& parameters);
+std::unique_ptr<CalibrationStep> makeRestStep();
+
+/// The verdict's own words say what to add; they are what is missing as long as there are too few points.
+[[nodiscard]] QString missingOf(const calibration::CalibrationResult& result);
+[[nodiscard]] std::vector<double> columnOf(const std::vector<CalibrationPoint>& points, std::size_t column);
 
 }  // namespace fyd::console

@@ -13,27 +13,11 @@
 namespace fyd::console {
 namespace {
 
-using calibration::CalibrationResult;
-
 QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
 
 constexpr int kCurvePoints = 120;
 
-std::vector<double> columnOf(const std::vector<CalibrationPoint>& points, std::size_t column) {
-  std::vector<double> out;
-  for (const CalibrationPoint& point : points) out.push_back(point[column]);
-  return out;
-}
-
 QString legend() { return tr("Line: new curve. Dashed: the one in force. Crosses: points the others contradict."); }
-
-/// The verdict's own words say what to add; they are what is missing as long as there are too few points.
-QString missingOf(const CalibrationResult& result) {
-  const bool too_few = result.verdict.threshold.find("_fewest_") != std::string::npos ||
-                       result.verdict.threshold.find("_least_span_") != std::string::npos ||
-                       result.verdict.threshold == "calibration.widest_gap_percent";
-  return !result.verdict.accepted && too_few ? QString::fromStdString(result.verdict.reason) : QString();
-}
 
 class LoadCellStep : public CalibrationStep {
  public:
@@ -88,6 +72,20 @@ class LoadCellStep : public CalibrationStep {
     }
     out.plot.residuals = found.result.residuals;
     out.plot.outliers = found.result.outliers;
+    if (std::isfinite(found.drift_N)) {
+      out.figures << tr("drift from first to last point %1 ± %2")
+                         .arg(widgets::numberText(found.drift_N, 3),
+                              widgets::quantityText(found.drift_error_N, 3, QStringLiteral("N")));
+    }
+    if (std::isfinite(found.hysteresis_N)) {
+      out.figures << tr("hysteresis %1").arg(widgets::quantityText(found.hysteresis_N, 3, QStringLiteral("N")));
+    }
+    if (!std::isfinite(found.drift_N) || !std::isfinite(found.hysteresis_N)) {
+      out.figures << tr("take the weights off again one by one to see drift and hysteresis");
+    }
+    if (std::isfinite(found.repeatability_N)) {
+      out.figures << tr("repeatability %1").arg(widgets::quantityText(found.repeatability_N, 3, QStringLiteral("N")));
+    }
     const auto& former = profile.step.sensing.load_cell;
     for (const double x : {low, high}) {
       const double former_g = former.slope_g_per_mV_per_V * x + former.offset_g;

@@ -38,6 +38,7 @@ std::vector<widgets::TuningSection> sections() {
 OperatePage::OperatePage(const PageContext& context, QWidget* parent)
     : Page(parent),
       context_(context),
+      ages_(context),
       camera_(new widgets::CameraPanel(this)),
       readiness_(new widgets::ReadinessList(this)),
       curves_(new widgets::CurveView(this)),
@@ -90,7 +91,11 @@ void OperatePage::connectFeed() {
     if (isVisible()) camera_->setPicture(toCameraPicture(view));
   });
   connect(feed, &SessionFeed::cameraMissing, camera_, &widgets::CameraPanel::showMissing);
-  connect(feed, &SessionFeed::readiness, readiness_, &widgets::ReadinessList::setRows);
+  connect(feed, &SessionFeed::readiness, this, [this](std::vector<widgets::ReadinessRow> rows) {
+    const auto& ages = ages_.rows();
+    rows.insert(rows.end(), ages.begin(), ages.end());
+    readiness_->setRows(rows);
+  });
 }
 
 void OperatePage::connectCurves() {

@@ -1,6 +1,7 @@
 // The place "Operate": what is felt now. Camera and readiness, curves, tuning.
 #pragma once
 
+#include "app/console/calibrate_ages.h"
 #include "app/console/curve_tools.h"
 #include "app/console/dock_set.h"
 #include "app/console/page.h"
@@ -34,6 +35,7 @@ class OperatePage : public Page {
   void addCurveCommands(PlaceCommands& commands);
 
   PageContext context_;
+  CalibrationAges ages_;
   widgets::CameraPanel* camera_;
   widgets::ReadinessList* readiness_;
   widgets::CurveView* curves_;

@@ -71,7 +71,8 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
     return out;
   }
   if (out.magnitude_g <= p.rest_magnitude_g && widest > 0.0) {
-    result.notes.push_back("the robot's end has taken rest away before it sends: whether 1 g is 1 g is not seen here");
+    result.notes.emplace_back(
+        "the robot's end has taken rest away before it sends: whether 1 g is 1 g is not seen here");
     result.verdict = {true, fmt::format("at rest {:.4f} g, spread {:.4f} g", out.magnitude_g, widest),
                       "calibration.rest_magnitude_g"};
     return out;

@@ -70,8 +70,16 @@
         <translation>%1 Mo</translation>
     </message>
     <message>
+        <source>%1 N/mm at %2 deg is known only to %3 %; expected at most %4 %: press there more often and deeper</source>
+        <translation>%1 N/mm à %2 degrés n'est connu qu'à %3 % près ; attendu au plus %4 % : y presser plus souvent et plus fort</translation>
+    </message>
+    <message>
         <source>%1 ago</source>
         <translation>il y a %1</translation>
+    </message>
+    <message>
+        <source>%1 angles are not told apart by their stiffness and were pooled</source>
+        <translation>%1 angles ne se distinguent pas par leur raideur et ont été réunis</translation>
     </message>
     <message>
         <source>%1 at %2 s: %3</source>
@@ -84,6 +92,10 @@
     <message>
         <source>%1 cannot change while the station runs</source>
         <translation>%1 ne peut pas changer pendant que la station travaille</translation>
+    </message>
+    <message>
+        <source>%1 different angles; expected at least %2: add presses at an angle between %3 and %4 deg</source>
+        <translation>%1 angles différents ; il en faut au moins %2 : ajouter des pressions à un angle entre %3 et %4 degrés</translation>
     </message>
     <message>
         <source>%1 different distances in %2 points; expected at least %3: add points between %4 and %5 mm (the same distance again tells only the noise)</source>
@@ -100,6 +112,14 @@
     <message>
         <source>%1 does not answer: %2</source>
         <translation>%1 ne répond pas : %2</translation>
+    </message>
+    <message>
+        <source>%1 encoder turns %2 % %3 than commanded; expected within %4 %: check that the motor is free, and that both are wired to the same roller</source>
+        <translation>le codeur %1 tourne %2 % %3 que commandé ; attendu à %4 % près : vérifier que le moteur est libre et que les deux sont câblés au même rouleau</translation>
+    </message>
+    <message>
+        <source>%1 encoder: %2 points over %3 deg; expected at least 5 over %4 deg: sweep farther</source>
+        <translation>codeur %1 : %2 points sur %3 degrés ; il en faut au moins 5 sur %4 degrés : balayer plus loin</translation>
     </message>
     <message>
         <source>%1 errors since the start</source>
@@ -184,6 +204,14 @@
     <message>
         <source>%1 over time, %2</source>
         <translation>%1 au cours du temps, %2</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 deg; expected at least %3: press there again, to different depths</source>
+        <translation>%1 points à %2 degrés ; il en faut au moins %3 : presser encore là, à des profondeurs différentes</translation>
+    </message>
+    <message>
+        <source>%1 presses of different depth at %2 or more stretches, the least and the greatest among them.</source>
+        <translation>%1 pressions de profondeurs différentes à %2 tensions ou plus, dont la plus faible et la plus forte.</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -510,6 +538,10 @@
         <translation>Des accélérations plus espacées que cela sont une lacune, pendant laquelle la texture se tait.</translation>
     </message>
     <message>
+        <source>Accelerometer at rest</source>
+        <translation>Accéléromètre au repos</translation>
+    </message>
+    <message>
         <source>Accept</source>
         <translation>Accepter</translation>
     </message>
@@ -520,6 +552,10 @@
     <message>
         <source>Accept the proposed values</source>
         <translation>Accepter les valeurs proposées</translation>
+    </message>
+    <message>
+        <source>Accepted and noted beside %1. It changes no value.</source>
+        <translation>Accepté et noté à côté de %1. Aucune valeur ne change.</translation>
     </message>
     <message>
         <source>Accepted and written to %1, but the session goes on without it: %2. Start the window again to use it.</source>
@@ -726,6 +762,14 @@
         <translation>Étalonner</translation>
     </message>
     <message>
+        <source>Calibrate it again under Calibrate. It does not keep you from arming.</source>
+        <translation>Refaire l'étalonnage sous Étalonner. Cela n'empêche pas d'armer.</translation>
+    </message>
+    <message>
+        <source>Calibration report as PDF</source>
+        <translation>Rapport d'étalonnage en PDF</translation>
+    </message>
+    <message>
         <source>Camera</source>
         <translation>Caméra</translation>
     </message>
@@ -912,6 +956,10 @@
     <message>
         <source>Cloth and robot answer (closed loop)</source>
         <translation>Tissu et robot répondent (boucle fermée)</translation>
+    </message>
+    <message>
+        <source>Commanded, °</source>
+        <translation>Commandé, °</translation>
     </message>
     <message>
         <source>Commands found</source>
@@ -1108,6 +1156,18 @@ mm</translation>
         <translation>Distances, mm</translation>
     </message>
     <message>
+        <source>Dots: both encoders with the new zero and sign. Line: where the motors were sent. Dashed: the first encoder as it is read now.</source>
+        <translation>Points : les deux codeurs avec leurs nouveaux zéro et signe. Trait : la position demandée aux moteurs. Tirets : le premier codeur tel qu'il est lu à présent.</translation>
+    </message>
+    <message>
+        <source>Dots: each press. Bars: an angle's stiffness with its 95 % interval. Line: the new law. Dashed: the one in force. Crosses: presses the others contradict.</source>
+        <translation>Points : chaque pression. Barres : raideur d'un angle et son intervalle à 95 %. Trait : la nouvelle loi. Tirets : celle en vigueur. Croix : pressions que les autres contredisent.</translation>
+    </message>
+    <message>
+        <source>Dots: length of each reading. Line: their mean. Dashed: what is expected.</source>
+        <translation>Points : norme de chaque lecture. Trait : leur moyenne. Tirets : la valeur attendue.</translation>
+    </message>
+    <message>
         <source>Dots: measured. Dashed: the offsets in force.</source>
         <translation>Points : mesurés. Tirets : les décalages en vigueur.</translation>
     </message>
@@ -1128,6 +1188,18 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Edit</source>
         <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Encoder 1</source>
+        <translation>Codeur 1</translation>
+    </message>
+    <message>
+        <source>Encoder 2</source>
+        <translation>Codeur 2</translation>
+    </message>
+    <message>
+        <source>Encoders: sign, zero, range</source>
+        <translation>Codeurs : signe, zéro, plage</translation>
     </message>
     <message>
         <source>Enough points.</source>
@@ -1408,6 +1480,10 @@ N</translation>
         <translation>De la dernière minute de cette séance</translation>
     </message>
     <message>
+        <source>From the mean, g</source>
+        <translation>De la moyenne, g</translation>
+    </message>
+    <message>
         <source>From the simulated touchpad, 12 s of virtual time</source>
         <translation>Du pavé simulé, 12 s de temps virtuel</translation>
     </message>
@@ -1504,6 +1580,14 @@ Robot : %2
         <translation>Maintenir 0,6 s, à la souris ou avec la barre d'espace, pour commencer le rendu : les moteurs s'allument.</translation>
     </message>
     <message>
+        <source>Hold still.</source>
+        <translation>Ne pas bouger.</translation>
+    </message>
+    <message>
+        <source>Hold the button until the sweep is done, then look at the fit and accept it.</source>
+        <translation>Tenir le bouton jusqu'à la fin du balayage, puis regarder la courbe et l'accepter.</translation>
+    </message>
+    <message>
         <source>Hold the picture still; measuring goes on (Space)</source>
         <translation>Fige l'image ; la mesure continue (Espace)</translation>
     </message>
@@ -1518,6 +1602,14 @@ Robot : %2
     <message>
         <source>Hold to arm</source>
         <translation>Maintenir : armer</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation>Tenir pour bouger</translation>
+    </message>
+    <message>
+        <source>Hold to move the motors</source>
+        <translation>Tenir pour faire tourner les moteurs</translation>
     </message>
     <message>
         <source>Hold to re-arm</source>
@@ -1594,6 +1686,10 @@ Robot : %2
     <message>
         <source>Indentation sigma limit</source>
         <translation>Limite sigma indentation</translation>
+    </message>
+    <message>
+        <source>Indentation, mm</source>
+        <translation>Indentation, mm</translation>
     </message>
     <message>
         <source>Input delay</source>
@@ -1730,6 +1826,14 @@ s</source>
 s</translation>
     </message>
     <message>
+        <source>Length, g</source>
+        <translation>Norme, g</translation>
+    </message>
+    <message>
+        <source>Let go, type the next stretch, hold the button and press to three depths again.</source>
+        <translation>Relâcher, saisir la tension suivante, tenir le bouton et presser de nouveau à trois profondeurs.</translation>
+    </message>
+    <message>
         <source>Light theme</source>
         <translation>Thème clair</translation>
     </message>
@@ -1764,6 +1868,10 @@ s</translation>
     <message>
         <source>Live parameters, held by the step</source>
         <translation>Paramètres en direct, tenus par le pas</translation>
+    </message>
+    <message>
+        <source>Live reading over the last 30 s, with the points taken</source>
+        <translation>Lecture en direct des 30 dernières s, avec les points pris</translation>
     </message>
     <message>
         <source>Live values</source>
@@ -1816,6 +1924,10 @@ s</translation>
     <message>
         <source>Look at the devices</source>
         <translation>Voir les appareils</translation>
+    </message>
+    <message>
+        <source>Look at the figures at the right, then accept them or measure again.</source>
+        <translation>Regarder les valeurs à droite, puis les accepter ou mesurer à nouveau.</translation>
     </message>
     <message>
         <source>Look at the offsets at the right, then accept them or measure again.</source>
@@ -1908,6 +2020,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Moyenne</translation>
     </message>
     <message>
+        <source>Measured, °</source>
+        <translation>Mesuré, °</translation>
+    </message>
+    <message>
         <source>Measured.</source>
         <translation>Mesuré.</translation>
     </message>
@@ -1946,6 +2062,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Motion speed limit</source>
         <translation>Vitesse maximale</translation>
+    </message>
+    <message>
+        <source>Motor 1, °</source>
+        <translation>Moteur 1, °</translation>
+    </message>
+    <message>
+        <source>Motor 2, °</source>
+        <translation>Moteur 2, °</translation>
     </message>
     <message>
         <source>Motor board</source>
@@ -2068,6 +2192,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Pas de priorité temps réel : le système peut retarder la boucle.</translation>
     </message>
     <message>
+        <source>No report: %1.</source>
+        <translation>Pas de rapport : %1.</translation>
+    </message>
+    <message>
         <source>No sensor of the touchpad answers.</source>
         <translation>Aucun capteur du touchpad ne répond.</translation>
     </message>
@@ -2114,6 +2242,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Not following: press F to follow again</source>
         <translation>Suivi arrêté : appuyer sur F pour suivre à nouveau</translation>
+    </message>
+    <message>
+        <source>Not moved: %1.</source>
+        <translation>Pas de mouvement : %1.</translation>
+    </message>
+    <message>
+        <source>Not moved: see the entry at the left.</source>
+        <translation>Pas de mouvement : voir le champ à gauche.</translation>
     </message>
     <message>
         <source>Not recording. %1.</source>
@@ -2230,6 +2366,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>One measurement of 3 s.</source>
         <translation>Une mesure de 3 s.</translation>
+    </message>
+    <message>
+        <source>One sweep of at least %1° with 5 angles.</source>
+        <translation>Un balayage d'au moins %1° avec 5 angles.</translation>
     </message>
     <message>
         <source>One time for all curves</source>
@@ -2404,6 +2544,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Appuyer sur Esc, puis redémarrer le programme.</translation>
     </message>
     <message>
+        <source>Press the cloth now, and hold the depth for a second.</source>
+        <translation>Presser maintenant le tissu et tenir la profondeur une seconde.</translation>
+    </message>
+    <message>
         <source>Previous picture</source>
         <translation>Image précédente</translation>
     </message>
@@ -2454,6 +2598,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Put the next known weight on the cell, type it, wait until it rests, take the point.</source>
         <translation>Poser le poids connu suivant sur la cellule, le saisir, attendre le repos, prendre le point.</translation>
+    </message>
+    <message>
+        <source>Put the robot to rest with its tool in the air, and take the point: it lasts 3 s.</source>
+        <translation>Mettre le robot au repos, outil en l'air, et prendre le point : cela dure 3 s.</translation>
     </message>
     <message>
         <source>Pwm</source>
@@ -2600,12 +2748,20 @@ Appuyer pour lire pourquoi</translation>
         <translation>Rendu en cours ; moteurs en marche.</translation>
     </message>
     <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
         <source>Report as PDF</source>
         <translation>Rapport en PDF</translation>
     </message>
     <message>
         <source>Report as web page</source>
         <translation>Rapport en page web</translation>
+    </message>
+    <message>
+        <source>Report written to %1.</source>
+        <translation>Rapport écrit dans %1.</translation>
     </message>
     <message>
         <source>Reset %1 to its default</source>
@@ -2618,6 +2774,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Residual, mm</source>
         <translation>Résidu, mm</translation>
+    </message>
+    <message>
+        <source>Residual, °</source>
+        <translation>Résidu, °</translation>
     </message>
     <message>
         <source>Rest a finger on the cloth, drag a rectangle around the cloth in the picture, and take the point.</source>
@@ -2992,6 +3152,10 @@ N/mm</translation>
         <translation>La raideur n'est pas observable avec moins d'indentation que cela.</translation>
     </message>
     <message>
+        <source>Stiffness map</source>
+        <translation>Carte de raideur</translation>
+    </message>
+    <message>
         <source>Stiffness minimum force</source>
         <translation>Force minimale</translation>
     </message>
@@ -3028,6 +3192,10 @@ N/mm</translation>
         <translation>Raideur de consigne tant qu'elle est réglée à la main.</translation>
     </message>
     <message>
+        <source>Stiffness, N/mm</source>
+        <translation>Raideur, N/mm</translation>
+    </message>
+    <message>
         <source>Stiffness, measured and target</source>
         <translation>Raideur, mesurée et consigne</translation>
     </message>
@@ -3058,6 +3226,10 @@ N/mm</translation>
     <message>
         <source>Stretch, read by the encoders</source>
         <translation>Tension, lue par les codeurs</translation>
+    </message>
+    <message>
+        <source>Stretch, °</source>
+        <translation>Tension, °</translation>
     </message>
     <message>
         <source>Subject</source>
@@ -3110,6 +3282,10 @@ N/mm</translation>
     <message>
         <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (T).</source>
         <translation>Prend les lectures présentes comme « sans contact » : décalages des distances et zéro de la cellule de charge. Lever d'abord le doigt (T).</translation>
+    </message>
+    <message>
+        <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
+        <translation>Ôter les mains du tissu et tenir le bouton 16 s : les deux moteurs vont aussitôt à leur zéro, puis par pas de %1° jusqu'à %2° et retour.</translation>
     </message>
     <message>
         <source>Takes the last point back.</source>
@@ -3192,6 +3368,14 @@ N/mm</translation>
         <translation>Le doigt n'a jamais appuyé dans cette session.</translation>
     </message>
     <message>
+        <source>The fit and its residuals are drawn here.
+
+To begin: %1</source>
+        <translation>La courbe et ses résidus sont tracés ici.
+
+Pour commencer : %1</translation>
+    </message>
+    <message>
         <source>The haptic loop says nothing; the last state was %1.</source>
         <translation>La boucle haptique se tait ; le dernier état était %1.</translation>
     </message>
@@ -3206,6 +3390,26 @@ N/mm</translation>
     <message>
         <source>The list of sessions (Ctrl+O)</source>
         <translation>La liste des sessions (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>The motors are off. %1 points so far.</source>
+        <translation>Les moteurs sont coupés. %1 points jusqu'ici.</translation>
+    </message>
+    <message>
+        <source>The motors are off: %1. %2 points so far.</source>
+        <translation>Les moteurs sont coupés : %1. %2 points jusqu'ici.</translation>
+    </message>
+    <message>
+        <source>The motors are on their way.</source>
+        <translation>Les moteurs sont en route.</translation>
+    </message>
+    <message>
+        <source>The motors move as long as this is held, by mouse or space bar, and are off when it is let go.</source>
+        <translation>Les moteurs tournent tant que ce bouton est tenu, à la souris ou à la barre d'espace, et sont coupés au relâchement.</translation>
+    </message>
+    <message>
+        <source>The motors move; let go and they are off.</source>
+        <translation>Les moteurs tournent ; relâcher les coupe.</translation>
     </message>
     <message>
         <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
@@ -3230,6 +3434,10 @@ N/mm</translation>
     <message>
         <source>The recording loses samples: the computer is too busy. What is written is safe; the gap is marked in the file. Close other programs.</source>
         <translation>L'enregistrement perd des échantillons : l'ordinateur est trop occupé. Ce qui est écrit est en sûreté ; la lacune est marquée dans le fichier. Fermer les autres programmes.</translation>
+    </message>
+    <message>
+        <source>The report stands beside the profile.</source>
+        <translation>Le rapport se trouve à côté du profil.</translation>
     </message>
     <message>
         <source>The robot can be changed only while nothing can move. Press Esc first.</source>
@@ -3348,8 +3556,20 @@ N/mm</translation>
         <translation>Mode thèse : les niveaux de gris inférieurs sont le doigt.</translation>
     </message>
     <message>
+        <source>This angle is taken.</source>
+        <translation>Cet angle est pris.</translation>
+    </message>
+    <message>
         <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
         <translation>L'adresse de cet ordinateur, HOST:PORT. Le robot y appelle ; 0.0.0.0 écoute tous les réseaux.</translation>
+    </message>
+    <message>
+        <source>This depth is taken: press deeper or less deep, then let go and go on to the next stretch.</source>
+        <translation>Cette profondeur est prise : presser plus ou moins, puis relâcher et passer à la tension suivante.</translation>
+    </message>
+    <message>
+        <source>This part's points are taken by themselves while the button is held.</source>
+        <translation>Les points de cette partie se prennent tout seuls tant que le bouton est tenu.</translation>
     </message>
     <message>
         <source>This session's</source>
@@ -3434,6 +3654,10 @@ N/mm</translation>
     <message>
         <source>Type a few letters of a command</source>
         <translation>Saisir quelques lettres d'une commande</translation>
+    </message>
+    <message>
+        <source>Type a stretch and hold the button: the motors go there. Meanwhile press the cloth to three depths, each for a second; points are taken by themselves.</source>
+        <translation>Saisir une tension et tenir le bouton : les moteurs y vont. Presser pendant ce temps le tissu à trois profondeurs, une seconde chacune ; les points se prennent tout seuls.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -3568,6 +3792,10 @@ N/mm</translation>
         <translation>Écrit les nouvelles valeurs avec leur procès-verbal, et recommence la session avec elles.</translation>
     </message>
     <message>
+        <source>Writes this part's last calibration, before and after, as a PDF beside the profile.</source>
+        <translation>Écrit le dernier étalonnage de cette partie, avant et après, en PDF à côté du profil.</translation>
+    </message>
+    <message>
         <source>Writing %1 …</source>
         <translation>Écriture de %1 …</translation>
     </message>
@@ -3586,6 +3814,10 @@ N/mm</translation>
     <message>
         <source>a sensor is outside its span</source>
         <translation>un capteur est hors de sa plage</translation>
+    </message>
+    <message>
+        <source>a wrong tare of %1 ± %2 is taken into account</source>
+        <translation>une tare fausse de %1 ± %2 est prise en compte</translation>
     </message>
     <message>
         <source>adaptive follows uneven and changing light; thesis is the printed algorithm.</source>
@@ -3608,6 +3840,10 @@ N/mm</translation>
         <translation>retour à toutes les valeurs enregistrées</translation>
     </message>
     <message>
+        <source>all presses are about equally deep, so a wrong tare cannot be told from stiffness: press to different depths</source>
+        <translation>toutes les pressions ont à peu près la même profondeur, une tare fausse ne se distingue donc pas de la raideur : presser à des profondeurs différentes</translation>
+    </message>
+    <message>
         <source>an answer of another unit</source>
         <translation>une réponse d'une autre unité</translation>
     </message>
@@ -3618,6 +3854,10 @@ N/mm</translation>
     <message>
         <source>an answer with a wrong checksum; is the speed right and the line terminated?</source>
         <translation>une réponse à somme de contrôle erronée ; la vitesse est-elle juste et la ligne terminée ?</translation>
+    </message>
+    <message>
+        <source>an axis spreads by %1 g; expected at most %2: it moves: put the robot to rest</source>
+        <translation>un axe varie de %1 g ; attendu au plus %2 : il bouge : mettre le robot au repos</translation>
     </message>
     <message>
         <source>area</source>
@@ -3638,6 +3878,10 @@ N/mm</translation>
     <message>
         <source>at rest %1 g, spread %2 g</source>
         <translation>au repos %1 g, dispersion %2 g</translation>
+    </message>
+    <message>
+        <source>at rest it measures %1 g; expected 1 within %2: check the counts per g of the sensor</source>
+        <translation>au repos il mesure %1 g ; attendu 1 à %2 près : vérifier les pas par g du capteur</translation>
     </message>
     <message>
         <source>auto</source>
@@ -3704,6 +3948,10 @@ N/mm</translation>
         <translation>changé depuis l'étalonnage il y a %1 jours</translation>
     </message>
     <message>
+        <source>changed since it was calibrated today</source>
+        <translation>modifié depuis l'étalonnage d'aujourd'hui</translation>
+    </message>
+    <message>
         <source>check the touchpad's connection</source>
         <translation>vérifier la connexion du touchpad</translation>
     </message>
@@ -3730,6 +3978,14 @@ N/mm</translation>
     <message>
         <source>counts</source>
         <translation>points</translation>
+    </message>
+    <message>
+        <source>counts against its motor</source>
+        <translation>compte à l'envers de son moteur</translation>
+    </message>
+    <message>
+        <source>counts with its motor</source>
+        <translation>compte comme son moteur</translation>
     </message>
     <message>
         <source>current %1</source>
@@ -3800,12 +4056,20 @@ N/mm</translation>
         <translation>pointillé</translation>
     </message>
     <message>
+        <source>drift from first to last point %1 ± %2</source>
+        <translation>dérive du premier au dernier point %1 ± %2</translation>
+    </message>
+    <message>
         <source>each ±%1 %2</source>
         <translation>chacun ±%1 %2</translation>
     </message>
     <message>
         <source>encoder %1</source>
         <translation>codeur %1</translation>
+    </message>
+    <message>
+        <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
+        <translation>codeur %1 : %2, zéro à %3 pas, balayé de %4 à %5</translation>
     </message>
     <message>
         <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
@@ -3940,6 +4204,10 @@ N/mm</translation>
         <translation>ne contient pas d'image</translation>
     </message>
     <message>
+        <source>hysteresis %1</source>
+        <translation>hystérésis %1</translation>
+    </message>
+    <message>
         <source>idle</source>
         <translation>en attente</translation>
     </message>
@@ -4018,6 +4286,10 @@ N/mm</translation>
     <message>
         <source>load cell: %1 mV/V lies beyond the bridge's span</source>
         <translation>cellule de charge : %1 mV/V dépasse la plage du pont</translation>
+    </message>
+    <message>
+        <source>loading reads %1 N apart from unloading: look for friction between the cell and its plate</source>
+        <translation>la charge diffère de %1 N de la décharge : chercher un frottement entre la cellule et son plateau</translation>
     </message>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
@@ -4100,6 +4372,14 @@ N/mm</translation>
         <translation>pas de doigt</translation>
     </message>
     <message>
+        <source>no force is measured: look at the load cell's cable</source>
+        <translation>aucune force mesurée : regarder le câble de la cellule de charge</translation>
+    </message>
+    <message>
+        <source>no indentation is measured: press the cloth with a finger</source>
+        <translation>aucune indentation mesurée : presser le tissu du doigt</translation>
+    </message>
+    <message>
         <source>no picture</source>
         <translation>pas d'image</translation>
     </message>
@@ -4110,6 +4390,10 @@ N/mm</translation>
     <message>
         <source>no point between %1 and %2 mm, %3 % of the span: add points between %4 and %5 mm</source>
         <translation>aucun point entre %1 et %2 mm, %3 % de la plage : ajouter des points entre %4 et %5 mm</translation>
+    </message>
+    <message>
+        <source>no press at %1 deg is deeper than %2 mm; expected at least %3 mm: press deeper there</source>
+        <translation>aucune pression à %1 degrés ne dépasse %2 mm ; il faut au moins %3 mm : y presser plus</translation>
     </message>
     <message>
         <source>no recent picture</source>
@@ -4126,6 +4410,10 @@ N/mm</translation>
     <message>
         <source>no stiffness target</source>
         <translation>pas de raideur de consigne</translation>
+    </message>
+    <message>
+        <source>no value changes: the texture takes rest away by itself</source>
+        <translation>aucune valeur ne change : la texture retire elle-même le repos</translation>
     </message>
     <message>
         <source>none</source>
@@ -4240,6 +4528,10 @@ N/mm</translation>
         <translation>changement de nom du préréglage %1</translation>
     </message>
     <message>
+        <source>repeatability %1</source>
+        <translation>répétabilité %1</translation>
+    </message>
+    <message>
         <source>resume</source>
         <translation>reprendre</translation>
     </message>
@@ -4320,12 +4612,24 @@ N/mm</translation>
         <translation>slope ajuste la force à l'indentation avec incertitude ; thesis est le simple rapport.</translation>
     </message>
     <message>
+        <source>slope per angle, monotone law</source>
+        <translation>pente par angle, loi monotone</translation>
+    </message>
+    <message>
         <source>solid</source>
         <translation>continu</translation>
     </message>
     <message>
+        <source>spread x %1, y %2, z %3</source>
+        <translation>dispersion x %1, y %2, z %3</translation>
+    </message>
+    <message>
         <source>stiffness (% of target)</source>
         <translation>raideur (% de la consigne)</translation>
+    </message>
+    <message>
+        <source>stiffness falls from %1 N/mm at %2 deg to %3 at %4 deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>
+        <translation>la raideur tombe de %1 N/mm à %2 degrés à %3 à %4 degrés, alors que la tension raidit le tissu : presser de nouveau aux deux angles et voir si le tissu glisse</translation>
     </message>
     <message>
         <source>still being recorded</source>
@@ -4346,6 +4650,10 @@ N/mm</translation>
     <message>
         <source>take the hand away and start again</source>
         <translation>éloigner la main et recommencer</translation>
+    </message>
+    <message>
+        <source>take the weights off again one by one to see drift and hysteresis</source>
+        <translation>retirer les poids un à un pour voir dérive et hystérésis</translation>
     </message>
     <message>
         <source>target</source>
@@ -4392,6 +4700,14 @@ N/mm</translation>
         <translation>la boucle haptique s'est arrêtée plus de 20 ms</translation>
     </message>
     <message>
+        <source>the last %1 s</source>
+        <translation>les %1 dernières s</translation>
+    </message>
+    <message>
+        <source>the law is rising; beyond its ends the controller stays at them</source>
+        <translation>la loi est croissante ; au-delà de ses bouts, la commande y reste</translation>
+    </message>
+    <message>
         <source>the load cell is silent</source>
         <translation>la cellule de charge est silencieuse</translation>
     </message>
@@ -4428,6 +4744,10 @@ N/mm</translation>
         <translation>l'image est figée : la caméra envoie toujours la même</translation>
     </message>
     <message>
+        <source>the reading drifts by %1 N over the measurement: let the bridge warm up</source>
+        <translation>la lecture dérive de %1 N pendant la mesure : laisser chauffer le pont</translation>
+    </message>
+    <message>
         <source>the recorder is not running</source>
         <translation>l'enregistreur ne fonctionne pas</translation>
     </message>
@@ -4452,12 +4772,32 @@ N/mm</translation>
         <translation>le robot est silencieux</translation>
     </message>
     <message>
+        <source>the robot sends no acceleration: look at the link's panel</source>
+        <translation>le robot n'envoie pas d'accélération : voir le panneau de la liaison</translation>
+    </message>
+    <message>
+        <source>the robot's end has taken rest away before it sends: whether 1 g is 1 g is not seen here</source>
+        <translation>le côté robot retire le repos avant d'envoyer : on ne voit pas ici si 1 g vaut 1 g</translation>
+    </message>
+    <message>
         <source>the robot's stiffness is not a number</source>
         <translation>la raideur du robot n'est pas un nombre</translation>
     </message>
     <message>
         <source>the session is closed</source>
         <translation>la session est fermée</translation>
+    </message>
+    <message>
+        <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
+        <translation>la raideur ne change pas avec l'angle : vérifier que les moteurs tendent le tissu</translation>
+    </message>
+    <message>
+        <source>the stretch is not known: look under Devices whether the motors answer</source>
+        <translation>la tension est inconnue : voir sous Appareils si les moteurs répondent</translation>
+    </message>
+    <message>
+        <source>the stretch lies outside control.travel_minimum_deg and control.travel_maximum_deg</source>
+        <translation>la tension est hors de control.travel_minimum_deg et control.travel_maximum_deg</translation>
     </message>
     <message>
         <source>the touchpad closed the connection</source>
@@ -4486,6 +4826,10 @@ N/mm</translation>
     <message>
         <source>this camera has none, or refuses the value</source>
         <translation>cette caméra n'en a pas, ou refuse la valeur</translation>
+    </message>
+    <message>
+        <source>this part was never calibrated: accept a calibration first</source>
+        <translation>cette partie n'a jamais été étalonnée : accepter d'abord un étalonnage</translation>
     </message>
     <message>
         <source>this source has none</source>
@@ -4556,6 +4900,10 @@ N/mm</translation>
         <translation>utiliser SoC</translation>
     </message>
     <message>
+        <source>valid from %1 to %2</source>
+        <translation>valable de %1 à %2</translation>
+    </message>
+    <message>
         <source>value</source>
         <translation>valeur</translation>
     </message>
@@ -4620,6 +4968,10 @@ N/mm</translation>
         <translation>x %1 px, y %2 px</translation>
     </message>
     <message>
+        <source>x, g</source>
+        <translation>x, g</translation>
+    </message>
+    <message>
         <source>x, mm</source>
         <translation>x, mm</translation>
     </message>
@@ -4636,6 +4988,10 @@ N/mm</translation>
         <translation>y</translation>
     </message>
     <message>
+        <source>y, g</source>
+        <translation>y, g</translation>
+    </message>
+    <message>
         <source>y, mm</source>
         <translation>y, mm</translation>
     </message>
@@ -4646,6 +5002,10 @@ N/mm</translation>
     <message>
         <source>y, to the back</source>
         <translation>y, vers le fond</translation>
+    </message>
+    <message>
+        <source>z, g</source>
+        <translation>z, g</translation>
     </message>
     <message>
         <source>Δ %1</source>

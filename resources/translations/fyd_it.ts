@@ -70,8 +70,16 @@
         <translation>%1 MB</translation>
     </message>
     <message>
+        <source>%1 N/mm at %2 deg is known only to %3 %; expected at most %4 %: press there more often and deeper</source>
+        <translation>%1 N/mm a %2 gradi è noto solo al %3 %; atteso al più il %4 %: premere lì più spesso e più a fondo</translation>
+    </message>
+    <message>
         <source>%1 ago</source>
         <translation>%1 fa</translation>
+    </message>
+    <message>
+        <source>%1 angles are not told apart by their stiffness and were pooled</source>
+        <translation>%1 angoli non si distinguono per rigidezza e sono stati uniti</translation>
     </message>
     <message>
         <source>%1 at %2 s: %3</source>
@@ -84,6 +92,10 @@
     <message>
         <source>%1 cannot change while the station runs</source>
         <translation>%1 non può cambiare mentre la stazione lavora</translation>
+    </message>
+    <message>
+        <source>%1 different angles; expected at least %2: add presses at an angle between %3 and %4 deg</source>
+        <translation>%1 angoli diversi; ne servono almeno %2: aggiungere pressioni a un angolo fra %3 e %4 gradi</translation>
     </message>
     <message>
         <source>%1 different distances in %2 points; expected at least %3: add points between %4 and %5 mm (the same distance again tells only the noise)</source>
@@ -100,6 +112,14 @@
     <message>
         <source>%1 does not answer: %2</source>
         <translation>%1 non risponde: %2</translation>
+    </message>
+    <message>
+        <source>%1 encoder turns %2 % %3 than commanded; expected within %4 %: check that the motor is free, and that both are wired to the same roller</source>
+        <translation>l'encoder %1 gira il %2 % %3 di quanto comandato; atteso entro il %4 %: controllare che il motore sia libero e che entrambi siano collegati allo stesso rullo</translation>
+    </message>
+    <message>
+        <source>%1 encoder: %2 points over %3 deg; expected at least 5 over %4 deg: sweep farther</source>
+        <translation>encoder %1: %2 punti su %3 gradi; ne servono almeno 5 su %4 gradi: corsa più lunga</translation>
     </message>
     <message>
         <source>%1 errors since the start</source>
@@ -184,6 +204,14 @@
     <message>
         <source>%1 over time, %2</source>
         <translation>%1 nel tempo, %2</translation>
+    </message>
+    <message>
+        <source>%1 points at %2 deg; expected at least %3: press there again, to different depths</source>
+        <translation>%1 punti a %2 gradi; ne servono almeno %3: premere ancora lì, a profondità diverse</translation>
+    </message>
+    <message>
+        <source>%1 presses of different depth at %2 or more stretches, the least and the greatest among them.</source>
+        <translation>%1 pressioni di profondità diversa a %2 o più tensioni, fra cui la minima e la massima.</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -510,6 +538,10 @@
         <translation>Accelerazioni più distanti di così sono una lacuna, durante la quale la texture tace.</translation>
     </message>
     <message>
+        <source>Accelerometer at rest</source>
+        <translation>Accelerometro a riposo</translation>
+    </message>
+    <message>
         <source>Accept</source>
         <translation>Accetta</translation>
     </message>
@@ -520,6 +552,10 @@
     <message>
         <source>Accept the proposed values</source>
         <translation>Accetta i valori proposti</translation>
+    </message>
+    <message>
+        <source>Accepted and noted beside %1. It changes no value.</source>
+        <translation>Accettata e annotata accanto a %1. Non cambia alcun valore.</translation>
     </message>
     <message>
         <source>Accepted and written to %1, but the session goes on without it: %2. Start the window again to use it.</source>
@@ -726,6 +762,14 @@
         <translation>Calibra</translation>
     </message>
     <message>
+        <source>Calibrate it again under Calibrate. It does not keep you from arming.</source>
+        <translation>Rifare la calibrazione in Calibra. Non impedisce di armare.</translation>
+    </message>
+    <message>
+        <source>Calibration report as PDF</source>
+        <translation>Rapporto di calibrazione in PDF</translation>
+    </message>
+    <message>
         <source>Camera</source>
         <translation>Telecamera</translation>
     </message>
@@ -912,6 +956,10 @@
     <message>
         <source>Cloth and robot answer (closed loop)</source>
         <translation>Tessuto e robot rispondono (anello chiuso)</translation>
+    </message>
+    <message>
+        <source>Commanded, °</source>
+        <translation>Comandato, °</translation>
     </message>
     <message>
         <source>Commands found</source>
@@ -1108,6 +1156,18 @@ mm</translation>
         <translation>Distanze, mm</translation>
     </message>
     <message>
+        <source>Dots: both encoders with the new zero and sign. Line: where the motors were sent. Dashed: the first encoder as it is read now.</source>
+        <translation>Punti: entrambi gli encoder con nuovo zero e segno. Linea: dove i motori sono stati mandati. Tratteggio: il primo encoder come è letto ora.</translation>
+    </message>
+    <message>
+        <source>Dots: each press. Bars: an angle's stiffness with its 95 % interval. Line: the new law. Dashed: the one in force. Crosses: presses the others contradict.</source>
+        <translation>Punti: ogni pressione. Barre: rigidezza di un angolo con l'intervallo del 95 %. Linea: la nuova legge. Tratteggio: quella in vigore. Croci: pressioni che le altre contraddicono.</translation>
+    </message>
+    <message>
+        <source>Dots: length of each reading. Line: their mean. Dashed: what is expected.</source>
+        <translation>Punti: modulo di ogni lettura. Linea: la media. Tratteggio: quanto atteso.</translation>
+    </message>
+    <message>
         <source>Dots: measured. Dashed: the offsets in force.</source>
         <translation>Punti: misurati. Tratteggio: gli offset in vigore.</translation>
     </message>
@@ -1128,6 +1188,18 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Edit</source>
         <translation>Modifica</translation>
+    </message>
+    <message>
+        <source>Encoder 1</source>
+        <translation>Encoder 1</translation>
+    </message>
+    <message>
+        <source>Encoder 2</source>
+        <translation>Encoder 2</translation>
+    </message>
+    <message>
+        <source>Encoders: sign, zero, range</source>
+        <translation>Encoder: segno, zero, campo</translation>
     </message>
     <message>
         <source>Enough points.</source>
@@ -1408,6 +1480,10 @@ N</translation>
         <translation>Dall'ultimo minuto di questa sessione</translation>
     </message>
     <message>
+        <source>From the mean, g</source>
+        <translation>Dalla media, g</translation>
+    </message>
+    <message>
         <source>From the simulated touchpad, 12 s of virtual time</source>
         <translation>Dal touchpad simulato, 12 s di tempo virtuale</translation>
     </message>
@@ -1504,6 +1580,14 @@ Robot: %2
         <translation>Tenere premuto 0,6 s, col mouse o con la barra spaziatrice, per iniziare la resa: i motori si accendono.</translation>
     </message>
     <message>
+        <source>Hold still.</source>
+        <translation>Stare fermi.</translation>
+    </message>
+    <message>
+        <source>Hold the button until the sweep is done, then look at the fit and accept it.</source>
+        <translation>Tenere il pulsante fino alla fine della corsa, poi guardare la curva e accettarla.</translation>
+    </message>
+    <message>
         <source>Hold the picture still; measuring goes on (Space)</source>
         <translation>Ferma l'immagine; la misura continua (Spazio)</translation>
     </message>
@@ -1518,6 +1602,14 @@ Robot: %2
     <message>
         <source>Hold to arm</source>
         <translation>Tenere: arma</translation>
+    </message>
+    <message>
+        <source>Hold to move</source>
+        <translation>Tenere per muovere</translation>
+    </message>
+    <message>
+        <source>Hold to move the motors</source>
+        <translation>Tenere premuto per muovere i motori</translation>
     </message>
     <message>
         <source>Hold to re-arm</source>
@@ -1594,6 +1686,10 @@ Robot: %2
     <message>
         <source>Indentation sigma limit</source>
         <translation>Limite sigma indentazione</translation>
+    </message>
+    <message>
+        <source>Indentation, mm</source>
+        <translation>Indentazione, mm</translation>
     </message>
     <message>
         <source>Input delay</source>
@@ -1730,6 +1826,14 @@ s</source>
 s</translation>
     </message>
     <message>
+        <source>Length, g</source>
+        <translation>Modulo, g</translation>
+    </message>
+    <message>
+        <source>Let go, type the next stretch, hold the button and press to three depths again.</source>
+        <translation>Rilasciare, scrivere la tensione seguente, tenere il pulsante e premere di nuovo a tre profondità.</translation>
+    </message>
+    <message>
         <source>Light theme</source>
         <translation>Tema chiaro</translation>
     </message>
@@ -1764,6 +1868,10 @@ s</translation>
     <message>
         <source>Live parameters, held by the step</source>
         <translation>Parametri dal vivo, tenuti dal passo</translation>
+    </message>
+    <message>
+        <source>Live reading over the last 30 s, with the points taken</source>
+        <translation>Lettura dal vivo degli ultimi 30 s, con i punti presi</translation>
     </message>
     <message>
         <source>Live values</source>
@@ -1816,6 +1924,10 @@ s</translation>
     <message>
         <source>Look at the devices</source>
         <translation>Guarda i dispositivi</translation>
+    </message>
+    <message>
+        <source>Look at the figures at the right, then accept them or measure again.</source>
+        <translation>Guardare i valori a destra, poi accettarli o misurare di nuovo.</translation>
     </message>
     <message>
         <source>Look at the offsets at the right, then accept them or measure again.</source>
@@ -1908,6 +2020,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Media</translation>
     </message>
     <message>
+        <source>Measured, °</source>
+        <translation>Misurato, °</translation>
+    </message>
+    <message>
         <source>Measured.</source>
         <translation>Misurato.</translation>
     </message>
@@ -1946,6 +2062,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Motion speed limit</source>
         <translation>Limite di velocità del moto</translation>
+    </message>
+    <message>
+        <source>Motor 1, °</source>
+        <translation>Motore 1, °</translation>
+    </message>
+    <message>
+        <source>Motor 2, °</source>
+        <translation>Motore 2, °</translation>
     </message>
     <message>
         <source>Motor board</source>
@@ -2068,6 +2192,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nessuna priorità in tempo reale: il sistema può ritardare il ciclo.</translation>
     </message>
     <message>
+        <source>No report: %1.</source>
+        <translation>Nessun rapporto: %1.</translation>
+    </message>
+    <message>
         <source>No sensor of the touchpad answers.</source>
         <translation>Nessun sensore del touchpad risponde.</translation>
     </message>
@@ -2114,6 +2242,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Not following: press F to follow again</source>
         <translation>Non segue: premere F per seguire di nuovo</translation>
+    </message>
+    <message>
+        <source>Not moved: %1.</source>
+        <translation>Nessun movimento: %1.</translation>
+    </message>
+    <message>
+        <source>Not moved: see the entry at the left.</source>
+        <translation>Nessun movimento: vedere il campo a sinistra.</translation>
     </message>
     <message>
         <source>Not recording. %1.</source>
@@ -2230,6 +2366,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>One measurement of 3 s.</source>
         <translation>Una misura di 3 s.</translation>
+    </message>
+    <message>
+        <source>One sweep of at least %1° with 5 angles.</source>
+        <translation>Una corsa di almeno %1° con 5 angoli.</translation>
     </message>
     <message>
         <source>One time for all curves</source>
@@ -2404,6 +2544,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Premere Esc, poi riavviare il programma.</translation>
     </message>
     <message>
+        <source>Press the cloth now, and hold the depth for a second.</source>
+        <translation>Premere ora il tessuto e tenere la profondità per un secondo.</translation>
+    </message>
+    <message>
         <source>Previous picture</source>
         <translation>Immagine precedente</translation>
     </message>
@@ -2454,6 +2598,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Put the next known weight on the cell, type it, wait until it rests, take the point.</source>
         <translation>Mettere sulla cella il peso noto seguente, scriverlo, attendere che sia fermo, prendere il punto.</translation>
+    </message>
+    <message>
+        <source>Put the robot to rest with its tool in the air, and take the point: it lasts 3 s.</source>
+        <translation>Mettere il robot a riposo con l'utensile in aria e prendere il punto: dura 3 s.</translation>
     </message>
     <message>
         <source>Pwm</source>
@@ -2600,12 +2748,20 @@ Premere per leggere perché</translation>
         <translation>Resa in corso; motori accesi.</translation>
     </message>
     <message>
+        <source>Report</source>
+        <translation>Rapporto</translation>
+    </message>
+    <message>
         <source>Report as PDF</source>
         <translation>Rapporto come PDF</translation>
     </message>
     <message>
         <source>Report as web page</source>
         <translation>Rapporto come pagina web</translation>
+    </message>
+    <message>
+        <source>Report written to %1.</source>
+        <translation>Rapporto scritto in %1.</translation>
     </message>
     <message>
         <source>Reset %1 to its default</source>
@@ -2618,6 +2774,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Residual, mm</source>
         <translation>Residuo, mm</translation>
+    </message>
+    <message>
+        <source>Residual, °</source>
+        <translation>Residuo, °</translation>
     </message>
     <message>
         <source>Rest a finger on the cloth, drag a rectangle around the cloth in the picture, and take the point.</source>
@@ -2992,6 +3152,10 @@ N/mm</translation>
         <translation>La rigidezza non è osservabile con meno indentazione di così.</translation>
     </message>
     <message>
+        <source>Stiffness map</source>
+        <translation>Mappa di rigidezza</translation>
+    </message>
+    <message>
         <source>Stiffness minimum force</source>
         <translation>Forza minima</translation>
     </message>
@@ -3028,6 +3192,10 @@ N/mm</translation>
         <translation>Rigidezza desiderata mentre è impostata a mano.</translation>
     </message>
     <message>
+        <source>Stiffness, N/mm</source>
+        <translation>Rigidezza, N/mm</translation>
+    </message>
+    <message>
         <source>Stiffness, measured and target</source>
         <translation>Rigidezza, misurata e obiettivo</translation>
     </message>
@@ -3058,6 +3226,10 @@ N/mm</translation>
     <message>
         <source>Stretch, read by the encoders</source>
         <translation>Tensione, letta dagli encoder</translation>
+    </message>
+    <message>
+        <source>Stretch, °</source>
+        <translation>Tensione, °</translation>
     </message>
     <message>
         <source>Subject</source>
@@ -3110,6 +3282,10 @@ N/mm</translation>
     <message>
         <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (T).</source>
         <translation>Prende le letture presenti come "non toccato": offset delle distanze e zero della cella di carico. Alzare prima il dito (T).</translation>
+    </message>
+    <message>
+        <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
+        <translation>Togliere le mani dal tessuto e tenere il pulsante per 16 s: entrambi i motori vanno subito al loro zero, poi a passi di %1° fino a %2° e ritorno.</translation>
     </message>
     <message>
         <source>Takes the last point back.</source>
@@ -3192,6 +3368,14 @@ N/mm</translation>
         <translation>Il dito non ha mai premuto in questa sessione.</translation>
     </message>
     <message>
+        <source>The fit and its residuals are drawn here.
+
+To begin: %1</source>
+        <translation>Qui appaiono la curva e i suoi residui.
+
+Per cominciare: %1</translation>
+    </message>
+    <message>
         <source>The haptic loop says nothing; the last state was %1.</source>
         <translation>Il ciclo aptico tace; l'ultimo stato era %1.</translation>
     </message>
@@ -3206,6 +3390,26 @@ N/mm</translation>
     <message>
         <source>The list of sessions (Ctrl+O)</source>
         <translation>L'elenco delle sessioni (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>The motors are off. %1 points so far.</source>
+        <translation>I motori sono spenti. %1 punti finora.</translation>
+    </message>
+    <message>
+        <source>The motors are off: %1. %2 points so far.</source>
+        <translation>I motori sono spenti: %1. %2 punti finora.</translation>
+    </message>
+    <message>
+        <source>The motors are on their way.</source>
+        <translation>I motori sono in movimento.</translation>
+    </message>
+    <message>
+        <source>The motors move as long as this is held, by mouse or space bar, and are off when it is let go.</source>
+        <translation>I motori si muovono finché si tiene premuto, col mouse o con la barra spaziatrice, e sono spenti al rilascio.</translation>
+    </message>
+    <message>
+        <source>The motors move; let go and they are off.</source>
+        <translation>I motori si muovono; al rilascio si spengono.</translation>
     </message>
     <message>
         <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
@@ -3230,6 +3434,10 @@ N/mm</translation>
     <message>
         <source>The recording loses samples: the computer is too busy. What is written is safe; the gap is marked in the file. Close other programs.</source>
         <translation>La registrazione perde campioni: il computer è troppo occupato. Ciò che è scritto è al sicuro; la lacuna è segnata nel file. Chiudere gli altri programmi.</translation>
+    </message>
+    <message>
+        <source>The report stands beside the profile.</source>
+        <translation>Il rapporto si trova accanto al profilo.</translation>
     </message>
     <message>
         <source>The robot can be changed only while nothing can move. Press Esc first.</source>
@@ -3348,8 +3556,20 @@ N/mm</translation>
         <translation>Modo tesi: i valori di grigio al di sotto sono il dito.</translation>
     </message>
     <message>
+        <source>This angle is taken.</source>
+        <translation>Questo angolo è preso.</translation>
+    </message>
+    <message>
         <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
         <translation>L'indirizzo di questo computer, HOST:PORT. Il robot chiama lì; 0.0.0.0 ascolta ogni rete.</translation>
+    </message>
+    <message>
+        <source>This depth is taken: press deeper or less deep, then let go and go on to the next stretch.</source>
+        <translation>Questa profondità è presa: premere di più o di meno, poi rilasciare e passare alla tensione seguente.</translation>
+    </message>
+    <message>
+        <source>This part's points are taken by themselves while the button is held.</source>
+        <translation>I punti di questa parte vengono presi da soli mentre si tiene il pulsante.</translation>
     </message>
     <message>
         <source>This session's</source>
@@ -3434,6 +3654,10 @@ N/mm</translation>
     <message>
         <source>Type a few letters of a command</source>
         <translation>Scrivere alcune lettere di un comando</translation>
+    </message>
+    <message>
+        <source>Type a stretch and hold the button: the motors go there. Meanwhile press the cloth to three depths, each for a second; points are taken by themselves.</source>
+        <translation>Scrivere una tensione e tenere il pulsante: i motori vanno lì. Intanto premere il tessuto a tre profondità, un secondo ciascuna; i punti si prendono da soli.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -3568,6 +3792,10 @@ N/mm</translation>
         <translation>Scrive i nuovi valori con il loro verbale, e ricomincia la sessione con essi.</translation>
     </message>
     <message>
+        <source>Writes this part's last calibration, before and after, as a PDF beside the profile.</source>
+        <translation>Scrive l'ultima calibrazione di questa parte, prima e dopo, in un PDF accanto al profilo.</translation>
+    </message>
+    <message>
         <source>Writing %1 …</source>
         <translation>Scrittura di %1 …</translation>
     </message>
@@ -3586,6 +3814,10 @@ N/mm</translation>
     <message>
         <source>a sensor is outside its span</source>
         <translation>un sensore è fuori dal suo campo</translation>
+    </message>
+    <message>
+        <source>a wrong tare of %1 ± %2 is taken into account</source>
+        <translation>si tiene conto di una tara errata di %1 ± %2</translation>
     </message>
     <message>
         <source>adaptive follows uneven and changing light; thesis is the printed algorithm.</source>
@@ -3608,6 +3840,10 @@ N/mm</translation>
         <translation>tutto ai valori salvati</translation>
     </message>
     <message>
+        <source>all presses are about equally deep, so a wrong tare cannot be told from stiffness: press to different depths</source>
+        <translation>tutte le pressioni hanno circa la stessa profondità, quindi una tara errata non si distingue dalla rigidezza: premere a profondità diverse</translation>
+    </message>
+    <message>
         <source>an answer of another unit</source>
         <translation>una risposta di un'altra unità</translation>
     </message>
@@ -3618,6 +3854,10 @@ N/mm</translation>
     <message>
         <source>an answer with a wrong checksum; is the speed right and the line terminated?</source>
         <translation>una risposta con somma di controllo errata; la velocità è giusta e la linea terminata?</translation>
+    </message>
+    <message>
+        <source>an axis spreads by %1 g; expected at most %2: it moves: put the robot to rest</source>
+        <translation>un asse oscilla di %1 g; atteso al più %2: si muove: mettere il robot a riposo</translation>
     </message>
     <message>
         <source>area</source>
@@ -3638,6 +3878,10 @@ N/mm</translation>
     <message>
         <source>at rest %1 g, spread %2 g</source>
         <translation>a riposo %1 g, dispersione %2 g</translation>
+    </message>
+    <message>
+        <source>at rest it measures %1 g; expected 1 within %2: check the counts per g of the sensor</source>
+        <translation>a riposo misura %1 g; atteso 1 entro %2: controllare i conteggi per g del sensore</translation>
     </message>
     <message>
         <source>auto</source>
@@ -3704,6 +3948,10 @@ N/mm</translation>
         <translation>cambiato dopo la calibrazione di %1 giorni fa</translation>
     </message>
     <message>
+        <source>changed since it was calibrated today</source>
+        <translation>cambiata dopo la calibrazione di oggi</translation>
+    </message>
+    <message>
         <source>check the touchpad's connection</source>
         <translation>controllare il collegamento del touchpad</translation>
     </message>
@@ -3730,6 +3978,14 @@ N/mm</translation>
     <message>
         <source>counts</source>
         <translation>conteggi</translation>
+    </message>
+    <message>
+        <source>counts against its motor</source>
+        <translation>conta contro il suo motore</translation>
+    </message>
+    <message>
+        <source>counts with its motor</source>
+        <translation>conta con il suo motore</translation>
     </message>
     <message>
         <source>current %1</source>
@@ -3800,12 +4056,20 @@ N/mm</translation>
         <translation>punteggiata</translation>
     </message>
     <message>
+        <source>drift from first to last point %1 ± %2</source>
+        <translation>deriva dal primo all'ultimo punto %1 ± %2</translation>
+    </message>
+    <message>
         <source>each ±%1 %2</source>
         <translation>ciascuno ±%1 %2</translation>
     </message>
     <message>
         <source>encoder %1</source>
         <translation>encoder %1</translation>
+    </message>
+    <message>
+        <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
+        <translation>encoder %1: %2, zero a %3 conteggi, percorso da %4 a %5</translation>
     </message>
     <message>
         <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
@@ -3940,6 +4204,10 @@ N/mm</translation>
         <translation>non contiene immagini</translation>
     </message>
     <message>
+        <source>hysteresis %1</source>
+        <translation>isteresi %1</translation>
+    </message>
+    <message>
         <source>idle</source>
         <translation>in attesa</translation>
     </message>
@@ -4018,6 +4286,10 @@ N/mm</translation>
     <message>
         <source>load cell: %1 mV/V lies beyond the bridge's span</source>
         <translation>cella di carico: %1 mV/V è oltre il campo del ponte</translation>
+    </message>
+    <message>
+        <source>loading reads %1 N apart from unloading: look for friction between the cell and its plate</source>
+        <translation>il carico differisce di %1 N dallo scarico: cercare attrito fra cella e piastra</translation>
     </message>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
@@ -4100,6 +4372,14 @@ N/mm</translation>
         <translation>nessun dito</translation>
     </message>
     <message>
+        <source>no force is measured: look at the load cell's cable</source>
+        <translation>nessuna forza misurata: guardare il cavo della cella di carico</translation>
+    </message>
+    <message>
+        <source>no indentation is measured: press the cloth with a finger</source>
+        <translation>nessuna indentazione misurata: premere il tessuto con un dito</translation>
+    </message>
+    <message>
         <source>no picture</source>
         <translation>nessuna immagine</translation>
     </message>
@@ -4110,6 +4390,10 @@ N/mm</translation>
     <message>
         <source>no point between %1 and %2 mm, %3 % of the span: add points between %4 and %5 mm</source>
         <translation>nessun punto tra %1 e %2 mm, %3 % del campo: aggiungere punti tra %4 e %5 mm</translation>
+    </message>
+    <message>
+        <source>no press at %1 deg is deeper than %2 mm; expected at least %3 mm: press deeper there</source>
+        <translation>nessuna pressione a %1 gradi supera %2 mm; servono almeno %3 mm: premere di più lì</translation>
     </message>
     <message>
         <source>no recent picture</source>
@@ -4126,6 +4410,10 @@ N/mm</translation>
     <message>
         <source>no stiffness target</source>
         <translation>nessuna rigidezza desiderata</translation>
+    </message>
+    <message>
+        <source>no value changes: the texture takes rest away by itself</source>
+        <translation>nessun valore cambia: la texture toglie da sola il riposo</translation>
     </message>
     <message>
         <source>none</source>
@@ -4240,6 +4528,10 @@ N/mm</translation>
         <translation>cambio di nome della preimpostazione %1</translation>
     </message>
     <message>
+        <source>repeatability %1</source>
+        <translation>ripetibilità %1</translation>
+    </message>
+    <message>
         <source>resume</source>
         <translation>riprendere</translation>
     </message>
@@ -4320,12 +4612,24 @@ N/mm</translation>
         <translation>slope adatta la forza all'indentazione con incertezza; thesis è il semplice rapporto.</translation>
     </message>
     <message>
+        <source>slope per angle, monotone law</source>
+        <translation>pendenza per angolo, legge monotona</translation>
+    </message>
+    <message>
         <source>solid</source>
         <translation>continua</translation>
     </message>
     <message>
+        <source>spread x %1, y %2, z %3</source>
+        <translation>dispersione x %1, y %2, z %3</translation>
+    </message>
+    <message>
         <source>stiffness (% of target)</source>
         <translation>rigidezza (% dell'obiettivo)</translation>
+    </message>
+    <message>
+        <source>stiffness falls from %1 N/mm at %2 deg to %3 at %4 deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>
+        <translation>la rigidezza scende da %1 N/mm a %2 gradi a %3 a %4 gradi, benché la tensione irrigidisca il tessuto: premere di nuovo a entrambi gli angoli e guardare se il tessuto scivola</translation>
     </message>
     <message>
         <source>still being recorded</source>
@@ -4346,6 +4650,10 @@ N/mm</translation>
     <message>
         <source>take the hand away and start again</source>
         <translation>allontanare la mano e ricominciare</translation>
+    </message>
+    <message>
+        <source>take the weights off again one by one to see drift and hysteresis</source>
+        <translation>togliere di nuovo i pesi uno a uno per vedere deriva e isteresi</translation>
     </message>
     <message>
         <source>target</source>
@@ -4392,6 +4700,14 @@ N/mm</translation>
         <translation>il ciclo aptico è rimasto fermo più di 20 ms</translation>
     </message>
     <message>
+        <source>the last %1 s</source>
+        <translation>gli ultimi %1 s</translation>
+    </message>
+    <message>
+        <source>the law is rising; beyond its ends the controller stays at them</source>
+        <translation>la legge è crescente; oltre i suoi estremi il controllo si ferma lì</translation>
+    </message>
+    <message>
         <source>the load cell is silent</source>
         <translation>la cella di carico tace</translation>
     </message>
@@ -4428,6 +4744,10 @@ N/mm</translation>
         <translation>l'immagine è congelata: la telecamera manda sempre la stessa</translation>
     </message>
     <message>
+        <source>the reading drifts by %1 N over the measurement: let the bridge warm up</source>
+        <translation>la lettura deriva di %1 N durante la misura: lasciar scaldare il ponte</translation>
+    </message>
+    <message>
         <source>the recorder is not running</source>
         <translation>il registratore non è attivo</translation>
     </message>
@@ -4452,12 +4772,32 @@ N/mm</translation>
         <translation>il robot tace</translation>
     </message>
     <message>
+        <source>the robot sends no acceleration: look at the link's panel</source>
+        <translation>il robot non manda accelerazioni: vedere il pannello del collegamento</translation>
+    </message>
+    <message>
+        <source>the robot's end has taken rest away before it sends: whether 1 g is 1 g is not seen here</source>
+        <translation>il lato robot toglie il riposo prima di inviare: qui non si vede se 1 g è 1 g</translation>
+    </message>
+    <message>
         <source>the robot's stiffness is not a number</source>
         <translation>la rigidezza del robot non è un numero</translation>
     </message>
     <message>
         <source>the session is closed</source>
         <translation>la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
+        <translation>la rigidezza non cambia con l'angolo: controllare che i motori tendano il tessuto</translation>
+    </message>
+    <message>
+        <source>the stretch is not known: look under Devices whether the motors answer</source>
+        <translation>la tensione non è nota: vedere in Dispositivi se i motori rispondono</translation>
+    </message>
+    <message>
+        <source>the stretch lies outside control.travel_minimum_deg and control.travel_maximum_deg</source>
+        <translation>la tensione è fuori da control.travel_minimum_deg e control.travel_maximum_deg</translation>
     </message>
     <message>
         <source>the touchpad closed the connection</source>
@@ -4486,6 +4826,10 @@ N/mm</translation>
     <message>
         <source>this camera has none, or refuses the value</source>
         <translation>questa telecamera non ne ha, o rifiuta il valore</translation>
+    </message>
+    <message>
+        <source>this part was never calibrated: accept a calibration first</source>
+        <translation>questa parte non è mai stata calibrata: accettare prima una calibrazione</translation>
     </message>
     <message>
         <source>this source has none</source>
@@ -4556,6 +4900,10 @@ N/mm</translation>
         <translation>usare SoC</translation>
     </message>
     <message>
+        <source>valid from %1 to %2</source>
+        <translation>valida da %1 a %2</translation>
+    </message>
+    <message>
         <source>value</source>
         <translation>valore</translation>
     </message>
@@ -4620,6 +4968,10 @@ N/mm</translation>
         <translation>x %1 px, y %2 px</translation>
     </message>
     <message>
+        <source>x, g</source>
+        <translation>x, g</translation>
+    </message>
+    <message>
         <source>x, mm</source>
         <translation>x, mm</translation>
     </message>
@@ -4636,6 +4988,10 @@ N/mm</translation>
         <translation>y</translation>
     </message>
     <message>
+        <source>y, g</source>
+        <translation>y, g</translation>
+    </message>
+    <message>
         <source>y, mm</source>
         <translation>y, mm</translation>
     </message>
@@ -4646,6 +5002,10 @@ N/mm</translation>
     <message>
         <source>y, to the back</source>
         <translation>y, verso il fondo</translation>
+    </message>
+    <message>
+        <source>z, g</source>
+        <translation>z, g</translation>
     </message>
     <message>
         <source>Δ %1</source>

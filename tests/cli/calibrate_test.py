@@ -207,7 +207,7 @@ class Calibrate(fyd.Case):
         self.assertEqual(found["report"], html)
         with open(html, encoding="utf-8") as report:
             text = report.read()
-        for words in ["M. Neri", "R. Lee", "Residuals before, N", "sensing.force_slope_g", "held-out error", "<svg"]:
+        for words in ["M. Neri", "R. Lee", "residual, N", "sensing.force_slope_g", "held-out error", "<svg"]:
             self.assertIn(words, text)
         pdf = self.path("cell.pdf")
         self.json("calibrate", "load-cell", file, "--report", pdf, "--json")  # no profile: what it would change

@@ -2,78 +2,14 @@
 // that move, what is missing, what "Accept" writes and what "Discard" leaves alone.
 #include <fstream>
 
-#include "app/console/calibrate_page.h"
 #include "app/console/calibrate_records.h"
-#include "core/base/units.h"
 #include "core/sim/ir_sensor.h"
 #include "core/sim/picture.h"
 #include "core/station/calibration_file.h"
-#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/calibrating.h"
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
-
-using pipeline::SafetyState;
-
-namespace {
-
-constexpr double kSlope_g = 900.0;  // of the cell that the test plays
-constexpr double kOffset_g = -10.0;
-
-device::DeviceReport touchpad(double bridge_mV_per_V, double ir_counts = 1500.0) {
-  device::DeviceReport out{.name = "Touchpad", .kind = "Modbus TCP", .description = "10.0.0.7:502"};
-  out.ok = true;
-  out.age_ms = 4.0;
-  for (int i = 1; i <= 3; ++i) {
-    out.values.push_back({.name = fmt::format("IR sensor {}", i), .number = ir_counts, .unit = "counts"});
-  }
-  out.values.push_back({.name = "load cell", .number = bridge_mV_per_V, .unit = "mV/V"});
-  return out;
-}
-
-double bridgeOf(double grams) { return (grams - kOffset_g) / kSlope_g; }
-
-struct Calibrating : Fixture {
-  explicit Calibrating(const char* part) {
-    session->reports = {touchpad(bridgeOf(0.0))};
-    QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
-    page = qobject_cast<console::CalibratePage*>(window->frame()->page(QStringLiteral("calibrate")));
-    page->choose(QLatin1String(part));
-    state(SafetyState::stopped);
-  }
-  void state(SafetyState now) {
-    session->say(now);
-    window->feed().pump();
-  }
-  void type(int entry, const QString& text) {
-    QLineEdit* field = page->entries()->field(static_cast<std::size_t>(entry));
-    field->selectAll();
-    QTest::keyClick(field, Qt::Key_Delete);
-    QTest::keyClicks(field, text);
-  }
-  void click(QPushButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
-  void readings(int count) {
-    for (int i = 0; i < count; ++i) page->poll();
-  }
-  /// A point with what is played and typed now.
-  void take(const QString& text, int count = 10) {
-    type(0, text);
-    click(page->takeButton());
-    readings(count);
-  }
-  [[nodiscard]] std::string profilePath() const {
-    return folder.filePath(QStringLiteral("profile.toml")).toStdString();
-  }
-  [[nodiscard]] QString partText(const char* name) const {
-    for (int i = 0; i < page->parts()->count(); ++i) {
-      if (page->parts()->item(i)->text().contains(QLatin1String(name))) return page->parts()->item(i)->text();
-    }
-    return {};
-  }
-  console::CalibratePage* page;
-};
-
-}  // namespace
 
 class CalibrateTest : public QObject {
   Q_OBJECT
@@ -347,7 +283,7 @@ class CalibrateTest : public QObject {
     calibration::CalibrationRecord record;
     record.procedure = "load-cell";
     record.when = "2026-01-01T08:00:00Z";
-    record.changes = {{"sensing.force_zero_N", "0.1", "0"}};
+    record.changes = {{"sensing.force_slope_g", "999", "1004.8805"}};
     const station::Profile profile;
     const auto state = [&](const char* today) {
       return console::partStateOf({record}, "load-cell", 0, profile, today).words;
@@ -358,8 +294,9 @@ class CalibrateTest : public QObject {
     QCOMPARE(state("2027-06-01"), QStringLiteral("old: calibrated 516 days ago: repeat it"));
     QVERIFY(state("2025-01-01").contains(QLatin1String("in the future")));
     QCOMPARE(console::partStateOf({record}, "ir", 1, profile, "2026-01-01").words, QStringLiteral("never calibrated"));
-    record.changes = {{"sensing.force_zero_N", "0.1", "0.2"}};
+    record.changes = {{"sensing.force_slope_g", "999", "1000"}};
     QCOMPARE(state("2026-01-11"), QStringLiteral("changed since it was calibrated 10 days ago"));
+    QCOMPARE(state("2026-01-01"), QStringLiteral("changed since it was calibrated today"));
   }
 };
 
