@@ -249,7 +249,7 @@ void CurveStrip::drawMarks(const TimeWindow& window) {
     auto* name = new QCPItemText(plot_);
     name->position->setTypeX(QCPItemPosition::ptPlotCoords);
     name->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    name->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    name->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);  // the words stand at the top
     name->setPadding(QMargins(3, 0, 3, 0));
     name->setFont(textFont(TextSize::small));
     mark_names_.push_back(name);
@@ -264,7 +264,7 @@ void CurveStrip::drawMarks(const TimeWindow& window) {
     mark_lines_[i]->point1->setCoords(x, 0.0);
     mark_lines_[i]->point2->setCoords(x, 1.0);
     mark_lines_[i]->setPen(QPen(colour, 1));
-    mark_names_[i]->position->setCoords(x, 0.0);
+    mark_names_[i]->position->setCoords(x, 1.0);
     mark_names_[i]->setText(marks_[i].name);
     mark_names_[i]->setColor(colour);
     mark_names_[i]->setBrush(QBrush(theme().panel));
