@@ -58,7 +58,7 @@ void TuningModel::load(std::span<const Parameter> current, std::span<const Param
   undo_.clear();
   parameters_.clear();
   for (std::size_t i = 0; i < current.size(); ++i) {
-    if (current[i].kind == ParameterKind::list) continue;
+    if (!current[i].isNumber()) continue;
     const double value = current[i].value();
     parameters_.push_back({.info = current[i],
                            .value = value,

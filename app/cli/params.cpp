@@ -15,7 +15,7 @@ nlohmann::ordered_json describe(const Parameter& parameter, const Parameter& sta
   json["default"] = formatParameter(standard);
   if (parameter.kind == ParameterKind::choice) {
     json["choices"] = parameter.choices;
-  } else if (parameter.kind != ParameterKind::boolean) {
+  } else if (parameter.isNumber() && parameter.kind != ParameterKind::boolean) {
     json["minimum"] = jsonNumber(parameter.info.minimum);
     json["maximum"] = jsonNumber(parameter.info.maximum);
   }

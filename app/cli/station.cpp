@@ -202,10 +202,10 @@ void add_station(CLI::App& app) {
     if (options->simulate && !options->touchpad.empty() && options->touchpad != "simulated") {
       throw UsageError(fmt::format("station: {}{}", words::kContradiction, options->touchpad));
     }
-    if (!options->simulate && options->touchpad.empty()) {
-      throw UsageError("station: which touchpad? Add --simulate or --touchpad");
+    if (!options->simulate && options->touchpad.empty() && options->profile.file.empty()) {
+      throw UsageError("station: which touchpad? Add --simulate, --touchpad or a --profile that says it");
     }
-    if (!options->touchpad.empty()) options->station.touchpad = options->touchpad;
+    options->station.touchpad = options->simulate ? "simulated" : options->touchpad;
     if (!options->record.path.empty()) {
       options->station.record = options->record;
     } else if (!options->record.operator_name.empty() || !options->record.subject.empty() ||

@@ -32,7 +32,7 @@ fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options,
     if (!loaded) return tl::unexpected(loaded.error());
     out.profile = *loaded;
   }
-  return out;
+  return fyd::station::withProfileSources(out);
 }
 
 /// Saves what the window shows, and leaves. Arms nothing that could move.

@@ -26,7 +26,7 @@ struct OptionInfo {
 constexpr OptionInfo kOptions[] = {
     {"help", "", "Show this help."},
     {"version", "", "Show the version."},
-    {"simulate", "", "The same as --touchpad simulated, which is the default."},
+    {"simulate", "", "The same as --touchpad simulated."},
     {"touchpad", "TOUCHPAD", words::kTouchpad},
     {"motors", "MOTORS", words::kMotors},
     {"finger", "CSV", words::kFinger},
@@ -111,14 +111,15 @@ Result<TrialWords> readTrials(const QCommandLineParser& parser) {
 Result<station::StationOptions> readStation(const QCommandLineParser& parser) {
   const auto value = [&](const char* name) { return parser.value(QLatin1String(name)).toStdString(); };
   station::StationOptions out;
-  if (parser.isSet(QStringLiteral("touchpad"))) out.touchpad = value("touchpad");
-  if (parser.isSet(QStringLiteral("simulate")) && out.touchpad != "simulated") {
-    return fail("{}{}", words::kContradiction, out.touchpad);
+  out.touchpad = value("touchpad");
+  if (parser.isSet(QStringLiteral("simulate"))) {
+    if (!out.touchpad.empty() && out.touchpad != "simulated") return fail("{}{}", words::kContradiction, out.touchpad);
+    out.touchpad = "simulated";
   }
   out.motors = value("motors");
   out.finger_csv = value("finger");
   out.camera = value("camera");
-  if (parser.isSet(QStringLiteral("robot"))) out.robot = value("robot");
+  out.robot = value("robot");
   out.key_file = value("key");
   out.surface = value("surface");
   session::RecordingRequest record{.path = value("record"),

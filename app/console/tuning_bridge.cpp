@@ -90,7 +90,7 @@ void TuningBridge::restart() {
   model_.feelSaved(false);  // what the operator had set goes into the new session
   station::Profile current = session_.currentProfile();
   for (const Parameter& parameter : bindParameters(current)) {
-    if (parameter.kind != ParameterKind::list) model_.accept(parameter.id, parameter.value());
+    if (parameter.isNumber()) model_.accept(parameter.id, parameter.value());
   }
 }
 

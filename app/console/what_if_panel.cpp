@@ -83,7 +83,7 @@ void WhatIfPanel::build() {
   pipeline::Parameters parameters;
   parameter_->setEditable(true);
   for (const Parameter& each : bindParameters(parameters)) {
-    if (each.kind == ParameterKind::list) continue;
+    if (!each.isNumber()) continue;
     const QString id = QString::fromUtf8(each.id.data(), static_cast<qsizetype>(each.id.size()));
     parameter_->addItem(id);
     parameter_->setItemData(parameter_->count() - 1,

@@ -80,9 +80,11 @@ struct Reader {
 }  // namespace
 
 Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, const std::vector<std::string>& wanted) {
-  Reader reader{.source = source_name, .wanted = wanted, .table = {}, .position = {}, .header = {}, .row = {}, .problem = {}};
+  Reader reader{
+      .source = source_name, .wanted = wanted, .table = {}, .position = {}, .header = {}, .row = {}, .problem = {}};
   csv_parser parser{};
-  if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0) return fail("{}: the CSV parser could not start", source_name);
+  if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0)
+    return fail("{}: the CSV parser could not start", source_name);
   const auto on_field = [](void* data, std::size_t size, void* self) {
     static_cast<Reader*>(self)->field({static_cast<const char*>(data), size});
   };

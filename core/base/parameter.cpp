@@ -1,5 +1,6 @@
 #include "core/base/parameter.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -24,6 +25,8 @@ Result<double> parseNumber(const Parameter& parameter, std::string_view text) {
 }  // namespace
 
 Result<double> checkParameter(const Parameter& parameter, double value) {
+  if (parameter.kind == ParameterKind::text)
+    return fail("{} = {}: expected {}", parameter.id, value, describeRange(parameter));
   const bool whole = parameter.kind != ParameterKind::real && parameter.kind != ParameterKind::list;
   if (!std::isfinite(value) || value < parameter.info.minimum || value > parameter.info.maximum ||
       (whole && value != std::floor(value))) {
@@ -32,8 +35,22 @@ Result<double> checkParameter(const Parameter& parameter, double value) {
   return value;
 }
 
+Result<std::string> checkText(const Parameter& parameter, std::string_view text) {
+  const bool one_line =
+      std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  if (one_line && text.size() <= kParameterTextLimit) return std::string(text);
+  return fail("{}: {} bytes{}; expected {}", parameter.id, text.size(), one_line ? "" : " with control characters",
+              describeRange(parameter));
+}
+
 Result<void> assignParameter(const Parameter& parameter, std::string_view text) {
   text = trim(text);
+  if (parameter.kind == ParameterKind::text) {
+    auto checked = checkText(parameter, text);
+    if (!checked) return tl::unexpected(checked.error());
+    parameter.text() = std::move(*checked);
+    return {};
+  }
   if (parameter.kind == ParameterKind::list) {
     if (text.size() < 2 || text.front() != '[' || text.back() != ']') {
       return fail("{} = {}: expected a list such as [1, 2]", parameter.id, text);
@@ -42,8 +59,9 @@ Result<void> assignParameter(const Parameter& parameter, std::string_view text) 
     std::string_view rest = trim(text.substr(1, text.size() - 2));
     while (!rest.empty()) {
       const auto comma = rest.find(',');
-      const auto value =
-          parseNumber(parameter, trim(rest.substr(0, comma))).and_then([&](double v) { return checkParameter(parameter, v); });
+      const auto value = parseNumber(parameter, trim(rest.substr(0, comma))).and_then([&](double v) {
+        return checkParameter(parameter, v);
+      });
       if (!value) return tl::unexpected(value.error());
       if (!values.push(*value)) return fail("{}: at most {} values", parameter.id, kParameterListCapacity);
       rest = comma == std::string_view::npos ? std::string_view{} : trim(rest.substr(comma + 1));
@@ -79,6 +97,7 @@ std::string formatParameter(const Parameter& parameter) {
     case ParameterKind::choice: return std::string(parameter.choices[static_cast<std::size_t>(parameter.value())]);
     case ParameterKind::integer: return fmt::format("{}", static_cast<long>(parameter.value()));
     case ParameterKind::list: return fmt::format("[{}]", fmt::join(parameter.list().view(), ", "));
+    case ParameterKind::text: return parameter.text();
     case ParameterKind::real: break;
   }
   return fmt::format("{}", parameter.value());
@@ -87,6 +106,7 @@ std::string formatParameter(const Parameter& parameter) {
 std::string describeRange(const Parameter& parameter) {
   if (parameter.kind == ParameterKind::boolean) return "true or false";
   if (parameter.kind == ParameterKind::choice) return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
+  if (parameter.kind == ParameterKind::text) return fmt::format("a line of at most {} bytes", kParameterTextLimit);
   const char* what = parameter.kind == ParameterKind::integer ? "a whole number" : "a number";
   if (parameter.kind == ParameterKind::list) what = "a list of numbers, each";
   const std::string unit = parameter.info.unit == "1" ? "" : fmt::format(" {}", parameter.info.unit);

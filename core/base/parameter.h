@@ -29,7 +29,7 @@
 
 namespace fyd {
 
-enum class ParameterKind : std::uint8_t { real, integer, boolean, choice, list };
+enum class ParameterKind : std::uint8_t { real, integer, boolean, choice, list, text };
 
 /// What a room says of a parameter, beside its id and its default.
 struct ParameterInfo {
@@ -41,6 +41,7 @@ struct ParameterInfo {
 };
 
 inline constexpr std::size_t kParameterListCapacity = 16;
+inline constexpr std::size_t kParameterTextLimit = 1024;  // bytes
 using ParameterList = Batch<double, kParameterListCapacity>;
 
 /// One parameter of one instance of a parameter struct. Numbers travel as double, a choice as its index.
@@ -53,10 +54,13 @@ struct Parameter {
   double (*read)(const void*) = nullptr;
   void (*store)(void*, double) = nullptr;
 
+  /// Whether it is one number: neither a list nor a text, which have no value() and never change live.
+  [[nodiscard]] bool isNumber() const { return kind != ParameterKind::list && kind != ParameterKind::text; }
   [[nodiscard]] double value() const { return read(field); }
   /// Stores without a check; callers check with `checkParameter` first.
   void set(double value) const { store(field, value); }
   [[nodiscard]] ParameterList& list() const { return *static_cast<ParameterList*>(field); }
+  [[nodiscard]] std::string& text() const { return *static_cast<std::string*>(field); }
 };
 
 /// The visitor that collects the descriptions.
@@ -64,7 +68,9 @@ class ParameterCollector {
  public:
   explicit ParameterCollector(std::vector<Parameter>& out) : out_(out) {}
 
-  void real(std::string_view id, double& field, const ParameterInfo& info) { add(id, ParameterKind::real, field, info); }
+  void real(std::string_view id, double& field, const ParameterInfo& info) {
+    add(id, ParameterKind::real, field, info);
+  }
   void integer(std::string_view id, int& field, const ParameterInfo& info) {
     add(id, ParameterKind::integer, field, info);
   }
@@ -85,6 +91,9 @@ class ParameterCollector {
   void list(std::string_view id, ParameterList& field, const ParameterInfo& info) {
     out_.push_back({.id = id, .kind = ParameterKind::list, .info = info, .field = &field});
   }
+  void text(std::string_view id, std::string& field, const ParameterInfo& info) {
+    out_.push_back({.id = id, .kind = ParameterKind::text, .info = info, .field = &field});
+  }
 
  private:
   template <class T>
@@ -94,13 +103,15 @@ class ParameterCollector {
                     .info = info,
                     .field = &field,
                     .read = [](const void* p) { return static_cast<double>(*static_cast<const T*>(p)); },
-                    .store = [](void* p, double value) {
-                      if constexpr (std::is_same_v<T, bool>) {
-                        *static_cast<T*>(p) = value != 0.0;
-                      } else {
-                        *static_cast<T*>(p) = static_cast<T>(static_cast<std::conditional_t<std::is_enum_v<T>, int, T>>(value));
-                      }
-                    }});
+                    .store =
+                        [](void* p, double value) {
+                          if constexpr (std::is_same_v<T, bool>) {
+                            *static_cast<T*>(p) = value != 0.0;
+                          } else {
+                            *static_cast<T*>(p) =
+                                static_cast<T>(static_cast<std::conditional_t<std::is_enum_v<T>, int, T>>(value));
+                          }
+                        }});
   }
 
   std::vector<Parameter>& out_;
@@ -117,6 +128,9 @@ template <class Parameters>
 
 /// Whether `value` may be stored: finite, in range, whole where it must be. The message names id, value and range.
 [[nodiscard]] Result<double> checkParameter(const Parameter& parameter, double value);
+
+/// Whether `text` may be stored: one line of at most kParameterTextLimit bytes. The message names the id.
+[[nodiscard]] Result<std::string> checkText(const Parameter& parameter, std::string_view text);
 
 /// Reads one value as a person writes it ("12.5", "true", "dft321", "[1, 2]"), checks it and stores it.
 [[nodiscard]] Result<void> assignParameter(const Parameter& parameter, std::string_view text);

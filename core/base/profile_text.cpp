@@ -10,8 +10,9 @@ namespace {
 
 struct Assignment {
   const Parameter* parameter;
-  double value;
+  double value = 0.0;
   ParameterList list;
+  std::string text;
 };
 
 std::string place(std::string_view source, const toml::node& node) {
@@ -32,13 +33,22 @@ Result<double> readNumber(const Parameter& parameter, const toml::node& node) {
     }
     return fail("{}: expected {}", parameter.id, describeRange(parameter));
   }
-  if (const auto value = node.value_exact<std::int64_t>()) return checkParameter(parameter, static_cast<double>(*value));
+  if (const auto value = node.value_exact<std::int64_t>())
+    return checkParameter(parameter, static_cast<double>(*value));
   if (const auto value = node.value_exact<double>()) return checkParameter(parameter, *value);
   return fail("{}: expected {}", parameter.id, describeRange(parameter));
 }
 
 Result<Assignment> readAssignment(const Parameter& parameter, const toml::node& node) {
-  Assignment assignment{&parameter, 0.0, {}};
+  Assignment assignment{.parameter = &parameter, .list = {}, .text = {}};
+  if (parameter.kind == ParameterKind::text) {
+    const auto text = node.value_exact<std::string>();
+    if (!text) return fail("{}: expected {}, in quotes", parameter.id, describeRange(parameter));
+    auto checked = checkText(parameter, *text);
+    if (!checked) return tl::unexpected(checked.error());
+    assignment.text = std::move(*checked);
+    return assignment;
+  }
   if (parameter.kind != ParameterKind::list) {
     const auto value = readNumber(parameter, node);
     if (!value) return tl::unexpected(value.error());
@@ -55,8 +65,12 @@ Result<Assignment> readAssignment(const Parameter& parameter, const toml::node& 
   return assignment;
 }
 
-toml::table parseToml(std::string_view text, std::string_view source_name) {
-  return toml::parse(text, source_name);
+toml::table parseToml(std::string_view text, std::string_view source_name) { return toml::parse(text, source_name); }
+
+std::string quoted(const std::string& text) {
+  std::ostringstream out;
+  out << toml::value<std::string>(text);
+  return out.str();
 }
 
 }  // namespace
@@ -72,7 +86,8 @@ Result<void> parseProfile(std::string_view text, std::string_view source_name, s
   for (const auto& [room, node] : root) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {
-      return fail("{}: '{}' stands outside a table; expected a table such as [control]", place(source_name, node), room.str());
+      return fail("{}: '{}' stands outside a table; expected a table such as [control]", place(source_name, node),
+                  room.str());
     }
     for (const auto& [key, value] : *table) {
       const std::string id = fmt::format("{}.{}", room.str(), key.str());
@@ -88,6 +103,8 @@ Result<void> parseProfile(std::string_view text, std::string_view source_name, s
   for (const Assignment& assignment : assignments) {
     if (assignment.parameter->kind == ParameterKind::list) {
       assignment.parameter->list() = assignment.list;
+    } else if (assignment.parameter->kind == ParameterKind::text) {
+      assignment.parameter->text() = assignment.text;
     } else {
       assignment.parameter->set(assignment.value);
     }
@@ -105,7 +122,7 @@ std::string formatProfile(std::span<const Parameter> parameters) {
       out += fmt::format("{}[{}]\n", out.empty() ? "" : "\n", room);
     }
     std::string value = formatParameter(parameter);
-    if (parameter.kind == ParameterKind::choice) value = fmt::format("\"{}\"", value);
+    if (parameter.kind == ParameterKind::choice || parameter.kind == ParameterKind::text) value = quoted(value);
     out += fmt::format("{} = {}  # {}\n", parameter.id.substr(dot + 1), value, describeRange(parameter));
   }
   return out;

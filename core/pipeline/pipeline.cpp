@@ -91,7 +91,7 @@ void Pipeline::applyChanges(const Inputs& inputs) {
 }
 
 void Pipeline::changeParameter(std::uint16_t index, double value) {
-  const bool allowed = index < bound_.size() && bound_[index].info.live && bound_[index].kind != ParameterKind::list &&
+  const bool allowed = index < bound_.size() && bound_[index].info.live && bound_[index].isNumber() &&
                        std::isfinite(value) && value >= bound_[index].info.minimum &&
                        value <= bound_[index].info.maximum;
   report(

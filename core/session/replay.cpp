@@ -31,7 +31,7 @@ Result<Wanted> wantedOf(const pipeline::Parameters& recorded, const std::vector<
     if (auto set = assignParameter(*parameter, setting.substr(equals + 1)); !set) return tl::unexpected(set.error());
     const auto index = static_cast<std::uint16_t>(parameter - bound.data());
     out.indices.push_back(index);
-    if (parameter->info.live && parameter->kind != ParameterKind::list) {
+    if (parameter->info.live && parameter->isNumber()) {
       out.changes.push_back({.index = index, .value = parameter->value()});
     } else {
       out.from_rest = true;

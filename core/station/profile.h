@@ -1,5 +1,6 @@
 // Everything a laboratory keeps of a touchpad between sessions: the step's parameters (calibrated values among them),
-// the link's, the simulation's, the devices', the recorder's, and what a calibration must reach. One TOML file.
+// the link's, the simulation's, the devices', the recorder's, what a calibration must reach, and which devices there
+// are. One TOML file.
 #pragma once
 
 #include <string>
@@ -11,6 +12,7 @@
 #include "core/protocol/link_parameters.h"
 #include "core/session/recorder_options.h"
 #include "core/sim/sim_parameters.h"
+#include "core/station/source_parameters.h"
 
 namespace fyd::station {
 
@@ -21,6 +23,7 @@ struct Profile {
   device::DeviceParameters device;
   calibration::CalibrationParameters calibration;
   session::RecorderOptions session;
+  SourceParameters sources;
 
   /// The step's parameters come first, so that an index counts the same here and in the step.
   template <class Visitor>
@@ -31,6 +34,7 @@ struct Profile {
     device.describe(v);
     calibration.describe(v);
     session.describe(v);
+    sources.describe(v);
   }
 };
 

@@ -62,6 +62,20 @@ session::StationDescription describeForRecording(const StationOptions& options,
 
 }  // namespace
 
+StationOptions withProfileSources(StationOptions options) {
+  const SourceParameters& sources = options.profile.sources;
+  if (options.touchpad.empty()) {
+    options.touchpad = sources.touchpad;
+    if (options.motors.empty()) options.motors = sources.motors;
+    if (options.camera.empty()) options.camera = sources.camera;
+  }
+  if (options.robot.empty()) {
+    options.robot = sources.robot;
+    if (options.key_file.empty()) options.key_file = sources.key_file;
+  }
+  return options;
+}
+
 Station::Impl::Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
                     std::shared_ptr<sim::TouchpadWorld> simulated_world,
                     std::unique_ptr<device::Touchpad> opened_touchpad,
@@ -93,7 +107,7 @@ Station::Station(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Station::~Station() { shutDown(); }
 
 Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
-  StationOptions options = asked;
+  StationOptions options = withProfileSources(asked);
   if (options.camera.empty() && session::recordingOf(options.touchpad)) options.camera = options.touchpad;
   cv::setNumThreads(1);  // replay must not depend on how many cores there are
   auto surface = readSurface(options.surface);

@@ -30,17 +30,21 @@ namespace fyd::station {
 
 struct StationOptions {
   Profile profile;
-  std::string finger_csv;              ///< recording the simulated finger follows; empty: the built-in gesture
-  std::string touchpad = "simulated";  ///< "simulated", "modbus-tcp:HOST:PORT", "modbus-rtu:TTY[:BAUD]" or
-                                       ///< "recording:FILE": its readings again, motors not driven
-  std::string motors;                  ///< "qbmove:TTY" in place of the touchpad's own motors; empty: its own
-  std::string camera;                  ///< device index, file, folder, URL, "recording:FILE"; empty: simulated, or the
-                                       ///< recording's own
-  std::string robot = "simulated";     ///< "simulated", "none", "link:HOST:PORT" or "classic:HOST:PORT" (listens there)
-  std::string key_file;                ///< of FYD Link; "link:" needs one, the others take none
-  std::string surface;                 ///< file of a stored surface, felt while robot is "none"; empty: none
+  std::string finger_csv;  ///< recording the simulated finger follows; empty: the built-in gesture
+  std::string touchpad;    ///< "simulated", "modbus-tcp:HOST:PORT", "modbus-rtu:TTY[:BAUD]" or "recording:FILE": its
+                           ///< readings again, motors not driven; empty: the profile's
+  std::string motors;      ///< "qbmove:TTY" in place of the touchpad's own motors; empty: its own
+  std::string camera;      ///< device index, file, folder, URL, "recording:FILE"; empty: the touchpad's own
+  std::string robot;       ///< "simulated", "none", "link:HOST:PORT" or "classic:HOST:PORT" (listens there); empty: the
+                           ///< profile's
+  std::string key_file;    ///< of FYD Link; "link:" needs one, the others take none
+  std::string surface;     ///< file of a stored surface, felt while robot is "none"; empty: none
   std::optional<session::RecordingRequest> record;  ///< recorded from the first step on
 };
+
+/// What the options leave open as the profile says it. A touchpad that is named comes with its own motors and camera:
+/// those of the profile belong to the profile's touchpad. `Station::open` does this by itself.
+[[nodiscard]] StationOptions withProfileSources(StationOptions options);
 
 /// How one part is doing, in words an operator reads.
 struct PartStatus {

@@ -16,6 +16,7 @@ struct Sample {
   bool on = true;
   Colour colour = Colour::green;
   ParameterList points{{1.0, 2.0}, 2};
+  std::string where = "here";
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -24,6 +25,7 @@ struct Sample {
     v.boolean("room.on", on, {});
     v.choice("other.colour", colour, kColours, {});
     v.list("other.points", points, {.minimum = -5, .maximum = 5});
+    v.text("other.where", where, {});
   }
 };
 
@@ -36,7 +38,7 @@ std::string problem(std::string_view text) {
 TEST(Parameter, DefaultsAreTheInitialisers) {
   Sample sample;
   const auto parameters = bindParameters(sample);
-  ASSERT_EQ(parameters.size(), 5U);
+  ASSERT_EQ(parameters.size(), 6U);
   EXPECT_EQ(parameters[0].value(), 2.5);
   EXPECT_EQ(parameters[3].value(), 1.0);
   EXPECT_EQ(formatParameter(parameters[4]), "[1, 2]");
@@ -48,6 +50,7 @@ TEST(Parameter, AProfileRoundTrips) {
   written.on = false;
   written.colour = Colour::red;
   written.points.clear();
+  written.where = R"(modbus-rtu:"odd\name" [x]=1 # é)";
   Sample read;
   const auto result = parseProfile(formatProfile(bindParameters(written)), "p.toml", bindParameters(read));
   ASSERT_TRUE(result) << result.error().message;
@@ -55,6 +58,24 @@ TEST(Parameter, AProfileRoundTrips) {
   EXPECT_FALSE(read.on);
   EXPECT_EQ(read.colour, Colour::red);
   EXPECT_TRUE(read.points.empty());
+  EXPECT_EQ(read.where, written.where);
+}
+
+TEST(Parameter, ATextIsOneLineAndNeverANumber) {
+  Sample sample;
+  const auto parameters = bindParameters(sample);
+  const Parameter& where = parameters[5];
+  EXPECT_FALSE(where.isNumber());
+  EXPECT_TRUE(assignParameter(where, " 127.0.0.1:502 "));
+  EXPECT_EQ(sample.where, "127.0.0.1:502");
+  EXPECT_TRUE(assignParameter(where, ""));
+  EXPECT_EQ(sample.where, "");
+  EXPECT_FALSE(assignParameter(where, "two\nlines"));
+  EXPECT_FALSE(assignParameter(where, std::string(kParameterTextLimit + 1, 'x')));
+  EXPECT_FALSE(checkParameter(where, 1.0));
+  EXPECT_EQ(sample.where, "");
+  EXPECT_NE(problem("[other]\nwhere = 5").find("p.toml:2: other.where: expected a line"), std::string::npos);
+  EXPECT_NE(problem("[other]\nwhere = \"a\\nb\"").find("control characters"), std::string::npos);
 }
 
 TEST(Parameter, ARefusalNamesFileLineValueAndRange) {

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/station/station.h"
+
 namespace fyd::station {
 namespace {
 
@@ -36,6 +38,40 @@ TEST_F(ProfileFile, RoundTrips) {
   EXPECT_EQ(read->step.control.kp, written.step.control.kp);
   EXPECT_EQ(read->step.sensing.indentation.ir_offset_mm[1], 99.5);
   EXPECT_EQ(read->sim.seed, 42);
+}
+
+TEST_F(ProfileFile, SaysWhichDevicesTheStationHas) {
+  Profile written;
+  written.sources = {.touchpad = "modbus-tcp:192.168.0.7:502",
+                     .motors = "qbmove:id=A6",
+                     .camera = "id=99F1",
+                     .robot = "link:0.0.0.0:3491",
+                     .key_file = "lab.key"};
+  ASSERT_TRUE(saveProfile(written, path()));
+  const auto read = loadProfile(path());
+  ASSERT_TRUE(read) << read.error().message;
+
+  const StationOptions all = withProfileSources({.profile = *read});
+  EXPECT_EQ(all.touchpad, "modbus-tcp:192.168.0.7:502");
+  EXPECT_EQ(all.motors, "qbmove:id=A6");
+  EXPECT_EQ(all.camera, "id=99F1");
+  EXPECT_EQ(all.robot, "link:0.0.0.0:3491");
+  EXPECT_EQ(all.key_file, "lab.key");
+}
+
+TEST_F(ProfileFile, ANamedTouchpadOrRobotLeavesTheProfilesDevicesAlone) {
+  Profile profile;
+  profile.sources = {.touchpad = "modbus-tcp:192.168.0.7:502",
+                     .motors = "qbmove:id=A6",
+                     .camera = "id=99F1",
+                     .robot = "link:0.0.0.0:3491",
+                     .key_file = "lab.key"};
+  const StationOptions out = withProfileSources({.profile = profile, .touchpad = "simulated", .robot = "none"});
+  EXPECT_EQ(out.touchpad, "simulated");
+  EXPECT_EQ(out.motors, "") << "a simulation must not drive the laboratory's motors";
+  EXPECT_EQ(out.camera, "");
+  EXPECT_EQ(out.robot, "none");
+  EXPECT_EQ(out.key_file, "");
 }
 
 TEST_F(ProfileFile, AMissingFileIsNamed) {
@@ -97,6 +133,8 @@ TEST(Profile, EveryParameterIsDescribedOnceAndItsDefaultIsAllowed) {
     EXPECT_NE(parameter.id.find('.'), std::string_view::npos) << parameter.id;
     if (parameter.kind == ParameterKind::list) {
       for (const double value : parameter.list()) EXPECT_TRUE(checkParameter(parameter, value)) << parameter.id;
+    } else if (parameter.kind == ParameterKind::text) {
+      EXPECT_TRUE(checkText(parameter, parameter.text())) << parameter.id;
     } else {
       EXPECT_TRUE(checkParameter(parameter, parameter.value())) << parameter.id;
     }
