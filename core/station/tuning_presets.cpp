@@ -16,7 +16,7 @@ constexpr std::size_t kLongestName_characters = 40;
 constexpr std::uintmax_t kLargestPreset_bytes = 1 << 20;
 constexpr std::string_view kEnding = ".toml";
 
-bool isTuned(const Parameter& parameter) { return parameter.info.live && parameter.kind != ParameterKind::list; }
+bool isTuned(const Parameter& parameter) { return parameter.info.live && parameter.isNumber(); }
 
 std::filesystem::path fileOf(const std::string& folder, std::string_view name) {
   return std::filesystem::path(folder) / (std::string(name) + std::string(kEnding));
