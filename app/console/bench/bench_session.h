@@ -76,13 +76,13 @@ class BusySession : public Session {
   }
   std::vector<station::ReadinessLine> readiness() const override { return {{"Motors answer", true, ""}}; }
   std::vector<device::DeviceReport> devices() const override { return {}; }
-  Result<void> startDeviceTest(device::DeviceTest) override { return {}; }
+  Result<void> startDeviceTest(device::DeviceTest, double) override { return {}; }
   void keepDeviceTest() override {}
   void stopDeviceTest() override {}
   station::DeviceTestStatus deviceTestStatus() const override { return {}; }
   Result<void> startRecording(const session::RecordingRequest&) override { return {}; }
   Result<void> stopRecording() override { return {}; }
-  void note(session::NoteKind, const std::string&) override {}
+  Result<void> note(session::NoteKind, const std::string&) override { return {}; }
   session::RecorderStatus recorderStatus() const override { return {}; }
   void moveSimulatedFinger(double, double, double) override {}
   void releaseSimulatedFinger() override {}
