@@ -32,12 +32,12 @@ fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options,
     if (!loaded) return tl::unexpected(loaded.error());
     out.profile = *loaded;
   }
-  return fyd::station::withProfileSources(out);
+  return out;
 }
 
-/// Saves what the window shows, and leaves. Arms nothing that could move.
-void takePictureAfter(fyd::console::MainWindow& window, const Options& options) {
-  if (options.station.touchpad == "simulated" && options.station.motors.empty()) window.armOnce();
+/// Saves what the window shows, and leaves. Arms only what is simulated: nothing that could move.
+void takePictureAfter(fyd::console::MainWindow& window, const Options& options, bool simulated) {
+  if (simulated) window.armOnce();
   QTimer::singleShot(static_cast<int>(options.screenshot_after_s * 1000.0), &window,
                      [&window, path = options.screenshot] {
                        const bool saved = window.grab().save(path);
@@ -81,6 +81,9 @@ int main(int argc, char** argv) {
   if (!options->review.isEmpty()) window.review(options->review);
   window.show();
   window.start();
-  if (!options->screenshot.isEmpty()) takePictureAfter(window, *options);
+  if (!options->screenshot.isEmpty()) {
+    const auto sources = fyd::station::withProfileSources(*wanted);
+    takePictureAfter(window, *options, sources.touchpad == "simulated" && sources.motors.empty());
+  }
   return QApplication::exec();
 }

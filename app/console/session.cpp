@@ -148,7 +148,8 @@ Result<void> StationSession::beginAnew(const station::Profile& profile) {
 
 }  // namespace
 
-Result<std::unique_ptr<Session>> openSession(const station::StationOptions& options) {
+Result<std::unique_ptr<Session>> openSession(const station::StationOptions& asked) {
+  const station::StationOptions options = station::withProfileSources(asked);
   auto station = station::Station::open(options);
   if (!station) return tl::unexpected(station.error());
   return std::make_unique<StationSession>(options, std::move(*station));

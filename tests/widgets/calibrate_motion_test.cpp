@@ -294,7 +294,7 @@ class CalibrateMotionTest : public QObject {
     console::MainWindow window(std::move(*opened), path);
     window.show();
     (void)QTest::qWaitForWindowActive(&window);
-    session->start();
+    window.start();
     QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
     auto* page = qobject_cast<console::CalibratePage*>(window.frame()->page(QStringLiteral("calibrate")));
     std::size_t accepted = 0;

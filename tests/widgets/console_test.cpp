@@ -290,9 +290,9 @@ class ConsoleTest : public QObject {
       QVERIFY(QString::fromStdString(options.error().message).contains(name));
     }
     const auto options = console::readOptions({program, QStringLiteral("--theme"), QStringLiteral("light")});
-    QVERIFY(options.has_value() && options->theme == widgets::ThemeChoice::light &&
-            options->station.robot == "simulated" && options->station.touchpad == "simulated" &&
-            !options->station.record);
+    QVERIFY(options.has_value() && options->theme == widgets::ThemeChoice::light && !options->station.record);
+    const auto resolved = station::withProfileSources(options->station);
+    QVERIFY(resolved.robot == "simulated" && resolved.touchpad == "simulated");
     const auto more = console::readOptions(
         {program, QStringLiteral("--touchpad"), QStringLiteral("modbus-tcp:10.0.0.7:502"), QStringLiteral("--motors"),
          QStringLiteral("qbmove:/dev/ttyUSB0"), QStringLiteral("--surface"), QStringLiteral("wood.toml"),
