@@ -27,11 +27,11 @@ def not_held_by_the_machine(session):
         raise BusyMachine(session["reason"])
 
 
-def three_tries(test):
-    """Runs a test of a fyd.Case anew, from its setUp on, when it met a busy machine; the third time that is a failure."""
+def some_tries(test):
+    """Runs a test of a fyd.Case anew, from its setUp on, when it met a busy machine; the fifth time that is a failure."""
     @functools.wraps(test)
     def again(self):
-        for _ in range(2):
+        for _ in range(4):
             try:
                 return test(self)
             except BusyMachine:

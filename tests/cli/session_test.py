@@ -19,15 +19,10 @@ class Recorded(fyd.Case):
         cls.kept = fyd.tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.kept.cleanup)
         cls.file = os.path.join(cls.kept.name, "session.h5")
-        for _ in range(3):  # what a busy machine held at its first cycles has nothing to replay
-            done = fyd.run(*SESSION, "--duration", 8, "--record", cls.file, "--operator", "Ada", "--subject", "S7",
-                           "--notes", "first try", "--tag", "soft", "--tag", "dry", "--json")
-            assert done.returncode == 0, done.stderr
-            cls.session = fyd.json.loads(done.stdout)
-            if cls.session["state"] == "Active":
-                return
-            os.remove(cls.file)
-        raise fyd.BusyMachine(cls.session["reason"])
+        done = fyd.run(*SESSION, "--duration", 8, "--record", cls.file, "--operator", "Ada", "--subject", "S7",
+                       "--notes", "first try", "--tag", "soft", "--tag", "dry", "--json")
+        assert done.returncode == 0, done.stderr
+        cls.session = fyd.json.loads(done.stdout)
 
     def test_the_session_says_what_was_recorded(self):
         recording = self.session["recording"]
@@ -64,7 +59,8 @@ class Recorded(fyd.Case):
 
     def test_what_if_differs_and_says_which_loop(self):
         out = self.path("what_if.csv")
-        replay = self.json("session", "replay", "--set", "texture.k_vib=2", self.file, "--telemetry", out, "--json")
+        # Counts in every state of the touchpad: a busy machine may have held it at its first cycles.
+        replay = self.json("session", "replay", "--set", "sensing.ir_noise_mV=40", self.file, "--telemetry", out, "--json")
         self.assertFalse(replay["identical"])
         self.assertEqual(replay["loop"], "open")
         self.assertGreater(replay["different"], 100)
