@@ -2,25 +2,23 @@
 // at the cursor on the left, touches, figures, what-if and comparison on the right.
 #pragma once
 
-#include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QStackedWidget>
 #include <QTabWidget>
-#include <QToolButton>
 #include <memory>
 
 #include "app/console/curve_tools.h"
 #include "app/console/page.h"
+#include "app/console/review_camera.h"
+#include "app/console/review_comparison.h"
 #include "app/console/review_curves.h"
+#include "app/console/review_exports.h"
+#include "app/console/review_marks.h"
 #include "app/console/review_player.h"
-#include "app/console/review_tables.h"
 #include "app/console/session_list.h"
 #include "app/console/what_if_panel.h"
-#include "core/session/export_recording.h"
-#include "core/session/review_notes.h"
-#include "widgets/camera_image.h"
-#include "widgets/session_overview.h"
 
 namespace fyd::console {
 
@@ -36,14 +34,9 @@ class ReviewPage : public Page {
   /// Shows a recording; what is wrong with it is told, and the list stays.
   void open(const QString& path);
   void showList();
-  /// A second session beside this one; its touch `theirs` stands where this one's `ours` stands, both from 0.
-  void compare(const QString& path);
-  void alignAt(int ours, int theirs);
+  /// At the cursor.
   void writeNote(session::NoteKind kind, const QString& text);
   void setMark(widgets::CurveStack::Mark which);
-  /// Beside the recording, in the format of the ending: report.html, report.pdf, csv, mat, mcap, mkv.
-  void exportAs(const QString& ending);
-  void saveShownValues();
 
   [[nodiscard]] const session::Recording* recording() const { return recording_.get(); }
   [[nodiscard]] ReviewPlayer* player() { return &player_; }
@@ -55,66 +48,55 @@ class ReviewPage : public Page {
   [[nodiscard]] FiguresTable* figures() const { return figures_table_; }
   [[nodiscard]] NoteTable* notes() const { return note_table_; }
   [[nodiscard]] WhatIfPanel* whatIf() const { return what_if_; }
+  [[nodiscard]] ReviewComparison* comparison() const { return comparison_; }
+  [[nodiscard]] ReviewExports* exports() const { return exports_; }
   [[nodiscard]] QLineEdit* noteField() const { return note_field_; }
   [[nodiscard]] QTabWidget* tabs() const { return tabs_; }
   [[nodiscard]] bool showsList() const { return stack_->currentIndex() == 0; }
   [[nodiscard]] QString title() const { return title_->text(); }
 
  private:
-  void exportTo(const std::string& target, const session::ExportOptions& options);
   QWidget* buildReview();
   QWidget* buildBar();
   QWidget* buildLeft();
   QWidget* buildRight();
-  QWidget* buildCompare();
   void connectCursor();
+  void connectTabs();
+  void addExportCommands(PlaceCommands& commands);
   void close();
   void describe();
   void look(double time_s);
   void findTouches();
-  void showMarks();
+  void showTouches(const std::vector<session::Touch>& touches);
   void showEnvelope();
   void computeFigures();
-  void fillAlignment();
 
   PageContext context_;
   QString path_;
   std::unique_ptr<session::Recording> recording_;
-  std::unique_ptr<session::Recording> other_;
-  std::vector<session::Touch> touches_;
-  std::vector<session::Touch> other_touches_;
-  std::vector<session::ReviewNote> review_notes_;
-  bool notes_damaged_ = false;  // then nothing is written over them
   ReviewPlayer player_;
 
   QStackedWidget* stack_;
   SessionList* list_;
-  QLabel* title_ = nullptr;
-  QLabel* time_ = nullptr;
-  QToolButton* play_ = nullptr;
-  QComboBox* speed_ = nullptr;
   widgets::SessionOverview* overview_;
   ReviewCurves* curves_;
   CurveTools* curve_tools_;
-  class QHBoxLayout* bar_ = nullptr;
-  widgets::CameraImage* camera_ = nullptr;
-  QLabel* camera_words_ = nullptr;
-  NoteTable* note_table_ = nullptr;
+  ReviewExports* exports_;
+  NoteTable* note_table_;
+  ReviewMarks marks_;
+  QLabel* title_ = nullptr;
+  QLabel* time_ = nullptr;
+  QHBoxLayout* bar_ = nullptr;
+  ReviewCamera* camera_ = nullptr;
   QLineEdit* note_field_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   TouchTable* touch_table_ = nullptr;
   FiguresTable* figures_table_ = nullptr;
   WhatIfPanel* what_if_ = nullptr;
-  QLineEdit* compare_path_ = nullptr;
-  QComboBox* our_touch_ = nullptr;
-  QComboBox* their_touch_ = nullptr;
-  QLabel* compare_words_ = nullptr;
-  std::uint64_t shown_picture_ = 0;
+  ReviewComparison* comparison_ = nullptr;
 
-  Background touch_work_;
+  TouchSearch touch_search_;
   Background figures_work_;
-  Background compare_work_;
-  Background export_work_;
 };
 
 }  // namespace fyd::console

@@ -1,6 +1,7 @@
 // How the page "Review" is put together.
+#include <QComboBox>
 #include <QHBoxLayout>
-#include <QSplitter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/console/review_page.h"
@@ -32,7 +33,10 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
       list_(new SessionList(context.catalogue, this)),
       overview_(new widgets::SessionOverview(this)),
       curves_(new ReviewCurves(this)),
-      curve_tools_(new CurveTools(curves_->stack(), context.tell, this)) {
+      curve_tools_(new CurveTools(curves_->stack(), context.tell, this)),
+      exports_(new ReviewExports(context.tell, this)),
+      note_table_(new NoteTable(this)),
+      marks_(overview_, note_table_, context.tell) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(stack_);
@@ -40,6 +44,7 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
   stack_->addWidget(buildReview());
   connect(list_, &SessionList::openAsked, this, &ReviewPage::open);
   connectCursor();
+  connectTabs();
 }
 
 QWidget* ReviewPage::buildReview() {
@@ -77,22 +82,22 @@ QWidget* ReviewPage::buildBar() {
   back->setText(tr("Sessions"));
   back->setToolTip(tr("The list of sessions (Ctrl+O)"));
   connect(back, &QToolButton::clicked, this, &ReviewPage::showList);
-  play_ = new QToolButton(bar);
-  play_->setObjectName(QStringLiteral("play_button"));
-  play_->setText(tr("Play"));
-  play_->setToolTip(tr("Play or pause (Space)"));
-  connect(play_, &QToolButton::clicked, &player_, &ReviewPlayer::togglePlaying);
-  connect(&player_, &ReviewPlayer::playingChanged, this,
-          [this](bool playing) { play_->setText(playing ? tr("Pause") : tr("Play")); });
-  speed_ = new QComboBox(bar);
-  speed_->setObjectName(QStringLiteral("play_speed"));
-  speed_->setAccessibleName(tr("Speed of playing"));
+  auto* play = new QToolButton(bar);
+  play->setObjectName(QStringLiteral("play_button"));
+  play->setText(tr("Play"));
+  play->setToolTip(tr("Play or pause (Space)"));
+  connect(play, &QToolButton::clicked, &player_, &ReviewPlayer::togglePlaying);
+  connect(&player_, &ReviewPlayer::playingChanged, play,
+          [play](bool playing) { play->setText(playing ? tr("Pause") : tr("Play")); });
+  auto* chosen_speed = new QComboBox(bar);
+  chosen_speed->setObjectName(QStringLiteral("play_speed"));
+  chosen_speed->setAccessibleName(tr("Speed of playing"));
   for (const double speed : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
-    speed_->addItem(tr("%1 ×").arg(widgets::plainNumber(speed)), speed);
+    chosen_speed->addItem(tr("%1 ×").arg(widgets::plainNumber(speed)), speed);
   }
-  speed_->setCurrentIndex(3);
-  connect(speed_, &QComboBox::currentIndexChanged, this,
-          [this](int index) { player_.setSpeed(speed_->itemData(index).toDouble()); });
+  chosen_speed->setCurrentIndex(3);
+  connect(chosen_speed, &QComboBox::currentIndexChanged, this,
+          [this, chosen_speed](int index) { player_.setSpeed(chosen_speed->itemData(index).toDouble()); });
   time_ = new QLabel(bar);
   time_->setAccessibleName(tr("Cursor"));
   time_->setMinimumWidth(10 * kGrid);
@@ -103,8 +108,8 @@ QWidget* ReviewPage::buildBar() {
   title_->setMinimumWidth(0);
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->addWidget(back);
-  layout->addWidget(play_);
-  layout->addWidget(speed_);
+  layout->addWidget(play);
+  layout->addWidget(chosen_speed);
   layout->addWidget(time_);
   layout->addWidget(title_, 1);
   return bar;
@@ -117,11 +122,7 @@ QWidget* ReviewPage::buildLeft() {
   auto* layout = new QVBoxLayout(left);
   layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
   layout->setSpacing(kGrid);
-  camera_ = new widgets::CameraImage(left);
-  camera_->setEmptyText(tr("No picture at the cursor."));
-  camera_words_ = new QLabel(left);
-  camera_words_->setWordWrap(true);
-  note_table_ = new NoteTable(left);
+  camera_ = new ReviewCamera(left);
   note_field_ = new QLineEdit(left);
   note_field_->setObjectName(QStringLiteral("note_field"));
   note_field_->setMaxLength(1000);
@@ -130,7 +131,6 @@ QWidget* ReviewPage::buildLeft() {
   connect(note_field_, &QLineEdit::returnPressed, this,
           [this] { writeNote(session::NoteKind::note, note_field_->text()); });
   layout->addWidget(camera_);
-  layout->addWidget(camera_words_);
   layout->addWidget(note_table_, 1);
   layout->addWidget(note_field_);
   return left;
@@ -143,40 +143,12 @@ QWidget* ReviewPage::buildRight() {
   touch_table_ = new TouchTable(tabs_);
   figures_table_ = new FiguresTable(tabs_);
   what_if_ = new WhatIfPanel(tabs_);
+  comparison_ = new ReviewComparison(tabs_);
   tabs_->addTab(touch_table_, tr("Touches"));
   tabs_->addTab(figures_table_, tr("A – B"));
   tabs_->addTab(what_if_, tr("What if"));
-  tabs_->addTab(buildCompare(), tr("Compare"));
+  tabs_->addTab(comparison_, tr("Compare"));
   return tabs_;
-}
-
-QWidget* ReviewPage::buildCompare() {
-  auto* page = new QWidget(this);
-  auto* layout = new QVBoxLayout(page);
-  layout->setSpacing(kGrid);
-  compare_path_ = new QLineEdit(page);
-  compare_path_->setObjectName(QStringLiteral("compare_path"));
-  compare_path_->setPlaceholderText(tr("Path of a second recording, then Enter"));
-  compare_path_->setAccessibleName(tr("Path of a second recording"));
-  connect(compare_path_, &QLineEdit::returnPressed, this, [this] { compare(compare_path_->text()); });
-  our_touch_ = new QComboBox(page);
-  our_touch_->setAccessibleName(tr("Align this session at"));
-  their_touch_ = new QComboBox(page);
-  their_touch_->setAccessibleName(tr("Align the other session at"));
-  compare_words_ = new QLabel(page);
-  compare_words_->setWordWrap(true);
-  for (QComboBox* box : {our_touch_, their_touch_}) {
-    connect(box, &QComboBox::currentIndexChanged, this,
-            [this] { alignAt(our_touch_->currentIndex() - 1, their_touch_->currentIndex() - 1); });
-  }
-  layout->addWidget(compare_path_);
-  layout->addWidget(new QLabel(tr("This session's"), page));
-  layout->addWidget(our_touch_);
-  layout->addWidget(new QLabel(tr("lies on the other's"), page));
-  layout->addWidget(their_touch_);
-  layout->addWidget(compare_words_);
-  layout->addStretch(1);
-  return page;
 }
 
 void ReviewPage::connectCursor() {
@@ -195,6 +167,9 @@ void ReviewPage::connectCursor() {
   connect(overview_, &widgets::SessionOverview::windowAsked, curves_, &ReviewCurves::show);
   connect(overview_, &widgets::SessionOverview::resized, this, &ReviewPage::showEnvelope);
   connect(note_table_, &NoteTable::noteChosen, &player_, &ReviewPlayer::goTo);
+}
+
+void ReviewPage::connectTabs() {
   connect(touch_table_, &TouchTable::touchChosen, this, [this](double start_s, double end_s) {
     constexpr double kAround_s = 0.5;
     curves_->show(start_s - kAround_s, end_s + kAround_s);
@@ -204,6 +179,11 @@ void ReviewPage::connectCursor() {
     curves_->source().setWhatIf(std::move(curves));
     curves_->redrawSoon();
   });
+  connect(comparison_, &ReviewComparison::otherChanged, this,
+          [this](const session::Recording* other, double later_by_s) {
+            curves_->source().setOther(other, later_by_s);
+            curves_->redrawSoon();
+          });
 }
 
 }  // namespace fyd::console

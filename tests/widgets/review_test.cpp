@@ -187,14 +187,14 @@ class ReviewTest : public QObject {
     const QString other = makeRecording(f.folder, QStringLiteral("other.h5"), 3000);
     f.openByPath();
     QTRY_COMPARE(f.page->touches()->rowCount(), 1);
-    f.page->compare(other);
+    f.page->comparison()->compare(other);
     QComboBox* their = nullptr;
     for (QComboBox* box : f.page->findChildren<QComboBox*>()) {
       if (box->accessibleName() == QStringLiteral("Align the other session at")) their = box;
     }
     QVERIFY(their != nullptr);
     QTRY_COMPARE(their->count(), 2);
-    f.page->alignAt(0, 0);
+    f.page->comparison()->alignAt(0, 0);
     // Its touch began a second later: laid on this one's, it is drawn a second earlier.
     const std::size_t force = console::ReviewSource::channel(console::ReviewLayer::other, 0);
     QCOMPARE(f.page->curves()->source().valueAt(force, 2.5), 2.0);
@@ -247,11 +247,11 @@ class ReviewTest : public QObject {
   void exportsStandBesideTheFileAndAreNeverWrittenOver() {
     ReviewFixture f;
     f.openByPath();
-    f.page->exportAs(QStringLiteral("csv"));
+    f.page->exports()->exportAs(QStringLiteral("csv"));
     QTRY_VERIFY(f.told().contains(QStringLiteral("session.csv is written")));
-    f.page->exportAs(QStringLiteral("csv"));
+    f.page->exports()->exportAs(QStringLiteral("csv"));
     QTRY_VERIFY(f.told().contains(QStringLiteral("exists")));
-    f.page->exportAs(QStringLiteral("html"));
+    f.page->exports()->exportAs(QStringLiteral("html"));
     QTRY_VERIFY(f.told().contains(QStringLiteral("session.html is written")));
   }
 
