@@ -13,6 +13,8 @@
 namespace fyd::session {
 namespace {
 
+/// Share of the time that goes into the columns; the rest into the file, which libmatio writes in one go.
+constexpr double kColumnsShare = 0.7;
 constexpr std::uint64_t kLargestVariable_bytes = (1ULL << 31) - (1ULL << 20);
 
 using Fields = std::vector<std::pair<std::string, MatValue>>;
@@ -93,7 +95,7 @@ Result<void> writeVariables(const std::string& path, const std::string& shown, c
 }  // namespace
 
 Result<ExportResult> exportMat(const Recording& recording, const std::string& path, const ExportOptions& options) {
-  const auto selection = selectSomeRows(recording, options);
+  auto selection = selectSomeRows(recording, options);
   if (!selection) return tl::unexpected(selection.error());
   const auto lines = logLines(recording);
   if (!lines) return tl::unexpected(lines.error());
@@ -106,11 +108,13 @@ Result<ExportResult> exportMat(const Recording& recording, const std::string& pa
   }
   auto file = ExportFile::create(path, options.replace);
   if (!file) return tl::unexpected(file.error());
+  selection->progress = partOf(options.progress, 0.0, kColumnsShare);
 
   ColumnStore columns(selection->fields.size() + 1, static_cast<std::size_t>(rows));
   auto done = columns.open(std::filesystem::path(path).parent_path().string());
   if (done) done = fillColumns(recording, *selection, columns);
   if (done) done = columns.map();
+  if (done) done = tellProgress(options.progress, kColumnsShare);
   if (!done) return fail("{}: {}", path, done.error().message);
 
   Fields telemetry;
@@ -134,6 +138,7 @@ Result<ExportResult> exportMat(const Recording& recording, const std::string& pa
   if (done && std::filesystem::file_size(file->temporary()) < payload) {
     done = fail("{}: not all of it could be written; is the disk full?", path);
   }
+  if (done) done = tellProgress(options.progress, 1.0);
   if (done) done = file->commit();
   if (!done) return tl::unexpected(done.error());
   return result;

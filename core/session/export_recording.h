@@ -7,12 +7,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/session/progress.h"
 #include "core/session/recording.h"
 
 namespace fyd::session {
@@ -21,10 +21,9 @@ struct ExportOptions {
   double from_s = -std::numeric_limits<double>::infinity();  ///< seconds from the recording's start
   double to_s = std::numeric_limits<double>::infinity();     ///< included
   std::vector<std::string> fields;                           ///< names of telemetryFields(); empty: all
-  bool region = false;   ///< pictures: the detector's region of interest, exactly; else the whole picture
-  bool replace = false;  ///< existing files may be replaced
-  /// Told now and then which share of the rows or pictures is done; false ends the export, and no file is left.
-  std::function<bool(double done)> progress = {};
+  bool region = false;     ///< pictures: the detector's region of interest, exactly; else the whole picture
+  bool replace = false;    ///< existing files may be replaced
+  Progress progress = {};  ///< ended by it, the export leaves no file
 };
 
 struct ExportResult {

@@ -59,7 +59,7 @@ Result<void> forEachBlock(const Recording& recording, const ExportSelection& sel
   for (std::uint64_t row = selection.first; row < selection.end; row += block.size()) {
     const double done =
         static_cast<double>(row - selection.first) / static_cast<double>(selection.end - selection.first);
-    if (selection.progress && !selection.progress(done)) return fail("export: cancelled; no file was written");
+    if (auto told = tellProgress(selection.progress, done); !told) return told;
     block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kExportBlockRows, selection.end - row)));
     if (auto read = recording.telemetry(row, block); !read) return read;
     if (auto consumed = consume(block); !consumed) return consumed;

@@ -19,7 +19,7 @@ struct ExportSelection {
   std::uint64_t first = 0;
   std::uint64_t end = 0;  ///< one past the last row
   std::vector<const pipeline::TelemetryField*> fields;
-  std::function<bool(double done)> progress;  ///< as in the options
+  Progress progress;
 };
 
 /// @return an error that names the option: bounds in the wrong order or NaN, an unknown field (with the names there

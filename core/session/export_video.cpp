@@ -18,6 +18,8 @@ namespace fyd::session {
 namespace {
 
 constexpr std::uint64_t kPicturesForRate = 120;
+/// Share of the time that goes into the frames; the rest into reading them again.
+constexpr double kFramesShare = 0.8;
 constexpr double kUsualRate_Hz = 30.0;
 constexpr double kHighestRate_Hz = 1000.0;
 /// A break longer than this is shown no longer than this.
@@ -26,10 +28,11 @@ constexpr double kLongestStill_s = 10.0;
 const cv::Mat& chosen(const RecordedPicture& picture, bool region) { return region ? picture.region : picture.whole; }
 
 /// From the median distance of the first pictures; a whole number when it is nearly one.
-Result<double> rateOf(const Recording& recording, std::uint64_t first, std::uint64_t end) {
+Result<double> rateOf(const Recording& recording, std::uint64_t first, std::uint64_t end, const Progress& progress) {
   std::vector<double> distances_s;
   double last_s = pipeline::kNone;
   for (std::uint64_t i = first; i < std::min(end, first + kPicturesForRate); ++i) {
+    if (auto told = tellProgress(progress, 0.0); !told) return tl::unexpected(told.error());
     const auto picture = recording.picture(i);
     if (!picture) return tl::unexpected(picture.error());
     if (picture->time_s > last_s) distances_s.push_back(picture->time_s - last_s);
@@ -75,11 +78,14 @@ class FrameWriter {
   }
 
   /// OpenCV does not say when a write failed: the file is read through, and must hold every frame.
-  Result<void> finish() {
+  Result<void> finish(const Progress& progress) {
     writer_.release();
     cv::VideoCapture reader(path_, cv::CAP_FFMPEG);
     std::uint64_t found = 0;
-    while (reader.grab()) ++found;
+    while (reader.grab()) {
+      const double done = static_cast<double>(++found) / static_cast<double>(std::max(found, frames_));
+      if (auto told = tellProgress(progress, done); !told) return told;
+    }
     if (found != frames_) return fail("only {} of {} frames could be written; is the disk full?", found, frames_);
     return {};
   }
@@ -126,12 +132,13 @@ Result<void> show(const Waiting& waiting, double next_s, double start_s, FrameWr
 
 Result<void> writeFrames(const Recording& recording, std::uint64_t first, const ExportOptions& options,
                          FrameWriter& video, ExportFile& times, ExportResult& result) {
+  const Progress progress = partOf(options.progress, 0.0, kFramesShare);
   std::optional<Waiting> waiting;
   double start_s = 0.0;
   if (auto titled = times.write("frame,picture,camera_number,time_s\n"); !titled) return titled;
   for (std::uint64_t i = first; i < recording.info().frames; ++i) {
     const double done = static_cast<double>(i - first) / static_cast<double>(recording.info().frames - first);
-    if (options.progress && !options.progress(done)) return fail("export: cancelled; no file was written");
+    if (auto told = tellProgress(progress, done); !told) return told;
     const auto picture = recording.picture(i);
     if (!picture) return tl::unexpected(picture.error());
     if (picture->time_s > options.to_s) break;
@@ -163,7 +170,7 @@ Result<ExportResult> exportVideo(const Recording& recording, const std::string& 
   if (const auto range = selectRows(recording, options); !range) return tl::unexpected(range.error());
   const auto first = pictureIndexAt(recording, options.from_s);
   if (!first) return tl::unexpected(first.error());
-  const auto rate_Hz = rateOf(recording, *first, recording.info().frames);
+  const auto rate_Hz = rateOf(recording, *first, recording.info().frames, options.progress);
   if (!rate_Hz) return tl::unexpected(rate_Hz.error());
 
   const std::filesystem::path target(path);
@@ -177,7 +184,7 @@ Result<ExportResult> exportVideo(const Recording& recording, const std::string& 
   const std::string extension = target.extension().string();
   FrameWriter video(file->temporary(), extension == ".mkv" || extension == ".MKV", *rate_Hz);
   auto done = writeFrames(recording, *first, options, video, *times, result);
-  if (done) done = video.finish();
+  if (done) done = video.finish(partOf(options.progress, kFramesShare, 1.0));
   if (!done) return fail("{}: {}", path, done.error().message);
   done = times->commit();
   if (done) done = file->commit();

@@ -79,7 +79,7 @@ void writeUnits(hid_t set, const TableLayout& layout) {
 std::unique_lock<std::recursive_mutex> hdf5Lock() {
   static std::recursive_mutex mutex;
   std::unique_lock lock(mutex);
-  static const bool kQuiet = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;  // its reasons go into our errors
+  thread_local const bool kQuiet = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;  // its reasons go into our errors
   (void)kQuiet;
   return lock;
 }

@@ -1,6 +1,7 @@
 #include "core/session/recover.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/session/recording_place.h"
 #include "core/session/recording_repair.h"
@@ -37,21 +38,43 @@ Result<void> giveName(const std::string& found, const std::string& target) {
   return syncFolder(target);
 }
 
+/// Shares of the time, when something is damaged.
+constexpr double kChecked = 0.5;
+constexpr double kStepsCopied = 0.8;
+
+/// A file made here goes again unless it was finished.
+struct Unfinished {
+  std::string file;
+  Unfinished() = default;
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+  ~Unfinished() {
+    if (!file.empty()) ::unlink(file.c_str());
+  }
+};
+
 /// What of the recording's other lists can be read goes along; they are too few to be counted one by one.
-void copyLists(const Recording& from, RecordingWriter& to) {
+Result<void> copyLists(const Recording& from, RecordingWriter& to, const Progress& progress) {
   if (const auto notes = from.notes(); notes)
     for (const Note& note : *notes) (void)to.append(note);  // a refusing disk refuses the next step too
   if (const auto links = from.linkRows(); links)
     for (const LinkRow& link : *links) (void)to.append(link);
-  for (std::uint64_t i = 0; i < from.info().frames; ++i)
-    if (const auto picture = encodedPicture(from, i); picture) {
-      (void)to.append(*picture);
-      if (i % 100 == 99) (void)to.commit();
-    }
+  const std::uint64_t pictures = from.info().frames;
+  for (std::uint64_t i = 0; i < pictures; ++i) {
+    if (auto told = tellProgress(progress, static_cast<double>(i) / static_cast<double>(pictures)); !told) return told;
+    const auto picture = encodedPicture(from, i);
+    if (!picture) continue;
+    (void)to.append(*picture);
+    if (i % 100 == 99) (void)to.commit();
+  }
+  return {};
 }
 
-Result<void> copySteps(const Recording& from, RecordingWriter& to, RecoverOutcome& outcome) {
-  for (std::uint64_t row = 0; row < from.info().committed_samples; ++row) {
+Result<void> copySteps(const Recording& from, RecordingWriter& to, const Progress& progress, RecoverOutcome& outcome) {
+  const std::uint64_t rows = from.info().committed_samples;
+  for (std::uint64_t row = 0; row < rows; ++row) {
+    const double done = static_cast<double>(row) / static_cast<double>(rows);
+    if (auto told = row % kBlockSteps == 0 ? tellProgress(progress, done) : Result<void>(); !told) return told;
     const auto record = from.step(row);
     if (!record) {
       ++outcome.lost_steps;
@@ -64,18 +87,25 @@ Result<void> copySteps(const Recording& from, RecordingWriter& to, RecoverOutcom
   return {};
 }
 
-Result<RecoverOutcome> copyWhatIsLeft(const Recording& from, const std::string& found, const std::string& target) {
+Result<RecoverOutcome> copyWhatIsLeft(const Recording& from, const std::string& found, const std::string& target,
+                                      const Progress& progress) {
   RecoverOutcome outcome;
+  Unfinished unfinished;
   const auto copy = freeName(target + ".recovered");
   if (!copy) return tl::unexpected(copy.error());
   auto writer = RecordingWriter::create(*copy, from.info().header);
   if (!writer) return tl::unexpected(writer.error());
-  if (auto steps = copySteps(from, **writer, outcome); !steps) return tl::unexpected(steps.error());
-  copyLists(from, **writer);
-  if (auto closed = (*writer)->close(); !closed) return tl::unexpected(closed.error());
+  unfinished.file = partialOf(*copy);
+  auto done = copySteps(from, **writer, partOf(progress, kChecked, kStepsCopied), outcome);
+  if (done) done = copyLists(from, **writer, partOf(progress, kStepsCopied, 1.0));
+  if (done) done = tellProgress(progress, 1.0);
+  if (done) done = (*writer)->close();
+  if (!done) return tl::unexpected(done.error());
+  unfinished.file = *copy;
   const auto kept = freeName(target + ".damaged");
   if (!kept) return tl::unexpected(kept.error());
   if (auto named = giveName(found, *kept); !named) return tl::unexpected(named.error());
+  unfinished.file.clear();  // from here on it is all there is under this name
   if (auto named = giveName(*copy, target); !named) return tl::unexpected(named.error());
   outcome.result = RecoverResult::part_lost;
   outcome.file = target;
@@ -91,7 +121,7 @@ RecoverOutcome nothing(const Error& why) {
 
 }  // namespace
 
-Result<RecoverOutcome> recover(const std::string& path) {
+Result<RecoverOutcome> recover(const std::string& path, const Progress& progress) {
   const std::string found = existingName(path);
   if (!exists(found)) return fail("{}: there is no such file", path);
   const std::string target = targetOf(found);
@@ -105,7 +135,12 @@ Result<RecoverOutcome> recover(const std::string& path) {
     if (!recording) return nothing(recording.error());
     const RecordingInfo& info = (*recording)->info();
     outcome.steps = info.committed_samples;
-    const auto checked = verify(found);
+    bool ended = false;
+    const auto checked = verify(found, [&](double done) {
+      ended = !tellProgress(progress, kChecked * done);
+      return !ended;
+    });
+    if (ended) return tl::unexpected(checked.error());  // not damaged: nobody knows
     const bool sound = checked && checked->intact();
     if (sound && info.wholeness == Wholeness::whole) {
       if (auto named = giveName(found, target); !named) return tl::unexpected(named.error());
@@ -114,11 +149,12 @@ Result<RecoverOutcome> recover(const std::string& path) {
       return outcome;
     }
     if (!sound) {
-      auto copied = copyWhatIsLeft(**recording, found, target);
+      auto copied = copyWhatIsLeft(**recording, found, target, progress);
       if (copied) copied->first_damage = checked ? checked->first_damage : checked.error().message;
       return copied;
     }
   }
+  if (auto told = tellProgress(progress, 1.0); !told) return tl::unexpected(told.error());
   if (auto finished = finishRecording(found); !finished) return tl::unexpected(finished.error());
   if (auto named = giveName(found, target); !named) return tl::unexpected(named.error());
   outcome.result = RecoverResult::whole;

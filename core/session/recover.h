@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/session/progress.h"
 
 namespace fyd::session {
 
@@ -26,7 +27,8 @@ struct RecoverOutcome {
 
 /// A step is kept with all its inputs or not at all; missing ones show as a gap.
 /// @param path FILE or FILE.partial
-/// @return an error when it is missing, is being recorded at this moment, or the disk refuses
-[[nodiscard]] Result<RecoverOutcome> recover(const std::string& path);
+/// @return an error when it is missing, is being recorded at this moment, the disk refuses, or `progress` ended it; the
+/// file is then as it was, and there is none beside it
+[[nodiscard]] Result<RecoverOutcome> recover(const std::string& path, const Progress& progress = {});
 
 }  // namespace fyd::session

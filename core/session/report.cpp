@@ -37,7 +37,7 @@ namespace {
 
 /// @param gather gives the content, once the file is known to be writable
 template <class Gather>
-Result<void> writeGathered(Gather&& gather, const std::string& path, bool replace) {
+Result<void> writeGathered(Gather&& gather, const std::string& path, bool replace, const Progress& progress) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
   if (extension != ".html" && extension != ".pdf") return fail("{}: a report ends in .html or .pdf", path);
@@ -45,6 +45,7 @@ Result<void> writeGathered(Gather&& gather, const std::string& path, bool replac
   if (!file) return tl::unexpected(file.error());
   const Result<ReportContent> content = gather();
   if (!content) return tl::unexpected(content.error());
+  if (auto told = tellProgress(progress, 1.0); !told) return told;
   const auto text = extension == ".pdf" ? reportPdf(*content) : reportHtml(*content);
   if (!text) return tl::unexpected(text.error());
   if (auto written = file->write(*text); !written) return written;
@@ -53,12 +54,12 @@ Result<void> writeGathered(Gather&& gather, const std::string& path, bool replac
 
 }  // namespace
 
-Result<void> writeReport(const Recording& recording, const std::string& path, bool replace) {
-  return writeGathered([&] { return gatherReport(recording); }, path, replace);
+Result<void> writeReport(const Recording& recording, const std::string& path, bool replace, const Progress& progress) {
+  return writeGathered([&] { return gatherReport(recording, progress); }, path, replace, progress);
 }
 
 Result<void> writeReport(const ReportContent& content, const std::string& path, bool replace) {
-  return writeGathered([&]() -> Result<ReportContent> { return content; }, path, replace);
+  return writeGathered([&]() -> Result<ReportContent> { return content; }, path, replace, {});
 }
 
 }  // namespace fyd::session

@@ -11,8 +11,10 @@
 namespace fyd::session {
 
 /// @param path ends in .html or .pdf
-/// @return an error when the recording cannot be read or the file not be written; then there is no file
-[[nodiscard]] Result<void> writeReport(const Recording& recording, const std::string& path, bool replace);
+/// @return an error when the recording cannot be read, the file not be written, or `progress` ended it; then there is
+/// no file
+[[nodiscard]] Result<void> writeReport(const Recording& recording, const std::string& path, bool replace,
+                                       const Progress& progress = {});
 
 /// The same for what was gathered elsewhere.
 [[nodiscard]] Result<void> writeReport(const ReportContent& content, const std::string& path, bool replace);

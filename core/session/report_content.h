@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/session/chart.h"
 #include "core/session/export_words.h"
+#include "core/session/progress.h"
 #include "core/session/recording.h"
 #include "core/session/touches.h"
 
@@ -37,8 +38,9 @@ struct ReportContent {
   std::vector<ReportTable> tables;  ///< touches, health, gains and calibration, log
 };
 
-/// All texts are valid UTF-8, nothing is escaped. @return the reader's error
-[[nodiscard]] Result<ReportContent> gatherReport(const Recording& recording);
+/// All texts are valid UTF-8, nothing is escaped.
+/// @return the reader's error, and one when `progress` ended it
+[[nodiscard]] Result<ReportContent> gatherReport(const Recording& recording, const Progress& progress = {});
 
 /// The strips of the whole session, and its time axis with touches; marks and gaps are left to the caller.
 [[nodiscard]] Result<void> gatherStrips(const Recording& recording, ReportContent& content);

@@ -80,11 +80,11 @@ class OpenTouch {
 
 }  // namespace
 
-Result<std::vector<Touch>> findTouches(const Recording& recording) {
+Result<std::vector<Touch>> findTouches(const Recording& recording, const Progress& progress) {
   std::vector<Touch> touches;
   std::optional<OpenTouch> open;
   Instant last_contact{};
-  const ExportSelection all{.first = 0, .end = recording.info().committed_samples};
+  const ExportSelection all{.end = recording.info().committed_samples, .progress = progress};
   const auto read = forEachBlock(recording, all, [&](std::span<const pipeline::TelemetrySample> rows) -> Result<void> {
     for (const pipeline::TelemetrySample& row : rows) {
       if (!row.contact) continue;

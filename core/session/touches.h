@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/session/progress.h"
 #include "core/session/recording.h"
 
 namespace fyd::session {
@@ -21,6 +22,7 @@ struct Touch {
 };
 
 /// In order; a break in contact shorter than 100 ms belongs to the touch.
-[[nodiscard]] Result<std::vector<Touch>> findTouches(const Recording& recording);
+/// @return the reader's error, and one when `progress` ended it
+[[nodiscard]] Result<std::vector<Touch>> findTouches(const Recording& recording, const Progress& progress = {});
 
 }  // namespace fyd::session

@@ -17,6 +17,23 @@ struct Opened {
   }
 };
 
+/// However the reading ends.
+struct CloseUnderLock {
+  void operator()(const Opened* opened) const {
+    const auto lock = hdf5Lock();
+    delete opened;
+  }
+};
+
+double bytesOf(const RecordingTables& tables) {
+  double bytes = 0.0;
+  for (std::size_t i = 0; i < kTableCount; ++i) {
+    const auto table = static_cast<Table>(i);
+    bytes += static_cast<double>(layoutOf(table).row_bytes) * static_cast<double>(tables.rows(table));
+  }
+  return bytes;
+}
+
 /// Checks the block with `row`. @return the first row after it
 std::uint64_t checkBlock(const RecordingTables& tables, Table table, std::uint64_t row, Verification& into) {
   ++into.blocks;
@@ -33,9 +50,9 @@ std::uint64_t checkBlock(const RecordingTables& tables, Table table, std::uint64
 
 }  // namespace
 
-Result<Verification> verify(const std::string& path) {
+Result<Verification> verify(const std::string& path, const Progress& progress) {
   const std::string found = existingName(path);
-  auto opened = guarded(found, [&] { return std::make_unique<Opened>(found); });
+  auto opened = guarded(found, [&] { return std::unique_ptr<Opened, CloseUnderLock>(new Opened(found)); });
   if (!opened) return tl::unexpected(opened.error());
   const RecordingTables& tables = (*opened)->tables;
   Verification result;
@@ -43,17 +60,21 @@ Result<Verification> verify(const std::string& path) {
   result.wholeness = tables.last().closed != 0           ? Wholeness::whole
                      : (*opened)->source.recorderLives() ? Wholeness::growing
                                                          : Wholeness::crashed;
+  const double all = bytesOf(tables);
+  double before = 0.0;  // of the tables done
   for (std::size_t i = 0; i < kTableCount; ++i) {
     const auto table = static_cast<Table>(i);
+    const auto row_bytes = static_cast<double>(layoutOf(table).row_bytes);
     // Block by block, so that a recorder of this process gets its turn at HDF5.
     for (std::uint64_t row = 0; row < tables.rows(table);) {
+      if (auto told = tellProgress(progress, (before + row_bytes * static_cast<double>(row)) / all); !told)
+        return tl::unexpected(told.error());
       const auto next = guarded(found, [&] { return checkBlock(tables, table, row, result); });
       if (!next) return tl::unexpected(next.error());
       row = *next;
     }
+    before += row_bytes * static_cast<double>(tables.rows(table));
   }
-  const auto lock = hdf5Lock();
-  opened->reset();
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/session/progress.h"
 #include "core/session/recording.h"
 
 namespace fyd::session {
@@ -20,7 +21,7 @@ struct Verification {
   [[nodiscard]] bool intact() const { return damaged == 0; }
 };
 
-/// @return an error when the file cannot be opened as a recording at all
-[[nodiscard]] Result<Verification> verify(const std::string& path);
+/// @return an error when the file cannot be opened as a recording at all, or `progress` ended it
+[[nodiscard]] Result<Verification> verify(const std::string& path, const Progress& progress = {});
 
 }  // namespace fyd::session

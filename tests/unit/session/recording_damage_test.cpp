@@ -2,31 +2,19 @@
 // FYD_FLIPS=all flips every byte of the file's front.
 #include <hdf5.h>
 
-#include <fstream>
-#include <iterator>
-
 #include <gtest/gtest.h>
 
 #include "core/session/recording_disk.h"
 #include "core/session/recording_place.h"
 #include "core/session/recover.h"
 #include "core/session/verify.h"
+#include "recording_damage.h"
 #include "recording_samples.h"
 
 namespace fyd::session {
 namespace {
 
 using namespace samples;
-
-std::string contentOf(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write(const std::string& file, const std::string& content) {
-  std::ofstream(file, std::ios::binary | std::ios::trunc)
-      .write(content.data(), static_cast<std::streamsize>(content.size()));
-}
 
 void record(const std::string& file, std::uint64_t rows) {
   auto writer = RecordingWriter::create(file, header());
@@ -124,30 +112,15 @@ TEST(RecordingDamage, ATruncatedFileIsAnErrorOrChangesNothing) {
   }
 }
 
-/// Where a table's chunk lies in the file.
-std::pair<std::size_t, std::size_t> chunkOf(const std::string& file, const char* table, hsize_t number) {
-  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  const hid_t set = H5Dopen2(id, table, H5P_DEFAULT);
-  haddr_t at = 0;
-  hsize_t size = 0;
-  const hid_t space = H5Dget_space(set);
-  EXPECT_GE(H5Dget_chunk_info(set, space, number, nullptr, nullptr, &at, &size), 0);
-  H5Sclose(space);
-  H5Dclose(set);
-  H5Fclose(id);
-  return {at + kJournalBytes, size};  // HDF5 counts from behind the user block
-}
-
 TEST(RecordingDamage, OneBadBlockCostsItselfAndRecoverSavesTheRest) {
   const Folder folder;
   record(folder.file("good.h5"), 5000);
   const std::string good = contentOf(folder.file("good.h5"));
   for (const char* table : {"/telemetry", "/inputs/steps", "/inputs/bridge", "/commits"}) {
-    std::string bad = good;
+    write(folder.file(), good);
     const bool many = std::string_view(table) == "/telemetry" || std::string_view(table) == "/inputs/steps";
-    const auto [at, size] = chunkOf(folder.file("good.h5"), table, many ? 7 : 0);
-    bad[at + size / 2] = static_cast<char>(bad[at + size / 2] ^ 0x10);
-    write(folder.file(), bad);
+    damageChunk(folder.file(), table, many ? 7 : 0);
+    const std::string bad = contentOf(folder.file());
     const auto checked = verify(folder.file());
     ASSERT_TRUE(checked);
     EXPECT_FALSE(checked->intact()) << table;
