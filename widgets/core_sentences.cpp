@@ -213,6 +213,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "%1: the disk has %2 MB left, fewer than the %3 MB a recording leaves free"),
     QT_TRANSLATE_NOOP("Core", "%1; %2 is whole up to here. Make room or choose another disk"),
     QT_TRANSLATE_NOOP("Core", "%1: is being recorded at this moment"),
+    QT_TRANSLATE_NOOP("Core", "%1: exists; move one of the two away first"),
     QT_TRANSLATE_NOOP("Core", "the recording holds no step"),
     QT_TRANSLATE_NOOP("Core", "the recording holds no picture"),
     QT_TRANSLATE_NOOP("Core", "%1: a report ends in .html or .pdf"),

@@ -20,9 +20,13 @@ void Background::run(Work work) {
   });
 }
 
+void Background::stop() {
+  if (running_) threads_[number_].request_stop();
+}
+
 void Background::cancel() {
   if (!running_) return;
-  threads_[number_].request_stop();
+  stop();
   running_ = false;
   emit runningChanged(false);
 }

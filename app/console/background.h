@@ -22,6 +22,8 @@ class Background : public QObject {
 
   /// Starts `work`; work under way is cancelled.
   void run(Work work);
+  /// Asks work under way to stop; what it came to is still told.
+  void stop();
   /// Asks work under way to stop and drops its result; never waits.
   void cancel();
   [[nodiscard]] bool running() const { return running_; }

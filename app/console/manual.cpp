@@ -37,6 +37,7 @@ constexpr Topic kWidgets[] = {
     {"fyd::widgets::LogView", "operate.md#notices-and-log"},
     {"fyd::widgets::NoticeStack", "operate.md#notices-and-log"},
     {"fyd::console::SessionList", "review.md#finding-a-session"},
+    {"fyd::widgets::WorkBars", "review.md#long-work"},
     {"fyd::console::TouchTable", "review.md#touches"},
     {"fyd::console::FiguresTable", "review.md#figures-between-a-and-b"},
     {"fyd::console::WhatIfPanel", "review.md#what-if"},

@@ -20,12 +20,13 @@ double startOf(const std::vector<session::Touch>& touches, int index) {
 
 }  // namespace
 
-ReviewComparison::ReviewComparison(QWidget* parent)
+ReviewComparison::ReviewComparison(widgets::WorkBars* bars, QWidget* parent)
     : QWidget(parent),
       path_(new QLineEdit(this)),
       our_touch_(new QComboBox(this)),
       their_touch_(new QComboBox(this)),
-      words_(new QLabel(this)) {
+      words_(new QLabel(this)),
+      search_(bars) {
   build();
   connect(path_, &QLineEdit::returnPressed, this, [this] { compare(path_->text()); });
   for (QComboBox* box : {our_touch_, their_touch_}) {
@@ -79,8 +80,9 @@ void ReviewComparison::compare(const QString& path) {
   other_ = std::move(*opened);
   words_->setText(tr("Looking for its touches …"));
   search_.look(path.trimmed(), [this](const auto& found) {
-    words_->setText(found ? tr("Drawn faint. Choose a touch of each to lay one on the other.")
-                          : widgets::coreText(found.error().message));
+    words_->setText(found                 ? tr("Drawn faint. Choose a touch of each to lay one on the other.")
+                    : search_.cancelled() ? tr("Drawn faint. The search for its touches was cancelled.")
+                                          : widgets::coreText(found.error().message));
     if (found) other_touches_ = *found;
     fillChoices();
   });

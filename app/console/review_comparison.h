@@ -15,7 +15,7 @@ namespace fyd::console {
 class ReviewComparison : public QWidget {
   Q_OBJECT
  public:
-  explicit ReviewComparison(QWidget* parent = nullptr);
+  explicit ReviewComparison(widgets::WorkBars* bars, QWidget* parent = nullptr);
 
   /// Nothing beside it any more; its own touches are not known yet.
   void clear();

@@ -10,10 +10,14 @@ namespace {
 
 using widgets::Severity;
 
-Result<void> write(const std::string& path, const std::string& target, const session::ExportOptions& options) {
+Result<void> write(const std::string& path, const std::string& target, session::ExportOptions options,
+                   const session::Progress& progress) {
   const auto recording = session::Recording::open(path);
   if (!recording) return tl::unexpected(recording.error());
-  if (target.ends_with(".html") || target.ends_with(".pdf")) return session::writeReport(**recording, target, false);
+  if (target.ends_with(".html") || target.ends_with(".pdf")) {
+    return session::writeReport(**recording, target, false, progress);
+  }
+  options.progress = progress;
   const auto exported = session::exportRecording(**recording, target, options);
   return exported ? Result<void>() : tl::unexpected(exported.error());
 }
@@ -43,14 +47,34 @@ void ReviewExports::exportShown(const ReviewCurves& curves, const QString& targe
 
 void ReviewExports::exportTo(const std::string& target, const session::ExportOptions& options) {
   if (path_.isEmpty()) return;
-  tell_(Severity::information, tr("Writing %1 …").arg(QString::fromStdString(target)));
-  work_.run([this, path = path_.toStdString(), target, options](const std::stop_token&) -> Background::Finish {
-    const auto done = write(path, target, options);
-    return [this, done, target] {
-      tell_(done ? Severity::information : Severity::warning,
-            done ? tr("%1 is written.").arg(QString::fromStdString(target)) : widgets::coreText(done.error().message));
-    };
-  });
+  const QString name = QString::fromStdString(target);
+  if (works_.contains(target)) {
+    tell_(Severity::information, tr("%1 is being written already.").arg(name));
+    return;
+  }
+  auto* work = works_[target] = new LongWork(bars_, this);
+  work->run(tr("Writing %1").arg(QFileInfo(name).fileName()),
+            [this, path = path_.toStdString(), target, options](const session::Progress& progress) {
+              const auto done = write(path, target, options, progress);
+              return [this, done, target] { finish(target, done); };
+            });
+}
+
+void ReviewExports::finish(const std::string& target, const Result<void>& done) {
+  LongWork* work = works_.extract(target).mapped();
+  work->deleteLater();  // it is still telling that it has ended
+  const QString name = QString::fromStdString(target);
+  if (done) {
+    tell_(Severity::information, tr("%1 is written.").arg(name));
+  } else if (work->cancelled()) {
+    tell_(Severity::information, tr("%1 was cancelled; no file is left.").arg(name));
+  } else {
+    tell_(Severity::warning, widgets::coreText(done.error().message));
+  }
+}
+
+void ReviewExports::drop() {
+  for (auto& [target, work] : works_) work->drop();
 }
 
 }  // namespace fyd::console

@@ -1,11 +1,13 @@
-// Exports and reports of the recording in review: beside it, never over a file, off the window's thread.
+// Exports and reports of the recording in review: beside it, never over a file. Several may be written at once, each
+// with its bar; one that is cancelled leaves no file.
 #pragma once
 
 #include <QObject>
 #include <functional>
+#include <map>
 #include <string>
 
-#include "app/console/background.h"
+#include "app/console/long_work.h"
 #include "app/console/review_curves.h"
 #include "core/session/export_recording.h"
 #include "widgets/notice_stack.h"
@@ -16,7 +18,8 @@ class ReviewExports : public QObject {
   Q_OBJECT
  public:
   using Tell = std::function<void(widgets::Severity, const QString&)>;
-  explicit ReviewExports(Tell tell, QObject* parent = nullptr) : QObject(parent), tell_(std::move(tell)) {}
+  ReviewExports(widgets::WorkBars* bars, Tell tell, QObject* parent = nullptr)
+      : QObject(parent), bars_(bars), tell_(std::move(tell)) {}
 
   /// Empty: none. Work under way goes on with its own.
   void setRecording(const QString& path) { path_ = path; }
@@ -24,13 +27,18 @@ class ReviewExports : public QObject {
   void exportAs(const QString& ending);
   /// The rows and fields that `curves` show, as CSV.
   void exportShown(const ReviewCurves& curves, const QString& target);
+  /// All of them end soon, and leave nothing.
+  void drop();
 
  private:
   void exportTo(const std::string& target, const session::ExportOptions& options);
 
+  void finish(const std::string& target, const Result<void>& done);
+
+  widgets::WorkBars* bars_;
   Tell tell_;
   QString path_;
-  Background work_;
+  std::map<std::string, LongWork*> works_;  // by the file each writes
 };
 
 }  // namespace fyd::console

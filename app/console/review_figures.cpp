@@ -39,7 +39,7 @@ struct Sums {
 }  // namespace
 
 Result<std::vector<StretchFigures>> figuresBetween(const session::Recording& recording, double a_s, double b_s,
-                                                   const std::stop_token& stop) {
+                                                   const session::Progress& progress) {
   if (!(a_s <= b_s)) std::swap(a_s, b_s);
   if (!std::isfinite(a_s) || !std::isfinite(b_s))
     return fail("figures from {} s to {} s: expected two times", a_s, b_s);
@@ -53,7 +53,8 @@ Result<std::vector<StretchFigures>> figuresBetween(const session::Recording& rec
   std::array<std::size_t, kReviewQuantities.size()> indexes{};
   std::ranges::transform(kReviewQuantities, indexes.begin(), [](const auto& q) { return fieldIndex(q.field); });
   for (std::uint64_t row = *first; row < *end; row += rows.size()) {
-    if (stop.stop_requested()) return fail("stopped");
+    const double done = static_cast<double>(row - *first) / static_cast<double>(*end - *first);
+    if (auto told = session::tellProgress(progress, done); !told) return tl::unexpected(told.error());
     rows.resize(std::min(kBlock, *end - row));
     if (auto read = recording.telemetry(row, rows); !read) return tl::unexpected(read.error());
     for (const pipeline::TelemetrySample& sample : rows) {

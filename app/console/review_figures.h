@@ -1,10 +1,10 @@
 // What lies between the cursors A and B of a review, in figures.
 #pragma once
 
-#include <stop_token>
 #include <vector>
 
 #include "app/console/review_source.h"
+#include "core/session/progress.h"
 
 namespace fyd::console {
 
@@ -18,8 +18,8 @@ struct StretchFigures {
 };
 
 /// One for each of kReviewQuantities, from every committed sample from A to B, both included; samples without a value
-/// are left out. Reads in blocks; a stop ends it early with an error.
+/// are left out. Reads in blocks; ended by `progress`, it returns an error.
 [[nodiscard]] Result<std::vector<StretchFigures>> figuresBetween(const session::Recording& recording, double a_s,
-                                                                 double b_s, const std::stop_token& stop);
+                                                                 double b_s, const session::Progress& progress);
 
 }  // namespace fyd::console

@@ -21,8 +21,7 @@ QString wholenessWords(const session::RecordingInfo& info) {
   switch (info.wholeness) {
     case session::Wholeness::whole: break;
     case session::Wholeness::growing: return ReviewPage::tr("still being recorded");
-    case session::Wholeness::crashed:
-      return ReviewPage::tr("its recorder crashed: everything committed is shown; recover it with fyd session recover");
+    case session::Wholeness::crashed: return ReviewPage::tr("its recorder crashed: everything committed is shown");
   }
   return info.gaps > 0 ? ReviewPage::tr("%n sample(s) lost", nullptr, static_cast<int>(info.gaps))
                        : ReviewPage::tr("whole");
@@ -30,7 +29,12 @@ QString wholenessWords(const session::RecordingInfo& info) {
 
 }  // namespace
 
-ReviewPage::~ReviewPage() { close(); }
+ReviewPage::~ReviewPage() {
+  // All are asked before the first is waited for.
+  exports_->drop();
+  recovery_->drop();
+  close();
+}
 
 void ReviewPage::enter() {
   if (showsList()) list_->look();
@@ -49,7 +53,8 @@ void ReviewPage::showList() {
 
 void ReviewPage::close() {
   touch_search_.drop();
-  figures_work_.cancel();
+  figures_work_.drop();
+  what_if_->setRecording({});
   comparison_->clear();
   player_.setRecording(nullptr);
   exports_->setRecording({});
@@ -79,7 +84,7 @@ void ReviewPage::open(const QString& path) {
     curves_->strip(curves_->stack()->indexOf(QStringLiteral("vibration")))->setLimits({-most, most});
   }
   figures_table_->setFigures({});
-  touch_table_->setTouches({});
+  showTouches({});
   what_if_->setRecording(path);
   marks_.open(path);
   describe();
@@ -101,6 +106,7 @@ void ReviewPage::describe() {
   if (!info.header.subject.empty()) words << tr("subject %1").arg(QString::fromStdString(info.header.subject));
   if (!info.header.operator_name.empty()) words << tr("by %1").arg(QString::fromStdString(info.header.operator_name));
   words << wholenessWords(info);
+  recover_->setVisible(info.wholeness == session::Wholeness::crashed);
   title_->setText(words.join(QStringLiteral(" · ")));
   overview_->setDuration(info.duration_s);
   curves_->setDuration(info.duration_s);
@@ -118,7 +124,9 @@ void ReviewPage::findTouches() {
   touch_table_->setEmptyText(tr("Looking for touches …"));
   touch_search_.look(path_, [this](const auto& found) {
     touch_table_->setEmptyText(found ? tr("The finger never pressed in this session.")
-                                     : widgets::coreText(found.error().message));
+                               : touch_search_.cancelled()
+                                   ? tr("The search was cancelled. Open the session again to look for touches.")
+                                   : widgets::coreText(found.error().message));
     if (found) showTouches(*found);
   });
 }
@@ -149,19 +157,23 @@ void ReviewPage::computeFigures() {
   const double a_s = curves_->stack()->mark_s(Mark::a);
   const double b_s = curves_->stack()->mark_s(Mark::b);
   if (!std::isfinite(a_s) || !std::isfinite(b_s)) return;
-  figures_work_.run([this, path = path_.toStdString(), a_s, b_s](const std::stop_token& stop) -> Background::Finish {
+  using Figures = Result<std::vector<StretchFigures>>;
+  const auto work = [this, path = path_.toStdString(), a_s, b_s](const session::Progress& progress) {
     auto opened = session::Recording::open(path);
-    auto figures = std::make_shared<Result<std::vector<StretchFigures>>>(
-        opened ? figuresBetween(**opened, a_s, b_s, stop) : tl::unexpected(opened.error()));
+    auto figures = std::make_shared<Figures>(opened ? figuresBetween(**opened, a_s, b_s, progress)
+                                                    : Figures(tl::unexpected(opened.error())));
     return [this, figures, a_s, b_s] {
-      if (!*figures) {
+      if (*figures) {
+        figures_table_->setFigures(**figures);
+        figures_table_->horizontalHeaderItem(0)->setText(tr("Δt %1 s").arg(numberText(b_s - a_s, 3)));
+      } else if (figures_work_.cancelled()) {
+        figures_table_->setFigures({});  // those shown are of other marks
+      } else {
         context_.tell(Severity::warning, widgets::coreText(figures->error().message));
-        return;
       }
-      figures_table_->setFigures(**figures);
-      figures_table_->horizontalHeaderItem(0)->setText(tr("Δt %1 s").arg(numberText(b_s - a_s, 3)));
     };
-  });
+  };
+  figures_work_.run(tr("Reckoning between A and B"), work);
 }
 
 void ReviewPage::writeNote(session::NoteKind kind, const QString& text) {

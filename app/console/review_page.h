@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QStackedWidget>
 #include <QTabWidget>
+#include <QToolButton>
 #include <memory>
 
 #include "app/console/curve_tools.h"
@@ -17,6 +18,7 @@
 #include "app/console/review_exports.h"
 #include "app/console/review_marks.h"
 #include "app/console/review_player.h"
+#include "app/console/review_recovery.h"
 #include "app/console/session_list.h"
 #include "app/console/what_if_panel.h"
 
@@ -25,6 +27,8 @@ namespace fyd::console {
 class ReviewPage : public Page {
   Q_OBJECT
  public:
+  static constexpr const char* kCancelWorkKeys = "Ctrl+Shift+X";
+
   explicit ReviewPage(const PageContext& context, QWidget* parent = nullptr);
   ~ReviewPage() override;
   void addCommands(PlaceCommands& commands) override;
@@ -50,6 +54,8 @@ class ReviewPage : public Page {
   [[nodiscard]] WhatIfPanel* whatIf() const { return what_if_; }
   [[nodiscard]] ReviewComparison* comparison() const { return comparison_; }
   [[nodiscard]] ReviewExports* exports() const { return exports_; }
+  [[nodiscard]] widgets::WorkBars* work() const { return work_; }
+  [[nodiscard]] QToolButton* recoverButton() const { return recover_; }
   [[nodiscard]] QLineEdit* noteField() const { return note_field_; }
   [[nodiscard]] QTabWidget* tabs() const { return tabs_; }
   [[nodiscard]] bool showsList() const { return stack_->currentIndex() == 0; }
@@ -62,6 +68,7 @@ class ReviewPage : public Page {
   QWidget* buildRight();
   void connectCursor();
   void connectTabs();
+  void connectRecovery();
   void addExportCommands(PlaceCommands& commands);
   void close();
   void describe();
@@ -77,16 +84,19 @@ class ReviewPage : public Page {
   ReviewPlayer player_;
 
   QStackedWidget* stack_;
+  widgets::WorkBars* work_;
   SessionList* list_;
   widgets::SessionOverview* overview_;
   ReviewCurves* curves_;
   CurveTools* curve_tools_;
   ReviewExports* exports_;
+  ReviewRecovery* recovery_;
   NoteTable* note_table_;
   ReviewMarks marks_;
   QLabel* title_ = nullptr;
   QLabel* time_ = nullptr;
   QHBoxLayout* bar_ = nullptr;
+  QToolButton* recover_ = nullptr;
   ReviewCamera* camera_ = nullptr;
   QLineEdit* note_field_ = nullptr;
   QTabWidget* tabs_ = nullptr;
@@ -96,7 +106,7 @@ class ReviewPage : public Page {
   ReviewComparison* comparison_ = nullptr;
 
   TouchSearch touch_search_;
-  Background figures_work_;
+  LongWork figures_work_;
 };
 
 }  // namespace fyd::console

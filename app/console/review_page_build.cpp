@@ -30,21 +30,28 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
     : Page(parent),
       context_(context),
       stack_(new QStackedWidget(this)),
+      work_(new widgets::WorkBars(QLatin1String(kCancelWorkKeys), this)),
       list_(new SessionList(context.catalogue, this)),
       overview_(new widgets::SessionOverview(this)),
       curves_(new ReviewCurves(this)),
       curve_tools_(new CurveTools(curves_->stack(), context.tell, this)),
-      exports_(new ReviewExports(context.tell, this)),
+      exports_(new ReviewExports(work_, context.tell, this)),
+      recovery_(new ReviewRecovery(work_, context.catalogue, context.tell, this)),
       note_table_(new NoteTable(this)),
-      marks_(overview_, note_table_, context.tell) {
+      marks_(overview_, note_table_, context.tell),
+      touch_search_(work_),
+      figures_work_(work_) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(stack_);
+  layout->setSpacing(kGrid / 2);
+  layout->addWidget(stack_, 1);
+  layout->addWidget(work_);
   stack_->addWidget(panel(list_, this));
   stack_->addWidget(buildReview());
   connect(list_, &SessionList::openAsked, this, &ReviewPage::open);
   connectCursor();
   connectTabs();
+  connectRecovery();
 }
 
 QWidget* ReviewPage::buildReview() {
@@ -112,6 +119,13 @@ QWidget* ReviewPage::buildBar() {
   layout->addWidget(chosen_speed);
   layout->addWidget(time_);
   layout->addWidget(title_, 1);
+  recover_ = new QToolButton(bar);
+  recover_->setObjectName(QStringLiteral("recover_button"));
+  recover_->setText(tr("Recover"));
+  recover_->setToolTip(tr("Makes the recording whole. Nothing is deleted."));
+  recover_->setProperty("role", "warning");
+  recover_->hide();
+  layout->addWidget(recover_);
   return bar;
 }
 
@@ -142,8 +156,8 @@ QWidget* ReviewPage::buildRight() {
   tabs_->setDocumentMode(true);
   touch_table_ = new TouchTable(tabs_);
   figures_table_ = new FiguresTable(tabs_);
-  what_if_ = new WhatIfPanel(tabs_);
-  comparison_ = new ReviewComparison(tabs_);
+  what_if_ = new WhatIfPanel(work_, tabs_);
+  comparison_ = new ReviewComparison(work_, tabs_);
   tabs_->addTab(touch_table_, tr("Touches"));
   tabs_->addTab(figures_table_, tr("A – B"));
   tabs_->addTab(what_if_, tr("What if"));
@@ -184,6 +198,18 @@ void ReviewPage::connectTabs() {
             curves_->source().setOther(other, later_by_s);
             curves_->redrawSoon();
           });
+}
+
+void ReviewPage::connectRecovery() {
+  connect(recover_, &QToolButton::clicked, this, [this] { recovery_->recover(path_); });
+  connect(list_, &SessionList::recoverAsked, recovery_, &ReviewRecovery::recover);
+  connect(recovery_, &ReviewRecovery::recovered, this, [this](const QString& asked, const QString& file) {
+    if (!showsList() && asked == path_) {
+      open(file);
+    } else {
+      list_->look();
+    }
+  });
 }
 
 }  // namespace fyd::console

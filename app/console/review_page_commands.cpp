@@ -40,6 +40,16 @@ void ReviewPage::addCommands(PlaceCommands& commands) {
     if (recording_) curves_->show(0.0, recording_->info().duration_s);
   });
   addExportCommands(commands);
+  add("review.recover", QT_TRANSLATE_NOOP("Commands", "Recover a crashed recording"), "", "", [this] {
+    if (showsList()) {
+      list_->recoverPath();
+    } else {
+      recovery_->recover(path_);
+    }
+  });
+  add("review.cancel", QT_TRANSLATE_NOOP("Commands", "Cancel what is running"), "cross", kCancelWorkKeys, [this] {
+    if (!work_->cancelNewest()) context_.tell(widgets::Severity::information, tr("Nothing is running here."));
+  });
 }
 
 void ReviewPage::addExportCommands(PlaceCommands& commands) {

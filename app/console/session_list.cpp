@@ -26,8 +26,18 @@ Found search(const std::string& catalogue, const std::string& text) {
 }
 
 QString stateWord(const session::CatalogueEntry& entry) {
-  return entry.file_state == session::FileState::present ? QString::fromStdString(entry.health)
-                                                         : QString::fromUtf8(session::toString(entry.file_state));
+  switch (entry.file_state) {
+    case session::FileState::missing: return SessionList::tr("file missing");
+    case session::FileState::replaced: return SessionList::tr("another file");
+    case session::FileState::present: break;
+  }
+  switch (entry.wholeness) {
+    case session::Wholeness::growing: return SessionList::tr("being recorded");
+    case session::Wholeness::crashed: return SessionList::tr("recorder crashed");
+    case session::Wholeness::whole: break;
+  }
+  return entry.gaps == 0 ? SessionList::tr("whole")
+                         : SessionList::tr("%n sample(s) lost", nullptr, static_cast<int>(entry.gaps));
 }
 
 }  // namespace
@@ -39,19 +49,17 @@ SessionList::SessionList(QString catalogue, QWidget* parent)
       table_(new QTableWidget(this)),
       path_(new QLineEdit(this)),
       open_(new QPushButton(tr("Open"), this)),
+      recover_(new QPushButton(tr("Recover"), this)),
       words_(new QLabel(this)) {
   build();
   connect(filter_, &QLineEdit::textChanged, this, &SessionList::look);
   connect(path_, &QLineEdit::returnPressed, this, &SessionList::openPath);
   connect(open_, &QPushButton::clicked, this, &SessionList::openPath);
+  connect(recover_, &QPushButton::clicked, this, &SessionList::recoverPath);
   connect(table_, &QTableWidget::cellActivated, this, [this](int row, int) {
     emit openAsked(QString::fromStdString(entries_[static_cast<std::size_t>(row)].path));
   });
-  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) {
-    if (row >= 0 && static_cast<std::size_t>(row) < entries_.size()) {
-      path_->setText(QString::fromStdString(entries_[static_cast<std::size_t>(row)].path));
-    }
-  });
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) { explain(row); });
 }
 
 void SessionList::build() {
@@ -76,6 +84,8 @@ void SessionList::build() {
   path_->setPlaceholderText(
       tr("Path of a recording, such as %1").arg(QDir::homePath() + QStringLiteral("/session.h5")));
   path_->setAccessibleName(tr("Path of a recording"));
+  recover_->setObjectName(QStringLiteral("list_recover_button"));
+  recover_->setToolTip(tr("Makes a recording whole whose recorder crashed. Nothing is deleted."));
   auto* files = new QFileSystemModel(path_);
   files->setRootPath(QString());
   path_->setCompleter(new QCompleter(files, path_));
@@ -88,6 +98,7 @@ void SessionList::build() {
   auto* row = new QHBoxLayout;
   row->addWidget(path_, 1);
   row->addWidget(open_);
+  row->addWidget(recover_);
   layout->addLayout(row);
 }
 
@@ -136,13 +147,28 @@ void SessionList::fill(const std::vector<session::CatalogueEntry>& entries) {
   }
 }
 
+void SessionList::explain(int row) {
+  if (row < 0 || static_cast<std::size_t>(row) >= entries_.size()) return;
+  const session::CatalogueEntry& entry = entries_[static_cast<std::size_t>(row)];
+  path_->setText(QString::fromStdString(entry.path));
+  const bool crashed =
+      entry.file_state == session::FileState::present && entry.wholeness == session::Wholeness::crashed;
+  words_->setText(crashed ? tr("Its recorder crashed. Recover makes it whole; it can be opened as it is, too.")
+                          : tr("Enter or a double click opens a session."));
+}
+
+QString SessionList::namedPath() {
+  QString path = path_->text().trimmed();
+  if (path.isEmpty()) words_->setText(tr("Choose a session, or write the path of a recording."));
+  return path;
+}
+
 void SessionList::openPath() {
-  const QString path = path_->text().trimmed();
-  if (path.isEmpty()) {
-    words_->setText(tr("Choose a session, or write the path of a recording."));
-    return;
-  }
-  emit openAsked(path);
+  if (const QString path = namedPath(); !path.isEmpty()) emit openAsked(path);
+}
+
+void SessionList::recoverPath() {
+  if (const QString path = namedPath(); !path.isEmpty()) emit recoverAsked(path);
 }
 
 }  // namespace fyd::console

@@ -19,25 +19,33 @@ class SessionList : public QWidget {
   explicit SessionList(QString catalogue, QWidget* parent = nullptr);
   /// Asks the catalogue again.
   void look();
+  /// Asks for the recovery of the recording whose path is named.
+  void recoverPath();
   [[nodiscard]] QLineEdit* filter() const { return filter_; }
   [[nodiscard]] QLineEdit* path() const { return path_; }
+  [[nodiscard]] QPushButton* recoverButton() const { return recover_; }
   [[nodiscard]] QTableWidget* table() const { return table_; }
   [[nodiscard]] QString words() const { return words_->text(); }
   [[nodiscard]] bool looking() const { return work_.running(); }
 
  signals:
   void openAsked(const QString& path);
+  void recoverAsked(const QString& path);
 
  private:
   void build();
   void fill(const std::vector<session::CatalogueEntry>& entries);
   void openPath();
+  void explain(int row);
+  /// Empty: none, which is said.
+  [[nodiscard]] QString namedPath();
 
   QString catalogue_;
   QLineEdit* filter_;
   QTableWidget* table_;
   QLineEdit* path_;
   QPushButton* open_;
+  QPushButton* recover_;
   QLabel* words_;
   std::vector<session::CatalogueEntry> entries_;
   Background work_;

@@ -1,5 +1,6 @@
 #include "app/console/touch_search.h"
 
+#include <QFileInfo>
 #include <memory>
 
 namespace fyd::console {
@@ -7,19 +8,20 @@ namespace {
 
 using Touches = Result<std::vector<session::Touch>>;
 
-Touches touchesOf(const std::string& path) {
+Touches touchesOf(const std::string& path, const session::Progress& progress) {
   auto recording = session::Recording::open(path);
   if (!recording) return tl::unexpected(recording.error());
-  return session::findTouches(**recording);
+  return session::findTouches(**recording, progress);
 }
 
 }  // namespace
 
 void TouchSearch::look(const QString& path, Found found) {
-  work_.run([path = path.toStdString(), found = std::move(found)](const std::stop_token&) -> Background::Finish {
-    const auto touches = std::make_shared<Touches>(touchesOf(path));
-    return [touches, found] { found(*touches); };
-  });
+  work_.run(tr("Looking for touches in %1").arg(QFileInfo(path).fileName()),
+            [path = path.toStdString(), found = std::move(found)](const session::Progress& progress) {
+              const auto touches = std::make_shared<Touches>(touchesOf(path, progress));
+              return [touches, found] { found(*touches); };
+            });
 }
 
 }  // namespace fyd::console

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/console/background.h"
+#include "app/console/long_work.h"
 #include "core/session/touches.h"
 
 namespace fyd::console {
@@ -15,14 +15,16 @@ class TouchSearch : public QObject {
  public:
   /// Told on the window's thread.
   using Found = std::function<void(const Result<std::vector<session::Touch>>&)>;
-  using QObject::QObject;
+  explicit TouchSearch(widgets::WorkBars* bars, QObject* parent = nullptr) : QObject(parent), work_(bars) {}
 
   /// A search under way is dropped.
   void look(const QString& path, Found found);
-  void drop() { work_.cancel(); }
+  void drop() { work_.drop(); }
+  /// When nothing was found: it was the operator who ended the search.
+  [[nodiscard]] bool cancelled() const { return work_.cancelled(); }
 
  private:
-  Background work_;
+  LongWork work_;
 };
 
 }  // namespace fyd::console

@@ -1,6 +1,7 @@
 #include "app/console/what_if_panel.h"
 
 #include <QCompleter>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
@@ -21,8 +22,7 @@ struct Replayed {
   std::shared_ptr<widgets::CurveBuffer> curves;
 };
 
-Replayed replayFile(const std::string& path, const session::ReplayOptions& options, const std::stop_token& stop,
-                    const std::function<void(double)>& progress) {
+Replayed replayFile(const std::string& path, const session::ReplayOptions& options, const session::Progress& progress) {
   auto recording = session::Recording::open(path);
   if (!recording) return {tl::unexpected(recording.error()), nullptr};
   const session::RecordingInfo& info = (*recording)->info();
@@ -38,10 +38,8 @@ Replayed replayFile(const std::string& path, const session::ReplayOptions& optio
   try {
     auto result = session::replay(**recording, options, [&](const auto& replayed, const auto&) {
       constexpr std::uint64_t kLook = 4096;
-      if (++rows % kLook == 0) {
-        if (stop.stop_requested()) throw Stopped{};
-        progress(static_cast<double>(rows) / static_cast<double>(info.committed_samples));
-      }
+      const double done = static_cast<double>(rows) / static_cast<double>(info.committed_samples);
+      if (rows++ % kLook == 0 && !session::tellProgress(progress, done)) throw Stopped{};
       std::array<float, kReviewQuantities.size()> values{};
       for (std::size_t q = 0; q < values.size(); ++q) values[q] = static_cast<float>(fields[indexes[q]].read(replayed));
       (void)curves->append(session::secondsInto(info, replayed.now), values);
@@ -54,7 +52,7 @@ Replayed replayFile(const std::string& path, const session::ReplayOptions& optio
 
 }  // namespace
 
-WhatIfPanel::WhatIfPanel(QWidget* parent)
+WhatIfPanel::WhatIfPanel(widgets::WorkBars* bars, QWidget* parent)
     : QWidget(parent),
       parameter_(new QComboBox(this)),
       value_(new QLineEdit(this)),
@@ -62,20 +60,13 @@ WhatIfPanel::WhatIfPanel(QWidget* parent)
       settings_(new QListWidget(this)),
       closed_loop_(new QCheckBox(tr("Cloth and robot answer (closed loop)"), this)),
       run_(new QPushButton(tr("Run again"), this)),
-      cancel_(new QPushButton(tr("Cancel"), this)),
-      progress_(new QProgressBar(this)),
-      words_(new QLabel(this)) {
+      words_(new QLabel(this)),
+      work_(bars) {
   build();
   connect(add_, &QPushButton::clicked, this, &WhatIfPanel::addSetting);
   connect(value_, &QLineEdit::returnPressed, this, &WhatIfPanel::addSetting);
   connect(settings_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { delete item; });
   connect(run_, &QPushButton::clicked, this, &WhatIfPanel::run);
-  connect(cancel_, &QPushButton::clicked, &work_, &Background::cancel);
-  connect(&work_, &Background::runningChanged, this, [this](bool running) {
-    run_->setEnabled(!running && !path_.isEmpty());
-    cancel_->setEnabled(running);
-    progress_->setVisible(running);
-  });
   setRecording({});
 }
 
@@ -101,9 +92,6 @@ void WhatIfPanel::build() {
   value_->setMaximumWidth(10 * widgets::kGrid);
   settings_->setAccessibleName(tr("Changed parameters; Enter takes one away"));
   settings_->setMaximumHeight(10 * widgets::kGrid);
-  progress_->setTextVisible(false);
-  progress_->hide();
-  cancel_->setEnabled(false);
   words_->setWordWrap(true);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
@@ -123,16 +111,14 @@ void WhatIfPanel::build() {
   layout->addWidget(closed_loop_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(run_);
-  buttons->addWidget(cancel_);
   buttons->addStretch(1);
   layout->addLayout(buttons);
-  layout->addWidget(progress_);
   layout->addWidget(words_);
   layout->addStretch(1);
 }
 
 void WhatIfPanel::setRecording(const QString& path) {
-  work_.cancel();
+  work_.drop();
   path_ = path;
   words_->clear();
   run_->setEnabled(!path.isEmpty());
@@ -166,22 +152,19 @@ void WhatIfPanel::run() {
   options.closed_loop = closed_loop_->isChecked();
   for (int i = 0; i < settings_->count(); ++i) options.settings.push_back(settings_->item(i)->text().toStdString());
   words_->setText(tr("Running …"));
-  progress_->setRange(0, 1000);
-  progress_->setValue(0);
-  work_.run([this, path = path_.toStdString(), options](const std::stop_token& stop) -> Background::Finish {
-    const auto progress = [this](double part) {
-      QMetaObject::invokeMethod(
-          progress_, [bar = progress_, part] { bar->setValue(static_cast<int>(1000.0 * part)); }, Qt::QueuedConnection);
-    };
-    auto done = std::make_shared<Replayed>(replayFile(path, options, stop, progress));
-    return [this, done] { finish(done->result, done->curves); };
-  });
+  run_->setEnabled(false);
+  work_.run(tr("Running %1 again").arg(QFileInfo(path_).fileName()),
+            [this, path = path_.toStdString(), options](const session::Progress& progress) {
+              auto done = std::make_shared<Replayed>(replayFile(path, options, progress));
+              return [this, done] { finish(done->result, done->curves); };
+            });
 }
 
 void WhatIfPanel::finish(const Result<session::ReplayResult>& result,
                          std::shared_ptr<const widgets::CurveBuffer> curves) {
+  run_->setEnabled(true);
   if (!result) {
-    words_->setText(widgets::coreText(result.error().message));
+    words_->setText(work_.cancelled() ? tr("Cancelled.") : widgets::coreText(result.error().message));
     emit replayed(nullptr);
     return;
   }

@@ -6,12 +6,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QWidget>
 #include <memory>
 
-#include "app/console/background.h"
+#include "app/console/long_work.h"
 #include "app/console/review_source.h"
 #include "core/session/replay.h"
 
@@ -20,7 +19,7 @@ namespace fyd::console {
 class WhatIfPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit WhatIfPanel(QWidget* parent = nullptr);
+  explicit WhatIfPanel(widgets::WorkBars* bars, QWidget* parent = nullptr);
 
   /// Empty: none. What was computed for another one is gone.
   void setRecording(const QString& path);
@@ -48,10 +47,8 @@ class WhatIfPanel : public QWidget {
   QListWidget* settings_;
   QCheckBox* closed_loop_;
   QPushButton* run_;
-  QPushButton* cancel_;
-  QProgressBar* progress_;
   QLabel* words_;
-  Background work_;
+  LongWork work_;
 };
 
 }  // namespace fyd::console

@@ -30,6 +30,10 @@
         <translation>%1   (%2)</translation>
     </message>
     <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -138,6 +142,10 @@
         <translation>%1 en %2</translation>
     </message>
     <message>
+        <source>%1 is being written already.</source>
+        <translation>%1 est déjà en cours d'écriture.</translation>
+    </message>
+    <message>
         <source>%1 is deleted.</source>
         <translation>%1 est supprimée.</translation>
     </message>
@@ -160,6 +168,10 @@
     <message>
         <source>%1 is saved.</source>
         <translation>%1 est enregistrée.</translation>
+    </message>
+    <message>
+        <source>%1 is whole: %2 samples.</source>
+        <translation>%1 est entier : %2 échantillons.</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -242,6 +254,10 @@
         <translation>de %1 à %2 : la borne supérieure doit être la plus grande</translation>
     </message>
     <message>
+        <source>%1 was cancelled; no file is left.</source>
+        <translation>%1 a été annulé ; il ne reste aucun fichier.</translation>
+    </message>
+    <message>
         <source>%1 ×</source>
         <translation>%1 ×</translation>
     </message>
@@ -298,6 +314,10 @@
         <translation>%1 : %2 est encore en cours d'enregistrement ; l'arrêter d'abord</translation>
     </message>
     <message>
+        <source>%1: %2 samples are saved, %3 could not be read. The damaged original is kept as %4.</source>
+        <translation>%1 : %2 échantillons sauvés, %3 illisibles. L'original endommagé est conservé sous %4.</translation>
+    </message>
+    <message>
         <source>%1: %2.</source>
         <translation>%1 : %2.</translation>
     </message>
@@ -340,6 +360,10 @@
     <message>
         <source>%1: exists already</source>
         <translation>%1 : existe déjà</translation>
+    </message>
+    <message>
+        <source>%1: exists; move one of the two away first</source>
+        <translation>%1 : existe ; déplacer d'abord l'un des deux</translation>
     </message>
     <message>
         <source>%1: expected %2</source>
@@ -500,6 +524,10 @@
     <message>
         <source>A note; Enter puts it into the recording</source>
         <translation>Une note ; Entrée la met dans l'enregistrement</translation>
+    </message>
+    <message>
+        <source>A recording is being recovered already; wait, or cancel it.</source>
+        <translation>Une récupération est déjà en cours ; attendre ou l'annuler.</translation>
     </message>
     <message>
         <source>A rectangle around the cloth, with a finger in it.</source>
@@ -810,8 +838,28 @@
         <translation>Annuler le réglage automatique</translation>
     </message>
     <message>
+        <source>Cancel the newest with %1</source>
+        <translation>Annuler le plus récent avec %1</translation>
+    </message>
+    <message>
+        <source>Cancel what is running</source>
+        <translation>Annuler ce qui est en cours</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Annuler : %1</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
         <source>Cancelled; nothing was changed.</source>
         <translation>Annulé ; rien n'a été changé.</translation>
+    </message>
+    <message>
+        <source>Cancelling: %1</source>
+        <translation>Annulation : %1</translation>
     </message>
     <message>
         <source>Change the robot</source>
@@ -1180,6 +1228,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
         <translation>Tracée en clair. Choisir un toucher de chacune pour les superposer.</translation>
+    </message>
+    <message>
+        <source>Drawn faint. The search for its touches was cancelled.</source>
+        <translation>Tracée en clair. La recherche de ses touchers a été annulée.</translation>
     </message>
     <message>
         <source>Duties smaller than this become zero, as the motors would not turn.</source>
@@ -1716,6 +1768,10 @@ Robot : %2
         <translation>Se termine au premier de %1 échantillons perdus.</translation>
     </message>
     <message>
+        <source>Its recorder crashed. Recover makes it whole; it can be opened as it is, too.</source>
+        <translation>Son enregistreur s'est interrompu. Récupérer le rend entier ; il s'ouvre aussi tel quel.</translation>
+    </message>
+    <message>
         <source>Its value</source>
         <translation>Sa valeur</translation>
     </message>
@@ -1960,6 +2016,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Recherche de ses touchers …</translation>
     </message>
     <message>
+        <source>Looking for touches in %1</source>
+        <translation>Recherche des touchers dans %1</translation>
+    </message>
+    <message>
         <source>Looking for touches …</source>
         <translation>Recherche des touchers …</translation>
     </message>
@@ -1978,6 +2038,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Lower end of %1</source>
         <translation>Borne inférieure de %1</translation>
+    </message>
+    <message>
+        <source>Makes a recording whole whose recorder crashed. Nothing is deleted.</source>
+        <translation>Rend entier un enregistrement dont l'enregistreur s'est interrompu. Rien n'est effacé.</translation>
+    </message>
+    <message>
+        <source>Makes the recording whole. Nothing is deleted.</source>
+        <translation>Rend l'enregistrement entier. Rien n'est effacé.</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -2332,6 +2400,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Rien n'est vérifié ni caché ; seuls les programmes de cet ordinateur y accèdent.</translation>
     </message>
     <message>
+        <source>Nothing is running here.</source>
+        <translation>Rien n'est en cours ici.</translation>
+    </message>
+    <message>
+        <source>Nothing of %1 can be read; it is left as it is: %2</source>
+        <translation>Rien de %1 n'est lisible ; il reste tel quel : %2</translation>
+    </message>
+    <message>
         <source>Nothing to redo</source>
         <translation>Rien à rétablir</translation>
     </message>
@@ -2670,6 +2746,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Reçus</translation>
     </message>
     <message>
+        <source>Reckoning between A and B</source>
+        <translation>Calcul entre A et B</translation>
+    </message>
+    <message>
         <source>Reconnect</source>
         <translation>Reconnecter</translation>
     </message>
@@ -2714,6 +2794,18 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Record…</source>
         <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>Recover a crashed recording</source>
+        <translation>Récupérer un enregistrement interrompu</translation>
+    </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>Récupération de %1</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -2830,6 +2922,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Running</source>
         <translation>En marche</translation>
+    </message>
+    <message>
+        <source>Running %1 again</source>
+        <translation>Nouvelle exécution de %1</translation>
     </message>
     <message>
         <source>Running …</source>
@@ -3436,6 +3532,10 @@ Pour commencer : %1</translation>
         <translation>L'enregistrement perd des échantillons : l'ordinateur est trop occupé. Ce qui est écrit est en sûreté ; la lacune est marquée dans le fichier. Fermer les autres programmes.</translation>
     </message>
     <message>
+        <source>The recovery was cancelled; %1 is as it was.</source>
+        <translation>La récupération a été annulée ; %1 est resté tel quel.</translation>
+    </message>
+    <message>
         <source>The report stands beside the profile.</source>
         <translation>Le rapport se trouve à côté du profil.</translation>
     </message>
@@ -3454,6 +3554,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
         <translation>On sent les valeurs enregistrées (A). Revenez à B pour changer quelque chose.</translation>
+    </message>
+    <message>
+        <source>The search was cancelled. Open the session again to look for touches.</source>
+        <translation>La recherche a été annulée. Rouvrir la session pour chercher les touchers.</translation>
     </message>
     <message>
         <source>The selected parameters take their saved values again</source>
@@ -3796,8 +3900,8 @@ Pour commencer : %1</translation>
         <translation>Écrit le dernier étalonnage de cette partie, avant et après, en PDF à côté du profil.</translation>
     </message>
     <message>
-        <source>Writing %1 …</source>
-        <translation>Écriture de %1 …</translation>
+        <source>Writing %1</source>
+        <translation>Écriture de %1</translation>
     </message>
     <message>
         <source>a code, such as S07; never a name</source>
@@ -3860,6 +3964,10 @@ Pour commencer : %1</translation>
         <translation>un axe varie de %1 g ; attendu au plus %2 : il bouge : mettre le robot au repos</translation>
     </message>
     <message>
+        <source>another file</source>
+        <translation>un autre fichier</translation>
+    </message>
+    <message>
         <source>area</source>
         <translation>aire</translation>
     </message>
@@ -3898,6 +4006,10 @@ Pour commencer : %1</translation>
     <message>
         <source>back to the saved values</source>
         <translation>retour aux valeurs enregistrées</translation>
+    </message>
+    <message>
+        <source>being recorded</source>
+        <translation>en cours d'enregistrement</translation>
     </message>
     <message>
         <source>black picture</source>
@@ -4108,6 +4220,10 @@ Pour commencer : %1</translation>
         <translation>valeurs de %1 s à %2 s : attendu deux temps</translation>
     </message>
     <message>
+        <source>file missing</source>
+        <translation>fichier manquant</translation>
+    </message>
+    <message>
         <source>fine: calibrated %1 days ago</source>
         <translation>bon : étalonné il y a %1 jours</translation>
     </message>
@@ -4236,8 +4352,8 @@ Pour commencer : %1</translation>
         <translation>est %1</translation>
     </message>
     <message>
-        <source>its recorder crashed: everything committed is shown; recover it with fyd session recover</source>
-        <translation>son enregistreur s'est interrompu : tout ce qui est validé est montré ; récupérer avec fyd session recover</translation>
+        <source>its recorder crashed: everything committed is shown</source>
+        <translation>son enregistreur s'est interrompu : tout ce qui est validé est montré</translation>
     </message>
     <message>
         <source>key file %1: %2</source>
@@ -4510,6 +4626,10 @@ Pour commencer : %1</translation>
     <message>
         <source>readings too unsteady</source>
         <translation>lectures trop instables</translation>
+    </message>
+    <message>
+        <source>recorder crashed</source>
+        <translation>enregistreur interrompu</translation>
     </message>
     <message>
         <source>recording</source>

@@ -30,6 +30,10 @@
         <translation>%1   (%2)</translation>
     </message>
     <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -138,6 +142,10 @@
         <translation>%1 in %2</translation>
     </message>
     <message>
+        <source>%1 is being written already.</source>
+        <translation>%1 è già in scrittura.</translation>
+    </message>
+    <message>
         <source>%1 is deleted.</source>
         <translation>%1 è eliminata.</translation>
     </message>
@@ -160,6 +168,10 @@
     <message>
         <source>%1 is saved.</source>
         <translation>%1 è salvata.</translation>
+    </message>
+    <message>
+        <source>%1 is whole: %2 samples.</source>
+        <translation>%1 è integro: %2 campioni.</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -242,6 +254,10 @@
         <translation>da %1 a %2: l'estremo superiore deve essere il maggiore</translation>
     </message>
     <message>
+        <source>%1 was cancelled; no file is left.</source>
+        <translation>%1 è stato annullato; non resta alcun file.</translation>
+    </message>
+    <message>
         <source>%1 ×</source>
         <translation>%1 ×</translation>
     </message>
@@ -298,6 +314,10 @@
         <translation>%1: %2 è ancora in registrazione; fermarla prima</translation>
     </message>
     <message>
+        <source>%1: %2 samples are saved, %3 could not be read. The damaged original is kept as %4.</source>
+        <translation>%1: %2 campioni salvati, %3 illeggibili. L'originale danneggiato è conservato come %4.</translation>
+    </message>
+    <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
     </message>
@@ -340,6 +360,10 @@
     <message>
         <source>%1: exists already</source>
         <translation>%1: esiste già</translation>
+    </message>
+    <message>
+        <source>%1: exists; move one of the two away first</source>
+        <translation>%1: esiste; spostare prima uno dei due</translation>
     </message>
     <message>
         <source>%1: expected %2</source>
@@ -500,6 +524,10 @@
     <message>
         <source>A note; Enter puts it into the recording</source>
         <translation>Una nota; Invio la mette nella registrazione</translation>
+    </message>
+    <message>
+        <source>A recording is being recovered already; wait, or cancel it.</source>
+        <translation>Un recupero è già in corso; attendere o annullarlo.</translation>
     </message>
     <message>
         <source>A rectangle around the cloth, with a finger in it.</source>
@@ -810,8 +838,28 @@
         <translation>Annulla la taratura automatica</translation>
     </message>
     <message>
+        <source>Cancel the newest with %1</source>
+        <translation>Annulla il più recente con %1</translation>
+    </message>
+    <message>
+        <source>Cancel what is running</source>
+        <translation>Annulla ciò che è in corso</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Annulla: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annullato.</translation>
+    </message>
+    <message>
         <source>Cancelled; nothing was changed.</source>
         <translation>Annullato; nulla è stato cambiato.</translation>
+    </message>
+    <message>
+        <source>Cancelling: %1</source>
+        <translation>Annullamento: %1</translation>
     </message>
     <message>
         <source>Change the robot</source>
@@ -1180,6 +1228,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
         <translation>Disegnata tenue. Scegliere un tocco di ciascuna per sovrapporli.</translation>
+    </message>
+    <message>
+        <source>Drawn faint. The search for its touches was cancelled.</source>
+        <translation>Disegnata in chiaro. La ricerca dei suoi tocchi è stata annullata.</translation>
     </message>
     <message>
         <source>Duties smaller than this become zero, as the motors would not turn.</source>
@@ -1716,6 +1768,10 @@ Robot: %2
         <translation>Termina al primo di %1 campioni persi.</translation>
     </message>
     <message>
+        <source>Its recorder crashed. Recover makes it whole; it can be opened as it is, too.</source>
+        <translation>Il suo registratore si è interrotto. Recupera la rende integra; si può aprire anche così com'è.</translation>
+    </message>
+    <message>
         <source>Its value</source>
         <translation>Il suo valore</translation>
     </message>
@@ -1960,6 +2016,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Ricerca dei suoi tocchi …</translation>
     </message>
     <message>
+        <source>Looking for touches in %1</source>
+        <translation>Ricerca dei tocchi in %1</translation>
+    </message>
+    <message>
         <source>Looking for touches …</source>
         <translation>Ricerca dei tocchi …</translation>
     </message>
@@ -1978,6 +2038,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Lower end of %1</source>
         <translation>Estremo inferiore di %1</translation>
+    </message>
+    <message>
+        <source>Makes a recording whole whose recorder crashed. Nothing is deleted.</source>
+        <translation>Rende integra una registrazione il cui registratore si è interrotto. Nulla viene cancellato.</translation>
+    </message>
+    <message>
+        <source>Makes the recording whole. Nothing is deleted.</source>
+        <translation>Rende integra la registrazione. Nulla viene cancellato.</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -2332,6 +2400,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nulla è controllato o nascosto; solo i programmi di questo computer vi arrivano.</translation>
     </message>
     <message>
+        <source>Nothing is running here.</source>
+        <translation>Qui non è in corso nulla.</translation>
+    </message>
+    <message>
+        <source>Nothing of %1 can be read; it is left as it is: %2</source>
+        <translation>Di %1 non si può leggere nulla; resta com'è: %2</translation>
+    </message>
+    <message>
         <source>Nothing to redo</source>
         <translation>Nulla da ripetere</translation>
     </message>
@@ -2670,6 +2746,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Ricevuti</translation>
     </message>
     <message>
+        <source>Reckoning between A and B</source>
+        <translation>Calcolo tra A e B</translation>
+    </message>
+    <message>
         <source>Reconnect</source>
         <translation>Ricollega</translation>
     </message>
@@ -2714,6 +2794,18 @@ Premere per leggere perché</translation>
     <message>
         <source>Record…</source>
         <translation>Registra…</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recupera</translation>
+    </message>
+    <message>
+        <source>Recover a crashed recording</source>
+        <translation>Recupera una registrazione interrotta</translation>
+    </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>Recupero di %1</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -2830,6 +2922,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Running</source>
         <translation>In funzione</translation>
+    </message>
+    <message>
+        <source>Running %1 again</source>
+        <translation>Nuova esecuzione di %1</translation>
     </message>
     <message>
         <source>Running …</source>
@@ -3436,6 +3532,10 @@ Per cominciare: %1</translation>
         <translation>La registrazione perde campioni: il computer è troppo occupato. Ciò che è scritto è al sicuro; la lacuna è segnata nel file. Chiudere gli altri programmi.</translation>
     </message>
     <message>
+        <source>The recovery was cancelled; %1 is as it was.</source>
+        <translation>Il recupero è stato annullato; %1 è rimasto com'era.</translation>
+    </message>
+    <message>
         <source>The report stands beside the profile.</source>
         <translation>Il rapporto si trova accanto al profilo.</translation>
     </message>
@@ -3454,6 +3554,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
         <translation>Si sentono i valori salvati (A). Tornate a B per cambiare qualcosa.</translation>
+    </message>
+    <message>
+        <source>The search was cancelled. Open the session again to look for touches.</source>
+        <translation>La ricerca è stata annullata. Riaprire la sessione per cercare i tocchi.</translation>
     </message>
     <message>
         <source>The selected parameters take their saved values again</source>
@@ -3796,8 +3900,8 @@ Per cominciare: %1</translation>
         <translation>Scrive l'ultima calibrazione di questa parte, prima e dopo, in un PDF accanto al profilo.</translation>
     </message>
     <message>
-        <source>Writing %1 …</source>
-        <translation>Scrittura di %1 …</translation>
+        <source>Writing %1</source>
+        <translation>Scrittura di %1</translation>
     </message>
     <message>
         <source>a code, such as S07; never a name</source>
@@ -3860,6 +3964,10 @@ Per cominciare: %1</translation>
         <translation>un asse oscilla di %1 g; atteso al più %2: si muove: mettere il robot a riposo</translation>
     </message>
     <message>
+        <source>another file</source>
+        <translation>un altro file</translation>
+    </message>
+    <message>
         <source>area</source>
         <translation>area</translation>
     </message>
@@ -3898,6 +4006,10 @@ Per cominciare: %1</translation>
     <message>
         <source>back to the saved values</source>
         <translation>ritorno ai valori salvati</translation>
+    </message>
+    <message>
+        <source>being recorded</source>
+        <translation>in registrazione</translation>
     </message>
     <message>
         <source>black picture</source>
@@ -4108,6 +4220,10 @@ Per cominciare: %1</translation>
         <translation>valori da %1 s a %2 s: attesi due tempi</translation>
     </message>
     <message>
+        <source>file missing</source>
+        <translation>file mancante</translation>
+    </message>
+    <message>
         <source>fine: calibrated %1 days ago</source>
         <translation>a posto: calibrato %1 giorni fa</translation>
     </message>
@@ -4236,8 +4352,8 @@ Per cominciare: %1</translation>
         <translation>è %1</translation>
     </message>
     <message>
-        <source>its recorder crashed: everything committed is shown; recover it with fyd session recover</source>
-        <translation>il suo registratore si è interrotto: si mostra tutto ciò che è confermato; recuperare con fyd session recover</translation>
+        <source>its recorder crashed: everything committed is shown</source>
+        <translation>il suo registratore si è interrotto: si mostra tutto ciò che è confermato</translation>
     </message>
     <message>
         <source>key file %1: %2</source>
@@ -4510,6 +4626,10 @@ Per cominciare: %1</translation>
     <message>
         <source>readings too unsteady</source>
         <translation>letture troppo instabili</translation>
+    </message>
+    <message>
+        <source>recorder crashed</source>
+        <translation>registratore interrotto</translation>
     </message>
     <message>
         <source>recording</source>

@@ -1,0 +1,68 @@
+#include "app/console/review_recovery.h"
+
+#include <QFileInfo>
+
+#include "core/session/catalogue.h"
+#include "widgets/core_text.h"
+
+namespace fyd::console {
+namespace {
+
+using widgets::Severity;
+
+QString nameOf(const std::string& path) { return QFileInfo(QString::fromStdString(path)).fileName(); }
+
+}  // namespace
+
+ReviewRecovery::ReviewRecovery(widgets::WorkBars* bars, QString catalogue, Tell tell, QObject* parent)
+    : QObject(parent), catalogue_(std::move(catalogue)), tell_(std::move(tell)), work_(bars) {}
+
+void ReviewRecovery::recover(const QString& path) {
+  if (work_.running()) {
+    tell_(Severity::information, tr("A recording is being recovered already; wait, or cancel it."));
+    return;
+  }
+  work_.run(tr("Recovering %1").arg(QFileInfo(path).fileName()),
+            [this, path, catalogue = catalogue_.toStdString()](const session::Progress& progress) {
+              const auto outcome = session::recover(path.toStdString(), progress);
+              Result<void> entered;
+              // A catalogue's server may be long in answering: not while the window closes.
+              if (outcome && !outcome->file.empty() && progress(1.0))
+                entered = session::catalogueRecording(catalogue, outcome->file);
+              return [this, path, outcome, entered] {
+                finish(path, outcome);
+                if (!entered) tell_(Severity::warning, widgets::coreText(entered.error().message));
+              };
+            });
+}
+
+void ReviewRecovery::finish(const QString& asked, const Result<session::RecoverOutcome>& outcome) {
+  if (!outcome) {
+    const QString name = QFileInfo(asked).fileName();
+    if (work_.cancelled()) {
+      tell_(Severity::information, tr("The recovery was cancelled; %1 is as it was.").arg(name));
+    } else {
+      tell_(Severity::warning, widgets::coreText(outcome.error().message));
+    }
+    return;
+  }
+  switch (outcome->result) {
+    case session::RecoverResult::nothing:
+      tell_(Severity::warning, tr("Nothing of %1 can be read; it is left as it is: %2")
+                                   .arg(QFileInfo(asked).fileName(), widgets::coreText(outcome->first_damage)));
+      return;
+    case session::RecoverResult::whole:
+      tell_(Severity::information, tr("%1 is whole: %2 samples.").arg(nameOf(outcome->file)).arg(outcome->steps));
+      break;
+    case session::RecoverResult::part_lost:
+      tell_(Severity::warning, tr("%1: %2 samples are saved, %3 could not be read. The damaged original is kept as %4.")
+                                   .arg(nameOf(outcome->file))
+                                   .arg(outcome->steps)
+                                   .arg(outcome->lost_steps)
+                                   .arg(nameOf(outcome->kept)));
+      break;
+  }
+  emit recovered(asked, QString::fromStdString(outcome->file));
+}
+
+}  // namespace fyd::console

@@ -1,0 +1,130 @@
+#include "widgets/work_bar.h"
+
+#include <QHBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/number_text.h"
+#include "widgets/theme.h"
+
+namespace fyd::widgets {
+namespace {
+
+constexpr int kPatience_ms = 300;
+constexpr int kBarWidth = 24 * kGrid;
+constexpr int kWordsWidth = 30 * kGrid;
+
+}  // namespace
+
+WorkBar::WorkBar(QWidget* parent)
+    : QWidget(parent),
+      words_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      share_(new QLabel(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+  words_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  words_->setMinimumWidth(kWordsWidth);
+  words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  progress_->setRange(0, 100);
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(kBarWidth, kGrid);
+  share_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  share_->setMinimumWidth(share_->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(kGrid, 0, kGrid, 0);
+  layout->setSpacing(kGrid);
+  layout->addWidget(words_, 1);
+  layout->addWidget(progress_);
+  layout->addWidget(share_);
+  layout->addWidget(cancel_);
+  patience_.setSingleShot(true);
+  patience_.setInterval(kPatience_ms);
+  connect(&patience_, &QTimer::timeout, this, [this] {
+    show();
+    emit shownChanged();
+  });
+  connect(cancel_, &QPushButton::clicked, this, &WorkBar::cancel);
+  hide();
+}
+
+void WorkBar::begin(const QString& words) {
+  static int begun = 0;
+  number_ = ++begun;
+  running_ = true;
+  asked_ = false;
+  cancel_->setEnabled(true);
+  describe(words);
+  cancel_->setAccessibleName(tr("Cancel: %1").arg(words));
+  progress_->setValue(0);
+  setDone(0.0);
+  patience_.start();
+}
+
+void WorkBar::describe(const QString& words) {
+  words_->setText(words);
+  words_->setToolTip(words);
+  progress_->setAccessibleName(words);
+}
+
+void WorkBar::setDone(double share) {
+  if (!running_ || !std::isfinite(share)) return;
+  const int percent = static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
+  progress_->setValue(std::max(percent, progress_->value()));
+  share_->setText(tr("%1 %").arg(progress_->value()));
+}
+
+void WorkBar::end() {
+  running_ = false;
+  patience_.stop();
+  hide();
+  emit shownChanged();
+}
+
+void WorkBar::cancel() {
+  if (!running_ || asked_) return;
+  asked_ = true;
+  cancel_->setEnabled(false);
+  describe(tr("Cancelling: %1").arg(words()));
+  emit cancelAsked();
+}
+
+WorkBars::WorkBars(QString keys, QWidget* parent) : QWidget(parent), keys_(std::move(keys)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid / 2);
+  hide();
+}
+
+WorkBar* WorkBars::add() {
+  auto* bar = new WorkBar(this);
+  bar->cancelButton()->setToolTip(tr("Cancel the newest with %1").arg(keys_));
+  layout()->addWidget(bar);
+  connect(bar, &WorkBar::shownChanged, this, &WorkBars::showIfNeeded);
+  return bar;
+}
+
+std::vector<WorkBar*> WorkBars::running() const {
+  std::vector<WorkBar*> out;
+  for (WorkBar* bar : findChildren<WorkBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (bar->running()) out.push_back(bar);
+  }
+  std::ranges::stable_sort(out, {}, &WorkBar::number);
+  return out;
+}
+
+bool WorkBars::cancelNewest() {
+  const auto bars = running();
+  for (auto bar = bars.rbegin(); bar != bars.rend(); ++bar) {
+    if (!(*bar)->cancelButton()->isEnabled()) continue;  // is ending already
+    (*bar)->cancel();
+    return true;
+  }
+  return false;
+}
+
+void WorkBars::showIfNeeded() {
+  const auto bars = running();
+  setVisible(std::ranges::any_of(bars, [](const WorkBar* bar) { return !bar->isHidden(); }));
+}
+
+}  // namespace fyd::widgets
