@@ -106,6 +106,13 @@ class LooksTest : public QObject {
     }
     f.window->review(makeRecording(f.folder));
     look(f, "review-recording");
+    auto* review = qobject_cast<console::ReviewPage*>(f.window->frame()->page(QStringLiteral("review")));
+    widgets::WorkBar* bar = review->work()->add();
+    bar->begin(QStringLiteral("session.h5"));
+    bar->setDone(1.0);
+    QTRY_VERIFY(bar->isVisible());
+    look(f, "review-working");
+    bar->end();
     go(f, "operate");
     f.window->commands().action(QStringLiteral("view.link"))->trigger();
     look(f, "link");

@@ -18,6 +18,7 @@ std::unique_ptr<QObject> makeRecordingTest();
 std::unique_ptr<QObject> makeCalibrateTest();
 std::unique_ptr<QObject> makeCalibrateMotionTest();
 std::unique_ptr<QObject> makeReviewTest();
+std::unique_ptr<QObject> makeReviewWorkTest();
 std::unique_ptr<QObject> makeMannersTest();
 
 }  // namespace fyd::tests

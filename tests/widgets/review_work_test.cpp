@@ -1,0 +1,269 @@
+// Long work in Review: it says how far it is, is cancelled by a click and by a key, leaves nothing behind, works when
+// it is asked for again; a crashed recording is made whole; the window closes in the middle of it.
+#include <QSignalSpy>
+#include <atomic>
+#include <thread>
+
+#include "core/session/catalogue.h"
+#include "core/session/recording_hdf5.h"
+#include "tests/unit/session/recording_damage.h"
+#include "tests/widgets/reviewing.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+namespace {
+
+using widgets::WorkBar;
+
+/// While it lives no other thread reads a recording: work that was begun is not over before it is looked at.
+using Halt = std::unique_lock<std::recursive_mutex>;
+
+struct WorkFixture : ReviewFixture {
+  WorkFixture() {
+    openByPath();
+    waitForTouches();
+  }
+  void waitForTouches() const {
+    QTRY_COMPARE(page->touches()->rowCount(), 1);
+    QTRY_VERIFY(page->work()->running().empty());
+  }
+  [[nodiscard]] QStringList files() const {
+    return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+  }
+  /// The newest, once it is seen.
+  [[nodiscard]] WorkBar* bar() const {
+    if (page->work()->running().empty()) return nullptr;
+    WorkBar* newest = page->work()->running().back();
+    return QTest::qWaitFor([newest] { return newest->isVisible(); }) ? newest : nullptr;
+  }
+  /// As an operator does it; what ran may go on then, and ends.
+  void cancelByClick(Halt& halt) {
+    WorkBar* newest = bar();
+    QVERIFY(newest != nullptr);
+    QTest::mouseClick(newest->cancelButton(), Qt::LeftButton);
+    QVERIFY(!newest->cancelButton()->isEnabled());
+    QVERIFY(newest->words().startsWith(QStringLiteral("Cancelling")));
+    letGo(halt);
+  }
+  void letGo(Halt& halt) const {
+    halt.unlock();
+    QTRY_VERIFY(page->work()->running().empty());
+    QVERIFY(!page->work()->isVisible());
+  }
+  void cancelByKey() { key(Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier); }
+};
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class ReviewWorkTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void anExportSaysHowFarItIs() {
+    WorkFixture f;
+    f.page->exports()->exportAs(QStringLiteral("csv"));
+    QCOMPARE(f.page->work()->running().size(), std::size_t{1});
+    QProgressBar* progress = f.page->work()->running().front()->progress();
+    QCOMPARE(progress->accessibleName(), QStringLiteral("Writing session.csv"));
+    const QSignalSpy moved(progress, &QProgressBar::valueChanged);
+    QTRY_VERIFY(f.told().contains(QStringLiteral("session.csv is written")));
+    QVERIFY(moved.count() >= 3);
+    for (qsizetype i = 1; i < moved.count(); ++i) QVERIFY(moved[i][0].toInt() > moved[i - 1][0].toInt());
+    QVERIFY(f.page->work()->running().empty());
+    QVERIFY(!f.page->work()->isVisible());
+  }
+
+  void aCancelledExportLeavesNothingAndTheNextOneWorks() {
+    WorkFixture f;
+    for (const char* name : {"csv", "mat", "mcap", "html"}) {
+      const QString ending = QString::fromLatin1(name);
+      const QStringList before = f.files();
+      Halt halt = session::hdf5Lock();
+      f.page->exports()->exportAs(ending);
+      QVERIFY(f.bar() != nullptr);
+      QVERIFY(f.bar()->words().contains(QStringLiteral("session.") + ending));
+      f.page->exports()->exportAs(ending);  // impatience
+      QVERIFY(f.told().contains(QStringLiteral("already")));
+      QCOMPARE(f.page->work()->running().size(), std::size_t{1});
+      f.cancelByClick(halt);
+      QVERIFY(f.told().contains(QStringLiteral("cancelled; no file is left")));
+      QCOMPARE(f.files(), before);
+      f.page->exports()->exportAs(ending);
+      QTRY_VERIFY(f.told().contains(QStringLiteral(" is written")));
+      QVERIFY(f.files().contains(QStringLiteral("session.") + ending));
+    }
+  }
+
+  void theKeyCancelsTheNewestFirst() {
+    WorkFixture f;
+    const QStringList before = f.files();
+    f.cancelByKey();
+    QVERIFY(f.told().contains(QStringLiteral("Nothing is running")));
+    Halt halt = session::hdf5Lock();
+    f.page->exports()->exportAs(QStringLiteral("csv"));
+    f.page->exports()->exportAs(QStringLiteral("mat"));
+    const auto bars = f.page->work()->running();
+    QCOMPARE(bars.size(), std::size_t{2});
+    f.cancelByKey();
+    QVERIFY(bars[0]->cancelButton()->isEnabled());
+    QVERIFY(!bars[1]->cancelButton()->isEnabled());
+    f.cancelByKey();
+    QVERIFY(!bars[0]->cancelButton()->isEnabled());
+    f.letGo(halt);
+    QCOMPARE(f.files(), before);
+  }
+
+  void searchesAndFiguresAreCancelled() {
+    WorkFixture f;
+    Halt halt = session::hdf5Lock();
+    f.page->open(f.path);
+    QVERIFY(f.bar() != nullptr && f.bar()->words().contains(QStringLiteral("touches in session.h5")));
+    f.cancelByClick(halt);
+    QCOMPARE(f.page->touches()->rowCount(), 0);
+    f.page->open(f.path);
+    f.waitForTouches();
+
+    halt.lock();
+    f.page->player()->goTo(0.5);
+    f.key(Qt::Key_BracketLeft);
+    f.page->player()->goTo(1.5);
+    f.key(Qt::Key_BracketRight);
+    f.cancelByClick(halt);
+    QCOMPARE(f.page->figures()->rowCount(), 0);
+    f.key(Qt::Key_BracketRight);
+    QTRY_COMPARE(f.page->figures()->rowCount(), 5);
+
+    halt.lock();
+    f.page->comparison()->compare(f.path);
+    f.cancelByClick(halt);
+    const auto words = f.page->comparison()->findChildren<QLabel*>();
+    QVERIFY(std::ranges::any_of(words, [](const QLabel* each) { return each->text().contains("was cancelled"); }));
+
+    halt.lock();
+    f.page->tabs()->setCurrentWidget(f.page->whatIf());
+    QTest::mouseClick(f.page->whatIf()->runButton(), Qt::LeftButton);
+    QVERIFY(!f.page->whatIf()->runButton()->isEnabled());
+    f.cancelByClick(halt);
+    QVERIFY(f.page->whatIf()->runButton()->isEnabled());
+  }
+
+  void aCrashedRecordingIsMadeWholeFromTheList() {
+    ReviewFixture f;
+    QVERIFY(QDir(f.folder.path()).mkdir(QStringLiteral("crashed")));
+    const QString file = makeRecording(f.folder, QStringLiteral("crashed/killed.h5"), kPress, true);
+    {
+      auto catalogue = session::Catalogue::open({});
+      QVERIFY2(catalogue, catalogue ? "" : catalogue.error().message.c_str());
+      QVERIFY(catalogue->addFolder(f.folder.filePath(QStringLiteral("crashed")).toStdString()));
+    }
+    f.page->list()->look();
+    QTRY_COMPARE(f.page->list()->table()->rowCount(), 1);
+    QTRY_COMPARE(f.page->list()->table()->item(0, 5)->text(), QStringLiteral("recorder crashed"));
+    f.page->list()->table()->setCurrentCell(0, 0);
+    QVERIFY(f.page->list()->words().contains(QStringLiteral("Recover makes it whole")));
+    QCOMPARE(f.page->list()->path()->text(), file);
+    QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
+    QTRY_VERIFY(f.told().contains(QStringLiteral("killed.h5 is whole: 6000 samples")));
+    QVERIFY(!QFile::exists(file));
+    QTRY_COMPARE(f.page->list()->table()->item(0, 5)->text(), QStringLiteral("whole"));
+    QVERIFY(f.page->showsList());
+    f.openByPath(file.chopped(8));
+    QTRY_COMPARE(f.page->touches()->rowCount(), 1);
+    QVERIFY(f.page->title().endsWith(QStringLiteral("whole")));
+    QVERIFY(!f.page->recoverButton()->isVisible());
+  }
+
+  void theCrashedRecordingThatIsShownIsMadeWholeOrStaysAsItWas() {
+    WorkFixture f;
+    const QString file = makeRecording(f.folder, QStringLiteral("killed.h5"), kPress, true);
+    f.page->open(file);
+    f.waitForTouches();
+    QVERIFY(f.page->title().contains(QStringLiteral("recorder crashed")));
+    QVERIFY(f.page->recoverButton()->isVisible());
+    const QByteArray before = contentOf(file);
+    const QStringList files = f.files();
+
+    Halt halt = session::hdf5Lock();
+    QTest::mouseClick(f.page->recoverButton(), Qt::LeftButton);
+    QVERIFY(f.bar() != nullptr && f.bar()->words().contains(QStringLiteral("Recovering killed.h5.partial")));
+    f.cancelByClick(halt);
+    QVERIFY(f.told().contains(QStringLiteral("is as it was")));
+    QCOMPARE(f.files(), files);
+    QVERIFY(contentOf(file) == before);
+    QVERIFY(f.page->recoverButton()->isVisible());
+
+    f.window->commands().action(QStringLiteral("review.recover"))->trigger();
+    QTRY_VERIFY(f.told().contains(QStringLiteral("killed.h5 is whole")));
+    QTRY_VERIFY(f.page->title().endsWith(QStringLiteral("whole")));  // shown again, as it is now
+    QVERIFY(!f.page->recoverButton()->isVisible());
+    QCOMPARE(f.page->recording()->info().committed_samples, kRows);
+  }
+
+  void whatIsLostIsSaidAndTheDamagedFileIsKept() {
+    ReviewFixture f;
+    session::samples::damageChunk(f.path.toStdString(), "/telemetry", 7);
+    const QByteArray bytes = contentOf(f.path);
+    f.page->list()->path()->setText(f.path);
+    QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
+    QTRY_VERIFY(f.told().contains(QStringLiteral("could not be read")));
+    QVERIFY(f.told().contains(QStringLiteral("session.h5.damaged")));
+    QVERIFY(contentOf(f.path + QStringLiteral(".damaged")) == bytes);
+    const auto saved = session::Recording::open(f.path.toStdString());
+    QVERIFY(saved && (*saved)->info().committed_samples < kRows && (*saved)->info().committed_samples > kRows / 2);
+
+    const QString nothing = f.folder.filePath(QStringLiteral("letter.h5"));
+    QFile letter(nothing);
+    QVERIFY(letter.open(QIODevice::WriteOnly));
+    letter.write("Dear Sir");
+    letter.close();
+    f.page->list()->path()->setText(nothing);
+    QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
+    QTRY_VERIFY(f.told().contains(QStringLiteral("left as it is")));
+    QCOMPARE(contentOf(nothing), QByteArray("Dear Sir"));
+    f.page->list()->path()->clear();
+    QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
+    QVERIFY(f.page->work()->running().empty());
+  }
+
+  void theWindowClosesInTheMiddle() {
+    WorkFixture f;
+    const QString file = makeRecording(f.folder, QStringLiteral("killed.h5"), kPress, true);
+    const QByteArray crashed = contentOf(file);
+    QStringList files = f.files();
+    f.page->showList();
+    f.page->list()->path()->setText(file);
+    // The window's thread is going to wait for the work, so another one holds that up, and lets it go.
+    std::atomic<bool> held = false;
+    std::atomic<bool> closing = false;
+    const std::jthread other([&] {
+      const Halt halt = session::hdf5Lock();
+      held = true;
+      while (!closing) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    });
+    while (!held) std::this_thread::yield();
+    for (const char* ending : {"csv", "mat", "mcap", "html", "pdf"}) {
+      f.page->exports()->exportAs(QString::fromLatin1(ending));
+    }
+    QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
+    const std::size_t running = f.page->work()->running().size();
+    closing = true;
+    f.window.reset();
+    QCOMPARE(running, std::size_t{6});
+    QVERIFY(contentOf(file) == crashed);
+    files.removeOne(QStringLiteral("profile.toml"));
+    QStringList left = f.files();
+    left.removeOne(QStringLiteral("profile.toml"));
+    QCOMPARE(left, files);
+  }
+};
+
+std::unique_ptr<QObject> makeReviewWorkTest() { return std::make_unique<ReviewWorkTest>(); }
+
+}  // namespace fyd::tests
+
+#include "review_work_test.moc"
