@@ -6,6 +6,7 @@ namespace fyd::protocol {
 namespace {
 
 using fields::count;
+using fields::finished;
 using fields::held;
 using fields::within;
 
@@ -61,14 +62,6 @@ std::int16_t acceleration(double g) {
 template <class T>
 LinkDecoded<T> refused(LinkRefusal refusal) {
   return {.refusal = refusal};
-}
-
-/// What every decoder ends with.
-template <class T>
-LinkDecoded<T> finished(const ByteReader& in, const T& value, bool in_range) {
-  if (!in.complete()) return refused<T>(LinkRefusal::size);
-  if (!in_range) return refused<T>(LinkRefusal::field);
-  return {.value = value};
 }
 
 }  // namespace

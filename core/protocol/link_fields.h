@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/protocol/byte_io.h"
+#include "core/protocol/link_codec.h"
 #include "core/protocol/link_messages.h"
 
 namespace fyd::protocol::fields {
@@ -107,6 +108,14 @@ inline void writeBoard(ByteWriter& out, double k_vib, const std::array<double, c
     good = within(t, -kMaximumTicks, kMaximumTicks) && good;
   }
   return readText(in, kMaximumBoardText, text) && good;
+}
+
+/// What every decoder ends with.
+template <class T>
+[[nodiscard]] LinkDecoded<T> finished(const ByteReader& in, const T& value, bool in_range) {
+  if (!in.complete()) return {.refusal = LinkRefusal::size};
+  if (!in_range) return {.refusal = LinkRefusal::field};
+  return {.value = value};
 }
 
 }  // namespace fyd::protocol::fields

@@ -7,13 +7,6 @@ namespace {
 
 constexpr std::uint32_t kKnownCapabilities = 15;
 
-template <class T>
-LinkDecoded<T> finished(const ByteReader& in, const T& value, bool in_range) {
-  if (!in.complete()) return {.refusal = LinkRefusal::size};
-  if (!in_range) return {.refusal = LinkRefusal::field};
-  return {.value = value};
-}
-
 }  // namespace
 
 Workspace asOnTheWire(const Workspace& workspace) {
@@ -44,7 +37,7 @@ LinkDecoded<RobotHello> decodeRobotHello(Bytes payload) {
   hello.capabilities = in.u32();
   good = (hello.capabilities & ~kKnownCapabilities) == 0 && good;
   good = fields::readText(in, kMaximumRobotText, hello.text) && good;
-  return finished(in, hello, good);
+  return fields::finished(in, hello, good);
 }
 
 std::size_t encodeHello(const TouchpadHello& hello, std::span<std::uint8_t> out) {
@@ -74,7 +67,7 @@ LinkDecoded<TouchpadHello> decodeTouchpadHello(Bytes payload) {
   hello.capabilities = in.u32();
   good = (hello.capabilities & ~kKnownCapabilities) == 0 && good;
   good = fields::readBoard(in, hello.k_vib, hello.reference_ticks, hello.board_text) && good;
-  return finished(in, hello, good);
+  return fields::finished(in, hello, good);
 }
 
 }  // namespace fyd::protocol

@@ -16,7 +16,7 @@ namespace {
 
 using namespace protocol;
 
-constexpr int kSamples = 4'000;
+constexpr int kTimings = 4'000;
 constexpr int kCallsPerSample = 16;
 constexpr std::size_t kRobotSamples = 10;
 constexpr std::size_t kHeaders = 28;  // IPv4 and UDP
@@ -46,7 +46,7 @@ Row measure(const std::string& name, std::size_t bytes, Call&& call) {
   const AllocationCount allocations;
   several();
   Row row{.name = name, .bytes = bytes, .allocations = allocations.count()};
-  std::vector<double> times = timeEach(kSamples, several);
+  std::vector<double> times = timeEach(kTimings, several);
   for (double& time : times) time /= kCallsPerSample;
   const Quantiles q = quantiles(times);
   row.p50_ns = q.p50;
@@ -94,7 +94,7 @@ void linkRows(std::vector<Row>& rows, const std::string& name, const Message& me
     (void)sealer.seal(packet, encodeLink(message, code, 1, Sealer::messagePart(packet)));
     keep(packet);
   }));
-  std::vector<Packet> sent((kSamples + 1) * kCallsPerSample);
+  std::vector<Packet> sent((kTimings + 1) * kCallsPerSample);
   Sealer fresh(key, 1);
   for (Packet& out : sent) (void)fresh.seal(out, encodeLink(message, code, 1, Sealer::messagePart(out)));
   Opener opener(key, 1);

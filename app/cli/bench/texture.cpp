@@ -112,14 +112,14 @@ int impulseDelay(const Setting& s, double rate_Hz) {
   return loudest - kAt;
 }
 
-struct Run {
+struct Rendering {
   MatchFigures figures;
   double edge_jump = 0.0;
   int delay = 0;
   double ns_per_sample = 0.0;
 };
 
-Run run(const Setting& s, const Signal& signal) {
+Rendering run(const Setting& s, const Signal& signal) {
   auto method = std::move(*makeMethod(s.method, signal.rate_Hz, std::max(s.frame, 2), std::max(s.hop, 1)));
   const ThreeAxes& in = signal.axes;
   std::vector<double> out(in.x.size());
@@ -131,7 +131,7 @@ Run run(const Setting& s, const Signal& signal) {
     for (const std::size_t end = n + length; n < end; ++n) out[n] = method->step({in.x[n], in.y[n], in.z[n]});
   });
   for (; n < out.size(); ++n) out[n] = method->step({in.x[n], in.y[n], in.z[n]});
-  Run result;
+  Rendering result;
   result.delay = method->delaySamples();
   result.figures = compareSpectra(in.x, in.y, in.z, out, result.delay, signal.rate_Hz);
   result.edge_jump = edgeJumpRatio(out, s.hop, result.delay);
@@ -191,7 +191,7 @@ Table bench_texture() {
     has_recording = has_recording || signal.rate_Hz != kRate_Hz;
     double baseline_ns = 0.0;
     for (const Setting& s : settings()) {
-      const Run r = run(s, signal);
+      const Rendering r = run(s, signal);
       if (s.method == MethodChoice::soc) baseline_ns = r.ns_per_sample;
       const double ms = 1e3 / signal.rate_Hz;
       table.rows.push_back({label(s), signal.name, s.frame > 0 ? std::to_string(s.frame) : "—",
@@ -201,7 +201,7 @@ Table bench_texture() {
                             number(r.ns_per_sample / baseline_ns)});
     }
   }
-  const Run ours = run({MethodChoice::dft321, 64, 64}, signals().front());
+  const Rendering ours = run({MethodChoice::dft321, 64, 64}, signals().front());
   const double printed_ns = printedLoops_ns(64);
   table.notes = {
       fmt::format(
