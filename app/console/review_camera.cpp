@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 
 #include "app/console/views.h"
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -45,7 +46,7 @@ void ReviewCamera::showAt(const session::Recording* recording, double time_s) {
   words_->setText(finger.contact
                       ? tr("x %1 mm   y %2 mm   area %3 px")
                             .arg(numberText(finger.x_mm, 1), numberText(finger.y_mm, 1), numberText(finger.area_px, 0))
-                      : QString::fromUtf8(sensing::toString(finger.reason).data()));
+                      : widgets::coreText(sensing::toString(finger.reason)));
 }
 
 }  // namespace fyd::console

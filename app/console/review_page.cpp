@@ -21,7 +21,7 @@ QString wholenessWords(const session::RecordingInfo& info) {
   switch (info.wholeness) {
     case session::Wholeness::whole: break;
     case session::Wholeness::growing: return ReviewPage::tr("still being recorded");
-    case session::Wholeness::crashed: return ReviewPage::tr("its recorder crashed: everything committed is shown");
+    case session::Wholeness::crashed: return ReviewPage::tr("recorder crashed");
   }
   return info.gaps > 0 ? ReviewPage::tr("%n sample(s) lost", nullptr, static_cast<int>(info.gaps))
                        : ReviewPage::tr("whole");
@@ -99,15 +99,16 @@ void ReviewPage::open(const QString& path) {
 
 void ReviewPage::describe() {
   const session::RecordingInfo& info = recording_->info();
+  // What matters most comes first: a narrow window shows no more.
   QStringList words = {
-      QFileInfo(path_).fileName(),
+      QFileInfo(path_).fileName(), wholenessWords(info),
       QString::fromStdString(info.header.started_utc).left(19).replace(QLatin1Char('T'), QLatin1Char(' ')) + tr(" UTC"),
       widgets::durationText(info.duration_s)};
   if (!info.header.subject.empty()) words << tr("subject %1").arg(QString::fromStdString(info.header.subject));
   if (!info.header.operator_name.empty()) words << tr("by %1").arg(QString::fromStdString(info.header.operator_name));
-  words << wholenessWords(info);
   recover_->setVisible(info.wholeness == session::Wholeness::crashed);
   title_->setText(words.join(QStringLiteral(" · ")));
+  title_->setToolTip(title_->text());
   overview_->setDuration(info.duration_s);
   curves_->setDuration(info.duration_s);
 }

@@ -14,6 +14,8 @@ namespace {
 using widgets::kGrid;
 
 constexpr int kSideWidth = 30 * kGrid;
+constexpr int kTabsAtLeast = 36 * kGrid;
+constexpr int kTabsAtMost = 50 * kGrid;  // every column of the touches
 
 QFrame* panel(QWidget* inside, QWidget* parent) {
   auto* frame = new QFrame(parent);
@@ -74,8 +76,8 @@ QWidget* ReviewPage::buildReview() {
   pictures->addWidget(curve_tools_->spectrum(), 1);
   beside->addLayout(pictures, 1);
   beside->addWidget(curve_tools_->panel());
-  body->addWidget(panel(curves, review), 1);
-  body->addWidget(buildRight());
+  body->addWidget(panel(curves, review), 5);
+  body->addWidget(buildRight(), 3);
   layout->addLayout(body, 1);
   return review;
 }
@@ -122,7 +124,8 @@ QWidget* ReviewPage::buildBar() {
   recover_ = new QToolButton(bar);
   recover_->setObjectName(QStringLiteral("recover_button"));
   recover_->setText(tr("Recover"));
-  recover_->setToolTip(tr("Makes the recording whole. Nothing is deleted."));
+  recover_->setToolTip(tr(
+      "Its recorder crashed; everything it committed is shown. This makes the recording whole. Nothing is deleted."));
   recover_->setProperty("role", "warning");
   recover_->hide();
   layout->addWidget(recover_);
@@ -152,7 +155,8 @@ QWidget* ReviewPage::buildLeft() {
 
 QWidget* ReviewPage::buildRight() {
   tabs_ = new QTabWidget(this);
-  tabs_->setFixedWidth(kSideWidth + 6 * kGrid);
+  tabs_->setMinimumWidth(kTabsAtLeast);
+  tabs_->setMaximumWidth(kTabsAtMost);
   tabs_->setDocumentMode(true);
   touch_table_ = new TouchTable(tabs_);
   figures_table_ = new FiguresTable(tabs_);

@@ -11,10 +11,16 @@ namespace fyd::console {
 using widgets::numberText;
 using widgets::quantityText;
 
-ReviewTable::ReviewTable(const QStringList& columns, const QString& name, QWidget* parent)
-    : QTableWidget(0, static_cast<int>(columns.size()), parent) {
+ReviewTable::ReviewTable(const QStringList& columns, const QList<int>& words, const QString& name, QWidget* parent)
+    : QTableWidget(0, static_cast<int>(columns.size()), parent), words_(words) {
   setAccessibleName(name);
   setHorizontalHeaderLabels(columns);
+  for (int column = 0; column < columnCount(); ++column) {
+    horizontalHeaderItem(column)->setTextAlignment(alignment(column));
+  }
+  setFont(widgets::textFont(widgets::TextSize::small));
+  horizontalHeader()->setFont(font());
+  horizontalHeader()->setMinimumSectionSize(4 * widgets::kGrid);
   verticalHeader()->hide();
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -26,6 +32,10 @@ ReviewTable::ReviewTable(const QStringList& columns, const QString& name, QWidge
   setWordWrap(false);
 }
 
+Qt::Alignment ReviewTable::alignment(int column) const {
+  return (words_.contains(column) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
+}
+
 void ReviewTable::setEmptyText(const QString& text) {
   empty_text_ = text;
   viewport()->update();
@@ -35,7 +45,7 @@ void ReviewTable::setRow(int row, const QStringList& cells, const QString& spoke
   for (int column = 0; column < cells.size(); ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
     item->setToolTip(spoken);
-    if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    item->setTextAlignment(alignment(column));
     setItem(row, column, item);
   }
   item(row, 0)->setData(Qt::AccessibleTextRole, spoken);
@@ -53,8 +63,8 @@ void ReviewTable::paintEvent(QPaintEvent* event) {
 
 TouchTable::TouchTable(QWidget* parent)
     : ReviewTable(
-          {tr("Start\ns"), tr("Length\ns"), tr("Force\nN"), tr("Depth\nmm"), tr("Stiffness\nN/mm"), tr("Settled\ns")},
-          tr("Touches"), parent) {
+          {tr("Start\ns"), tr("Length\ns"), tr("Force\nN"), tr("Stiffness\nN/mm"), tr("Settled\ns"), tr("Depth\nmm")},
+          {}, tr("Touches"), parent) {
   setObjectName(QStringLiteral("touch_table"));
   connect(this, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) {
     if (row < 0 || static_cast<std::size_t>(row) >= touches_.size()) return;
@@ -79,14 +89,14 @@ void TouchTable::setTouches(const std::vector<session::Touch>& touches) {
                  quantityText(t.target_N_per_mm, 3, tr("N/mm")), quantityText(t.settling_s, 2, tr("s")));
     setRow(i,
            {numberText(t.start_s, 2), numberText(t.end_s - t.start_s, 2), numberText(t.peak_force_N, 2),
-            numberText(t.peak_indentation_mm, 2), numberText(t.stiffness_N_per_mm, 3), numberText(t.settling_s, 2)},
+            numberText(t.stiffness_N_per_mm, 3), numberText(t.settling_s, 2), numberText(t.peak_indentation_mm, 2)},
            spoken);
   }
 }
 
 FiguresTable::FiguresTable(QWidget* parent)
     : ReviewTable(
-          {tr("Between A and B"), tr("At A"), tr("At B"), tr("B − A"), tr("Slope\nper s"), tr("Mean"), tr("RMS")},
+          {tr("Between A and B"), tr("At A"), tr("At B"), tr("B − A"), tr("Slope\nper s"), tr("Mean"), tr("RMS")}, {0},
           tr("Figures between A and B"), parent) {
   setObjectName(QStringLiteral("figures_table"));
   setEmptyText(tr("Put the cursor somewhere and press [ for A, elsewhere and press ] for B."));
@@ -107,7 +117,8 @@ void FiguresTable::setFigures(const std::vector<StretchFigures>& figures) {
   }
 }
 
-NoteTable::NoteTable(QWidget* parent) : ReviewTable({tr("s"), tr("Kind"), tr("Note")}, tr("Notes and events"), parent) {
+NoteTable::NoteTable(QWidget* parent)
+    : ReviewTable({tr("s"), tr("Kind"), tr("Note")}, {1, 2}, tr("Notes and events"), parent) {
   setObjectName(QStringLiteral("note_table"));
   setEmptyText(tr("No notes. N writes one at the cursor."));
   connect(this, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) {
@@ -126,7 +137,6 @@ void NoteTable::setNotes(const std::vector<NoteLine>& notes) {
     const NoteLine& note = notes_[static_cast<std::size_t>(i)];
     setRow(i, {numberText(note.time_s, 2), note.kind, note.text},
            tr("%1 at %2 s: %3").arg(note.kind, numberText(note.time_s, 2), note.text));
-    for (int column = 1; column < 3; ++column) item(i, column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   }
 }
 

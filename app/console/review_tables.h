@@ -13,7 +13,8 @@ namespace fyd::console {
 class ReviewTable : public QTableWidget {
   Q_OBJECT
  public:
-  explicit ReviewTable(const QStringList& columns, const QString& name, QWidget* parent = nullptr);
+  /// @param words columns that hold words, not numbers
+  ReviewTable(const QStringList& columns, const QList<int>& words, const QString& name, QWidget* parent = nullptr);
   /// What stands in place of rows.
   void setEmptyText(const QString& text);
 
@@ -22,6 +23,9 @@ class ReviewTable : public QTableWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  [[nodiscard]] Qt::Alignment alignment(int column) const;
+
+  QList<int> words_;
   QString empty_text_;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t kPicturesForRate = 120;
 /// Share of the time that goes into the frames; the rest into reading them again.
-constexpr double kFramesShare = 0.8;
+constexpr double kFramesShare = 0.6;
 constexpr double kUsualRate_Hz = 30.0;
 constexpr double kHighestRate_Hz = 1000.0;
 /// A break longer than this is shown no longer than this.

@@ -1772,6 +1772,10 @@ Robot : %2
         <translation>Son enregistreur s'est interrompu. Récupérer le rend entier ; il s'ouvre aussi tel quel.</translation>
     </message>
     <message>
+        <source>Its recorder crashed; everything it committed is shown. This makes the recording whole. Nothing is deleted.</source>
+        <translation>Son enregistreur s'est interrompu ; tout ce qu'il a validé est montré. Ceci rend l'enregistrement entier. Rien n'est effacé.</translation>
+    </message>
+    <message>
         <source>Its value</source>
         <translation>Sa valeur</translation>
     </message>
@@ -2042,10 +2046,6 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Makes a recording whole whose recorder crashed. Nothing is deleted.</source>
         <translation>Rend entier un enregistrement dont l'enregistreur s'est interrompu. Rien n'est effacé.</translation>
-    </message>
-    <message>
-        <source>Makes the recording whole. Nothing is deleted.</source>
-        <translation>Rend l'enregistrement entier. Rien n'est effacé.</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -4350,10 +4350,6 @@ Pour commencer : %1</translation>
     <message>
         <source>is %1</source>
         <translation>est %1</translation>
-    </message>
-    <message>
-        <source>its recorder crashed: everything committed is shown</source>
-        <translation>son enregistreur s'est interrompu : tout ce qui est validé est montré</translation>
     </message>
     <message>
         <source>key file %1: %2</source>

@@ -1772,6 +1772,10 @@ Robot: %2
         <translation>Il suo registratore si è interrotto. Recupera la rende integra; si può aprire anche così com'è.</translation>
     </message>
     <message>
+        <source>Its recorder crashed; everything it committed is shown. This makes the recording whole. Nothing is deleted.</source>
+        <translation>Il suo registratore si è interrotto; si mostra tutto ciò che ha confermato. Questo rende integra la registrazione. Nulla viene cancellato.</translation>
+    </message>
+    <message>
         <source>Its value</source>
         <translation>Il suo valore</translation>
     </message>
@@ -2042,10 +2046,6 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Makes a recording whole whose recorder crashed. Nothing is deleted.</source>
         <translation>Rende integra una registrazione il cui registratore si è interrotto. Nulla viene cancellato.</translation>
-    </message>
-    <message>
-        <source>Makes the recording whole. Nothing is deleted.</source>
-        <translation>Rende integra la registrazione. Nulla viene cancellato.</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -4350,10 +4350,6 @@ Per cominciare: %1</translation>
     <message>
         <source>is %1</source>
         <translation>è %1</translation>
-    </message>
-    <message>
-        <source>its recorder crashed: everything committed is shown</source>
-        <translation>il suo registratore si è interrotto: si mostra tutto ciò che è confermato</translation>
     </message>
     <message>
         <source>key file %1: %2</source>
