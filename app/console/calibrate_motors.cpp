@@ -19,7 +19,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
 
-constexpr double kTurn_counts = 4096.0;
+constexpr double kTurn_counts = control::kEncoderCountsPerTurn;
 
 /// Points are: first angle commanded, first encoder, second angle commanded, second encoder.
 class EncoderStep : public CalibrationStep {
@@ -183,7 +183,7 @@ class StiffnessStep : public CalibrationStep {
   QString notYet(const CalibrationScene& scene, const std::vector<CalibrationPoint>& points,
                  const std::vector<double>& mean) const override {
     if (!scene.motion.resting) return tr("The motors are on their way.");
-    if (mean[0] < kLeastPress_mm) return tr("Press the cloth now, and hold the depth for a second.");
+    if (mean[0] < calibration::kLeastPress_mm) return tr("Press the cloth now, and hold the depth for a second.");
     const bool taken = std::ranges::any_of(points, [&](const CalibrationPoint& point) {
       return std::abs(point[0] - mean[2]) <= kSameStretch_deg && std::abs(point[1] - mean[0]) < kSameDepth_mm;
     });
@@ -255,7 +255,6 @@ class StiffnessStep : public CalibrationStep {
  private:
   static constexpr double kSameStretch_deg = 2.0;
   static constexpr double kSameDepth_mm = 1.0;
-  static constexpr double kLeastPress_mm = 0.5;  // as the map's own
 
   static std::vector<double> anglesOf(const std::vector<CalibrationPoint>& points) { return columnOf(points, 0); }
   static std::vector<QPointF> drawn(const control::StaticLaw& law) {

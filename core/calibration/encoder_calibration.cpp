@@ -9,7 +9,7 @@
 namespace fyd::calibration {
 namespace {
 
-constexpr double kTurn = 4096.0;
+constexpr double kTurn = control::kEncoderCountsPerTurn;
 constexpr std::array<std::string_view, control::kMotorCount> kNames = {"first", "second"};
 
 std::vector<double> unwrapped(const std::vector<double>& counts) {
@@ -61,7 +61,7 @@ Problem calibrateOne(std::size_t motor, const EncoderSamples& s, const Calibrati
   found.counts_per_deg = fit->coefficients[0];
   found.inverted = found.counts_per_deg < 0;
   const double zero = fit->coefficients[1] - kTurn * std::floor(fit->coefficients[1] / kTurn);
-  found.zero_counts = static_cast<int>(std::lround(zero)) % static_cast<int>(kTurn);
+  found.zero_counts = static_cast<int>(std::lround(zero)) % control::kEncoderCountsPerTurn;
   const std::string name(kNames[motor]);
   CalibrationResult& result = out.result;
   result.coefficients.push_back({name + " scale", "counts/deg", found.counts_per_deg, fit->standardError(0)});

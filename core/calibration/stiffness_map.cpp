@@ -13,7 +13,6 @@ namespace fyd::calibration {
 namespace {
 
 constexpr double kSameAngle_deg = 1.0;
-constexpr double kLeastIndentation_mm = 0.5;
 constexpr double kOffsetCondition = 100.0;
 constexpr double kLeastNoise_N = 0.005;
 constexpr double kSure = 3.0;
@@ -174,11 +173,11 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
     for (const std::size_t row : rows) {
       if (groups.of[row] == a) deepest = std::max(deepest, s.indentation_mm[row]);
     }
-    if (deepest >= kLeastIndentation_mm) continue;
+    if (deepest >= kLeastPress_mm) continue;
     result = refused(std::move(result),
                      fmt::format("no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: "
                                  "press deeper there",
-                                 groups.angles[a].angle_deg, deepest, kLeastIndentation_mm));
+                                 groups.angles[a].angle_deg, deepest, kLeastPress_mm));
     return out;
   }
   Presses presses = pressesOf(s, groups, rows, true);

@@ -14,6 +14,9 @@
 
 namespace fyd::calibration {
 
+/// The deepest press at an angle is at least this deep; a lesser one is as good as none.
+inline constexpr double kLeastPress_mm = 0.5;
+
 struct StiffnessSamples {
   std::vector<double> angle_deg;
   std::vector<double> indentation_mm;

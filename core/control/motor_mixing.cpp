@@ -7,13 +7,11 @@
 namespace fyd::control {
 namespace {
 
-constexpr int kCountsPerTurn = 4096;
-
 /// Signed distance from the zero on the circle, −2048…2047 counts.
 double angleOf(int counts, int zero_counts, bool inverted) {
-  int turned = (counts - zero_counts) % kCountsPerTurn;
-  if (turned < -kCountsPerTurn / 2) turned += kCountsPerTurn;
-  if (turned >= kCountsPerTurn / 2) turned -= kCountsPerTurn;
+  int turned = (counts - zero_counts) % kEncoderCountsPerTurn;
+  if (turned < -kEncoderCountsPerTurn / 2) turned += kEncoderCountsPerTurn;
+  if (turned >= kEncoderCountsPerTurn / 2) turned -= kEncoderCountsPerTurn;
   return (inverted ? -turned : turned) / kEncoderCountsPerDegree;
 }
 
@@ -21,7 +19,7 @@ double angleOf(int counts, int zero_counts, bool inverted) {
 
 RollerAngles rollerAngles(const MotorFeedback& feedback, const ControlParameters& p) {
   const auto [first_counts, second_counts] = feedback.encoder_counts;
-  if (first_counts >= kCountsPerTurn || second_counts >= kCountsPerTurn) return {};
+  if (first_counts >= kEncoderCountsPerTurn || second_counts >= kEncoderCountsPerTurn) return {};
   const double first = angleOf(first_counts, p.encoder_zero_first_counts, p.encoder_first_inverted);
   const double second = angleOf(second_counts, p.encoder_zero_second_counts, p.encoder_second_inverted);
   return {0.5 * (first - second), 0.5 * (first + second), true};

@@ -10,8 +10,9 @@ inline constexpr std::size_t kMotorCount = 2;
 
 /// Motor references are in ticks, 4200 for 90° (thesis §4.1.4, ANGLE_SF); a tick is not an encoder count.
 inline constexpr double kTicksPerDegree = 4200.0 / 90.0;
-/// AS5045, 12 bit absolute.
-inline constexpr double kEncoderCountsPerDegree = 4096.0 / 360.0;
+/// AS5045, 12 bit absolute: 0 to one less than this.
+inline constexpr int kEncoderCountsPerTurn = 4096;
+inline constexpr double kEncoderCountsPerDegree = kEncoderCountsPerTurn / 360.0;
 
 /// Turning in opposite senses stretches the cloth, in the same sense moves it sideways.
 struct MotorCommand {

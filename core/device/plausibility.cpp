@@ -12,9 +12,10 @@ constexpr double kSlack_deg = 5.0;
 constexpr Duration kComparable = std::chrono::milliseconds(500);
 constexpr Duration kWithheldWhileInactive = std::chrono::seconds(1);
 
-/// The shorter way round the circle of 4096 counts, in degrees.
+/// The shorter way round the circle, in degrees.
 double travel_deg(std::uint16_t from, std::uint16_t to) {
-  const int counts = ((to - from) % 4096 + 4096 + 2048) % 4096 - 2048;
+  constexpr int kTurn = control::kEncoderCountsPerTurn;
+  const int counts = ((to - from) % kTurn + kTurn + kTurn / 2) % kTurn - kTurn / 2;
   return std::abs(counts / control::kEncoderCountsPerDegree);
 }
 

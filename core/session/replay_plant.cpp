@@ -10,7 +10,6 @@ namespace fyd::session {
 namespace {
 
 constexpr double kStandardGravity_N_per_kg = 9.80665;
-constexpr int kCountsPerTurn = 4096;
 constexpr std::size_t kBlock = 1000;
 constexpr std::size_t kEvery = 10;  // of the steps: the fit looks no closer
 
@@ -70,9 +69,9 @@ void ReplayPlant::answer(pipeline::Inputs& inputs, const pipeline::Parameters& p
     const double apart_deg = replayed_[i].angle_deg() - recorded_[i].angle_deg();
     const int counts = static_cast<int>(std::lround(apart_deg * control::kEncoderCountsPerDegree));
     std::uint16_t& encoder = inputs.motors.value.encoder_counts[i];
-    if (encoder >= kCountsPerTurn) continue;  // a reading that was invalid stays so
-    const int turned = (encoder + (inverted[i] ? -counts : counts)) % kCountsPerTurn;
-    encoder = static_cast<std::uint16_t>((turned + kCountsPerTurn) % kCountsPerTurn);
+    if (encoder >= control::kEncoderCountsPerTurn) continue;  // a reading that was invalid stays so
+    const int turned = (encoder + (inverted[i] ? -counts : counts)) % control::kEncoderCountsPerTurn;
+    encoder = static_cast<std::uint16_t>((turned + control::kEncoderCountsPerTurn) % control::kEncoderCountsPerTurn);
   }
   if (inputs.bridge.count != bridge_seen_) {
     bridge_seen_ = inputs.bridge.count;
