@@ -321,9 +321,6 @@ class CalibrateMotionTest : public QObject {
       (void)QTest::qWaitFor(over, kAttempt_ms);
       QTest::mouseRelease(page->moveButton(), Qt::LeftButton);
     }
-    if (page->points().empty() && page->hint().contains(QLatin1String("state changed"))) {
-      QSKIP("this machine is too busy for the simulated touchpad: its inputs went stale at each attempt");
-    }
     QVERIFY2(!page->points().empty(), qPrintable(page->hint() + page->live()));
     QTRY_VERIFY_WITH_TIMEOUT(!session->deviceTestStatus().running, kPatience_ms);
     const console::CalibrationPoint& point = page->points().front();
