@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "widgets/curve_choice.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
 
@@ -12,7 +13,6 @@ namespace fyd::widgets {
 namespace {
 
 constexpr int kWidth = 32 * kGrid;
-constexpr double kLargest = 1e9;  // of a curve's range; far beyond every quantity here
 
 QLabel* small(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -170,7 +170,7 @@ void CurveSetupPanel::takeRange(std::size_t index) {
   if (row.lower->text().trimmed().isEmpty() || row.upper->text().trimmed().isEmpty()) return;
   for (QLineEdit* field : {row.lower, row.upper}) {
     const double value = readNumber(field->text());
-    if (!(std::abs(value) <= kLargest)) {
+    if (!(std::abs(value) <= kLargestChosen)) {
       refuse(field, tr("%1: expected a number").arg(field->text()));
       return;
     }
@@ -189,7 +189,7 @@ void CurveSetupPanel::takeSpan() {
   problem_->hide();
   problem_->clear();
   const double span_s = readNumber(span_->text());
-  if (!(span_s >= TimeWindow::kShortest_s && span_s <= kLargest)) {
+  if (!(span_s >= TimeWindow::kShortest_s && span_s <= kLargestChosen)) {
     refuse(span_, tr("%1: expected at least %2 s").arg(span_->text(), plainNumber(TimeWindow::kShortest_s)));
     return;
   }

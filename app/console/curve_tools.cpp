@@ -1,5 +1,7 @@
 #include "app/console/curve_tools.h"
 
+#include "widgets/curve_choice.h"
+
 namespace fyd::console {
 
 CurveTools::CurveTools(widgets::CurveStack* stack, CurveSaver::Tell tell, QWidget* page)
@@ -40,6 +42,15 @@ void CurveTools::addCommands(PlaceCommands& commands, const std::string& place, 
                            emit spectrum_->changed();
                          });
   addSaving(commands, place, menu, std::move(save_table));
+}
+
+QByteArray CurveTools::choice() const { return widgets::choiceOf(*stack_); }
+
+QString CurveTools::choose(const QByteArray& choice) {
+  const QString left_out = widgets::takeChoice(*stack_, choice);
+  panel_->linkBox()->setChecked(stack_->linked());
+  panel_->refresh();
+  return left_out;
 }
 
 std::vector<QToolButton*> CurveTools::makeButtons(QWidget* parent) const {

@@ -27,6 +27,10 @@ class CurveTools : public QObject {
   /// @param menu in which they stand
   void addCommands(PlaceCommands& commands, const std::string& place, const char* menu,
                    std::function<void()> save_table);
+  /// Which curves are shown and how, for saved layouts.
+  [[nodiscard]] QByteArray choice() const;
+  /// @return in words what of it was left out; empty: nothing
+  [[nodiscard]] QString choose(const QByteArray& choice);
   /// For a bar above the curves, after addCommands: opens and closes the panel, and the spectrum.
   [[nodiscard]] std::vector<QToolButton*> makeButtons(QWidget* parent) const;
 

@@ -63,7 +63,7 @@ void LayoutsDialog::open() {
   list_->clear();
   list_->addItems(memory_.layoutNames());
   field_->clear();
-  words_->setText(list_->count() == 0 ? tr("No layout is saved yet. Move the panels as you like them, write a name.")
+  words_->setText(list_->count() == 0 ? tr("No layout is saved yet. Move the panels and choose the curves as you like them, then write a name.")
                                       : tr("Enter or a double click goes back to a layout."));
   refresh();
   show();

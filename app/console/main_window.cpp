@@ -51,6 +51,10 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
   connectLook();
   connectLayouts();
   robot_->showRobot();
+  standard_ = {.window = {},
+               .operate = {},
+               .curves = operate()->curveTools()->choice(),
+               .review_curves = reviewPage()->curveTools()->choice()};
   frame_->go(QStringLiteral("operate"));
   recall();
 }
@@ -70,6 +74,8 @@ PageContext MainWindow::context() {
 
 OperatePage* MainWindow::operate() const { return qobject_cast<OperatePage*>(frame_->page(QStringLiteral("operate"))); }
 
+ReviewPage* MainWindow::reviewPage() const { return qobject_cast<ReviewPage*>(frame_->page(QStringLiteral("review"))); }
+
 void MainWindow::start() {
   session_->start();
   feed_->start();
@@ -77,7 +83,7 @@ void MainWindow::start() {
 
 void MainWindow::review(const QString& recording) {
   frame_->go(QStringLiteral("review"));
-  qobject_cast<ReviewPage*>(frame_->page(QStringLiteral("review")))->open(recording);
+  reviewPage()->open(recording);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -156,14 +162,27 @@ void MainWindow::connectLook() {
 
 void MainWindow::connectLayouts() {
   commands_->on(QStringLiteral("view.layouts"), [this](bool) { layouts_->open(); });
-  commands_->on(QStringLiteral("view.layout_standard"), [this](bool) { setLayoutTo({}); });
+  commands_->on(QStringLiteral("view.layout_standard"), [this](bool) { setLayoutTo(standard_); });
   connect(layouts_, &LayoutsDialog::chosen, this, &MainWindow::setLayoutTo);
-  connect(layouts_, &LayoutsDialog::standardAsked, this, [this] { setLayoutTo({}); });
+  connect(layouts_, &LayoutsDialog::standardAsked, this, [this] { setLayoutTo(standard_); });
+}
+
+Layout MainWindow::layoutNow() const {
+  return {.window = panels_.save(),
+          .operate = operate()->panels().save(),
+          .curves = operate()->curveTools()->choice(),
+          .review_curves = reviewPage()->curveTools()->choice()};
 }
 
 void MainWindow::setLayoutTo(const Layout& layout) {
   panels_.restore(layout.window);
   operate()->panels().restore(layout.operate);
+  if (layout == Layout{}) return;  // a first start: nothing was ever kept
+  for (const auto& [tools, choice] : {std::pair{operate()->curveTools(), layout.curves},
+                                      std::pair{reviewPage()->curveTools(), layout.review_curves}}) {
+    const QString left_out = tools->choose(choice);
+    if (!left_out.isEmpty()) tell(Severity::warning, left_out, false);
+  }
 }
 
 void MainWindow::recall() {

@@ -29,6 +29,8 @@ class QDockWidget;
 
 namespace fyd::console {
 
+class ReviewPage;
+
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -61,7 +63,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CommandPalette* palette() const { return palette_; }
   [[nodiscard]] HelpDock* help() const { return help_; }
   [[nodiscard]] LayoutsDialog* layouts() const { return layouts_; }
-  [[nodiscard]] Layout layoutNow() { return {.window = panels_.save(), .operate = operate()->panels().save()}; }
+  [[nodiscard]] Layout layoutNow() const;
+  /// What of it cannot be had is said in the log.
   void setLayoutTo(const Layout& layout);
   void tell(widgets::Severity severity, const QString& text, bool slide_in = true);
 
@@ -70,6 +73,7 @@ class MainWindow : public QMainWindow {
 
  private:
   PageContext context();
+  [[nodiscard]] ReviewPage* reviewPage() const;
   void buildDocks();
   void connectFeed();
   void connectStateBar();
@@ -102,6 +106,7 @@ class MainWindow : public QMainWindow {
   CommandPalette* palette_;
   DockSet panels_;
   LayoutsDialog* layouts_;
+  Layout standard_;  ///< the curves of a first start; no words of Qt put the panels to their standard places
   bool arm_once_ = false;
 };
 

@@ -66,7 +66,10 @@ QByteArray WindowMemory::bytes(const QString& key) const {
 }
 
 Layout WindowMemory::layoutAt(const QString& group) const {
-  return {.window = bytes(group + QStringLiteral("/window")), .operate = bytes(group + QStringLiteral("/operate"))};
+  return {.window = bytes(group + QStringLiteral("/window")),
+          .operate = bytes(group + QStringLiteral("/operate")),
+          .curves = bytes(group + QStringLiteral("/curves")),
+          .review_curves = bytes(group + QStringLiteral("/review_curves"))};
 }
 
 bool WindowMemory::put(const QString& key, const QVariant& value) {
@@ -79,7 +82,9 @@ bool WindowMemory::put(const QString& key, const QVariant& value) {
 
 bool WindowMemory::putLayout(const QString& group, const Layout& layout) {
   return put(group + QStringLiteral("/window"), layout.window) &&
-         put(group + QStringLiteral("/operate"), layout.operate);
+         put(group + QStringLiteral("/operate"), layout.operate) &&
+         put(group + QStringLiteral("/curves"), layout.curves) &&
+         put(group + QStringLiteral("/review_curves"), layout.review_curves);
 }
 
 }  // namespace fyd::console

@@ -19,10 +19,12 @@ namespace fyd::console {
 /// Beside the profile.
 [[nodiscard]] QString memoryFile(const QString& profile_path);
 
-/// Where all of the window's panels are; opaque words of Qt.
+/// Where all of the window's panels are, as opaque words of Qt, and which curves are shown.
 struct Layout {
-  QByteArray window;   ///< QMainWindow::saveState
-  QByteArray operate;  ///< of the panels around the curves
+  QByteArray window;         ///< QMainWindow::saveState
+  QByteArray operate;        ///< of the panels around the curves
+  QByteArray curves;         ///< the place "Operate"'s, as CurveTools::choice gives them
+  QByteArray review_curves;  ///< the place "Review"'s
   bool operator==(const Layout&) const = default;
 };
 

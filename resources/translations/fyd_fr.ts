@@ -2204,8 +2204,8 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Essai suivant</translation>
     </message>
     <message>
-        <source>No layout is saved yet. Move the panels as you like them, write a name.</source>
-        <translation>Aucune disposition n'est encore enregistrée. Placer les panneaux à son gré, saisir un nom.</translation>
+        <source>No layout is saved yet. Move the panels and choose the curves as you like them, then write a name.</source>
+        <translation>Aucune disposition n'est encore enregistrée. Placer les panneaux et choisir les courbes à son gré, puis saisir un nom.</translation>
     </message>
     <message>
         <source>No link</source>
@@ -3482,6 +3482,18 @@ Pour commencer : %1</translation>
     <message>
         <source>The last point is taken back.</source>
         <translation>Le dernier point est retiré.</translation>
+    </message>
+    <message>
+        <source>The layout says nothing of the curves: they stay as they are.</source>
+        <translation>La disposition ne dit rien des courbes : elles restent telles quelles.</translation>
+    </message>
+    <message>
+        <source>The layout's choice of curves cannot be read: the curves stay as they are.</source>
+        <translation>Le choix de courbes de la disposition est illisible : les courbes restent telles quelles.</translation>
+    </message>
+    <message>
+        <source>The layout's choice of these curves is not possible and was left out: %1.</source>
+        <translation>Le choix de la disposition pour ces courbes est impossible et a été laissé de côté : %1.</translation>
     </message>
     <message>
         <source>The list of sessions (Ctrl+O)</source>

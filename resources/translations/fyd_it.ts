@@ -2204,8 +2204,8 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Prova seguente</translation>
     </message>
     <message>
-        <source>No layout is saved yet. Move the panels as you like them, write a name.</source>
-        <translation>Nessuna disposizione è ancora salvata. Spostare i pannelli come si vuole, scrivere un nome.</translation>
+        <source>No layout is saved yet. Move the panels and choose the curves as you like them, then write a name.</source>
+        <translation>Nessuna disposizione è ancora salvata. Spostare i pannelli e scegliere le curve come si vuole, poi scrivere un nome.</translation>
     </message>
     <message>
         <source>No link</source>
@@ -3482,6 +3482,18 @@ Per cominciare: %1</translation>
     <message>
         <source>The last point is taken back.</source>
         <translation>L'ultimo punto è tolto.</translation>
+    </message>
+    <message>
+        <source>The layout says nothing of the curves: they stay as they are.</source>
+        <translation>La disposizione non dice nulla delle curve: restano come sono.</translation>
+    </message>
+    <message>
+        <source>The layout's choice of curves cannot be read: the curves stay as they are.</source>
+        <translation>La scelta delle curve della disposizione non si può leggere: le curve restano come sono.</translation>
+    </message>
+    <message>
+        <source>The layout's choice of these curves is not possible and was left out: %1.</source>
+        <translation>La scelta della disposizione per queste curve non è possibile ed è stata tralasciata: %1.</translation>
     </message>
     <message>
         <source>The list of sessions (Ctrl+O)</source>

@@ -2,6 +2,7 @@
 // every control of every place: named, with its unit, reached by the Tab key, and seen to have the focus.
 #include "app/console/language.h"
 #include "app/console/manual.h"
+#include "app/console/review_page.h"
 #include "core/station/notice.h"
 #include "tests/widgets/look_check.h"
 #include "tests/widgets/scripted_session.h"
@@ -37,6 +38,26 @@ std::unique_ptr<console::MainWindow> windowWith(const QString& memory, const QTe
   return std::make_unique<console::MainWindow>(std::make_unique<ScriptedSession>(),
                                                folder.filePath(QStringLiteral("profile.toml")), QString(),
                                                console::WindowMemory(memory));
+}
+
+console::ReviewPage* reviewOf(const console::MainWindow& window) {
+  return qobject_cast<console::ReviewPage*>(window.frame()->page(QStringLiteral("review")));
+}
+
+/// Stretch between chosen values in place of force, each curve with its own time.
+void choose(widgets::CurveStack& stack) {
+  const std::size_t stretch = stack.indexOf(QStringLiteral("stretch"));
+  stack.setShown(stretch, true);
+  stack.setShown(0, false);
+  stack.strip(stretch)->chooseRange(widgets::Range{-12.5, 100.0});
+  stack.setLinked(false);
+}
+
+void verifyChosen(const widgets::CurveStack& stack) {
+  const std::size_t stretch = stack.indexOf(QStringLiteral("stretch"));
+  QVERIFY(!stack.linked() && stack.shown(stretch) && !stack.shown(0) && stack.shown(1));
+  QCOMPARE(stack.strip(stretch)->chosenRange().value_or(widgets::Range{}), (widgets::Range{-12.5, 100.0}));
+  QVERIFY(!stack.strip(1)->chosenRange());
 }
 
 }  // namespace
@@ -178,6 +199,77 @@ class MannersTest : public QObject {
     window->frame()->go(QStringLiteral("operate"));
     QVERIFY(!camera->isChecked() && !window->operate()->camera()->isVisible());
     QVERIFY(window->commands().action(QStringLiteral("view.panel_tuning"))->isChecked());
+  }
+
+  void theChoiceOfCurvesIsPartOfALayoutAndComesBackAtTheNextStart() {
+    QTemporaryDir folder;
+    const QString memory = folder.filePath(QStringLiteral("window.ini"));
+    const auto stackOf = [](console::MainWindow& window, const char* place) {
+      return place == QLatin1String("operate") ? window.operate()->curves()->stack()
+                                               : reviewOf(window)->curves()->stack();
+    };
+    constexpr const char* kPlaces[] = {"operate", "review"};
+    {
+      const auto window = windowWith(memory, folder);
+      window->show();
+      for (const char* place : kPlaces) choose(*stackOf(*window, place));
+      console::LayoutsDialog* dialog = window->layouts();
+      dialog->open();
+      QTest::keyClicks(dialog->field(), QStringLiteral("mine"));
+      QTest::keyClick(dialog->field(), Qt::Key_Return);
+      QTest::mouseClick(dialog->standardButton(), Qt::LeftButton);
+      for (const char* place : kPlaces) {
+        const widgets::CurveStack* stack = stackOf(*window, place);
+        QVERIFY(stack->linked() && stack->shown(0) && !stack->shown(stack->indexOf(QStringLiteral("stretch"))));
+        QVERIFY(!stack->strip(0)->chosenRange());
+      }
+      dialog->list()->setCurrentRow(0);
+      QTest::mouseClick(dialog->useButton(), Qt::LeftButton);
+      for (const char* place : kPlaces) verifyChosen(*stackOf(*window, place));
+      window->close();
+    }
+    const auto window = windowWith(memory, folder);
+    window->show();
+    for (const char* place : kPlaces) verifyChosen(*stackOf(*window, place));
+    QVERIFY(!window->operate()->curveTools()->panel()->linkBox()->isChecked());
+    QVERIFY(!window->commands().action(QStringLiteral("curves.link_time"))->isChecked());
+    QCOMPARE(window->log()->lines(), 0);
+  }
+
+  void aChoiceOfCurvesThatIsNoneIsLeftOutWithAWordInTheLog() {
+    const QByteArray bad[] = {"",
+                              "\0\1\xff",
+                              "[1, 2]",
+                              R"({"linked": 3, "curves": {"kitchen": {"shown": true}}})",
+                              R"({"curves": {"force": {"shown": "yes"}}})",
+                              R"({"curves": {"force": {"shown": false, "range": [3]}}})",
+                              R"({"curves": {"force": {"shown": false, "range": [5, -5]}}})",
+                              R"({"curves": {"force": {"shown": false, "range": [0, 1e300]}}})",
+                              R"({"curves": {"force": {"shown": false, "range": [0, 1e999]}}})",
+                              R"({"curves": {"force": {"shown": false, "range": [null, "8"]}}})",
+                              QByteArray(60000, '[')};
+    Fixture f;
+    const widgets::CurveStack* stack = f.window->operate()->curves()->stack();
+    const QByteArray before = f.window->operate()->curveTools()->choice();
+    console::Layout layout = f.window->layoutNow();
+    for (const QByteArray& choice : bad) {
+      layout.curves = choice;
+      const int said = f.window->log()->lines();
+      f.window->setLayoutTo(layout);
+      QVERIFY2(f.window->log()->lines() > said, choice.left(80).constData());
+      QCOMPARE(f.window->operate()->curveTools()->choice(), before);
+    }
+    // The rest of one that is half wrong is taken, and one curve stays.
+    layout.curves = R"({"linked": false, "curves": {"force": {"shown": false}, "indentation": {"shown": 1},
+                        "stretch": {"shown": true, "range": [-5, 100]}}})";
+    f.window->setLayoutTo(layout);
+    QVERIFY(!stack->linked() && !stack->shown(0) && stack->shown(1));
+    QCOMPARE(*stack->strip(stack->indexOf(QStringLiteral("stretch")))->chosenRange(), (widgets::Range{-5.0, 100.0}));
+    layout.curves = f.window->operate()->curveTools()->choice().replace("true", "false");
+    f.window->setLayoutTo(layout);
+    int shown = 0;
+    for (std::size_t i = 0; i < stack->size(); ++i) shown += stack->shown(i) ? 1 : 0;
+    QCOMPARE(shown, 1);
   }
 
   void everyTopicOfTheManualExistsAndF1GoesToTheOneInFocus() {
