@@ -123,7 +123,7 @@ void CurveStrip::chooseRange(std::optional<Range> range) {
   fixed_range_.reset();
 }
 
-void CurveStrip::setLimits(std::vector<double> limits) {
+void CurveStrip::setLimits(const std::vector<double>& limits) {
   if (lanes_) return;
   while (limit_lines_.size() < limits.size()) limit_lines_.push_back(new QCPItemStraightLine(plot_));
   for (std::size_t i = 0; i < limit_lines_.size(); ++i) {
@@ -134,6 +134,14 @@ void CurveStrip::setLimits(std::vector<double> limits) {
     limit_lines_[i]->point2->setCoords(1.0, limits[i]);
     limit_lines_[i]->setPen(QPen(theme().danger, 1, Qt::DashDotLine));
   }
+}
+
+std::vector<double> CurveStrip::limits() const {
+  std::vector<double> out;
+  for (const QCPItemStraightLine* line : limit_lines_) {
+    if (line->visible()) out.push_back(line->point1->value());
+  }
+  return out;
 }
 
 void CurveStrip::buildLanes() {

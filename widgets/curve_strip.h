@@ -64,7 +64,9 @@ class CurveStrip : public QWidget {
   void setMarkWords(const QString& words);
   [[nodiscard]] QString markWords() const;
   /// Values not to be passed, drawn across the picture; not in lanes.
-  void setLimits(std::vector<double> limits);
+  void setLimits(const std::vector<double>& limits);
+  /// Those that are drawn.
+  [[nodiscard]] std::vector<double> limits() const;
   /// Back from a stretched or boxed range to the chosen one, or to one that follows the data.
   void freeRange() { fixed_range_.reset(); }
   void fixRange(Range range) { fixed_range_ = range; }

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/console/curve_limits.h"
 #include "app/console/recording_control.h"
 #include "app/console/side_dock.h"
 #include "app/console/views.h"
@@ -105,15 +106,11 @@ void OperatePage::connectCurves() {
   };
   connect(curves_, &widgets::CurveView::drawn, spectrum, [draw] { draw(false); });
   connect(spectrum, &widgets::SpectrumView::changed, spectrum, [draw] { draw(true); });
-  const auto limit = [this] {
-    widgets::CurveStack* stack = curves_->stack();
-    const widgets::TunedParameter* maximum = context_.tuning.model().find("texture.maximum_percent");
-    const double most = maximum == nullptr ? pipeline::kNone : maximum->value;
-    stack->strip(stack->indexOf(QStringLiteral("vibration")))->setLimits({-most, most});
-  };
-  connect(&context_.tuning.model(), &widgets::TuningModel::changed, this, limit);
-  limit();
+  connect(&context_.tuning.model(), &widgets::TuningModel::changed, this, &OperatePage::showLimits);
 }
+
+// Also when the place is entered: a calibration may have begun the session anew, with another law.
+void OperatePage::showLimits() { drawLimits(*curves_->stack(), context_.session.currentProfile().step); }
 
 void OperatePage::connectTuning() {
   TuningBridge* bridge = &context_.tuning;

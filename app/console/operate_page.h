@@ -17,6 +17,7 @@ class OperatePage : public Page {
  public:
   explicit OperatePage(const PageContext& context, QWidget* parent = nullptr);
   void addCommands(PlaceCommands& commands) override;
+  void enter() override { showLimits(); }
 
   [[nodiscard]] widgets::CameraPanel* camera() const { return camera_; }
   [[nodiscard]] widgets::ReadinessList* readiness() const { return readiness_; }
@@ -30,6 +31,7 @@ class OperatePage : public Page {
   void build();
   void connectFeed();
   void connectCurves();
+  void showLimits();
   void connectTuning();
   void connectFinger();
   void addCurveCommands(PlaceCommands& commands);

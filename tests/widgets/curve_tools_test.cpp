@@ -188,6 +188,25 @@ class CurveToolsTest : public QObject {
     QVERIFY(f.curves->strip(0)->shownRange().upper >= 1000.0);
   }
 
+  void limitsStandWhereTheParametersSetThem() {
+    CurveFixture f;
+    const auto limits = [&](const char* id) { return f.curves->strip(f.indexOf(id))->limits(); };
+    QCOMPARE(limits("stiffness"), (std::vector{0.501, 0.715}));  // what the law gives within the travel
+    QCOMPARE(limits("stretch"), (std::vector{20.0, 90.0}));
+    QCOMPARE(limits("translation"), (std::vector{-120.0, 120.0}));
+    QVERIFY2(std::abs(limits("force")[1] - 76.4) < 0.1, qPrintable(QString::number(limits("force")[1])));
+    QCOMPARE(limits("vibration"), (std::vector{-100.0, 100.0}));
+    QVERIFY(limits("indentation").empty());
+    f.row("texture.maximum_percent")->slider()->setValue(0);
+    const double most = f.session->profile.step.texture.maximum_percent;
+    QVERIFY(most < 100.0);
+    QCOMPARE(limits("vibration"), (std::vector{-most, most}));
+    f.session->profile.step.control.travel_maximum_deg = 60.0;  // as the session begins anew with another profile
+    f.window->frame()->go(QStringLiteral("calibrate"));
+    f.window->frame()->go(QStringLiteral("operate"));
+    QCOMPARE(limits("stiffness"), (std::vector{0.501, 0.673}));
+  }
+
   void timeIsUnlinkedAndLinkedAgain() {
     CurveFixture f;
     CurveStack* stack = f.curves->stack();
