@@ -1,19 +1,16 @@
 #include "widgets/curve_strip.h"
 
-#include <QMouseEvent>
 #include <QRubberBand>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 #include <qcustomplot.h>
+
+#include "widgets/number_ticker.h"
+#include "widgets/plot_dress.h"
 
 namespace fyd::widgets {
 namespace {
 
-constexpr int kLeftMargin = 48;
-constexpr int kRightMargin = 16;
-constexpr int kScaleHeight = 20;
-constexpr int kStill_px = 3;  // a press that moves no farther is a click
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 QPen penOf(const Trace& trace) {
@@ -24,31 +21,6 @@ QPen penOf(const Trace& trace) {
                                                               : Qt::SolidLine;
   return {colour, 1, style};
 }
-
-/// "−8" rather than "-8": the numbers beside the curves are typeset the same way.
-class NumberTicker : public QCPAxisTicker {
- public:
-  /// @param unit_at_zero written after the axis' zero; empty: none
-  explicit NumberTicker(QString unit_at_zero = {}) : unit_at_zero_(std::move(unit_at_zero)) {}
-  /// @param at_zero number written where the axis has its zero
-  void setShown(double at_zero) {
-    at_zero_ = at_zero;
-    setTickOrigin(-at_zero);
-  }
-
- protected:
-  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    const double shown = tick + at_zero_;
-    // What rounding leaves of zero is zero.
-    QString text = QCPAxisTicker::getTickLabel(std::abs(shown) < 1e-9 ? 0.0 : shown, locale, format, precision);
-    text.replace(QLatin1Char('-'), QChar(0x2212));
-    return shown == 0.0 && !unit_at_zero_.isEmpty() ? text + QLatin1Char(' ') + unit_at_zero_ : text;
-  }
-
- private:
-  QString unit_at_zero_;
-  double at_zero_ = 0.0;
-};
 
 }  // namespace
 
@@ -83,8 +55,6 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
   plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
   plot_->yAxis->ticker()->setTickCount(3);
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setSubTicks(false);
-    axis->setTickLengthIn(0);
     axis->setNumberFormat(QStringLiteral("gb"));
     axis->setNumberPrecision(4);
   }
@@ -105,7 +75,7 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
 
 void CurveStrip::setTimeScale(bool shown) {
   with_time_scale_ = shown;
-  plot_->axisRect()->setMargins(QMargins(kLeftMargin, 4, kRightMargin, shown ? kScaleHeight : 4));
+  plot_->axisRect()->setMargins(QMargins(kCurveLeft_px, 4, kCurveRight_px, shown ? kTimeScale_px : 4));
   plot_->xAxis->setTickLabels(shown);
 }
 
@@ -161,16 +131,10 @@ double CurveStrip::laneCentre(std::size_t trace) const { return static_cast<doub
 void CurveStrip::dress() {
   const Theme& t = theme();
   plot_->setBackground(QBrush(t.panel));
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setBasePen(Qt::NoPen);
-    axis->setTickPen(Qt::NoPen);
-    axis->setTickLabelColor(t.muted);
-    axis->setTickLabelFont(textFont(TextSize::small));
-    QColor grid = t.line;
-    grid.setAlphaF(0.6F);
-    axis->grid()->setPen(QPen(grid, 1));
-    axis->grid()->setZeroLinePen(QPen(t.line, 1));
-  }
+  QColor grid = t.line;
+  grid.setAlphaF(0.6F);
+  dressAxes({plot_->xAxis, plot_->yAxis});
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->grid()->setPen(QPen(grid, 1));
   if (scale_text_ != nullptr) {
     scale_text_->setFont(textFont(TextSize::small));
     scale_text_->setColor(t.muted);
@@ -292,62 +256,5 @@ void CurveStrip::paintTo(QCPPainter& painter, QSize size) {
 }
 
 Range CurveStrip::shownRange() const { return fixed_range_ && !lanes_ ? *fixed_range_ : baseRange(); }
-
-double CurveStrip::timeAt(double x_px) const { return plot_->xAxis->pixelToCoord(x_px); }
-
-bool CurveStrip::press(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton && event.button() != Qt::RightButton) return false;
-  button_ = event.button();
-  last_ = pressed_ = event.position();
-  return true;
-}
-
-bool CurveStrip::move(const QMouseEvent& event) {
-  if (button_ == Qt::LeftButton) {
-    emit panned(timeAt(event.position().x()) - timeAt(last_.x()));
-    last_ = event.position();
-  } else if (button_ == Qt::RightButton) {
-    band_->setGeometry(QRect(pressed_.toPoint(), event.position().toPoint()).normalized());
-    band_->show();
-  }
-  return button_ != Qt::NoButton;
-}
-
-bool CurveStrip::release(const QMouseEvent& event) {
-  const bool box = button_ == Qt::RightButton && band_->isVisible();
-  button_ = Qt::NoButton;
-  band_->hide();
-  const QRect rect = QRect(pressed_.toPoint(), event.position().toPoint()).normalized();
-  const bool still = std::max(rect.width(), rect.height()) <= kStill_px;
-  if (event.button() == Qt::LeftButton && still) emit clicked(std::min(0.0, timeAt(event.position().x())));
-  if (box && rect.width() > 4 && rect.height() > 4) {
-    fixRange({plot_->yAxis->pixelToCoord(rect.bottom()), plot_->yAxis->pixelToCoord(rect.top())});
-    emit boxed(timeAt(rect.left()), std::min(0.0, timeAt(rect.right())));
-  }
-  return true;
-}
-
-void CurveStrip::wheel(const QWheelEvent& event) {
-  const double factor = std::pow(0.8, event.angleDelta().y() / 120.0);
-  if (event.modifiers().testFlag(Qt::ControlModifier)) {
-    const Range shown{plot_->yAxis->range().lower, plot_->yAxis->range().upper};
-    const double about = plot_->yAxis->pixelToCoord(event.position().y());
-    fixRange({about + (shown.lower - about) * factor, about + (shown.upper - about) * factor});
-    emit panned(0.0);
-  } else {
-    emit zoomed(factor, std::min(0.0, timeAt(event.position().x())));
-  }
-}
-
-bool CurveStrip::eventFilter(QObject* watched, QEvent* event) {
-  switch (event->type()) {
-    case QEvent::MouseButtonPress: return press(*static_cast<QMouseEvent*>(event));
-    case QEvent::MouseMove: return move(*static_cast<QMouseEvent*>(event));
-    case QEvent::MouseButtonRelease: return release(*static_cast<QMouseEvent*>(event));
-    case QEvent::MouseButtonDblClick: emit followAsked(); return true;
-    case QEvent::Wheel: wheel(*static_cast<QWheelEvent*>(event)); return true;
-    default: return QWidget::eventFilter(watched, event);
-  }
-}
 
 }  // namespace fyd::widgets

@@ -6,12 +6,12 @@
 
 #include <qcustomplot.h>
 
+#include "widgets/plot_dress.h"
 #include "widgets/theme.h"
 
 namespace fyd::widgets {
 namespace {
 
-constexpr int kLeftMargin = 64;
 constexpr double kPoint_px = 7.0;
 constexpr double kOutlier_px = 11.0;
 
@@ -60,10 +60,8 @@ FitPlot::FitPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)
   plot_->plotLayout()->setRowSpacing(0);
   for (QCPAxisRect* rect : {above_, below_}) {
     rect->setAutoMargins(QCP::msTop | QCP::msBottom | QCP::msRight);
-    rect->setMargins(QMargins(kLeftMargin, 4, 8, 4));
+    rect->setMargins(QMargins(kReadingLeft_px, 4, 8, 4));
     for (QCPAxis* axis : rect->axes()) {
-      axis->setSubTicks(false);
-      axis->setTickLengthIn(0);
       axis->setNumberFormat(QStringLiteral("gb"));
       axis->setNumberPrecision(4);
       axis->ticker()->setTickCount(4);
@@ -93,16 +91,8 @@ void FitPlot::dress() {
   const Theme& t = theme();
   plot_->setBackground(QBrush(t.panel));
   for (QCPAxisRect* rect : {above_, below_}) {
-    for (QCPAxis* axis : rect->axes()) {
-      axis->setBasePen(Qt::NoPen);
-      axis->setTickPen(Qt::NoPen);
-      axis->setTickLabelColor(t.muted);
-      axis->setTickLabelFont(textFont(TextSize::small));
-      axis->setLabelColor(t.muted);
-      axis->setLabelFont(textFont(TextSize::small));
-      axis->grid()->setPen(QPen(t.line, 1));
-      axis->grid()->setZeroLinePen(QPen(t.muted, 1));
-    }
+    dressAxes(rect->axes());
+    for (QCPAxis* axis : rect->axes()) axis->grid()->setZeroLinePen(QPen(t.muted, 1));
   }
   former_->setPen(QPen(t.muted, 1, Qt::DashLine));
   curve_->setPen(QPen(t.accent, 2));

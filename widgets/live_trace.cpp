@@ -6,12 +6,12 @@
 
 #include <qcustomplot.h>
 
+#include "widgets/plot_dress.h"
 #include "widgets/theme.h"
 
 namespace fyd::widgets {
 namespace {
 
-constexpr int kLeftMargin = 64;  // as the fit's, so that both stand in line
 constexpr double kMark_px = 9.0;
 constexpr double kLevel_px = 12.0;
 constexpr double kRoom = 0.1;  // of the values' span, above and below
@@ -30,11 +30,7 @@ LiveTrace::LiveTrace(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setPlottingHints(QCP::phFastPolylines);
   plot_->axisRect()->setAutoMargins(QCP::msTop | QCP::msBottom);
-  plot_->axisRect()->setMargins(QMargins(kLeftMargin, 4, 8, 4));
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setSubTicks(false);
-    axis->setTickLengthIn(0);
-  }
+  plot_->axisRect()->setMargins(QMargins(kReadingLeft_px, 4, 8, 4));
   plot_->xAxis->setTickLabels(false);
   plot_->yAxis->ticker()->setTickCount(3);
   plot_->yAxis->setNumberFormat(QStringLiteral("gb"));
@@ -49,16 +45,7 @@ LiveTrace::LiveTrace(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
 void LiveTrace::dress() {
   const Theme& t = theme();
   plot_->setBackground(QBrush(t.panel));
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setBasePen(Qt::NoPen);
-    axis->setTickPen(Qt::NoPen);
-    axis->setTickLabelColor(t.muted);
-    axis->setTickLabelFont(textFont(TextSize::small));
-    axis->setLabelColor(t.muted);
-    axis->setLabelFont(textFont(TextSize::small));
-    axis->grid()->setPen(QPen(t.line, 1));
-    axis->grid()->setZeroLinePen(QPen(t.line, 1));
-  }
+  dressAxes({plot_->xAxis, plot_->yAxis});
   // The first is the one that matters; the others differ by their dashes, not by colour alone.
   constexpr std::array kDashes = {Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
   for (std::size_t i = 0; i < traces_.size(); ++i) traces_[i]->setPen(QPen(i == 0 ? t.text : t.muted, 1, kDashes[i]));

@@ -10,14 +10,14 @@
 #include "core/base/units.h"
 #include "widgets/curve_catalogue.h"
 #include "widgets/number_text.h"
+#include "widgets/plot_dress.h"
 
 namespace fyd::widgets {
 namespace {
 
 constexpr qint64 kRest_ms = 200;
-constexpr int kLeftMargin = 48, kRightMargin = 16, kScaleHeight = 20;  // as the curves'
-constexpr double kFloor_dB = -80.0;                                    // far below what an accelerometer resolves
-constexpr double kLeastLinear = 0.1;                                   // m/s²
+constexpr double kFloor_dB = -80.0;   // far below what an accelerometer resolves
+constexpr double kLeastLinear = 0.1;  // m/s²
 constexpr std::size_t kSignals[] = {kTextureSignal, kAccelerationX, kAccelerationY, kAccelerationZ};
 
 }  // namespace
@@ -66,7 +66,7 @@ void SpectrumView::build() {
     plot->setPlottingHints(QCP::phFastPolylines);
     plot->setNotAntialiasedElements(QCP::aeAll);
     plot->axisRect()->setAutoMargins(QCP::msNone);
-    plot->axisRect()->setMargins(QMargins(kLeftMargin, 4, kRightMargin, kScaleHeight));
+    plot->axisRect()->setMargins(QMargins(kCurveLeft_px, 4, kCurveRight_px, kTimeScale_px));
     plot->yAxis->ticker()->setTickCount(3);
     layout->addWidget(plot, 1);
   }
@@ -80,16 +80,7 @@ void SpectrumView::dress() {
   const Theme& t = theme();
   for (QCustomPlot* plot : {spectrum_, spectrogram_}) {
     plot->setBackground(QBrush(t.panel));
-    for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) {
-      axis->setBasePen(Qt::NoPen);
-      axis->setTickPen(Qt::NoPen);
-      axis->setSubTicks(false);
-      axis->setTickLengthIn(0);
-      axis->setTickLabelColor(t.muted);
-      axis->setTickLabelFont(textFont(TextSize::small));
-      axis->grid()->setPen(QPen(t.line, 1));
-      axis->grid()->setZeroLinePen(QPen(t.line, 1));
-    }
+    dressAxes({plot->xAxis, plot->yAxis});
   }
   spectrum_->graph()->setPen(QPen(t.of(Quantity::vibration), 1));
   QCPColorGradient gradient;

@@ -9,6 +9,7 @@
 #include <qcustomplot.h>
 
 #include "widgets/number_text.h"
+#include "widgets/plot_dress.h"
 #include "widgets/theme.h"
 
 namespace fyd::widgets {
@@ -36,11 +37,7 @@ TuningResponse::TuningResponse(QWidget* parent)
   lower_ = plot_->addGraph();
   target_ = plot_->addGraph();
   for (QCPGraph*& graph : graphs_) graph = plot_->addGraph();
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setSubTicks(false);
-    axis->setTickLengthIn(0);
-    axis->ticker()->setTickCount(5);
-  }
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->ticker()->setTickCount(5);
   busy_->setRange(0, 0);
   busy_->setTextVisible(false);
   busy_->setFixedHeight(kGrid / 2);
@@ -107,16 +104,7 @@ void TuningResponse::buildFigures(QGridLayout* grid) {
 void TuningResponse::dress() {
   const Theme& t = theme();
   plot_->setBackground(QBrush(t.panel));
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setBasePen(Qt::NoPen);
-    axis->setTickPen(Qt::NoPen);
-    axis->setTickLabelColor(t.muted);
-    axis->setTickLabelFont(textFont(TextSize::small));
-    axis->setLabelColor(t.muted);
-    axis->setLabelFont(textFont(TextSize::small));
-    axis->grid()->setPen(QPen(t.line, 1));
-    axis->grid()->setZeroLinePen(QPen(t.line, 1));
-  }
+  dressAxes({plot_->xAxis, plot_->yAxis});
   target_->setPen(QPen(t.stiffness, 1, Qt::DashLine));
   for (QCPGraph* band : {upper_, lower_}) band->setPen(QPen(t.muted, 1, Qt::DotLine));
   graphs_[current]->setPen(QPen(t.stiffness, 2));
