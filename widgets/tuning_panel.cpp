@@ -31,10 +31,16 @@ TuningPanel::TuningPanel(TuningModel& model, const std::vector<TuningSection>& s
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(scroll, 1);
-  layout->addWidget(buildFoot());
-  connect(&model_, &TuningModel::changed, this, &TuningPanel::refreshFoot);
-  connect(model_.undoStack(), &QUndoStack::indexChanged, this, &TuningPanel::refreshFoot);
-  refreshFoot();
+  preset_ = new QToolButton(this);
+  foot_ = new TuningFoot(model_, TuningFoot::Rows::two, preset_, this);
+  layout->addWidget(foot_);
+  connect(foot_, &TuningFoot::saveAsked, this, &TuningPanel::saveAsked);
+  preset_->setObjectName(QStringLiteral("preset_button"));
+  preset_->setIcon(icon(QStringLiteral("preset")));
+  preset_->setToolTip(tr("Use a preset's values"));
+  preset_->setAccessibleName(preset_->toolTip());
+  preset_->setPopupMode(QToolButton::InstantPopup);
+  preset_->hide();  // until somebody gives it a menu
 }
 
 QWidget* TuningPanel::buildTargetChoice() {
@@ -71,58 +77,6 @@ void TuningPanel::addSection(QVBoxLayout* layout, const TuningSection& section, 
     layout->addWidget(row);
     rows_.push_back(row);
   }
-}
-
-QWidget* TuningPanel::buildFoot() {
-  auto* foot = new QWidget(this);
-  auto* rows = new QVBoxLayout(foot);
-  rows->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid);
-  rows->setSpacing(kGrid / 2);
-  auto* layout = new QHBoxLayout;
-  auto* below = new QHBoxLayout;
-  rows->addLayout(layout);
-  rows->addLayout(below);
-  layout->setSpacing(kGrid / 2);
-  const auto button = [&](const QString& symbol, const QString& text) {
-    auto* made = new QToolButton(foot);
-    made->setIcon(icon(symbol));
-    made->setToolTip(text);
-    made->setAccessibleName(text);
-    layout->addWidget(made);
-    return made;
-  };
-  undo_ = button(QStringLiteral("undo"), tr("Undo"));
-  redo_ = button(QStringLiteral("redo"), tr("Redo"));
-  undo_->setObjectName(QStringLiteral("undo_button"));
-  redo_->setObjectName(QStringLiteral("redo_button"));
-  preset_ = button(QStringLiteral("preset"), tr("Use a preset's values"));
-  preset_->setObjectName(QStringLiteral("preset_button"));
-  preset_->setPopupMode(QToolButton::InstantPopup);
-  preset_->hide();  // until somebody gives it a menu
-  layout->addStretch(1);
-  compare_ = new TuningCompare(model_, foot);
-  layout->addWidget(compare_);
-  below->addStretch(1);
-  save_ = new QPushButton(tr("Save profile"), foot);
-  save_->setObjectName(QStringLiteral("save_button"));
-  save_->setIcon(icon(QStringLiteral("save")));
-  save_->setAutoDefault(false);
-  below->addWidget(save_);
-  connect(undo_, &QToolButton::clicked, &model_, &TuningModel::undo);
-  connect(redo_, &QToolButton::clicked, &model_, &TuningModel::redo);
-  connect(save_, &QPushButton::clicked, this, &TuningPanel::saveAsked);
-  return foot;
-}
-
-void TuningPanel::refreshFoot() {
-  QUndoStack* stack = model_.undoStack();
-  undo_->setEnabled(stack->canUndo());
-  redo_->setEnabled(stack->canRedo());
-  undo_->setToolTip(stack->canUndo() ? tr("Undo %1 (Ctrl+Z)").arg(stack->undoText()) : tr("Nothing to undo"));
-  redo_->setToolTip(stack->canRedo() ? tr("Redo %1 (Ctrl+Shift+Z)").arg(stack->redoText()) : tr("Nothing to redo"));
-  save_->setText(model_.anyChanged() ? tr("• Save profile") : tr("Save profile"));
-  save_->setToolTip(model_.anyChanged() ? tr("Marked values differ from the profile (Ctrl+S)")
-                                        : tr("Nothing differs from the profile (Ctrl+S)"));
 }
 
 void TuningPanel::setPresetMenu(QMenu* menu) {

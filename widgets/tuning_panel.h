@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <vector>
 
-#include "widgets/tuning_compare.h"
+#include "widgets/tuning_foot.h"
 #include "widgets/tuning_model.h"
 #include "widgets/tuning_row.h"
 
@@ -36,11 +36,11 @@ class TuningPanel : public QFrame {
   [[nodiscard]] bool targetByHand() const { return by_hand_->isChecked(); }
   [[nodiscard]] TuningRow* row(const QString& id) const;
   [[nodiscard]] const std::vector<TuningRow*>& rows() const { return rows_; }
-  [[nodiscard]] QPushButton* saveButton() const { return save_; }
+  [[nodiscard]] QPushButton* saveButton() const { return foot_->saveButton(); }
   /// Presets are files, which this panel does not know: the menu is the owner's. Without one there is no button.
   void setPresetMenu(QMenu* menu);
   [[nodiscard]] QToolButton* presetButton() const { return preset_; }
-  [[nodiscard]] TuningCompare* compare() const { return compare_; }
+  [[nodiscard]] TuningCompare* compare() const { return foot_->compare(); }
   [[nodiscard]] QRadioButton* byHandButton() const { return by_hand_; }
   [[nodiscard]] QRadioButton* fromRobotButton() const { return from_robot_; }
 
@@ -53,18 +53,13 @@ class TuningPanel : public QFrame {
  private:
   void addSection(class QVBoxLayout* layout, const TuningSection& section, const QString& target_id);
   QWidget* buildTargetChoice();
-  QWidget* buildFoot();
-  void refreshFoot();
 
   TuningModel& model_;
   std::vector<TuningRow*> rows_;
   QRadioButton* from_robot_;
   QRadioButton* by_hand_;
-  QToolButton* undo_ = nullptr;
-  QToolButton* redo_ = nullptr;
-  TuningCompare* compare_ = nullptr;
   QToolButton* preset_ = nullptr;
-  QPushButton* save_ = nullptr;
+  TuningFoot* foot_ = nullptr;
 };
 
 }  // namespace fyd::widgets

@@ -21,8 +21,8 @@ void CurveTools::addCommands(PlaceCommands& commands, const std::string& place, 
     const std::string id = place + "." + name;
     return commands.add({id.c_str(), menu, text, icon, keys, checkable}, std::move(run));
   };
-  QAction* choose = choose_action_ = add("choose", QT_TRANSLATE_NOOP("Commands", "Choose curves"), "curves", "C", true,
-                                         [this](bool shown) { panel_->setVisible(shown); });
+  QAction* choose = choose_action_ =
+      add("choose", QT_TRANSLATE_NOOP("Commands", "Choose curves"), "curves", "C", true, [](bool) {});
   connect(panel_, &widgets::CurveSetupPanel::closeAsked, choose, [choose] { choose->setChecked(false); });
   connect(choose, &QAction::toggled, panel_, &QWidget::setVisible);
   QAction* link =

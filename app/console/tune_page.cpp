@@ -6,7 +6,6 @@
 
 #include "app/console/tuning_readback_lines.h"
 #include "widgets/core_text.h"
-#include "widgets/icon.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -19,14 +18,14 @@ TunePage::TunePage(const PageContext& context, QWidget* parent)
       context_(context),
       model_(context.tuning.model()),
       list_(new widgets::TuningList(model_, this)),
-      compare_(new widgets::TuningCompare(model_, this)),
       response_(new widgets::TuningResponse(this)),
       differences_(new widgets::TuningDifferences(model_, this)),
       presets_(new widgets::TuningPresetList(this)),
       proposal_(new widgets::TuningProposal(this)),
       readback_(new widgets::TuningReadback(this)),
       tabs_(new QTabWidget(this)),
-      live_(new QLabel(this)) {
+      live_(new QLabel(this)),
+      foot_(new widgets::TuningFoot(model_, widgets::TuningFoot::Rows::one, live_, this)) {
   build();
   connectModel();
   connectPresets();
@@ -40,7 +39,13 @@ void TunePage::build() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(list_, 1);
-  column->addWidget(buildFoot());
+  column->addWidget(foot_);
+  live_->setObjectName(QStringLiteral("tune_live"));
+  live_->setFont(widgets::textFont(widgets::TextSize::small));
+  live_->setProperty("role", "muted");
+  live_->setAccessibleName(tr("Stiffness, measured and target"));
+  live_->setToolTip(live_->accessibleName());
+  connect(foot_, &widgets::TuningFoot::saveAsked, &context_.tuning, &TuningBridge::save);
   auto* above = new QFrame(this);
   above->setProperty("surface", "panel");
   auto* above_layout = new QVBoxLayout(above);
@@ -72,60 +77,21 @@ void TunePage::build() {
   proposal_->setSources(names);
 }
 
-QWidget* TunePage::buildFoot() {
-  auto* foot = new QWidget(this);
-  auto* layout = new QHBoxLayout(foot);
-  layout->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid);
-  layout->setSpacing(kGrid / 2);
-  const auto button = [&](const char* name, const QString& symbol, const QString& words) {
-    auto* made = new QToolButton(foot);
-    made->setObjectName(QLatin1String(name));
-    made->setIcon(widgets::icon(symbol));
-    made->setAccessibleName(words);
-    layout->addWidget(made);
-    return made;
-  };
-  undo_ = button("tune_undo", QStringLiteral("undo"), tr("Undo"));
-  redo_ = button("tune_redo", QStringLiteral("redo"), tr("Redo"));
-  layout->addSpacing(kGrid);
-  layout->addWidget(compare_);
-  layout->addSpacing(kGrid);
-  live_->setObjectName(QStringLiteral("tune_live"));
-  live_->setFont(widgets::textFont(widgets::TextSize::small));
-  live_->setProperty("role", "muted");
-  live_->setAccessibleName(tr("Stiffness, measured and target"));
-  live_->setToolTip(live_->accessibleName());
-  layout->addWidget(live_, 1);
-  save_ = new QPushButton(tr("Save profile"), foot);
-  save_->setObjectName(QStringLiteral("tune_save"));
-  save_->setIcon(widgets::icon(QStringLiteral("save")));
-  save_->setAutoDefault(false);
-  layout->addWidget(save_);
-  connect(undo_, &QToolButton::clicked, &model_, &widgets::TuningModel::undo);
-  connect(redo_, &QToolButton::clicked, &model_, &widgets::TuningModel::redo);
-  connect(save_, &QPushButton::clicked, &context_.tuning, &TuningBridge::save);
-  return foot;
-}
-
 void TunePage::connectModel() {
   const auto refuse = [this](const QString& why) { context_.tell(Severity::warning, why); };
   connect(list_, &widgets::TuningList::refused, this, refuse);
   connect(differences_, &widgets::TuningDifferences::refused, this, refuse);
   connect(&model_, &widgets::TuningModel::changed, this, [this](const QString& id) {
-    refreshFoot();
     if (shown_ && id.startsWith(QLatin1String("control."))) studyValues();
   });
-  connect(&model_, &widgets::TuningModel::feelingSavedChanged, this, &TunePage::refreshFoot);
   constexpr int kRead_ms = 500;
   reading_.setInterval(kRead_ms);
   connect(&reading_, &QTimer::timeout, this, &TunePage::readBack);
-  connect(model_.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshFoot);
   connect(&context_.feed, &SessionFeed::telemetry, this, [this](std::span<const pipeline::TelemetrySample> samples) {
     study_.listen(samples);
     newest_ = samples.back();
     if (shown_) showLive(samples);
   });
-  refreshFoot();
 }
 
 void TunePage::connectPresets() {
@@ -145,18 +111,6 @@ void TunePage::connectPresets() {
 
 void TunePage::showTaken(const Result<void>& taken) {
   presets_->setProblem(taken ? QString() : widgets::coreText(taken.error().message));
-}
-
-void TunePage::refreshFoot() {
-  const QUndoStack* stack = model_.undoStack();
-  const bool saved = model_.feelingSaved();
-  undo_->setEnabled(stack->canUndo() || saved);
-  redo_->setEnabled(stack->canRedo() || saved);
-  undo_->setToolTip(stack->canUndo() ? tr("Undo %1 (Ctrl+Z)").arg(stack->undoText()) : tr("Nothing to undo"));
-  redo_->setToolTip(stack->canRedo() ? tr("Redo %1 (Ctrl+Shift+Z)").arg(stack->redoText()) : tr("Nothing to redo"));
-  save_->setText(model_.anyChanged() ? tr("• Save profile") : tr("Save profile"));
-  save_->setToolTip(model_.anyChanged() ? tr("Marked values differ from the profile (Ctrl+S)")
-                                        : tr("Nothing differs from the profile (Ctrl+S)"));
 }
 
 void TunePage::showLive(std::span<const pipeline::TelemetrySample> samples) {

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <QLabel>
-#include <QPushButton>
 #include <QTabWidget>
-#include <QToolButton>
 
 #include "app/console/loop_study.h"
 #include "app/console/page.h"
-#include "widgets/tuning_compare.h"
 #include "widgets/tuning_differences.h"
+#include "widgets/tuning_foot.h"
 #include "widgets/tuning_list.h"
 #include "widgets/tuning_preset_list.h"
 #include "widgets/tuning_proposal.h"
@@ -28,7 +26,7 @@ class TunePage : public Page {
   void leave() override;
 
   [[nodiscard]] widgets::TuningList* list() const { return list_; }
-  [[nodiscard]] widgets::TuningCompare* compare() const { return compare_; }
+  [[nodiscard]] widgets::TuningCompare* compare() const { return foot_->compare(); }
   [[nodiscard]] widgets::TuningResponse* response() const { return response_; }
   [[nodiscard]] widgets::TuningDifferences* differences() const { return differences_; }
   [[nodiscard]] widgets::TuningPresetList* presets() const { return presets_; }
@@ -40,11 +38,9 @@ class TunePage : public Page {
 
  private:
   void build();
-  QWidget* buildFoot();
   void connectModel();
   void connectPresets();
   void connectStudy();
-  void refreshFoot();
   void studyValues();
   void showProposal(const widgets::ResponseView& response);
   void acceptProposal();
@@ -58,17 +54,14 @@ class TunePage : public Page {
   widgets::TuningModel& model_;
   LoopStudy study_;
   widgets::TuningList* list_;
-  widgets::TuningCompare* compare_;
   widgets::TuningResponse* response_;
   widgets::TuningDifferences* differences_;
   widgets::TuningPresetList* presets_;
   widgets::TuningProposal* proposal_;
   widgets::TuningReadback* readback_;
   QTabWidget* tabs_;
-  QToolButton* undo_ = nullptr;
-  QToolButton* redo_ = nullptr;
-  QPushButton* save_ = nullptr;
   QLabel* live_;
+  widgets::TuningFoot* foot_;
   std::vector<TuneSource> sources_;
   QTimer reading_;
   pipeline::TelemetrySample newest_;
