@@ -1,13 +1,13 @@
 #include "widgets/curve_setup_panel.h"
 
 #include <QGridLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "widgets/curve_choice.h"
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
+#include "widgets/upright_scroll.h"
 
 namespace fyd::widgets {
 namespace {
@@ -74,11 +74,7 @@ void CurveSetupPanel::build() {
   connect(link_, &QCheckBox::toggled, stack_, &CurveStack::setLinked);
   layout->addWidget(link_);
 
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* scroll = makeUprightScroll(this);
   auto* body = new QWidget(scroll);
   auto* grid = new QGridLayout(body);
   grid->setContentsMargins(0, 0, kGrid, 0);

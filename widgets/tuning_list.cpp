@@ -1,10 +1,10 @@
 #include "widgets/tuning_list.h"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "widgets/tuning_text.h"
+#include "widgets/upright_scroll.h"
 
 namespace fyd::widgets {
 namespace {
@@ -43,11 +43,7 @@ TuningList::TuningList(TuningModel& model, QWidget* parent)
   head->addWidget(search_, 1);
   head->addWidget(only_changed_);
   head->addWidget(summary_);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* scroll = makeUprightScroll(this);
   auto* body = new QWidget(scroll);
   auto* rows = new QVBoxLayout(body);
   rows->setContentsMargins(0, 0, kGrid, 0);

@@ -1,10 +1,10 @@
 #include "widgets/tuning_panel.h"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "widgets/icon.h"
+#include "widgets/upright_scroll.h"
 
 namespace fyd::widgets {
 
@@ -16,10 +16,7 @@ TuningPanel::TuningPanel(TuningModel& model, const std::vector<TuningSection>& s
       by_hand_(new QRadioButton(tr("by hand"), this)) {
   setProperty("surface", "panel");
   setAccessibleName(tr("Tuning"));
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* scroll = makeUprightScroll(this);
   auto* body = new QWidget(scroll);
   auto* rows = new QVBoxLayout(body);
   rows->setContentsMargins(kGrid, kGrid, kGrid, kGrid);

@@ -1,11 +1,11 @@
 #include "app/console/devices_page.h"
 
-#include <QScrollArea>
 #include <algorithm>
 
 #include "core/device/test_motion.h"
 #include "widgets/device_text.h"
 #include "widgets/theme.h"
+#include "widgets/upright_scroll.h"
 
 namespace fyd::console {
 namespace {
@@ -41,11 +41,7 @@ DevicesPage::DevicesPage(const PageContext& context, QWidget* parent)
 }
 
 void DevicesPage::build() {
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* scroll = widgets::makeUprightScroll(this);
   auto* body = new QWidget(scroll);
   row_ = new QHBoxLayout(body);
   row_->setContentsMargins(0, 0, 0, 0);

@@ -2,12 +2,12 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "widgets/icon.h"
 #include "widgets/theme.h"
+#include "widgets/upright_scroll.h"
 
 namespace fyd::console {
 
@@ -25,11 +25,7 @@ SideDock::SideDock(const QString& title, const QString& name, const QString& clo
                    const std::vector<QWidget*>& parts, QWidget* parent)
     : QDockWidget(title, parent) {
   setTitleBarWidget(titleBar(name, close_words));
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* scroll = widgets::makeUprightScroll(this);
   scroll->setMinimumWidth(kPanelWidth);
   auto* body = new QWidget(scroll);
   auto* layout = new QVBoxLayout(body);
