@@ -2,6 +2,7 @@
 // motors that last only while a button is held, and a search that stops nothing.
 #include <atomic>
 
+#include "tests/widgets/device_reports.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
 
@@ -10,18 +11,6 @@ namespace fyd::tests {
 using pipeline::SafetyState;
 
 namespace {
-
-device::DeviceReport touchpad() {
-  device::DeviceReport out{.name = "Touchpad", .kind = "Modbus TCP", .description = "10.0.0.7:502, firmware 1.2"};
-  out.ok = true;
-  out.rate_hz = 249.7;
-  out.age_ms = 3.6;
-  out.values = {{.name = "IR sensor 1", .number = 2048.0, .unit = "counts"},
-                {.name = "load cell", .number = 0.12345, .unit = "mV/V"},
-                {.name = "motors", .text = "switched off"},
-                {.name = "current 1", .unit = "mA"}};
-  return out;
-}
 
 device::DeviceReport camera() {
   device::DeviceReport out{.name = "Camera", .kind = "camera device", .description = "/dev/video0"};

@@ -5,6 +5,7 @@
 #include "app/console/review_page.h"
 #include "app/console/tune_page.h"
 #include "core/session/recording_writer.h"
+#include "tests/widgets/device_reports.h"
 #include "tests/widgets/look_check.h"
 #include "tests/widgets/scripted_session.h"
 
@@ -34,17 +35,6 @@ QString makeRecording(const QTemporaryDir& folder) {
   }
   if (!good || !(*writer)->close()) qFatal("the recording could not be written");
   return path;
-}
-
-device::DeviceReport touchpad() {
-  device::DeviceReport out{.name = "Touchpad", .kind = "Modbus TCP", .description = "10.0.0.7:502, firmware 1.2"};
-  out.ok = true;
-  out.rate_hz = 249.7;
-  out.age_ms = 3.6;
-  out.values = {{.name = "IR sensor 1", .number = 2048.0, .unit = "counts"},
-                {.name = "load cell", .number = 0.12345, .unit = "mV/V"},
-                {.name = "motors", .text = "switched off"}};
-  return out;
 }
 
 }  // namespace

@@ -27,6 +27,17 @@ class ProfileFile : public testing::Test {
   std::filesystem::path folder_;
 };
 
+/// With devices of its own.
+Profile withLaboratory() {
+  Profile out;
+  out.sources = {.touchpad = "modbus-tcp:192.168.0.7:502",
+                 .motors = "qbmove:id=A6",
+                 .camera = "id=99F1",
+                 .robot = "link:0.0.0.0:3491",
+                 .key_file = "lab.key"};
+  return out;
+}
+
 TEST_F(ProfileFile, RoundTrips) {
   Profile written;
   written.step.control.kp = 0.123456789012345;
@@ -41,13 +52,7 @@ TEST_F(ProfileFile, RoundTrips) {
 }
 
 TEST_F(ProfileFile, SaysWhichDevicesTheStationHas) {
-  Profile written;
-  written.sources = {.touchpad = "modbus-tcp:192.168.0.7:502",
-                     .motors = "qbmove:id=A6",
-                     .camera = "id=99F1",
-                     .robot = "link:0.0.0.0:3491",
-                     .key_file = "lab.key"};
-  ASSERT_TRUE(saveProfile(written, path()));
+  ASSERT_TRUE(saveProfile(withLaboratory(), path()));
   const auto read = loadProfile(path());
   ASSERT_TRUE(read) << read.error().message;
 
@@ -60,13 +65,8 @@ TEST_F(ProfileFile, SaysWhichDevicesTheStationHas) {
 }
 
 TEST_F(ProfileFile, ANamedTouchpadOrRobotLeavesTheProfilesDevicesAlone) {
-  Profile profile;
-  profile.sources = {.touchpad = "modbus-tcp:192.168.0.7:502",
-                     .motors = "qbmove:id=A6",
-                     .camera = "id=99F1",
-                     .robot = "link:0.0.0.0:3491",
-                     .key_file = "lab.key"};
-  const StationOptions out = withProfileSources({.profile = profile, .touchpad = "simulated", .robot = "none"});
+  const StationOptions out =
+      withProfileSources({.profile = withLaboratory(), .touchpad = "simulated", .robot = "none"});
   EXPECT_EQ(out.touchpad, "simulated");
   EXPECT_EQ(out.motors, "") << "a simulation must not drive the laboratory's motors";
   EXPECT_EQ(out.camera, "");
