@@ -243,18 +243,6 @@ void CurveStrip::drawMarks(const TimeWindow& window) {
   }
 }
 
-void CurveStrip::paintTo(QCPPainter& painter, QSize size) {
-  // SVG knows no clipping here: a curve must not leave its strip. What lies outside lies just outside.
-  const QCPRange shown = plot_->yAxis->range();
-  const double outside = shown.size() / std::max(1, size.height());
-  for (std::size_t i = 0; i < traces_.size(); ++i) {
-    for (QCPGraphData& point : *plot_->graph(static_cast<int>(i))->data()) {
-      if (!std::isnan(point.value)) point.value = std::clamp(point.value, shown.lower - outside, shown.upper + outside);
-    }
-  }
-  plot_->toPainter(&painter, size.width(), size.height());
-}
-
 Range CurveStrip::shownRange() const { return fixed_range_ && !lanes_ ? *fixed_range_ : baseRange(); }
 
 }  // namespace fyd::widgets

@@ -254,6 +254,41 @@ class CurveToolsTest : public QObject {
     QVERIFY(lines.at(1).startsWith("2.999000,2.999,2,nan"));
   }
 
+  void aPictureOfAHeldRangeShowsTheCurveCutOffAtItsEdges() {
+    CurveFixture f;
+    auto far = rise(1000, 4.0);
+    for (std::size_t i = 0; i < far.size(); ++i) far[i].force_N = i % 2 == 0 ? 1e6 : -1e6;
+    f.curves->append(far);
+    for (std::size_t i = 1; i < f.curves->stack()->size(); ++i) f.curves->stack()->setShown(i, false);
+    f.curves->strip(0)->chooseRange(widgets::Range{1.0, 2.0});  // the rise passes through it in a fifth of the time
+    f.curves->chooseSpan(5);
+    f.curves->redraw();
+    QApplication::processEvents();
+    f.curves->redraw();
+    const widgets::CurveStrip* strip = f.curves->strip(0);
+    const auto svg = widgets::pictureOf(*f.curves->stack(), widgets::PictureKind::svg, QStringLiteral("held"));
+    QVERIFY(svg.has_value());
+    // In the strip's own pixels, as the file's lines are.
+    const QRectF inside = strip->plot()->axisRect()->rect().adjusted(-1, -1, 2, 2);
+    const QRegularExpression lines(QStringLiteral("<polyline[^>]*points=\"([^\"]*)\""));
+    double least_y = inside.bottom(), greatest_y = inside.top(), rise_px = 0.0;
+    for (const auto& line : lines.globalMatch(QString::fromUtf8(*svg))) {
+      double first_x = -1.0;
+      for (const QString& point : line.captured(1).split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        const double x = point.section(QLatin1Char(','), 0, 0).toDouble();
+        const double y = point.section(QLatin1Char(','), 1, 1).toDouble();
+        QVERIFY2(inside.contains(x, y), qPrintable(point));
+        least_y = std::min(least_y, y);
+        greatest_y = std::max(greatest_y, y);
+        if (first_x < 0.0) first_x = x;
+        if (x < 0.7 * inside.right()) rise_px = std::max(rise_px, x - first_x);
+      }
+    }
+    QVERIFY2(greatest_y - least_y > 0.9 * (inside.height() - 3), qPrintable(QString::number(greatest_y - least_y)));
+    // And what lies outside is no line along the edge.
+    QVERIFY2(rise_px > 0.1 * inside.width() && rise_px < 0.3 * inside.width(), qPrintable(QString::number(rise_px)));
+  }
+
   void aPictureThatCannotBeWrittenIsToldWithItsPath() {
     CurveFixture f;
     f.tools->saver().setFolder(QStringLiteral("/proc/nothing"));
