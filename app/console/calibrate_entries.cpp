@@ -13,6 +13,7 @@ using widgets::kGrid;
 CalibrationEntryForm::CalibrationEntryForm(QWidget* parent) : QWidget(parent), problem_(new QLabel(this)) {
   problem_->setObjectName(QStringLiteral("entry_problem"));
   problem_->setProperty("role", "warning");
+  problem_->setTextFormat(Qt::PlainText);  // it quotes what was typed
   problem_->setWordWrap(true);
   problem_->hide();
   auto* layout = new QVBoxLayout(this);

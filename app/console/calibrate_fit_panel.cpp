@@ -18,6 +18,7 @@ using widgets::kGrid;
 using widgets::TextSize;
 
 constexpr int kErrorDecimals = 3;
+constexpr int kLongestWho = 80, kLongestConditions = 400;  // characters: what a report has room for
 
 /// Every number of a parameter's text with five digits: the file keeps all of them.
 QString shortened(const QString& text) {
@@ -82,6 +83,8 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   changes_->setFixedHeight(15 * kGrid);
   who_->setObjectName(QStringLiteral("calibration_who"));
   who_->setAccessibleName(tr("Who measured"));
+  who_->setMaxLength(kLongestWho);
+  conditions_->setMaxLength(kLongestConditions);
   conditions_->setObjectName(QStringLiteral("calibration_conditions"));
   conditions_->setAccessibleName(tr("Conditions: light, temperature, target"));
   conditions_->setPlaceholderText(tr("light, temperature, target"));

@@ -43,7 +43,7 @@ struct Calibrating : Fixture {
     QTest::keyClick(field, Qt::Key_Delete);
     QTest::keyClicks(field, text);
   }
-  void click(QPushButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
+  void click(QWidget* button) { QTest::mouseClick(button, Qt::LeftButton); }
   void readings(int count) {
     for (int i = 0; i < count; ++i) page->poll();
   }

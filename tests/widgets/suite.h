@@ -16,6 +16,7 @@ std::unique_ptr<QObject> makeConsoleTest();
 std::unique_ptr<QObject> makeFrameTest();
 std::unique_ptr<QObject> makeRecordingTest();
 std::unique_ptr<QObject> makeCalibrateTest();
+std::unique_ptr<QObject> makeCalibrateFieldsTest();
 std::unique_ptr<QObject> makeCalibrateMotionTest();
 std::unique_ptr<QObject> makeReviewTest();
 std::unique_ptr<QObject> makeReviewWorkTest();
