@@ -68,18 +68,11 @@ StateBar::StateBar(QWidget* parent)
   arm_->setMinimumWidth(QFontMetrics(textFont(TextSize::normal, true)).horizontalAdvance(tr("Hold to re-arm")) + 64);
   arm_->setFont(textFont(TextSize::normal, true));
 
-  auto* words = new QVBoxLayout;
-  words->setSpacing(0);
-  auto* first = new QHBoxLayout;
-  first->setSpacing(kGrid);
-  first->addWidget(word_);
-  first->addWidget(since_label_, 1, Qt::AlignBaseline);
-  words->addLayout(first);
-  words->addWidget(why_);
   auto* top = new QHBoxLayout;
   top->setSpacing(kGrid);
   top->addWidget(shape_);
-  top->addLayout(words, 1);
+  top->addWidget(word_);
+  top->addWidget(since_label_, 1);
   top->addWidget(record_);
   top->addWidget(tare_);
   top->addWidget(arm_);
@@ -88,6 +81,7 @@ StateBar::StateBar(QWidget* parent)
   layout->setContentsMargins(2 * kGrid, kGrid, kGrid, kGrid / 2);
   layout->setSpacing(kGrid / 2);
   layout->addLayout(top);
+  layout->addWidget(why_);  // across the bar: beside the buttons of a narrow window it would be a tall column
   layout->addWidget(parts_);
 
   connect(stop_, &QPushButton::pressed, this, &StateBar::stopAsked);  // on the way down: nothing to think about
