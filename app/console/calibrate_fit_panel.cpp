@@ -1,13 +1,13 @@
 #include "app/console/calibrate_fit_panel.h"
 
 #include <QGridLayout>
-#include <QHeaderView>
 #include <QLocale>
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "widgets/core_text.h"
+#include "widgets/heading_table.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
 
@@ -65,7 +65,7 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
       legend_(label(this, TextSize::small, true)),
       verdict_(label(this, TextSize::normal, false)),
       figures_(label(this, TextSize::small, true)),
-      changes_(new QTableWidget(0, 3, this)),
+      changes_(new widgets::HeadingTable(0, 3, this)),
       who_(new QLineEdit(this)),
       conditions_(new QLineEdit(this)) {
   setProperty("surface", "panel");
@@ -75,7 +75,6 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   changes_->setObjectName(QStringLiteral("calibration_changes"));
   changes_->setAccessibleName(tr("Values in force and new values"));
   changes_->setHorizontalHeaderLabels({tr("Value"), tr("In force"), tr("New")});
-  changes_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   changes_->verticalHeader()->hide();
   changes_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   changes_->setFocusPolicy(Qt::NoFocus);

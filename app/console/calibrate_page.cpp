@@ -229,10 +229,12 @@ void CalibratePage::refit() {
 
 void CalibratePage::refreshTable() {
   const std::vector<CalibrationPoint>& points = points_[step_];
-  const QStringList columns = step().columns();
+  QStringList columns = step().columns();
+  columns.replaceInStrings(QStringLiteral(", "), QStringLiteral("\n"));  // the unit below the name
   table_->clear();
   table_->setColumnCount(static_cast<int>(columns.size()));
   table_->setHorizontalHeaderLabels(columns);
+  table_->shareWidth();
   table_->setRowCount(static_cast<int>(points.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const QStringList texts = step().row(points[static_cast<std::size_t>(row)]);

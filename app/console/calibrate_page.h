@@ -8,7 +8,6 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QTableWidget>
 #include <QTimer>
 #include <map>
 #include <memory>
@@ -19,6 +18,7 @@
 #include "app/console/calibrate_fit_panel.h"
 #include "app/console/calibrate_step.h"
 #include "app/console/page.h"
+#include "widgets/heading_table.h"
 #include "widgets/hold_button.h"
 #include "widgets/live_trace.h"
 #include "widgets/picture_pick.h"
@@ -47,7 +47,7 @@ class CalibratePage : public Page {
   [[nodiscard]] CalibrationEntryForm* entries() const { return entries_; }
   [[nodiscard]] CalibrationFitPanel* fitPanel() const { return fit_panel_; }
   [[nodiscard]] widgets::PicturePick* picture() const { return picture_; }
-  [[nodiscard]] QTableWidget* table() const { return table_; }
+  [[nodiscard]] widgets::HeadingTable* table() const { return table_; }
   [[nodiscard]] QPushButton* takeButton() const { return take_; }
   [[nodiscard]] QPushButton* backButton() const { return back_; }
   [[nodiscard]] QPushButton* simulateButton() const { return simulate_; }
@@ -125,7 +125,7 @@ class CalibratePage : public Page {
   CalibrationFitPanel* fit_panel_;
   widgets::PicturePick* picture_;
   widgets::LiveTrace* trace_;
-  QTableWidget* table_;
+  widgets::HeadingTable* table_;
   widgets::HoldButton* move_;
   QPushButton* report_;
   QPushButton* back_;

@@ -1,6 +1,5 @@
 // How the place "Calibrate" is laid out.
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QVBoxLayout>
 
 #include "app/console/calibrate_page.h"
@@ -94,12 +93,12 @@ QWidget* CalibratePage::buildMiddle() {
   hint_->setObjectName(QStringLiteral("calibration_hint"));
   hint_->setWordWrap(true);
   trace_ = new widgets::LiveTrace(out);
-  table_ = new QTableWidget(out);
+  table_ = new widgets::HeadingTable(out);
   table_->setObjectName(QStringLiteral("calibration_points"));
   table_->setAccessibleName(tr("Points taken"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setFont(widgets::textFont(TextSize::small));
   missing_ = new QLabel(out);
   missing_->setObjectName(QStringLiteral("calibration_missing"));
   missing_->setWordWrap(true);

@@ -114,8 +114,16 @@ class LooksTest : public QObject {
     look(f, "log");
     f.window->commands().action(QStringLiteral("view.log"))->trigger();
     f.window->help()->showTopic(QStringLiteral("operate.md#curves"));
-    look(f, "help");
+    for (const char* place : {"operate", "review", "devices", "calibrate"}) {
+      go(f, place);
+      look(f, qPrintable(QStringLiteral("help-%1").arg(QLatin1String(place))));
+      QVERIFY2(f.window->stateBar()->height() <= 120, qPrintable(QString::number(f.window->stateBar()->height())));
+    }
+    calibrate->choose(QStringLiteral("stiffness"));
+    QTest::mouseClick(calibrate->simulateButton(), Qt::LeftButton);
+    look(f, "help-calibrate-points");
     f.window->help()->hide();
+    go(f, "operate");
     f.window->layouts()->open();
     lookAt(*f.window->layouts(), "layouts");
     f.window->palette()->open();

@@ -1,0 +1,33 @@
+// A table for a narrow place: its columns share its width, none is narrower than its heading; where they have no room
+// it scrolls sideways.
+#pragma once
+
+#include <QHeaderView>
+#include <QTableWidget>
+#include <numeric>
+#include <vector>
+
+namespace fyd::widgets {
+
+class HeadingTable : public QTableWidget {
+ public:
+  using QTableWidget::QTableWidget;
+
+  /// By itself after a change of the size; to be asked for after one of the headings.
+  void shareWidth() {
+    std::vector<int> widths_px;
+    for (int i = 0; i < columnCount(); ++i) widths_px.push_back(horizontalHeader()->sectionSizeHint(i));
+    const int left_px = viewport()->width() - std::accumulate(widths_px.begin(), widths_px.end(), 0);
+    for (int i = 0; i < columnCount(); ++i) {
+      setColumnWidth(i, widths_px[static_cast<std::size_t>(i)] + std::max(0, left_px) / columnCount());
+    }
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QTableWidget::resizeEvent(event);
+    shareWidth();
+  }
+};
+
+}  // namespace fyd::widgets
