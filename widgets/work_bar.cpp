@@ -13,6 +13,7 @@ namespace {
 constexpr int kPatience_ms = 300;
 constexpr int kBarWidth = 24 * kGrid;
 constexpr int kWordsWidth = 30 * kGrid;
+constexpr double kEnoughToGoBy_s = 5.0;
 
 }  // namespace
 
@@ -29,7 +30,7 @@ WorkBar::WorkBar(QWidget* parent)
   progress_->setTextVisible(false);
   progress_->setFixedSize(kBarWidth, kGrid);
   share_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  share_->setMinimumWidth(share_->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
+  share_->setMinimumWidth(share_->fontMetrics().horizontalAdvance(shareText(99, 60.0)));  // the bar stays in place
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(kGrid, 0, kGrid, 0);
   layout->setSpacing(kGrid);
@@ -56,8 +57,9 @@ void WorkBar::begin(const QString& words) {
   describe(words);
   cancel_->setAccessibleName(tr("Cancel: %1").arg(words));
   progress_->setValue(0);
-  setDone(0.0);
+  share_->setText(shareText(0, 0.0));
   patience_.start();
+  since_.start();
 }
 
 void WorkBar::describe(const QString& words) {
@@ -70,7 +72,16 @@ void WorkBar::setDone(double share) {
   if (!running_ || !std::isfinite(share)) return;
   const int percent = static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
   progress_->setValue(std::max(percent, progress_->value()));
-  share_->setText(tr("%1 %").arg(progress_->value()));
+  share_->setText(shareText(progress_->value(), 1e-3 * static_cast<double>(since_.elapsed())));
+}
+
+QString WorkBar::shareText(int percent, double elapsed_s) {
+  const QString share = tr("%1 %").arg(percent);
+  if (percent < 1 || percent > 99 || !(elapsed_s >= kEnoughToGoBy_s)) return share;
+  const double left_s = elapsed_s * (100 - percent) / percent;
+  constexpr double kMinute_s = 60.0;
+  return left_s < kMinute_s ? tr("%1 · less than 1 min left").arg(share)
+                            : tr("%1 · %2 min left").arg(share, numberText(std::ceil(left_s / kMinute_s), 0));
 }
 
 void WorkBar::end() {

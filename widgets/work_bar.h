@@ -1,7 +1,8 @@
-// Long work as a slim bar: what is being done, which share of it, and Cancel. Nothing is shown while nothing runs, nor
-// for work that is over in a moment.
+// Long work as a slim bar: what is being done, which share of it, how long it will take yet, and Cancel. Nothing is
+// shown while nothing runs, nor for work that is over in a moment.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -19,6 +20,8 @@ class WorkBar : public QWidget {
   void begin(const QString& words);
   /// @param share 0 to 1
   void setDone(double share);
+  /// "25 % · 3 min left"; no time is said while there is too little to go by.
+  [[nodiscard]] static QString shareText(int percent, double elapsed_s);
   void end();
   [[nodiscard]] bool running() const { return running_; }
   /// Counts every beginning of any bar: what began later has a larger one.
@@ -43,6 +46,7 @@ class WorkBar : public QWidget {
   QLabel* share_;
   QPushButton* cancel_;
   QTimer patience_;
+  QElapsedTimer since_;
   bool running_ = false;
   bool asked_ = false;
   int number_ = 0;

@@ -258,6 +258,14 @@
         <translation>%1 a été annulé ; il ne reste aucun fichier.</translation>
     </message>
     <message>
+        <source>%1 · %2 min left</source>
+        <translation>%1 · encore %2 min</translation>
+    </message>
+    <message>
+        <source>%1 · less than 1 min left</source>
+        <translation>%1 · moins de 1 min</translation>
+    </message>
+    <message>
         <source>%1 ×</source>
         <translation>%1 ×</translation>
     </message>

@@ -258,6 +258,14 @@
         <translation>%1 è stato annullato; non resta alcun file.</translation>
     </message>
     <message>
+        <source>%1 · %2 min left</source>
+        <translation>%1 · ancora %2 min</translation>
+    </message>
+    <message>
+        <source>%1 · less than 1 min left</source>
+        <translation>%1 · meno di 1 min</translation>
+    </message>
+    <message>
         <source>%1 ×</source>
         <translation>%1 ×</translation>
     </message>

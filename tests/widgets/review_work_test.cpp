@@ -63,11 +63,22 @@ QByteArray contentOf(const QString& path) {
 class ReviewWorkTest : public QObject {
   Q_OBJECT
  private slots:
+  void aBarSaysHowLongItWillTakeOnceItCanTell() {
+    QCOMPARE(WorkBar::shareText(0, 60.0), QStringLiteral("0 %"));
+    QCOMPARE(WorkBar::shareText(50, 1.0), QStringLiteral("50 %"));
+    QCOMPARE(WorkBar::shareText(25, 60.0), QStringLiteral("25 % · 3 min left"));
+    QCOMPARE(WorkBar::shareText(90, 60.0), QStringLiteral("90 % · less than 1 min left"));
+    QCOMPARE(WorkBar::shareText(100, 60.0), QStringLiteral("100 %"));
+    QCOMPARE(WorkBar::shareText(50, std::nan("")), QStringLiteral("50 %"));
+  }
+
   void anExportSaysHowFarItIs() {
     WorkFixture f;
     f.page->exports()->exportAs(QStringLiteral("csv"));
     QCOMPARE(f.page->work()->running().size(), std::size_t{1});
     QProgressBar* progress = f.page->work()->running().front()->progress();
+    QCOMPARE(f.page->work()->running().front()->cancelButton()->accessibleName(),
+             QStringLiteral("Cancel: Writing session.csv"));
     QCOMPARE(progress->accessibleName(), QStringLiteral("Writing session.csv"));
     const QSignalSpy moved(progress, &QProgressBar::valueChanged);
     QTRY_VERIFY(f.told().contains(QStringLiteral("session.csv is written")));
