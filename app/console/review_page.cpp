@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/console/curve_limits.h"
 #include "core/session/recorded_profile.h"
 #include "widgets/core_text.h"
 #include "widgets/number_text.h"
@@ -79,10 +80,7 @@ void ReviewPage::open(const QString& path) {
   curves_->source().setSession(recording_.get());
   curves_->setDuration(duration_s);
   curves_->stack()->clearMarks();
-  if (const auto felt = session::recordedParameters(recording_->info().header)) {
-    const double most = felt->texture.maximum_percent;
-    curves_->strip(curves_->stack()->indexOf(QStringLiteral("vibration")))->setLimits({-most, most});
-  }
+  if (const auto felt = session::recordedParameters(recording_->info().header)) drawLimits(*curves_->stack(), *felt);
   figures_table_->setFigures({});
   showTouches({});
   what_if_->setRecording(path);
