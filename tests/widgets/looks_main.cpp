@@ -2,43 +2,14 @@
 // nothing over anything else, at 1280×720. With FYD_LOOKS_FOLDER the pictures are kept, for people.
 #include "app/console/calibrate_page.h"
 #include "app/console/language.h"
-#include "app/console/review_page.h"
 #include "app/console/tune_page.h"
-#include "core/session/recording_writer.h"
 #include "tests/widgets/device_reports.h"
 #include "tests/widgets/look_check.h"
-#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/reviewing.h"
 
 Q_DECLARE_METATYPE(fyd::widgets::ThemeChoice)
 
 namespace fyd::tests {
-namespace {
-
-QString makeRecording(const QTemporaryDir& folder) {
-  const QString path = folder.filePath(QStringLiteral("session.h5"));
-  const session::RecordingHeader header{.id = std::string(32, 'a'),
-                                        .started_utc = "2026-11-21T10:00:00.000Z",
-                                        .started = Instant(std::chrono::seconds(100)),
-                                        .operator_name = "M. Muster",
-                                        .subject = "S07"};
-  auto writer = session::RecordingWriter::create(path.toStdString(), header);
-  if (!writer) qFatal("%s", writer.error().message.c_str());
-  bool good = true;
-  for (std::uint64_t i = 0; i < 1500; ++i) {
-    session::StepRecord record;
-    record.inputs.now = record.telemetry.now = header.started + std::chrono::milliseconds(i);
-    record.telemetry.step = i + 1;
-    record.telemetry.contact = i > 300 && i < 1000;
-    record.telemetry.force_N = record.telemetry.contact ? 2.0 : 0.0;
-    record.telemetry.indentation_mm = record.telemetry.contact ? 4.0 : 0.0;
-    good = good && (*writer)->append(record).has_value();
-  }
-  if (!good || !(*writer)->close()) qFatal("the recording could not be written");
-  return path;
-}
-
-}  // namespace
-
 class LooksTest : public QObject {
   Q_OBJECT
  private slots:
@@ -94,7 +65,7 @@ class LooksTest : public QObject {
       tune->tabs()->setCurrentIndex(tab);
       look(f, qPrintable(QStringLiteral("tune-%1").arg(tab)));
     }
-    f.window->review(makeRecording(f.folder));
+    f.window->review(makeRecording(f.folder, QStringLiteral("session.h5")));
     look(f, "review-recording");
     auto* review = qobject_cast<console::ReviewPage*>(f.window->frame()->page(QStringLiteral("review")));
     widgets::WorkBar* bar = review->work()->add();
