@@ -70,6 +70,7 @@ StateBar::StateBar(QWidget* parent)
 
   auto* top = new QHBoxLayout;
   top->setSpacing(kGrid);
+  top->addStrut(kButtonHeight);  // the style sheet takes the buttons' own least height away
   top->addWidget(shape_);
   top->addWidget(word_);
   top->addWidget(since_label_, 1);
