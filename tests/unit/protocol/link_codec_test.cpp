@@ -228,7 +228,8 @@ TEST(LinkCodec, ReadsWhatItWrites) {
   EXPECT_NEAR(state.value.accelerations[0].age_s, 2e-3, 1e-9);
   EXPECT_NEAR(state.value.accelerations[1].acceleration_g.x, -5.0, 1.0 / 6553);
   EXPECT_NEAR(state.value.robot.stiffness_N_per_mm, 0.62, 1e-7);
-  const auto hello = decodeTouchpadHello(vectorBytes("touchpad_hello"));
+  const auto hello_bytes = vectorBytes("touchpad_hello");  // the decoded text stands in them
+  const auto hello = decodeTouchpadHello(hello_bytes);
   ASSERT_TRUE(hello.ok());
   EXPECT_EQ(hello.value.board_text, "board");
   EXPECT_EQ(hello.value.rates.touch_Hz, 50.0);
