@@ -1,6 +1,7 @@
 // The report as one HTML file: text as text, the figure as inline SVG, no script, nothing fetched.
 #include <cairo-svg.h>
 
+#include "core/session/cairo_document.h"
 #include "core/session/report.h"
 
 namespace fyd::session {
@@ -37,23 +38,12 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-cairo_status_t appendTo(void* text, const unsigned char* data, unsigned length) {
-  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
-
 Result<std::string> figureSvg(const ReportContent& content) {
-  std::string svg;
-  cairo_surface_t* surface = cairo_svg_surface_create_for_stream(appendTo, &svg, kReportWidth, figureHeight(content));
-  cairo_t* cairo = cairo_create(surface);
-  drawFigure(cairo, content);
-  const cairo_status_t drawn = cairo_status(cairo);
-  cairo_destroy(cairo);
-  cairo_surface_finish(surface);
-  const cairo_status_t finished = cairo_surface_status(surface);
-  cairo_surface_destroy(surface);
-  if (drawn != CAIRO_STATUS_SUCCESS) return fail("the figure cannot be drawn: {}", cairo_status_to_string(drawn));
-  if (finished != CAIRO_STATUS_SUCCESS) return fail("the figure cannot be drawn: {}", cairo_status_to_string(finished));
+  const auto drawn =
+      drawDocument("the figure", cairo_svg_surface_create_for_stream, kReportWidth, figureHeight(content),
+                   [&](cairo_t* cairo, cairo_surface_t*) { drawFigure(cairo, content); });
+  if (!drawn) return drawn;
+  const std::string& svg = *drawn;
   const std::size_t begin = svg.find("<svg");  // without the XML declaration, which HTML does not want
   return begin == std::string::npos ? svg : svg.substr(begin);
 }

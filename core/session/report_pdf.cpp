@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/session/cairo_document.h"
 #include "core/session/chart_text.h"
 #include "core/session/report.h"
 
@@ -16,11 +17,6 @@ constexpr double kBottom = kPageHeight - 50.0;  ///< below it stands the page's 
 constexpr double kText = 8.0;
 constexpr double kLine = 11.0;
 constexpr double kCellGap = 8.0;
-
-cairo_status_t appendTo(void* text, const unsigned char* data, unsigned length) {
-  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
 
 /// Writes downward, page after page.
 class Pages {
@@ -157,27 +153,19 @@ class Pages {
 }  // namespace
 
 Result<std::string> reportPdf(const ReportContent& content) {
-  std::string pdf;
-  cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(appendTo, &pdf, kPageWidth, kPageHeight);
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, content.title.c_str());
-  cairo_t* cairo = cairo_create(surface);
-  const std::string id = content.facts.empty() ? "" : content.facts.front().second;
-  Pages pages(cairo, fmt::format("FYD Console · {} · {}", content.kind, id));
-  pages.heading(content.title, 16.0, 8.0);
-  for (const auto& [what, text] : content.facts) pages.fact(what, text);
-  pages.skip(8.0);
-  if (!content.strips.empty()) pages.figure(content);
-  pages.paragraph(content.legend, kMargin, kReportWidth, kMutedRgb);
-  for (const ReportTable& table : content.tables) pages.table(table);
-  pages.endPage();
-  const cairo_status_t drawn = cairo_status(cairo);
-  cairo_destroy(cairo);
-  cairo_surface_finish(surface);
-  const cairo_status_t finished = cairo_surface_status(surface);
-  cairo_surface_destroy(surface);
-  if (drawn != CAIRO_STATUS_SUCCESS) return fail("the report cannot be drawn: {}", cairo_status_to_string(drawn));
-  if (finished != CAIRO_STATUS_SUCCESS) return fail("the report cannot be drawn: {}", cairo_status_to_string(finished));
-  return pdf;
+  return drawDocument("the report", cairo_pdf_surface_create_for_stream, kPageWidth, kPageHeight,
+                      [&](cairo_t* cairo, cairo_surface_t* surface) {
+                        cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, content.title.c_str());
+                        const std::string id = content.facts.empty() ? "" : content.facts.front().second;
+                        Pages pages(cairo, fmt::format("FYD Console · {} · {}", content.kind, id));
+                        pages.heading(content.title, 16.0, 8.0);
+                        for (const auto& [what, text] : content.facts) pages.fact(what, text);
+                        pages.skip(8.0);
+                        if (!content.strips.empty()) pages.figure(content);
+                        pages.paragraph(content.legend, kMargin, kReportWidth, kMutedRgb);
+                        for (const ReportTable& table : content.tables) pages.table(table);
+                        pages.endPage();
+                      });
 }
 
 }  // namespace fyd::session
