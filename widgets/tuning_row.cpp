@@ -252,6 +252,15 @@ bool TuningRow::eventFilter(QObject* watched, QEvent* event) {
     event->ignore();
     return true;
   }
+  // A field in which nothing was typed has nothing to take back: undo and redo are then of the values.
+  if (watched == field_ && event->type() == QEvent::ShortcutOverride && !field_->isModified() &&
+      !field_->property("refused").toBool()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return true;
+    }
+  }
   if (watched == field_ && event->type() == QEvent::FocusOut && field_->property("refused").toBool()) refresh();
   return QWidget::eventFilter(watched, event);
 }

@@ -20,10 +20,10 @@ QStringList CalibrationStep::row(const CalibrationPoint& point) const {
 std::vector<std::unique_ptr<CalibrationStep>> makeCalibrationSteps(const station::Profile& profile) {
   std::vector<std::unique_ptr<CalibrationStep>> out;
   out.push_back(makeEncoderStep());
-  out.push_back(makeNoTouchStep());
   out.push_back(makeLoadCellStep());
   const std::size_t sensors = profile.step.sensing.indentation.ir_x_mm.size();
   for (std::size_t i = 0; i < std::min(sensors, sensing::kMaximumIrSensors); ++i) out.push_back(makeIrStep(i));
+  out.push_back(makeNoTouchStep());  // with the new curves, and after the load cell, which begins with a zero of 0
   out.push_back(makeCameraRegionStep());
   out.push_back(makeCameraScaleStep());
   out.push_back(makeStiffnessStep(profile.step.control));

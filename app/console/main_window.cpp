@@ -113,6 +113,7 @@ void MainWindow::connectFeed() {
   connect(&tuning_, &TuningBridge::told, this,
           [this](Severity severity, const QString& text) { tell(severity, text); });
   connect(robot_, &RobotChange::beginning, this, [this] { arm_once_ = false; });
+  connect(recording_, &RecordingControl::catalogued, reviewPage(), &ReviewPage::showNews);
 }
 
 void MainWindow::connectStateBar() {

@@ -134,7 +134,11 @@ void RecordingControl::enterIntoCatalogue(const QString& file) {
                        path = file.toStdString()](const std::stop_token&) -> Background::Finish {
     const auto entered = session::catalogueRecording(catalogue, path);
     return [this, entered] {
-      if (!entered) context_.tell(Severity::warning, widgets::coreText(entered.error().message));
+      if (!entered) {
+        context_.tell(Severity::warning, widgets::coreText(entered.error().message));
+        return;
+      }
+      emit catalogued();
     };
   });
 }

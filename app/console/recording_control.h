@@ -32,6 +32,9 @@ class RecordingControl : public QObject {
   /// The next file: documents, a folder for sessions, date, time and subject.
   [[nodiscard]] static QString suggestedFile(const QString& subject);
 
+ signals:
+  void catalogued();  ///< a closed recording stands in the catalogue
+
  private:
   void open();
   void start(const widgets::RecordingEntries& entries);

@@ -52,6 +52,10 @@ void ReviewPage::showList() {
   list_->look();
 }
 
+void ReviewPage::showNews() {
+  if (isVisible() && showsList()) list_->look();
+}
+
 void ReviewPage::close() {
   touch_search_.drop();
   figures_work_.drop();

@@ -38,6 +38,8 @@ class ReviewPage : public Page {
   /// Shows a recording; what is wrong with it is told, and the list stays.
   void open(const QString& path);
   void showList();
+  /// A session was added to the catalogue: a list that is looked at shows it, too.
+  void showNews();
   /// At the cursor.
   void writeNote(session::NoteKind kind, const QString& text);
   void setMark(widgets::CurveStack::Mark which);

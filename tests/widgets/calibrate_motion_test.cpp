@@ -6,14 +6,13 @@
 #include "app/console/calibrate_records.h"
 #include "core/station/calibration_file.h"
 #include "tests/widgets/calibrating.h"
+#include "tests/widgets/simulated_touchpad.h"
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
 
 namespace {
 
-constexpr int kPatience_ms = 30000;
-constexpr int kAttempt_ms = 10000;
 constexpr int kRefused_ms = widgets::HoldButton::kHold_ms + 200;  // the focus goes to the entry that was refused
 
 struct Moving : Calibrating {
@@ -301,27 +300,16 @@ class CalibrateMotionTest : public QObject {
     for (const char* part :
          {"encoders", "load-cell", "ir-1", "ir-2", "ir-3", "camera-region", "camera", "stiffness", "rest"}) {
       page->choose(QLatin1String(part));
-      QTRY_VERIFY_WITH_TIMEOUT(page->simulateButton()->isEnabled(), kPatience_ms);
-      QTest::mouseClick(page->simulateButton(), Qt::LeftButton);
-      QVERIFY2(page->acceptButton()->isEnabled(), qPrintable(QLatin1String(part) + page->fitPanel()->verdict()));
+      takeSimulated(page);
+      if (QTest::currentTestFailed()) return;
       QTest::mouseClick(page->acceptButton(), Qt::LeftButton);
       QVERIFY2(page->hint().startsWith(QLatin1String("Accepted")), qPrintable(page->hint()));
       QCOMPARE(station::loadCalibrationRecords(path.toStdString())->size(), ++accepted);
     }
-    // And one stretch for real: the simulated motors go there, the simulated finger presses.
+    // And one stretch for real.
     page->choose(QStringLiteral("stiffness"));
-    // On a busy machine a stale input may end the motion; an operator would hold the button again.
-    for (int attempt = 0; attempt < 5 && page->points().empty(); ++attempt) {
-      QTRY_VERIFY_WITH_TIMEOUT(page->moveButton()->isEnabled(), kPatience_ms);
-      QTest::mousePress(page->moveButton(), Qt::LeftButton);
-      (void)QTest::qWaitFor([&] { return page->moveButton()->engaged() || !page->moveButton()->isEnabled(); });
-      const auto over = [&] {
-        return !page->points().empty() || page->hint().startsWith(QLatin1String("The motors are off"));
-      };
-      (void)QTest::qWaitFor(over, kAttempt_ms);
-      QTest::mouseRelease(page->moveButton(), Qt::LeftButton);
-    }
-    QVERIFY2(!page->points().empty(), qPrintable(page->hint() + page->live()));
+    measureOneStretch(page);
+    if (QTest::currentTestFailed()) return;
     QTRY_VERIFY_WITH_TIMEOUT(!session->deviceTestStatus().running, kPatience_ms);
     const console::CalibrationPoint& point = page->points().front();
     QVERIFY2(std::abs(point[0] - 20.0) < 2.0 && point[1] > 1.0 && point[2] > 0.2,

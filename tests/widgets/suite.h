@@ -21,5 +21,6 @@ std::unique_ptr<QObject> makeCalibrateMotionTest();
 std::unique_ptr<QObject> makeReviewTest();
 std::unique_ptr<QObject> makeReviewWorkTest();
 std::unique_ptr<QObject> makeMannersTest();
+std::unique_ptr<QObject> makeJourneyTest();
 
 }  // namespace fyd::tests
