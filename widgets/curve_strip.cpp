@@ -5,6 +5,7 @@
 
 #include <qcustomplot.h>
 
+#include "widgets/curve_line.h"
 #include "widgets/number_ticker.h"
 #include "widgets/plot_dress.h"
 
@@ -59,8 +60,8 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
     axis->setNumberPrecision(4);
   }
   for (std::size_t i = 0; i < traces_.size(); ++i) {
-    QCPGraph* graph = plot_->addGraph();
-    graph->setAdaptiveSampling(false);  // the columns already are what the pixels can show
+    auto* graph = new CurveLine(plot_->xAxis, plot_->yAxis);  // the plot owns it
+    graph->setAdaptiveSampling(false);                        // the columns already are what the pixels can show
   }
   lanes_ = !traces_.front().lane.isEmpty();
   if (lanes_) buildLanes();

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <cmath>
 
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 #include "widgets/parameter_names.h"
 
@@ -87,7 +88,7 @@ QString deliveryWords(const TunedParameter& p) {
 }
 
 bool tunedMatches(const Parameter& parameter, const QString& text) {
-  const QString help = QString::fromStdString(std::string(parameter.info.help));
+  const QString help = coreText(parameter.info.help);
   const QString where = fromView(parameter.id) + QLatin1Char(' ') + tunedName(parameter) + QLatin1Char(' ') +
                         roomTitle(parameter.id) + QLatin1Char(' ') + help;
   const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);

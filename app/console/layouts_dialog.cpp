@@ -63,8 +63,10 @@ void LayoutsDialog::open() {
   list_->clear();
   list_->addItems(memory_.layoutNames());
   field_->clear();
-  words_->setText(list_->count() == 0 ? tr("No layout is saved yet. Move the panels and choose the curves as you like them, then write a name.")
-                                      : tr("Enter or a double click goes back to a layout."));
+  words_->setText(
+      list_->count() == 0
+          ? tr("No layout is saved yet. Move the panels and choose the curves as you like them, then write a name.")
+          : tr("Enter or a double click goes back to a layout."));
   refresh();
   show();
   raise();

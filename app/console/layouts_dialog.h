@@ -1,4 +1,5 @@
-// Named layouts of the panels with the choice of curves: save the present one under a name, go back to one, delete one. Never modal.
+// Named layouts of the panels with the choice of curves: save the present one under a name, go back to one, delete one.
+// Never modal.
 #pragma once
 
 #include <QDialog>

@@ -49,10 +49,8 @@ constexpr Topic kWidgets[] = {
 };
 
 constexpr Topic kPlaces[] = {
-    {"operate", "operate.md"},
-    {"calibrate", "calibration.md#in-the-window"},
-    {"review", "review.md"},
-    {"devices", "operate.md#devices"},
+    {"operate", "operate.md"}, {"calibrate", "calibration.md#in-the-window"},
+    {"review", "review.md"},   {"devices", "operate.md#devices"},
     {"tune", "tuning.md"},
 };
 
