@@ -32,7 +32,7 @@ TuningRow::TuningRow(TuningModel& model, QString id, const QString& label, Quant
   const Parameter& info = parameter().info;
   const QString help = coreText(info.info.help);
   const QString unit = unitText(info);
-  QString tip = help + QLatin1Char('\n') + QString::fromStdString(describeRange(info));
+  QString tip = help + QLatin1Char('\n') + coreText(describeRange(info));
   tip += QLatin1Char('\n') + tr("Parameter %1").arg(id_);
   name_->setToolTip(tip);
   setAccessibleName(unit.isEmpty() ? label : tr("%1 in %2").arg(label, unit));
@@ -189,7 +189,7 @@ void TuningRow::takeField() {
   }
   markRefused(true);
   emit refused(tr("%1: \"%2\" was not taken. Expected %3.")
-                   .arg(name_->text(), field_->text(), QString::fromStdString(describeRange(parameter().info))));
+                   .arg(name_->text(), field_->text(), coreText(describeRange(parameter().info))));
 }
 
 void TuningRow::markRefused(bool refused) {

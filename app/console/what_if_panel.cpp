@@ -77,10 +77,9 @@ void WhatIfPanel::build() {
     if (!each.isNumber()) continue;
     const QString id = QString::fromUtf8(each.id.data(), static_cast<qsizetype>(each.id.size()));
     parameter_->addItem(id);
-    parameter_->setItemData(
-        parameter_->count() - 1,
-        tr("%1\n%2").arg(widgets::coreText(each.info.help), QString::fromStdString(describeRange(each))),
-        Qt::ToolTipRole);
+    parameter_->setItemData(parameter_->count() - 1,
+                            tr("%1\n%2").arg(widgets::coreText(each.info.help), widgets::coreText(describeRange(each))),
+                            Qt::ToolTipRole);
   }
   parameter_->setCurrentText(QStringLiteral("control.kp"));
   parameter_->completer()->setFilterMode(Qt::MatchContains);

@@ -107,10 +107,16 @@ std::string describeRange(const Parameter& parameter) {
   if (parameter.kind == ParameterKind::boolean) return "true or false";
   if (parameter.kind == ParameterKind::choice) return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
   if (parameter.kind == ParameterKind::text) return fmt::format("a line of at most {} bytes", kParameterTextLimit);
-  const char* what = parameter.kind == ParameterKind::integer ? "a whole number" : "a number";
-  if (parameter.kind == ParameterKind::list) what = "a list of numbers, each";
+  const double lowest = parameter.info.minimum;
+  const double highest = parameter.info.maximum;
   const std::string unit = parameter.info.unit == "1" ? "" : fmt::format(" {}", parameter.info.unit);
-  return fmt::format("{} from {} to {}{}", what, parameter.info.minimum, parameter.info.maximum, unit);
+  if (parameter.kind == ParameterKind::list) {
+    return fmt::format("a list of numbers, each from {} to {}{}", lowest, highest, unit);
+  }
+  if (parameter.kind == ParameterKind::integer) {
+    return fmt::format("a whole number from {} to {}{}", lowest, highest, unit);
+  }
+  return fmt::format("a number from {} to {}{}", lowest, highest, unit);
 }
 
 const Parameter* findParameter(std::span<const Parameter> parameters, std::string_view id) {

@@ -334,6 +334,10 @@
         <translation>%1 : %2. %3 Puis réarmer.</translation>
     </message>
     <message>
+        <source>%1: '%2' is not a number; expected %3</source>
+        <translation>%1 : « %2 » n'est pas un nombre ; attendu : %3</translation>
+    </message>
+    <message>
         <source>%1: a report ends in .html or .pdf</source>
         <translation>%1 : un rapport se termine par .html ou .pdf</translation>
     </message>
@@ -624,6 +628,10 @@
     <message>
         <source>Adaptive mode: a finger is darker than the lit cloth by at least this part of it.</source>
         <translation>Mode adaptatif : un doigt est plus sombre que le tissu éclairé d'au moins cette fraction.</translation>
+    </message>
+    <message>
+        <source>Adaptive mode: use every n-th pixel and row, for slow computers.</source>
+        <translation>Mode adaptatif : n'utilise qu'un pixel et une ligne sur n, pour les ordinateurs lents.</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1192,6 +1200,10 @@ mm</translation>
         <translation>Capteur de distance %1</translation>
     </message>
     <message>
+        <source>Distance sensor's curve of volts, as its form says; empty: the thesis polynomial.</source>
+        <translation>Courbe du capteur de distance en fonction des volts, selon sa forme ; vide : le polynôme de la thèse.</translation>
+    </message>
+    <message>
         <source>Distance sensors measure</source>
         <translation>Les capteurs de distance mesurent</translation>
     </message>
@@ -1200,8 +1212,24 @@ mm</translation>
         <translation>Capteurs de distance : distance au tissu non touché ; fixée par la tare.</translation>
     </message>
     <message>
+        <source>Distance sensors: highest valid ADC code of each.</source>
+        <translation>Capteurs de distance : code CAN valable le plus haut de chacun.</translation>
+    </message>
+    <message>
+        <source>Distance sensors: lowest valid ADC code of each.</source>
+        <translation>Capteurs de distance : code CAN valable le plus bas de chacun.</translation>
+    </message>
+    <message>
         <source>Distance sensors: noise of one reading.</source>
         <translation>Capteurs de distance : bruit d'une lecture.</translation>
+    </message>
+    <message>
+        <source>Distance sensors: x of each; as many as there are.</source>
+        <translation>Capteurs de distance : x de chacun ; autant qu'il y en a.</translation>
+    </message>
+    <message>
+        <source>Distance sensors: y of each.</source>
+        <translation>Capteurs de distance : y de chacun.</translation>
     </message>
     <message>
         <source>Distance, mm</source>
@@ -1470,6 +1498,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Doigt, indentation et force</translation>
     </message>
     <message>
+        <source>First encoder's reading at zero stretch.</source>
+        <translation>Lecture du premier codeur à étirement nul.</translation>
+    </message>
+    <message>
         <source>Fit</source>
         <translation>Ajustement</translation>
     </message>
@@ -1576,6 +1608,10 @@ N</translation>
         <translation>Bon : %1.</translation>
     </message>
     <message>
+        <source>Greatest stretch the controller commands.</source>
+        <translation>Plus grand étirement que le régulateur commande.</translation>
+    </message>
+    <message>
         <source>Grey value</source>
         <translation>Niveau de gris</translation>
     </message>
@@ -1584,12 +1620,24 @@ N</translation>
         <translation>Il faut une demi-seconde sans trou.</translation>
     </message>
     <message>
+        <source>Half the usable cloth's depth.</source>
+        <translation>Moitié de la profondeur utile du tissu.</translation>
+    </message>
+    <message>
+        <source>Half the usable cloth's width.</source>
+        <translation>Moitié de la largeur utile du tissu.</translation>
+    </message>
+    <message>
         <source>Hand target</source>
         <translation>Consigne à la main</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Height of the cloth in the camera's picture.</source>
+        <translation>Hauteur du tissu dans l'image de la caméra.</translation>
     </message>
     <message>
         <source>Held</source>
@@ -1698,6 +1746,10 @@ Robot : %2
     <message>
         <source>How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.</source>
         <translation>Avec quelle lenteur la raideur mesurée suit la vraie (constante de temps) ; le réglage automatique la mesure.</translation>
+    </message>
+    <message>
+        <source>How the stretch follows the stiffness target: law and PID, or as the thesis prints it.</source>
+        <translation>Comment l'étirement suit la raideur demandée : loi et PID, ou comme imprimé dans la thèse.</translation>
     </message>
     <message>
         <source>How three axes of vibration become one signal.</source>
@@ -1872,6 +1924,10 @@ Robot : %2
         <translation>Dispositions…</translation>
     </message>
     <message>
+        <source>Least stretch the controller commands.</source>
+        <translation>Plus petit étirement que le régulateur commande.</translation>
+    </message>
+    <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
         <translation>Laisser la cellule sans charge, saisir 0 et prendre le point.</translation>
     </message>
@@ -1882,6 +1938,10 @@ Robot : %2
     <message>
         <source>Left as it is</source>
         <translation>Laissé tel quel</translation>
+    </message>
+    <message>
+        <source>Left edge of the cloth in the camera's picture.</source>
+        <translation>Bord gauche du tissu dans l'image de la caméra.</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1962,12 +2022,24 @@ s</translation>
         <translation>Cellule de charge : force lue sans rien sur le tissu ; fixée par la tare.</translation>
     </message>
     <message>
+        <source>Load cell: grams at 0 mV/V.</source>
+        <translation>Cellule de charge : grammes à 0 mV/V.</translation>
+    </message>
+    <message>
+        <source>Load cell: grams per mV/V.</source>
+        <translation>Cellule de charge : grammes par mV/V.</translation>
+    </message>
+    <message>
         <source>Load cell: how far its zero may be off.</source>
         <translation>Cellule de charge : de combien son zéro peut être faux.</translation>
     </message>
     <message>
         <source>Load cell: noise of one reading.</source>
         <translation>Cellule de charge : bruit d'une lecture.</translation>
+    </message>
+    <message>
+        <source>Load cell: readings beyond it are invalid.</source>
+        <translation>Cellule de charge : les lectures au-delà ne sont pas valables.</translation>
     </message>
     <message>
         <source>Load the chosen preset</source>
@@ -2224,6 +2296,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Pas de marqueur : rien n'est enregistré. Ctrl+R commence.</translation>
     </message>
     <message>
+        <source>No motor is sent further than this from its zero, whatever stretch and translation add up to.</source>
+        <translation>Aucun moteur n'est envoyé plus loin que cela de son zéro, quelle que soit la somme de l'étirement et de la translation.</translation>
+    </message>
+    <message>
         <source>No notes. N writes one at the cursor.</source>
         <translation>Pas de notes. N en écrit une au curseur.</translation>
     </message>
@@ -2440,6 +2516,22 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Décalage, mm</translation>
     </message>
     <message>
+        <source>Oldest distance reading the step still trusts.</source>
+        <translation>Âge maximal d'une lecture de distance à laquelle le pas se fie encore.</translation>
+    </message>
+    <message>
+        <source>Oldest encoder reading the step still trusts.</source>
+        <translation>Âge maximal d'une lecture des codeurs à laquelle le pas se fie encore.</translation>
+    </message>
+    <message>
+        <source>Oldest load-cell reading the step still trusts.</source>
+        <translation>Âge maximal d'une lecture de la cellule de charge à laquelle le pas se fie encore.</translation>
+    </message>
+    <message>
+        <source>Oldest picture the step still trusts.</source>
+        <translation>Âge maximal d'une image à laquelle le pas se fie encore.</translation>
+    </message>
+    <message>
         <source>On a cloth 30 % softer than its law says, with the sensors that the profile describes. Auto-tune finds out more.</source>
         <translation>Sur un tissu 30 % plus souple que ne le dit sa loi, avec les capteurs décrits par le profil. Le réglage automatique en apprend plus.</translation>
     </message>
@@ -2550,6 +2642,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Paused by the robot</source>
         <translation>Mise en pause par le robot</translation>
+    </message>
+    <message>
+        <source>Period of the thesis' control law.</source>
+        <translation>Période de la loi de commande de la thèse.</translation>
     </message>
     <message>
         <source>Phase margin</source>
@@ -2704,6 +2800,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>RMS</source>
         <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Radius of the finger's contact with the cloth.</source>
+        <translation>Rayon du contact du doigt avec le tissu.</translation>
+    </message>
+    <message>
+        <source>Rate at which the texture step is called and its filters are designed.</source>
+        <translation>Fréquence à laquelle le pas de texture est appelé et pour laquelle ses filtres sont conçus.</translation>
     </message>
     <message>
         <source>Rate limit</source>
@@ -3012,6 +3116,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Recherche …</translation>
     </message>
     <message>
+        <source>Second encoder's reading at zero stretch.</source>
+        <translation>Lecture du second codeur à étirement nul.</translation>
+    </message>
+    <message>
         <source>Secured</source>
         <translation>Sécurisée</translation>
     </message>
@@ -3022,6 +3130,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Sensors live, motors off.</source>
         <translation>Capteurs actifs, moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>Sensors nearer to one line than this condition number make no plane.</source>
+        <translation>Des capteurs plus proches d'une droite que ce conditionnement ne font pas un plan.</translation>
     </message>
     <message>
         <source>Sent</source>
@@ -3210,6 +3322,10 @@ s</translation>
         <translation>État</translation>
     </message>
     <message>
+        <source>Static law between stretch angle and stiffness; interpolated uses the points below.</source>
+        <translation>Loi statique entre angle d'étirement et raideur ; interpolated utilise les points qui suivent.</translation>
+    </message>
+    <message>
         <source>Steady error</source>
         <translation>Erreur finale</translation>
     </message>
@@ -3258,6 +3374,10 @@ N/mm</translation>
     <message>
         <source>Stiffness map</source>
         <translation>Carte de raideur</translation>
+    </message>
+    <message>
+        <source>Stiffness measured at each of those angles, rising.</source>
+        <translation>Raideur mesurée à chacun de ces angles, croissante.</translation>
     </message>
     <message>
         <source>Stiffness minimum force</source>
@@ -3326,6 +3446,10 @@ N/mm</translation>
     <message>
         <source>Stretch</source>
         <translation>Tension</translation>
+    </message>
+    <message>
+        <source>Stretch angles of the calibration points, rising.</source>
+        <translation>Angles d'étirement des points d'étalonnage, croissants.</translation>
     </message>
     <message>
         <source>Stretch, read by the encoders</source>
@@ -3472,6 +3596,10 @@ N/mm</translation>
         <translation>Le doigt n'a jamais appuyé dans cette session.</translation>
     </message>
     <message>
+        <source>The first encoder counts against its motor's reference (firmware of 2014 and later differ).</source>
+        <translation>Le premier codeur compte à l'inverse de la consigne de son moteur (les micrologiciels de 2014 et d'après diffèrent).</translation>
+    </message>
+    <message>
         <source>The fit and its residuals are drawn here.
 
 To begin: %1</source>
@@ -3580,6 +3708,10 @@ Pour commencer : %1</translation>
         <translation>La recherche a été annulée. Rouvrir la session pour chercher les touchers.</translation>
     </message>
     <message>
+        <source>The second encoder counts against its motor's reference.</source>
+        <translation>Le second codeur compte à l'inverse de la consigne de son moteur.</translation>
+    </message>
+    <message>
         <source>The selected parameters take their saved values again</source>
         <translation>Les paramètres choisis reprennent leurs valeurs enregistrées</translation>
     </message>
@@ -3680,6 +3812,10 @@ Pour commencer : %1</translation>
         <translation>Mode thèse : les niveaux de gris inférieurs sont le doigt.</translation>
     </message>
     <message>
+        <source>Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: each touch moves it from where it stands.</source>
+        <translation>Mode thèse : le robot va où est le doigt, avec un saut à chaque nouveau toucher ; éteint : chaque toucher le déplace d'où il se trouve.</translation>
+    </message>
+    <message>
         <source>This angle is taken.</source>
         <translation>Cet angle est pris.</translation>
     </message>
@@ -3738,6 +3874,10 @@ Pour commencer : %1</translation>
     <message>
         <source>Top</source>
         <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Top edge of the cloth in the camera's picture.</source>
+        <translation>Bord supérieur du tissu dans l'image de la caméra.</translation>
     </message>
     <message>
         <source>Touch %1 at %2: peak force %3, peak indentation %4, stiffness %5 of %6 asked, settled after %7</source>
@@ -3904,6 +4044,10 @@ Pour commencer : %1</translation>
         <translation>Largeur</translation>
     </message>
     <message>
+        <source>Width of the cloth in the camera's picture.</source>
+        <translation>Largeur du tissu dans l'image de la caméra.</translation>
+    </message>
+    <message>
         <source>Words of the name, the identifier, the help or the group (Ctrl+F)</source>
         <translation>Mots du nom, de l'identifiant, de l'aide ou du groupe (Ctrl+F)</translation>
     </message>
@@ -3928,8 +4072,16 @@ Pour commencer : %1</translation>
         <translation>un code, comme S07 ; jamais un nom</translation>
     </message>
     <message>
+        <source>a list of numbers, each from %1 to %2</source>
+        <translation>une liste de nombres, chacun de %1 à %2</translation>
+    </message>
+    <message>
         <source>a motor stands beyond control.motor_limit_deg: check the encoder's zero</source>
         <translation>un moteur est au-delà de control.motor_limit_deg : vérifier le zéro du codeur</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>un nombre de %1 à %2</translation>
     </message>
     <message>
         <source>a second</source>
@@ -3938,6 +4090,10 @@ Pour commencer : %1</translation>
     <message>
         <source>a sensor is outside its span</source>
         <translation>un capteur est hors de sa plage</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>un nombre entier de %1 à %2</translation>
     </message>
     <message>
         <source>a wrong tare of %1 ± %2 is taken into account</source>
@@ -4604,6 +4760,10 @@ Pour commencer : %1</translation>
         <translation>allumé</translation>
     </message>
     <message>
+        <source>one of %1</source>
+        <translation>un parmi %1</translation>
+    </message>
+    <message>
         <source>pictures</source>
         <translation>images</translation>
     </message>
@@ -4614,6 +4774,10 @@ Pour commencer : %1</translation>
     <message>
         <source>polynomial of degree %1</source>
         <translation>polynôme de degré %1</translation>
+    </message>
+    <message>
+        <source>polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2.</source>
+        <translation>polynomial : c0 + c1 v + ..., la constante d'abord ; inverse : c0/(v + c1) + c2.</translation>
     </message>
     <message>
         <source>position duty %1</source>
@@ -5010,6 +5174,10 @@ Pour commencer : %1</translation>
     <message>
         <source>trial ends</source>
         <translation>l'essai finit</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
     </message>
     <message>
         <source>unknown</source>

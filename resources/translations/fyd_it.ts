@@ -334,6 +334,10 @@
         <translation>%1: %2. %3 Poi riarmare.</translation>
     </message>
     <message>
+        <source>%1: '%2' is not a number; expected %3</source>
+        <translation>%1: '%2' non è un numero; atteso %3</translation>
+    </message>
+    <message>
         <source>%1: a report ends in .html or .pdf</source>
         <translation>%1: un rapporto termina in .html o .pdf</translation>
     </message>
@@ -624,6 +628,10 @@
     <message>
         <source>Adaptive mode: a finger is darker than the lit cloth by at least this part of it.</source>
         <translation>Modo adattivo: un dito è più scuro del tessuto illuminato almeno di questa frazione.</translation>
+    </message>
+    <message>
+        <source>Adaptive mode: use every n-th pixel and row, for slow computers.</source>
+        <translation>Modo adattivo: usa un pixel e una riga ogni n, per i computer lenti.</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1192,6 +1200,10 @@ mm</translation>
         <translation>Sensore di distanza %1</translation>
     </message>
     <message>
+        <source>Distance sensor's curve of volts, as its form says; empty: the thesis polynomial.</source>
+        <translation>Curva del sensore di distanza in funzione dei volt, come dice la sua forma; vuota: il polinomio della tesi.</translation>
+    </message>
+    <message>
         <source>Distance sensors measure</source>
         <translation>I sensori di distanza misurano</translation>
     </message>
@@ -1200,8 +1212,24 @@ mm</translation>
         <translation>Sensori di distanza: distanza dal tessuto non toccato; la imposta la tara.</translation>
     </message>
     <message>
+        <source>Distance sensors: highest valid ADC code of each.</source>
+        <translation>Sensori di distanza: codice ADC valido più alto di ciascuno.</translation>
+    </message>
+    <message>
+        <source>Distance sensors: lowest valid ADC code of each.</source>
+        <translation>Sensori di distanza: codice ADC valido più basso di ciascuno.</translation>
+    </message>
+    <message>
         <source>Distance sensors: noise of one reading.</source>
         <translation>Sensori di distanza: rumore di una lettura.</translation>
+    </message>
+    <message>
+        <source>Distance sensors: x of each; as many as there are.</source>
+        <translation>Sensori di distanza: x di ciascuno; tanti quanti sono.</translation>
+    </message>
+    <message>
+        <source>Distance sensors: y of each.</source>
+        <translation>Sensori di distanza: y di ciascuno.</translation>
     </message>
     <message>
         <source>Distance, mm</source>
@@ -1470,6 +1498,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Dito, indentazione e forza</translation>
     </message>
     <message>
+        <source>First encoder's reading at zero stretch.</source>
+        <translation>Lettura del primo encoder a stiramento zero.</translation>
+    </message>
+    <message>
         <source>Fit</source>
         <translation>Adattamento</translation>
     </message>
@@ -1576,6 +1608,10 @@ N</translation>
         <translation>Bene: %1.</translation>
     </message>
     <message>
+        <source>Greatest stretch the controller commands.</source>
+        <translation>Massimo stiramento che il controllore comanda.</translation>
+    </message>
+    <message>
         <source>Grey value</source>
         <translation>Valore di grigio</translation>
     </message>
@@ -1584,12 +1620,24 @@ N</translation>
         <translation>Serve mezzo secondo senza buchi.</translation>
     </message>
     <message>
+        <source>Half the usable cloth's depth.</source>
+        <translation>Metà della profondità utile del tessuto.</translation>
+    </message>
+    <message>
+        <source>Half the usable cloth's width.</source>
+        <translation>Metà della larghezza utile del tessuto.</translation>
+    </message>
+    <message>
         <source>Hand target</source>
         <translation>Valore a mano</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Altezza</translation>
+    </message>
+    <message>
+        <source>Height of the cloth in the camera's picture.</source>
+        <translation>Altezza del tessuto nell'immagine della telecamera.</translation>
     </message>
     <message>
         <source>Held</source>
@@ -1698,6 +1746,10 @@ Robot: %2
     <message>
         <source>How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.</source>
         <translation>Quanto lentamente la rigidezza misurata segue la vera (costante di tempo); l'autoregolazione la misura.</translation>
+    </message>
+    <message>
+        <source>How the stretch follows the stiffness target: law and PID, or as the thesis prints it.</source>
+        <translation>Come lo stiramento segue la rigidezza richiesta: legge e PID, o come stampato nella tesi.</translation>
     </message>
     <message>
         <source>How three axes of vibration become one signal.</source>
@@ -1872,6 +1924,10 @@ Robot: %2
         <translation>Disposizioni…</translation>
     </message>
     <message>
+        <source>Least stretch the controller commands.</source>
+        <translation>Minimo stiramento che il controllore comanda.</translation>
+    </message>
+    <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
         <translation>Lasciare la cella scarica, scrivere 0 e prendere il punto.</translation>
     </message>
@@ -1882,6 +1938,10 @@ Robot: %2
     <message>
         <source>Left as it is</source>
         <translation>Lasciato com'è</translation>
+    </message>
+    <message>
+        <source>Left edge of the cloth in the camera's picture.</source>
+        <translation>Bordo sinistro del tessuto nell'immagine della telecamera.</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1962,12 +2022,24 @@ s</translation>
         <translation>Cella di carico: forza letta senza nulla sul tessuto; la imposta la tara.</translation>
     </message>
     <message>
+        <source>Load cell: grams at 0 mV/V.</source>
+        <translation>Cella di carico: grammi a 0 mV/V.</translation>
+    </message>
+    <message>
+        <source>Load cell: grams per mV/V.</source>
+        <translation>Cella di carico: grammi per mV/V.</translation>
+    </message>
+    <message>
         <source>Load cell: how far its zero may be off.</source>
         <translation>Cella di carico: quanto può essere fuori il suo zero.</translation>
     </message>
     <message>
         <source>Load cell: noise of one reading.</source>
         <translation>Cella di carico: rumore di una lettura.</translation>
+    </message>
+    <message>
+        <source>Load cell: readings beyond it are invalid.</source>
+        <translation>Cella di carico: le letture oltre questo valore non sono valide.</translation>
     </message>
     <message>
         <source>Load the chosen preset</source>
@@ -2224,6 +2296,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nessun marcatore: nulla è in registrazione. Ctrl+R inizia.</translation>
     </message>
     <message>
+        <source>No motor is sent further than this from its zero, whatever stretch and translation add up to.</source>
+        <translation>Nessun motore è mandato più lontano di così dal suo zero, qualunque sia la somma di stiramento e traslazione.</translation>
+    </message>
+    <message>
         <source>No notes. N writes one at the cursor.</source>
         <translation>Nessuna nota. N ne scrive una al cursore.</translation>
     </message>
@@ -2440,6 +2516,22 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Offset, mm</translation>
     </message>
     <message>
+        <source>Oldest distance reading the step still trusts.</source>
+        <translation>Età massima di una lettura di distanza di cui il passo si fida ancora.</translation>
+    </message>
+    <message>
+        <source>Oldest encoder reading the step still trusts.</source>
+        <translation>Età massima di una lettura degli encoder di cui il passo si fida ancora.</translation>
+    </message>
+    <message>
+        <source>Oldest load-cell reading the step still trusts.</source>
+        <translation>Età massima di una lettura della cella di carico di cui il passo si fida ancora.</translation>
+    </message>
+    <message>
+        <source>Oldest picture the step still trusts.</source>
+        <translation>Età massima di un'immagine di cui il passo si fida ancora.</translation>
+    </message>
+    <message>
         <source>On a cloth 30 % softer than its law says, with the sensors that the profile describes. Auto-tune finds out more.</source>
         <translation>Su un tessuto 30 % più morbido di quanto dice la sua legge, con i sensori descritti dal profilo. La taratura automatica ne scopre di più.</translation>
     </message>
@@ -2550,6 +2642,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Paused by the robot</source>
         <translation>Messo in pausa dal robot</translation>
+    </message>
+    <message>
+        <source>Period of the thesis' control law.</source>
+        <translation>Periodo della legge di controllo della tesi.</translation>
     </message>
     <message>
         <source>Phase margin</source>
@@ -2704,6 +2800,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>RMS</source>
         <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Radius of the finger's contact with the cloth.</source>
+        <translation>Raggio del contatto del dito col tessuto.</translation>
+    </message>
+    <message>
+        <source>Rate at which the texture step is called and its filters are designed.</source>
+        <translation>Frequenza con cui il passo della texture è chiamato e per cui sono progettati i suoi filtri.</translation>
     </message>
     <message>
         <source>Rate limit</source>
@@ -3012,6 +3116,10 @@ Premere per leggere perché</translation>
         <translation>Ricerca …</translation>
     </message>
     <message>
+        <source>Second encoder's reading at zero stretch.</source>
+        <translation>Lettura del secondo encoder a stiramento zero.</translation>
+    </message>
+    <message>
         <source>Secured</source>
         <translation>Protetto</translation>
     </message>
@@ -3022,6 +3130,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Sensors live, motors off.</source>
         <translation>Sensori vivi, motori spenti.</translation>
+    </message>
+    <message>
+        <source>Sensors nearer to one line than this condition number make no plane.</source>
+        <translation>Sensori più vicini a una retta di questo numero di condizionamento non fanno un piano.</translation>
     </message>
     <message>
         <source>Sent</source>
@@ -3210,6 +3322,10 @@ s</translation>
         <translation>Stato</translation>
     </message>
     <message>
+        <source>Static law between stretch angle and stiffness; interpolated uses the points below.</source>
+        <translation>Legge statica fra angolo di stiramento e rigidezza; interpolated usa i punti seguenti.</translation>
+    </message>
+    <message>
         <source>Steady error</source>
         <translation>Errore a regime</translation>
     </message>
@@ -3258,6 +3374,10 @@ N/mm</translation>
     <message>
         <source>Stiffness map</source>
         <translation>Mappa di rigidezza</translation>
+    </message>
+    <message>
+        <source>Stiffness measured at each of those angles, rising.</source>
+        <translation>Rigidezza misurata a ciascuno di quegli angoli, crescente.</translation>
     </message>
     <message>
         <source>Stiffness minimum force</source>
@@ -3326,6 +3446,10 @@ N/mm</translation>
     <message>
         <source>Stretch</source>
         <translation>Tensione</translation>
+    </message>
+    <message>
+        <source>Stretch angles of the calibration points, rising.</source>
+        <translation>Angoli di stiramento dei punti di calibrazione, crescenti.</translation>
     </message>
     <message>
         <source>Stretch, read by the encoders</source>
@@ -3472,6 +3596,10 @@ N/mm</translation>
         <translation>Il dito non ha mai premuto in questa sessione.</translation>
     </message>
     <message>
+        <source>The first encoder counts against its motor's reference (firmware of 2014 and later differ).</source>
+        <translation>Il primo encoder conta in senso opposto al riferimento del suo motore (i firmware del 2014 e successivi differiscono).</translation>
+    </message>
+    <message>
         <source>The fit and its residuals are drawn here.
 
 To begin: %1</source>
@@ -3580,6 +3708,10 @@ Per cominciare: %1</translation>
         <translation>La ricerca è stata annullata. Riaprire la sessione per cercare i tocchi.</translation>
     </message>
     <message>
+        <source>The second encoder counts against its motor's reference.</source>
+        <translation>Il secondo encoder conta in senso opposto al riferimento del suo motore.</translation>
+    </message>
+    <message>
         <source>The selected parameters take their saved values again</source>
         <translation>I parametri scelti riprendono i valori salvati</translation>
     </message>
@@ -3680,6 +3812,10 @@ Per cominciare: %1</translation>
         <translation>Modo tesi: i valori di grigio al di sotto sono il dito.</translation>
     </message>
     <message>
+        <source>Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: each touch moves it from where it stands.</source>
+        <translation>Modo tesi: il robot va dove è il dito, con un salto a ogni nuovo tocco; spento: ogni tocco lo muove da dove si trova.</translation>
+    </message>
+    <message>
         <source>This angle is taken.</source>
         <translation>Questo angolo è preso.</translation>
     </message>
@@ -3738,6 +3874,10 @@ Per cominciare: %1</translation>
     <message>
         <source>Top</source>
         <translation>Alto</translation>
+    </message>
+    <message>
+        <source>Top edge of the cloth in the camera's picture.</source>
+        <translation>Bordo superiore del tessuto nell'immagine della telecamera.</translation>
     </message>
     <message>
         <source>Touch %1 at %2: peak force %3, peak indentation %4, stiffness %5 of %6 asked, settled after %7</source>
@@ -3904,6 +4044,10 @@ Per cominciare: %1</translation>
         <translation>Larghezza</translation>
     </message>
     <message>
+        <source>Width of the cloth in the camera's picture.</source>
+        <translation>Larghezza del tessuto nell'immagine della telecamera.</translation>
+    </message>
+    <message>
         <source>Words of the name, the identifier, the help or the group (Ctrl+F)</source>
         <translation>Parole del nome, dell'identificatore, dell'aiuto o del gruppo (Ctrl+F)</translation>
     </message>
@@ -3928,8 +4072,16 @@ Per cominciare: %1</translation>
         <translation>un codice, come S07; mai un nome</translation>
     </message>
     <message>
+        <source>a list of numbers, each from %1 to %2</source>
+        <translation>un elenco di numeri, ciascuno da %1 a %2</translation>
+    </message>
+    <message>
         <source>a motor stands beyond control.motor_limit_deg: check the encoder's zero</source>
         <translation>un motore sta oltre control.motor_limit_deg: controllare lo zero dell'encoder</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>un numero da %1 a %2</translation>
     </message>
     <message>
         <source>a second</source>
@@ -3938,6 +4090,10 @@ Per cominciare: %1</translation>
     <message>
         <source>a sensor is outside its span</source>
         <translation>un sensore è fuori dal suo campo</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>un numero intero da %1 a %2</translation>
     </message>
     <message>
         <source>a wrong tare of %1 ± %2 is taken into account</source>
@@ -4604,6 +4760,10 @@ Per cominciare: %1</translation>
         <translation>acceso</translation>
     </message>
     <message>
+        <source>one of %1</source>
+        <translation>uno fra %1</translation>
+    </message>
+    <message>
         <source>pictures</source>
         <translation>immagini</translation>
     </message>
@@ -4614,6 +4774,10 @@ Per cominciare: %1</translation>
     <message>
         <source>polynomial of degree %1</source>
         <translation>polinomio di grado %1</translation>
+    </message>
+    <message>
+        <source>polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2.</source>
+        <translation>polynomial: c0 + c1 v + ..., prima la costante; inverse: c0/(v + c1) + c2.</translation>
     </message>
     <message>
         <source>position duty %1</source>
@@ -5010,6 +5174,10 @@ Per cominciare: %1</translation>
     <message>
         <source>trial ends</source>
         <translation>la prova finisce</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true o false</translation>
     </message>
     <message>
         <source>unknown</source>

@@ -2,7 +2,8 @@
 """The window's translations: resources/translations/fyd_<language>.ts against what the sources say.
 
 check   fails when a text of the window, or a sentence of the core in its table, is missing, unfinished or no longer
-        said in a language, or when a translation loses a value (%1) or a key (Ctrl+R)
+        said in a language, when a translation loses a value (%1) or a key (Ctrl+R), or when the help of a parameter
+        that the window shows is not in the table
 update  enters new texts as unfinished and takes away those that are no longer said
 """
 import argparse
@@ -94,6 +95,17 @@ def stale_core_sentences(root):
             yield f"core_sentences.cpp: no longer said anywhere: {text!r}"
 
 
+def untold_help(root, texts):
+    """The help of each parameter of the step (core/pipeline/parameters.h), from the manual's table, is in the core's."""
+    rows = re.findall(r"^\| `(pipeline|sensing|control|texture)\.(\w+)` \|(?:[^|]*\|){3} (.+) \|$",
+                      (root / "resources/manual/parameters.md").read_text(encoding="utf-8"), re.MULTILINE)
+    if len(rows) < 50:
+        yield f"parameters.md: only {len(rows)} parameters of the step found"
+    for room, name, text in rows:
+        if (text, "") not in texts:
+            yield f"core_sentences.cpp: the help of {room}.{name} is missing: {text!r}"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("task", choices=["check", "update"])
@@ -110,6 +122,7 @@ def main():
             write(ts, language, own, kept(ts))
         found += faults(language, own, kept(ts))
     found += stale_core_sentences(options.root)
+    found += untold_help(options.root, texts)
     if options.task == "check" and len(texts) < 100:
         found.append(f"only {len(texts)} texts found in the sources: is lupdate the right one?")
     print("\n".join(found) if found else f"{len(texts)} texts, complete in {', '.join(PLURALS)}")

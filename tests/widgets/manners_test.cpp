@@ -106,6 +106,34 @@ class MannersTest : public QObject {
     QCOMPARE(widgets::coreText(QStringLiteral("")), QString());
   }
 
+  void whatIfExplainsEveryParameterInEveryLanguage() {
+    const auto tips = [] {
+      widgets::WorkBars bars(nullptr);
+      const console::WhatIfPanel panel(&bars);
+      QStringList out;
+      for (int i = 0; i < panel.parameter()->count(); ++i) {
+        out << panel.parameter()->itemData(i, Qt::ToolTipRole).toString();
+      }
+      return out;
+    };
+    const QStringList english = tips();
+    QVERIFY(english.size() > 50);
+    for (const console::Language& language : console::languages()) {
+      if (QLatin1String(language.code) == QLatin1String("en")) continue;
+      const Speaking other(language.code);
+      const QStringList said = tips();
+      QCOMPARE(said.size(), english.size());
+      for (qsizetype i = 0; i < said.size(); ++i) {
+        const QStringList lines = said[i].split(QLatin1Char('\n'));  // its help, its range
+        const QStringList former = english[i].split(QLatin1Char('\n'));
+        QVERIFY2(lines.size() == 2 && lines[0] != former[0] && lines[1] != former[1], qPrintable(said[i]));
+      }
+    }
+    const Speaking italian("it");
+    QCOMPARE(widgets::coreText(QStringLiteral("control.kd = 99.5: expected a number from 0 to 20.5 s")),
+             QStringLiteral("control.kd = 99,5: atteso un numero da 0 a 20.5 s"));
+  }
+
   void theLanguageIsTheWantedOneTheKeptOneOrTheSystems() {
     const auto choose = [](const char* first, const char* second) {
       return console::chooseLanguage({QLatin1String(first), QLatin1String(second)});
