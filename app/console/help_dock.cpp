@@ -93,21 +93,19 @@ void HelpDock::load(const QString& topic) {
   }
   topic_ = topic;
   back_->setEnabled(!former_.isEmpty());
-  const QString heading = topic.section(QLatin1Char('#'), 1);
-  if (!heading.isEmpty()) scrollTo(heading);
+  if (topic.contains(QLatin1Char('#'))) scrollTo(manualHeading(topic));
 }
 
-bool HelpDock::scrollTo(const QString& heading_link) {
+void HelpDock::scrollTo(int heading) {
   for (QTextBlock block = page_->document()->begin(); block.isValid(); block = block.next()) {
-    if (block.blockFormat().headingLevel() == 0 || headingLink(block.text()) != heading_link) continue;
+    if (block.blockFormat().headingLevel() == 0 || heading-- != 0) continue;
     QTextCursor cursor(page_->document());
     cursor.movePosition(QTextCursor::End);  // so that coming back to the heading puts it on top
     page_->setTextCursor(cursor);
     cursor.setPosition(block.position());
     page_->setTextCursor(cursor);
-    return true;
+    return;
   }
-  return false;
 }
 
 void HelpDock::follow(const QUrl& link) {
@@ -124,7 +122,7 @@ void HelpDock::search(const QString& words) {
   found_->clear();
   for (const ManualSection& each : searchManual(words)) {
     auto* item = new QListWidgetItem(each.heading + QStringLiteral("  ·  ") + each.page.chopped(3), found_);
-    item->setData(Qt::UserRole, each.page + QLatin1Char('#') + headingLink(each.heading));
+    item->setData(Qt::UserRole, each.topic);
   }
   if (found_->count() == 0 && !words.trimmed().isEmpty()) {
     auto* none = new QListWidgetItem(tr("Nothing in the manual has these words."), found_);

@@ -1,4 +1,5 @@
-// The manual beside the work: pages with links, back and contents, and a search through all of them. Never modal.
+// The manual beside the work, in the window's language: pages with links, back and contents, and a search through all
+// of them. Never modal.
 #pragma once
 
 #include <QLineEdit>
@@ -30,8 +31,8 @@ class HelpDock : public SideDock {
   void load(const QString& topic);
   void search(const QString& words);
   void goToFound(const QListWidgetItem* item);
-  /// @return false when the page has no such heading
-  bool scrollTo(const QString& heading_link);
+  /// @param heading its number on the page, from 0; another leaves the page as it is
+  void scrollTo(int heading);
 
   QTextBrowser* page_;
   QLineEdit* field_;

@@ -23,7 +23,14 @@ class ByText : public QTranslator {
   }
 };
 
+QString& current() {
+  static QString code = QStringLiteral("en");
+  return code;
+}
+
 }  // namespace
+
+const QString& spoken() { return current(); }
 
 std::span<const Language> languages() { return kLanguages; }
 
@@ -43,6 +50,7 @@ QString chooseLanguage(const QStringList& wanted) {
 }
 
 void speak(QCoreApplication& application, const QString& code) {
+  current() = code;
   for (QTranslator* former : application.findChildren<QTranslator*>(Qt::FindDirectChildrenOnly)) delete former;
   QLocale::setDefault(QLocale(code));
   // Qt took the system's locale for the C library as well; files are written with a point, whatever the system speaks.

@@ -20,6 +20,9 @@ struct Language {
 /// passed over. @return the first known one, else the system's, else English
 [[nodiscard]] QString chooseLanguage(const QStringList& wanted);
 
+/// The code of the language that is spoken now; "en" before `speak`.
+[[nodiscard]] const QString& spoken();
+
 /// Texts, Qt's own included, and the decimal sign of numbers from now on; files keep the point. A former language goes.
 /// @param code as `chooseLanguage` returns it
 void speak(QCoreApplication& application, const QString& code);

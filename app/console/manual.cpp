@@ -5,6 +5,9 @@
 #include <QRegularExpression>
 #include <QWidget>
 #include <algorithm>
+#include <map>
+
+#include "app/console/language.h"
 
 namespace fyd::console {
 namespace {
@@ -54,8 +57,14 @@ constexpr Topic kPlaces[] = {
     {"tune", "tuning.md"},
 };
 
-QString read(const QString& page) {
-  QFile file(kFolder + page);
+/// In the window's language where there is one, else in English.
+QString placeOf(const QString& page) {
+  const QString translated = kFolder + spoken() + QLatin1Char('/') + page;
+  return QFile::exists(translated) ? translated : kFolder + page;
+}
+
+QString read(const QString& path) {
+  QFile file(path);
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
@@ -63,7 +72,7 @@ QString read(const QString& page) {
 QStringList pages() {
   QStringList out = {QStringLiteral("README.md")};
   static const QRegularExpression kLink(QStringLiteral("\\]\\(([\\w-]+\\.md)\\)"));
-  for (auto all = kLink.globalMatch(read(out.first())); all.hasNext();) {
+  for (auto all = kLink.globalMatch(read(kFolder + out.first())); all.hasNext();) {
     const QString page = all.next().captured(1);
     if (!out.contains(page)) out << page;
   }
@@ -73,31 +82,7 @@ QStringList pages() {
   return out;
 }
 
-void split(const QString& page, std::vector<ManualSection>& out) {
-  static const QRegularExpression kHeading(QStringLiteral("^#{1,6} +(.*?)\\s*$"));
-  bool quoted = false;
-  for (const QString& line : read(page).split(QLatin1Char('\n'))) {
-    if (line.startsWith(QLatin1String("```"))) quoted = !quoted;
-    const auto match = kHeading.match(line);
-    if (match.hasMatch() && !quoted) {
-      out.push_back({page, match.captured(1).remove(QLatin1Char('`')), {}});
-    } else if (!out.empty() && out.back().page == page) {
-      out.back().text += line + QLatin1Char('\n');
-    }
-  }
-}
-
-}  // namespace
-
-const std::vector<ManualSection>& manualSections() {
-  static const std::vector<ManualSection> kSections = [] {
-    std::vector<ManualSection> out;
-    for (const QString& page : pages()) split(page, out);
-    return out;
-  }();
-  return kSections;
-}
-
+/// A heading as a link names it: "Start, work, stop" is "start-work-stop".
 QString headingLink(const QString& heading) {
   QString link;
   for (const QChar c : heading.toLower()) {
@@ -107,7 +92,52 @@ QString headingLink(const QString& heading) {
   return link;
 }
 
-QUrl manualPage(const QString& page_and_heading) { return QUrl(QStringLiteral("qrc") + kFolder + page_and_heading); }
+std::vector<ManualSection> split(const QString& page, const QString& path) {
+  static const QRegularExpression kHeading(QStringLiteral("^#{1,6} +(.*?)\\s*$"));
+  std::vector<ManualSection> out;
+  bool quoted = false;
+  for (const QString& line : read(path).split(QLatin1Char('\n'))) {
+    if (line.startsWith(QLatin1String("```"))) quoted = !quoted;
+    const auto match = kHeading.match(line);
+    if (match.hasMatch() && !quoted) {
+      const QString heading = match.captured(1).remove(QLatin1Char('`'));
+      out.push_back({page, page + QLatin1Char('#') + headingLink(heading), heading, {}});
+    } else if (!out.empty()) {
+      out.back().text += line + QLatin1Char('\n');
+    }
+  }
+  return out;
+}
+
+/// The page as it is shown, its headings known by the English ones.
+std::vector<ManualSection> sectionsOf(const QString& page) {
+  const std::vector<ManualSection> english = split(page, kFolder + page);
+  std::vector<ManualSection> shown = split(page, placeOf(page));
+  for (std::size_t i = 0; i < std::min(english.size(), shown.size()); ++i) shown[i].topic = english[i].topic;
+  return shown;
+}
+
+}  // namespace
+
+const std::vector<ManualSection>& manualSections() {
+  static std::map<QString, std::vector<ManualSection>> of_language;
+  std::vector<ManualSection>& sections = of_language[spoken()];
+  if (sections.empty()) {
+    for (const QString& page : pages()) std::ranges::move(sectionsOf(page), std::back_inserter(sections));
+  }
+  return sections;
+}
+
+QUrl manualPage(const QString& page) { return QUrl(QStringLiteral("qrc") + placeOf(page)); }
+
+int manualHeading(const QString& topic) {
+  int number = 0;
+  for (const ManualSection& each : manualSections()) {
+    if (each.topic == topic) return number;
+    if (each.page == topic.section(QLatin1Char('#'), 0, 0)) ++number;
+  }
+  return -1;
+}
 
 std::vector<ManualSection> searchManual(const QString& words, std::size_t at_most) {
   const QStringList wanted = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);

@@ -1,5 +1,7 @@
 // The manual's pages as the program carries them: their headings, a search through them, and which page and heading
-// belongs to what is in focus.
+// belongs to what is in focus. A page is shown in the window's language where it is translated (resources/manual/it),
+// else in English. Topics and links name the English page and heading in every language: a translation has the same
+// headings in the same order (tests/translations/manual.py), so a place is found by its heading's number.
 #pragma once
 
 #include <QString>
@@ -13,16 +15,18 @@ namespace fyd::console {
 /// A heading and what stands under it.
 struct ManualSection {
   QString page;     ///< "operate.md"
-  QString heading;  ///< "Curves"; of a page's first one: its title
+  QString topic;    ///< "operate.md#curves", in every language
+  QString heading;  ///< "Curves", "Curve"; of a page's first one: its title
   QString text;     ///< Markdown, without the heading
 };
 
-/// All, in the order of the manual's own list of pages.
+/// All of the window's language, in the order of the manual's own list of pages.
 [[nodiscard]] const std::vector<ManualSection>& manualSections();
 
-/// A heading as a link names it: "Start, work, stop" is "start-work-stop".
-[[nodiscard]] QString headingLink(const QString& heading);
-[[nodiscard]] QUrl manualPage(const QString& page_and_heading);  ///< "operate.md#curves"
+/// Where the page is read from. @param page "operate.md"
+[[nodiscard]] QUrl manualPage(const QString& page);
+/// The number of the topic's heading among those of its page, from 0; -1 when there is no such heading.
+[[nodiscard]] int manualHeading(const QString& topic);
 
 /// Those that hold every word, headings first. @param words empty: none
 [[nodiscard]] std::vector<ManualSection> searchManual(const QString& words, std::size_t at_most = 40);

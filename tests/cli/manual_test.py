@@ -8,6 +8,14 @@ import fyd
 MANUAL = os.path.join(os.environ["FYD_SOURCE_DIR"], "resources", "manual")
 
 
+def pages():
+    """Names of all, "operate.md" and "it/operate.md"."""
+    for folder, _, names in os.walk(MANUAL):
+        for name in names:
+            if name.endswith(".md"):
+                yield os.path.relpath(os.path.join(folder, name), MANUAL)
+
+
 def page(name):
     with open(os.path.join(MANUAL, name), encoding="utf-8") as file:
         return file.read()
@@ -19,17 +27,15 @@ class Manual(fyd.Case):
         self.assertIn(table, page("parameters.md"), "run: fyd params --markdown, and put it into parameters.md")
 
     def test_every_page_and_picture_that_is_named_exists(self):
-        for name in os.listdir(MANUAL):
-            if not name.endswith(".md"):
-                continue
+        for name in pages():
             for target in re.findall(r"\]\(([^)#\s]+)", page(name)):
                 if "://" not in target:
-                    self.assertTrue(os.path.exists(os.path.join(MANUAL, target)), f"{name} names {target}")
+                    self.assertTrue(os.path.exists(os.path.join(MANUAL, os.path.dirname(name), target)), f"{name} names {target}")
 
     def test_every_subcommand_that_a_page_or_the_readme_shows_exists(self):
         known = set(re.findall(r"^  (\w+) ", fyd.run("--help").stdout, re.MULTILINE))
         with open(os.path.join(os.environ["FYD_SOURCE_DIR"], "README.md"), encoding="utf-8") as file:
-            texts = [file.read()] + [page(name) for name in os.listdir(MANUAL) if name.endswith(".md")]
+            texts = [file.read()] + [page(name) for name in pages()]
         for text in texts:
             for block in re.findall(r"```.*?```|^    .*$", text, re.DOTALL | re.MULTILINE):
                 for command in re.findall(r"(?:^|[/`\s])fyd (\w+)", block):
