@@ -51,7 +51,7 @@ StateBar::StateBar(QWidget* parent)
   tare_->setObjectName(QStringLiteral("tare_button"));
   tare_->setToolTip(
       tr("Take the present readings as \"not touched\": distance offsets and load-cell zero. "
-         "Lift the finger first (T)."));
+         "Lift the finger first (Ctrl+T)."));
   tare_->setAutoDefault(false);
   arm_->setObjectName(QStringLiteral("arm_button"));
   arm_->setToolTip(tr("Hold for 0.6 s, by mouse or with the space bar, to start rendering: the motors switch on."));

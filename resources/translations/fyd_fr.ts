@@ -75,7 +75,7 @@
     </message>
     <message>
         <source>%1 N/mm at %2 deg is known only to %3 %; expected at most %4 %: press there more often and deeper</source>
-        <translation>%1 N/mm à %2 degrés n'est connu qu'à %3 % près ; attendu au plus %4 % : y presser plus souvent et plus fort</translation>
+        <translation>%1 N/mm à %2° n'est connu qu'à %3 % près ; attendu au plus %4 % : y presser plus souvent et plus fort</translation>
     </message>
     <message>
         <source>%1 ago</source>
@@ -95,11 +95,11 @@
     </message>
     <message>
         <source>%1 cannot change while the station runs</source>
-        <translation>%1 ne peut pas changer pendant que la station travaille</translation>
+        <translation>%1 ne peut pas changer pendant que la station fonctionne</translation>
     </message>
     <message>
         <source>%1 different angles; expected at least %2: add presses at an angle between %3 and %4 deg</source>
-        <translation>%1 angles différents ; il en faut au moins %2 : ajouter des pressions à un angle entre %3 et %4 degrés</translation>
+        <translation>%1 angles différents ; il en faut au moins %2 : ajouter des pressions à un angle entre %3 et %4°</translation>
     </message>
     <message>
         <source>%1 different distances in %2 points; expected at least %3: add points between %4 and %5 mm (the same distance again tells only the noise)</source>
@@ -119,11 +119,11 @@
     </message>
     <message>
         <source>%1 encoder turns %2 % %3 than commanded; expected within %4 %: check that the motor is free, and that both are wired to the same roller</source>
-        <translation>le codeur %1 tourne %2 % %3 que commandé ; attendu à %4 % près : vérifier que le moteur est libre et que les deux sont câblés au même rouleau</translation>
+        <translation>le codeur %1 tourne %2 % %3 que commandé ; attendu à %4 % près : vérifier que le moteur est libre et que les deux sont câblés au même rouleau</translation>
     </message>
     <message>
         <source>%1 encoder: %2 points over %3 deg; expected at least 5 over %4 deg: sweep farther</source>
-        <translation>codeur %1 : %2 points sur %3 degrés ; il en faut au moins 5 sur %4 degrés : balayer plus loin</translation>
+        <translation>codeur %1 : %2 points sur %3° ; il en faut au moins 5 sur %4° : balayer plus loin</translation>
     </message>
     <message>
         <source>%1 errors since the start</source>
@@ -159,7 +159,7 @@
     </message>
     <message>
         <source>%1 is not written: %2</source>
-        <translation>%1 n'est pas écrit : %2</translation>
+        <translation>%1 n'est pas écrit : %2</translation>
     </message>
     <message>
         <source>%1 is now %2.</source>
@@ -171,7 +171,7 @@
     </message>
     <message>
         <source>%1 is whole: %2 samples.</source>
-        <translation>%1 est entier : %2 échantillons.</translation>
+        <translation>%1 est entier : %2 échantillons.</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -219,11 +219,11 @@
     </message>
     <message>
         <source>%1 points at %2 deg; expected at least %3: press there again, to different depths</source>
-        <translation>%1 points à %2 degrés ; il en faut au moins %3 : presser encore là, à des profondeurs différentes</translation>
+        <translation>%1 points à %2° ; il en faut au moins %3 : presser encore là, à des profondeurs différentes</translation>
     </message>
     <message>
         <source>%1 presses of different depth at %2 or more stretches, the least and the greatest among them.</source>
-        <translation>%1 pressions de profondeurs différentes à %2 tensions ou plus, dont la plus faible et la plus forte.</translation>
+        <translation>%1 pressions de profondeurs différentes à %2 étirements ou plus, dont le plus faible et le plus fort.</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -251,11 +251,11 @@
     </message>
     <message>
         <source>%1 to %2: the upper end must be the larger one</source>
-        <translation>de %1 à %2 : la borne supérieure doit être la plus grande</translation>
+        <translation>de %1 à %2 : la borne supérieure doit être la plus grande</translation>
     </message>
     <message>
         <source>%1 was cancelled; no file is left.</source>
-        <translation>%1 a été annulé ; il ne reste aucun fichier.</translation>
+        <translation>%1 a été annulé ; il ne reste aucun fichier.</translation>
     </message>
     <message>
         <source>%1 · %2 min left</source>
@@ -323,7 +323,7 @@
     </message>
     <message>
         <source>%1: %2 samples are saved, %3 could not be read. The damaged original is kept as %4.</source>
-        <translation>%1 : %2 échantillons sauvés, %3 illisibles. L'original endommagé est conservé sous %4.</translation>
+        <translation>%1 : %2 échantillons sauvés, %3 illisibles. L'original endommagé est conservé sous %4.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
@@ -375,7 +375,7 @@
     </message>
     <message>
         <source>%1: exists; move one of the two away first</source>
-        <translation>%1 : existe ; déplacer d'abord l'un des deux</translation>
+        <translation>%1 : existe ; déplacer d'abord l'un des deux</translation>
     </message>
     <message>
         <source>%1: expected %2</source>
@@ -383,11 +383,11 @@
     </message>
     <message>
         <source>%1: expected a number</source>
-        <translation>%1 : un nombre est attendu</translation>
+        <translation>%1 : un nombre est attendu</translation>
     </message>
     <message>
         <source>%1: expected at least %2 s</source>
-        <translation>%1 : au moins %2 s attendues</translation>
+        <translation>%1 : au moins %2 s attendues</translation>
     </message>
     <message>
         <source>%1: expected true or false</source>
@@ -395,7 +395,7 @@
     </message>
     <message>
         <source>%1: held-out error %2 mm of at most %3 mm, falls at every code from %4 to %5</source>
-        <translation>%1 : erreur de vérification %2 mm sur au plus %3 mm, décroît à chaque code de %4 à %5</translation>
+        <translation>%1 : erreur de vérification %2 mm (au plus %3 mm), décroît à chaque code de %4 à %5</translation>
     </message>
     <message>
         <source>%1: is being recorded at this moment</source>
@@ -463,7 +463,7 @@
     </message>
     <message>
         <source>%1: this folder cannot be made</source>
-        <translation>%1 : ce dossier ne peut pas être créé</translation>
+        <translation>%1 : ce dossier ne peut pas être créé</translation>
     </message>
     <message>
         <source>%1: too many changes at once</source>
@@ -531,7 +531,7 @@
     </message>
     <message>
         <source>A note needs words.</source>
-        <translation>Une note a besoin de mots.</translation>
+        <translation>La note est vide.</translation>
     </message>
     <message>
         <source>A note; Enter puts it into the recording</source>
@@ -539,7 +539,7 @@
     </message>
     <message>
         <source>A recording is being recovered already; wait, or cancel it.</source>
-        <translation>Une récupération est déjà en cours ; attendre ou l'annuler.</translation>
+        <translation>Une récupération est déjà en cours ; attendre ou l'annuler.</translation>
     </message>
     <message>
         <source>A rectangle around the cloth, with a finger in it.</source>
@@ -555,15 +555,15 @@
     </message>
     <message>
         <source>A: feel the saved values</source>
-        <translation>A : sentir les valeurs enregistrées</translation>
+        <translation>A : sentir les valeurs enregistrées</translation>
     </message>
     <message>
         <source>A: feel the saved values. Nothing can be changed meanwhile (Ctrl+B)</source>
-        <translation>A : sentir les valeurs enregistrées. Rien ne peut être changé pendant ce temps (Ctrl+B)</translation>
+        <translation>A : sentir les valeurs enregistrées. Rien ne peut être changé pendant ce temps (Ctrl+B)</translation>
     </message>
     <message>
         <source>A: saved</source>
-        <translation>A : enregistré</translation>
+        <translation>A : enregistré</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -611,7 +611,7 @@
     </message>
     <message>
         <source>Accepted: the proposed values are in use. Undo takes them back, Save profile keeps them.</source>
-        <translation>Accepté : les valeurs proposées sont en usage. Annuler les retire, Enregistrer le profil les garde.</translation>
+        <translation>Accepté : les valeurs proposées sont en usage. Annuler les retire, Enregistrer le profil les garde.</translation>
     </message>
     <message>
         <source>Accepting begins the session anew and would end the recording: stop the recording first.</source>
@@ -663,7 +663,7 @@
     </message>
     <message>
         <source>All back to saved</source>
-        <translation>Tout à l'enregistré</translation>
+        <translation>Tout ramener</translation>
     </message>
     <message>
         <source>All live parameters</source>
@@ -671,7 +671,7 @@
     </message>
     <message>
         <source>All values back to saved</source>
-        <translation>Toutes les valeurs : retour aux valeurs enregistrées</translation>
+        <translation>Toutes les valeurs : retour aux valeurs enregistrées</translation>
     </message>
     <message>
         <source>Amplitude over frequency, Hz</source>
@@ -739,15 +739,15 @@
     </message>
     <message>
         <source>B: current</source>
-        <translation>B : actuel</translation>
+        <translation>B : actuel</translation>
     </message>
     <message>
         <source>B: feel the current values</source>
-        <translation>B : sentir les valeurs actuelles</translation>
+        <translation>B : sentir les valeurs actuelles</translation>
     </message>
     <message>
         <source>B: feel the current values (Ctrl+B)</source>
-        <translation>B : sentir les valeurs actuelles (Ctrl+B)</translation>
+        <translation>B : sentir les valeurs actuelles (Ctrl+B)</translation>
     </message>
     <message>
         <source>Back</source>
@@ -755,7 +755,7 @@
     </message>
     <message>
         <source>Back to saved</source>
-        <translation>Retour à l'enregistré</translation>
+        <translation>Ramener au profil</translation>
     </message>
     <message>
         <source>Back to the default, %1</source>
@@ -783,7 +783,7 @@
     </message>
     <message>
         <source>Both ends: this range is kept. Both empty: it follows the values.</source>
-        <translation>Les deux bornes : cette plage est gardée. Les deux vides : elle suit les valeurs.</translation>
+        <translation>Les deux bornes : cette plage est gardée. Les deux vides : elle suit les valeurs.</translation>
     </message>
     <message>
         <source>Bridge</source>
@@ -803,11 +803,11 @@
     </message>
     <message>
         <source>Calibrate</source>
-        <translation>Étalonner</translation>
+        <translation>Étalonnage</translation>
     </message>
     <message>
         <source>Calibrate it again under Calibrate. It does not keep you from arming.</source>
-        <translation>Refaire l'étalonnage sous Étalonner. Cela n'empêche pas d'armer.</translation>
+        <translation>À refaire sous Étalonnage. Cela n'empêche pas d'armer.</translation>
     </message>
     <message>
         <source>Calibration report as PDF</source>
@@ -863,7 +863,7 @@
     </message>
     <message>
         <source>Cancel: %1</source>
-        <translation>Annuler : %1</translation>
+        <translation>Annuler : %1</translation>
     </message>
     <message>
         <source>Cancelled.</source>
@@ -871,11 +871,11 @@
     </message>
     <message>
         <source>Cancelled; nothing was changed.</source>
-        <translation>Annulé ; rien n'a été changé.</translation>
+        <translation>Annulé ; rien n'a été changé.</translation>
     </message>
     <message>
         <source>Cancelling: %1</source>
-        <translation>Annulation : %1</translation>
+        <translation>Annulation : %1</translation>
     </message>
     <message>
         <source>Change the robot</source>
@@ -1015,7 +1015,7 @@
     </message>
     <message>
         <source>Cloth %1 times its law's stiffness; sensors %2 s late with a lag of %3 s, noise %4 %. The courses above show what the proposal would do. Nothing is changed yet.</source>
-        <translation>Tissu à %1 fois la raideur de sa loi ; capteurs en retard de %2 s, constante de temps %3 s, bruit %4 %. Les courbes ci-dessus montrent ce que ferait la proposition. Rien n'est encore changé.</translation>
+        <translation>Tissu à %1 fois la raideur de sa loi ; capteurs en retard de %2 s, constante de temps %3 s, bruit %4 %. Les courbes ci-dessus montrent ce que ferait la proposition. Rien n'est encore changé.</translation>
     </message>
     <message>
         <source>Cloth and robot answer (closed loop)</source>
@@ -1119,7 +1119,7 @@
     </message>
     <message>
         <source>Delete the chosen preset; undo brings it back</source>
-        <translation>Supprimer le préréglage choisi ; Annuler le ramène</translation>
+        <translation>Supprimer le préréglage choisi ; Annuler le ramène</translation>
     </message>
     <message>
         <source>Depth
@@ -1165,11 +1165,11 @@ mm</translation>
     </message>
     <message>
         <source>Discard the proposed values</source>
-        <translation>Rejeter les valeurs proposées</translation>
+        <translation>Écarter les valeurs proposées</translation>
     </message>
     <message>
         <source>Discarded; nothing was changed.</source>
-        <translation>Rejeté ; rien n'a été changé.</translation>
+        <translation>Écarté ; rien n'a été changé.</translation>
     </message>
     <message>
         <source>Disconnected</source>
@@ -1241,15 +1241,15 @@ mm</translation>
     </message>
     <message>
         <source>Dots: both encoders with the new zero and sign. Line: where the motors were sent. Dashed: the first encoder as it is read now.</source>
-        <translation>Points : les deux codeurs avec leurs nouveaux zéro et signe. Trait : la position demandée aux moteurs. Tirets : le premier codeur tel qu'il est lu à présent.</translation>
+        <translation>Points : les deux codeurs avec leurs nouveaux zéro et signe. Trait : la position demandée aux moteurs. Tirets : le premier codeur tel qu'il est lu à présent.</translation>
     </message>
     <message>
         <source>Dots: each press. Bars: an angle's stiffness with its 95 % interval. Line: the new law. Dashed: the one in force. Crosses: presses the others contradict.</source>
-        <translation>Points : chaque pression. Barres : raideur d'un angle et son intervalle à 95 %. Trait : la nouvelle loi. Tirets : celle en vigueur. Croix : pressions que les autres contredisent.</translation>
+        <translation>Points : chaque pression. Barres : raideur d'un angle et son intervalle à 95 %. Trait : la nouvelle loi. Tirets : celle en vigueur. Croix : pressions que les autres contredisent.</translation>
     </message>
     <message>
         <source>Dots: length of each reading. Line: their mean. Dashed: what is expected.</source>
-        <translation>Points : norme de chaque lecture. Trait : leur moyenne. Tirets : la valeur attendue.</translation>
+        <translation>Points : norme de chaque lecture. Trait : leur moyenne. Tirets : la valeur attendue.</translation>
     </message>
     <message>
         <source>Dots: measured. Dashed: the offsets in force.</source>
@@ -1287,7 +1287,7 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     </message>
     <message>
         <source>Encoders: sign, zero, range</source>
-        <translation>Codeurs : signe, zéro, plage</translation>
+        <translation>Codeurs : signe, zéro, plage</translation>
     </message>
     <message>
         <source>Enough points.</source>
@@ -1331,7 +1331,7 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     </message>
     <message>
         <source>Every parameter takes its saved value again; one step to undo</source>
-        <translation>Chaque paramètre reprend sa valeur enregistrée ; une seule étape à annuler</translation>
+        <translation>Chaque paramètre reprend sa valeur enregistrée ; une seule étape à annuler</translation>
     </message>
     <message>
         <source>Everything needed is there; motors off.</source>
@@ -1423,7 +1423,7 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     </message>
     <message>
         <source>Finds out how cloth and sensors answer and proposes gains. Nothing changes until you accept.</source>
-        <translation>Apprend comment répondent tissu et capteurs et propose des gains. Rien ne change tant que vous n'acceptez pas.</translation>
+        <translation>Identifie comment répondent tissu et capteurs et propose des gains. Rien ne change avant l'acceptation.</translation>
     </message>
     <message>
         <source>Finger</source>
@@ -1569,7 +1569,7 @@ N</translation>
     </message>
     <message>
         <source>From the last minute of this session</source>
-        <translation>De la dernière minute de cette séance</translation>
+        <translation>De la dernière minute de cette session</translation>
     </message>
     <message>
         <source>From the mean, g</source>
@@ -1577,7 +1577,7 @@ N</translation>
     </message>
     <message>
         <source>From the simulated touchpad, 12 s of virtual time</source>
-        <translation>Du pavé simulé, 12 s de temps virtuel</translation>
+        <translation>Du touchpad simulé, 12 s de temps virtuel</translation>
     </message>
     <message>
         <source>Full scale</source>
@@ -1649,7 +1649,7 @@ N</translation>
     </message>
     <message>
         <source>Held-out error %1 of at most %2</source>
-        <translation>Erreur de vérification %1 sur au plus %2</translation>
+        <translation>Erreur de vérification %1 (au plus %2)</translation>
     </message>
     <message>
         <source>Help</source>
@@ -1713,7 +1713,7 @@ Robot : %2
     </message>
     <message>
         <source>Hold to move</source>
-        <translation>Tenir pour bouger</translation>
+        <translation>Tenir : bouger</translation>
     </message>
     <message>
         <source>Hold to move the motors</source>
@@ -1773,7 +1773,7 @@ Robot : %2
     </message>
     <message>
         <source>Identify cloth and sensors and propose gains; nothing is changed (Ctrl+U)</source>
-        <translation>Identifier tissu et capteurs et proposer des gains ; rien n'est changé (Ctrl+U)</translation>
+        <translation>Identifier tissu et capteurs et proposer des gains ; rien n'est changé (Ctrl+U)</translation>
     </message>
     <message>
         <source>In force</source>
@@ -1829,11 +1829,11 @@ Robot : %2
     </message>
     <message>
         <source>Its recorder crashed. Recover makes it whole; it can be opened as it is, too.</source>
-        <translation>Son enregistreur s'est interrompu. Récupérer le rend entier ; il s'ouvre aussi tel quel.</translation>
+        <translation>Son enregistreur s'est interrompu. Récupérer le rend entier ; il s'ouvre aussi tel quel.</translation>
     </message>
     <message>
         <source>Its recorder crashed; everything it committed is shown. This makes the recording whole. Nothing is deleted.</source>
-        <translation>Son enregistreur s'est interrompu ; tout ce qu'il a validé est montré. Ceci rend l'enregistrement entier. Rien n'est effacé.</translation>
+        <translation>Son enregistreur s'est interrompu ; tout ce qu'il a validé est montré. Ceci rend l'enregistrement entier. Rien n'est effacé.</translation>
     </message>
     <message>
         <source>Its value</source>
@@ -1959,7 +1959,7 @@ s</translation>
     </message>
     <message>
         <source>Let go, type the next stretch, hold the button and press to three depths again.</source>
-        <translation>Relâcher, saisir la tension suivante, tenir le bouton et presser de nouveau à trois profondeurs.</translation>
+        <translation>Relâcher, saisir l'étirement suivant, tenir le bouton et presser de nouveau à trois profondeurs.</translation>
     </message>
     <message>
         <source>Light theme</source>
@@ -2047,7 +2047,7 @@ s</translation>
     </message>
     <message>
         <source>Loading one changes all its values at once; undo takes it back.</source>
-        <translation>En charger un change toutes ses valeurs à la fois ; Annuler le retire.</translation>
+        <translation>En charger un change toutes ses valeurs à la fois ; Annuler le retire.</translation>
     </message>
     <message>
         <source>Log</source>
@@ -2333,11 +2333,11 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>No preset yet. Tune what you like to keep, write a name and press Save.</source>
-        <translation>Pas encore de préréglage. Réglez ce que vous voulez garder, écrivez un nom et pressez Enregistrer.</translation>
+        <translation>Pas encore de préréglage. Régler ce qui est à garder, saisir un nom et presser Enregistrer.</translation>
     </message>
     <message>
         <source>No preset yet; the place Tune saves one</source>
-        <translation>Pas encore de préréglage ; le lieu Réglage en enregistre</translation>
+        <translation>Pas encore de préréglage ; le lieu Réglage en enregistre</translation>
     </message>
     <message>
         <source>No real-time priority: the system may delay the loop.</source>
@@ -2345,7 +2345,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>No report: %1.</source>
-        <translation>Pas de rapport : %1.</translation>
+        <translation>Pas de rapport : %1.</translation>
     </message>
     <message>
         <source>No sensor of the touchpad answers.</source>
@@ -2397,11 +2397,11 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Not moved: %1.</source>
-        <translation>Pas de mouvement : %1.</translation>
+        <translation>Pas de mouvement : %1.</translation>
     </message>
     <message>
         <source>Not moved: see the entry at the left.</source>
-        <translation>Pas de mouvement : voir le champ à gauche.</translation>
+        <translation>Pas de mouvement : voir le champ à gauche.</translation>
     </message>
     <message>
         <source>Not recording. %1.</source>
@@ -2457,7 +2457,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Notes: %1 characters are too many; at most %2.</source>
-        <translation>Notes : %1 caractères sont trop ; au plus %2.</translation>
+        <translation>Notes : %1 caractères, c'est trop ; au plus %2.</translation>
     </message>
     <message>
         <source>Nothing differs from the profile (Ctrl+S)</source>
@@ -2465,7 +2465,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Nothing differs from the saved profile. Change a value at the left and it is listed here; A and B then switch between saved and current while you feel.</source>
-        <translation>Rien ne diffère du profil enregistré. Changez une valeur à gauche et elle apparaît ici ; A et B passent alors de l'enregistré à l'actuel pendant que vous sentez.</translation>
+        <translation>Rien ne diffère du profil enregistré. Une valeur changée à gauche apparaît ici ; A et B passent alors de l'enregistré à l'actuel pendant que l'on touche.</translation>
     </message>
     <message>
         <source>Nothing differs from the saved values</source>
@@ -2489,7 +2489,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Nothing of %1 can be read; it is left as it is: %2</source>
-        <translation>Rien de %1 n'est lisible ; il reste tel quel : %2</translation>
+        <translation>Rien de %1 n'est lisible ; il reste tel quel : %2</translation>
     </message>
     <message>
         <source>Nothing to redo</source>
@@ -2509,7 +2509,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Off: each curve is moved and zoomed by itself (T)</source>
-        <translation>Désactivé : chaque courbe se déplace et se zoome seule (T)</translation>
+        <translation>Désactivé : chaque courbe se déplace et se zoome seule (T)</translation>
     </message>
     <message>
         <source>Offset, mm</source>
@@ -2781,7 +2781,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Put the robot to rest with its tool in the air, and take the point: it lasts 3 s.</source>
-        <translation>Mettre le robot au repos, outil en l'air, et prendre le point : cela dure 3 s.</translation>
+        <translation>Mettre le robot au repos, outil en l'air, et prendre le point : cela dure 3 s.</translation>
     </message>
     <message>
         <source>Pwm</source>
@@ -2815,7 +2815,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Read</source>
-        <translation>Lecture</translation>
+        <translation>Lu</translation>
     </message>
     <message>
         <source>Read back</source>
@@ -3125,7 +3125,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Selected values back to saved</source>
-        <translation>Valeurs choisies : retour aux valeurs enregistrées</translation>
+        <translation>Valeurs choisies : retour aux valeurs enregistrées</translation>
     </message>
     <message>
         <source>Sensors live, motors off.</source>
@@ -3239,7 +3239,7 @@ s</translation>
     </message>
     <message>
         <source>Simulated</source>
-        <translation>Simulés</translation>
+        <translation>Simulé</translation>
     </message>
     <message>
         <source>Simulated finger: press on the picture. Depth %1; wheel or Shift and drag changes it.</source>
@@ -3445,7 +3445,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Stretch</source>
-        <translation>Tension</translation>
+        <translation>Étirement</translation>
     </message>
     <message>
         <source>Stretch angles of the calibration points, rising.</source>
@@ -3453,11 +3453,11 @@ N/mm</translation>
     </message>
     <message>
         <source>Stretch, read by the encoders</source>
-        <translation>Tension, lue par les codeurs</translation>
+        <translation>Étirement, lu par les codeurs</translation>
     </message>
     <message>
         <source>Stretch, °</source>
-        <translation>Tension, °</translation>
+        <translation>Étirement, °</translation>
     </message>
     <message>
         <source>Subject</source>
@@ -3477,7 +3477,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Tags: %1 are too many; at most %2.</source>
-        <translation>Étiquettes : %1 sont trop ; au plus %2.</translation>
+        <translation>Étiquettes : %1, c'est trop ; au plus %2.</translation>
     </message>
     <message>
         <source>Take A and B away</source>
@@ -3508,12 +3508,12 @@ N/mm</translation>
         <translation>Retirer la charge du couvercle ; vérifier le câblage du pont.</translation>
     </message>
     <message>
-        <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (T).</source>
-        <translation>Prend les lectures présentes comme « sans contact » : décalages des distances et zéro de la cellule de charge. Lever d'abord le doigt (T).</translation>
+        <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (Ctrl+T).</source>
+        <translation>Prend les lectures présentes comme « sans contact » : décalages des distances et zéro de la cellule de charge. Lever d'abord le doigt (Ctrl+T).</translation>
     </message>
     <message>
         <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
-        <translation>Ôter les mains du tissu et tenir le bouton 16 s : les deux moteurs vont aussitôt à leur zéro, puis par pas de %1° jusqu'à %2° et retour.</translation>
+        <translation>Ôter les mains du tissu et tenir le bouton 16 s : les deux moteurs vont aussitôt à leur zéro, puis par pas de %1° jusqu'à %2° et retour.</translation>
     </message>
     <message>
         <source>Takes the last point back.</source>
@@ -3585,7 +3585,7 @@ N/mm</translation>
     </message>
     <message>
         <source>The file before is still being written; try again.</source>
-        <translation>Le fichier précédent est encore en cours d'écriture ; réessayez.</translation>
+        <translation>Le fichier précédent est encore en cours d'écriture ; réessayer.</translation>
     </message>
     <message>
         <source>The file begins up to 10 s before you start. Ctrl+M puts a marker.</source>
@@ -3605,7 +3605,7 @@ N/mm</translation>
 To begin: %1</source>
         <translation>La courbe et ses résidus sont tracés ici.
 
-Pour commencer : %1</translation>
+Pour commencer : %1</translation>
     </message>
     <message>
         <source>The haptic loop says nothing; the last state was %1.</source>
@@ -3621,15 +3621,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The layout says nothing of the curves: they stay as they are.</source>
-        <translation>La disposition ne dit rien des courbes : elles restent telles quelles.</translation>
+        <translation>La disposition ne dit rien des courbes : elles restent telles quelles.</translation>
     </message>
     <message>
         <source>The layout's choice of curves cannot be read: the curves stay as they are.</source>
-        <translation>Le choix de courbes de la disposition est illisible : les courbes restent telles quelles.</translation>
+        <translation>Le choix de courbes de la disposition est illisible : les courbes restent telles quelles.</translation>
     </message>
     <message>
         <source>The layout's choice of these curves is not possible and was left out: %1.</source>
-        <translation>Le choix de la disposition pour ces courbes est impossible et a été laissé de côté : %1.</translation>
+        <translation>Le choix de la disposition pour ces courbes est impossible et a été laissé de côté : %1.</translation>
     </message>
     <message>
         <source>The list of sessions (Ctrl+O)</source>
@@ -3641,7 +3641,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The motors are off: %1. %2 points so far.</source>
-        <translation>Les moteurs sont coupés : %1. %2 points jusqu'ici.</translation>
+        <translation>Les moteurs sont coupés : %1. %2 points jusqu'ici.</translation>
     </message>
     <message>
         <source>The motors are on their way.</source>
@@ -3653,7 +3653,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The motors move; let go and they are off.</source>
-        <translation>Les moteurs tournent ; relâcher les coupe.</translation>
+        <translation>Les moteurs tournent ; relâcher les coupe.</translation>
     </message>
     <message>
         <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
@@ -3665,7 +3665,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The proposal was not taken: %1</source>
-        <translation>La proposition n'a pas été prise : %1</translation>
+        <translation>La proposition n'a pas été prise : %1</translation>
     </message>
     <message>
         <source>The recording cannot be replayed exactly: the step gave another result the second time. The measured values are safe. Please report this fault with the file.</source>
@@ -3681,7 +3681,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The recovery was cancelled; %1 is as it was.</source>
-        <translation>La récupération a été annulée ; %1 est resté tel quel.</translation>
+        <translation>La récupération a été annulée ; %1 est resté tel quel.</translation>
     </message>
     <message>
         <source>The report stands beside the profile.</source>
@@ -3701,7 +3701,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
-        <translation>On sent les valeurs enregistrées (A). Revenez à B pour changer quelque chose.</translation>
+        <translation>On sent les valeurs enregistrées (A). Revenir à B pour changer quelque chose.</translation>
     </message>
     <message>
         <source>The search was cancelled. Open the session again to look for touches.</source>
@@ -3749,7 +3749,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The step refused %1: it cannot be used now.</source>
-        <translation>Le pas a refusé %1 : inutilisable en ce moment.</translation>
+        <translation>Le pas a refusé %1 : inutilisable en ce moment.</translation>
     </message>
     <message>
         <source>The target from above. Below, how far each mark is off. Crosses: points the others contradict.</source>
@@ -3761,7 +3761,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The touchpad runs mode thesis; these courses are of mode default.</source>
-        <translation>Le pavé suit le mode thesis ; ces courbes sont du mode default.</translation>
+        <translation>Le touchpad suit le mode thesis ; ces courbes sont du mode default.</translation>
     </message>
     <message>
         <source>The whole recording</source>
@@ -3825,7 +3825,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>This depth is taken: press deeper or less deep, then let go and go on to the next stretch.</source>
-        <translation>Cette profondeur est prise : presser plus ou moins, puis relâcher et passer à la tension suivante.</translation>
+        <translation>Cette profondeur est prise : presser plus ou moins, puis relâcher et passer à l'étirement suivant.</translation>
     </message>
     <message>
         <source>This part's points are taken by themselves while the button is held.</source>
@@ -3865,7 +3865,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Times lost</source>
-        <translation>Fois perdue</translation>
+        <translation>Coupures</translation>
     </message>
     <message>
         <source>Tint what the detector takes for the finger (M)</source>
@@ -3881,7 +3881,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Touch %1 at %2: peak force %3, peak indentation %4, stiffness %5 of %6 asked, settled after %7</source>
-        <translation>Toucher %1 à %2 : force de pic %3, indentation de pic %4, raideur %5 sur %6 demandés, établi après %7</translation>
+        <translation>Toucher %1 à %2 : force crête %3, indentation crête %4, raideur %5 sur %6 demandés, établi après %7</translation>
     </message>
     <message>
         <source>Touches</source>
@@ -3921,7 +3921,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Type a stretch and hold the button: the motors go there. Meanwhile press the cloth to three depths, each for a second; points are taken by themselves.</source>
-        <translation>Saisir une tension et tenir le bouton : les moteurs y vont. Presser pendant ce temps le tissu à trois profondeurs, une seconde chacune ; les points se prennent tout seuls.</translation>
+        <translation>Saisir un étirement et tenir le bouton : les moteurs y vont. Presser pendant ce temps le tissu à trois profondeurs, une seconde chacune ; les points se prennent tout seuls.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -3953,11 +3953,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Use the chosen preset's values; one step to undo (Enter on the list)</source>
-        <translation>Utiliser les valeurs du préréglage choisi ; une seule étape à annuler (Entrée sur la liste)</translation>
+        <translation>Utiliser les valeurs du préréglage choisi ; une seule étape à annuler (Entrée sur la liste)</translation>
     </message>
     <message>
         <source>Use the proposed values; one step to undo</source>
-        <translation>Utiliser les valeurs proposées ; une seule étape à annuler</translation>
+        <translation>Utiliser les valeurs proposées ; une seule étape à annuler</translation>
     </message>
     <message>
         <source>Value</source>
@@ -3977,7 +3977,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Vibration duty, held by the motor board</source>
-        <translation>Rapport cyclique de vibration, tenu par la carte moteur</translation>
+        <translation>Rapport cyclique de vibration, tenu par la carte moteurs</translation>
     </message>
     <message>
         <source>View</source>
@@ -4121,7 +4121,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>all presses are about equally deep, so a wrong tare cannot be told from stiffness: press to different depths</source>
-        <translation>toutes les pressions ont à peu près la même profondeur, une tare fausse ne se distingue donc pas de la raideur : presser à des profondeurs différentes</translation>
+        <translation>toutes les pressions ont à peu près la même profondeur, une tare fausse ne se distingue donc pas de la raideur : presser à des profondeurs différentes</translation>
     </message>
     <message>
         <source>an answer of another unit</source>
@@ -4137,7 +4137,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>an axis spreads by %1 g; expected at most %2: it moves: put the robot to rest</source>
-        <translation>un axe varie de %1 g ; attendu au plus %2 : il bouge : mettre le robot au repos</translation>
+        <translation>un axe varie de %1 g ; attendu au plus %2 : il bouge : mettre le robot au repos</translation>
     </message>
     <message>
         <source>another file</source>
@@ -4165,7 +4165,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>at rest it measures %1 g; expected 1 within %2: check the counts per g of the sensor</source>
-        <translation>au repos il mesure %1 g ; attendu 1 à %2 près : vérifier les pas par g du capteur</translation>
+        <translation>au repos il mesure %1 g ; attendu 1 à %2 près : vérifier les points par g du capteur</translation>
     </message>
     <message>
         <source>auto</source>
@@ -4357,7 +4357,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
-        <translation>codeur %1 : %2, zéro à %3 pas, balayé de %4 à %5</translation>
+        <translation>codeur %1 : %2, zéro à %3 points, balayé de %4 à %5</translation>
     </message>
     <message>
         <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
@@ -4465,11 +4465,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>held-out error %1 N of at most %2 N over %3 weights</source>
-        <translation>erreur de vérification %1 N sur au plus %2 N avec %3 poids</translation>
+        <translation>erreur de vérification %1 N (au plus %2 N) sur %3 poids</translation>
     </message>
     <message>
         <source>held-out error %1 N of at most %2 N; stiffness rises from %3 to %4 N/mm</source>
-        <translation>erreur de vérification %1 N sur au plus %2 N ; la raideur croît de %3 à %4 N/mm</translation>
+        <translation>erreur de vérification %1 N (au plus %2 N) ; la raideur croît de %3 à %4 N/mm</translation>
     </message>
     <message>
         <source>held-out error %1 N; expected at most %2 N: %3</source>
@@ -4477,15 +4477,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>held-out error %1 deg of at most %2 deg</source>
-        <translation>erreur de vérification %1 deg sur au plus %2 deg</translation>
+        <translation>erreur de vérification %1° (au plus %2°)</translation>
     </message>
     <message>
         <source>held-out error %1 deg; expected at most %2: sweep slower, and wait at each angle</source>
-        <translation>erreur de vérification %1 deg ; attendu au plus %2 : balayer plus lentement, et attendre à chaque angle</translation>
+        <translation>erreur de vérification %1° ; attendu au plus %2 : balayer plus lentement, et attendre à chaque angle</translation>
     </message>
     <message>
         <source>held-out error %1 mm of at most %2 mm</source>
-        <translation>erreur de vérification %1 mm sur au plus %2 mm</translation>
+        <translation>erreur de vérification %1 mm (au plus %2 mm)</translation>
     </message>
     <message>
         <source>held-out error %1 mm; expected at most %2 mm: %3</source>
@@ -4577,7 +4577,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>loading reads %1 N apart from unloading: look for friction between the cell and its plate</source>
-        <translation>la charge diffère de %1 N de la décharge : chercher un frottement entre la cellule et son plateau</translation>
+        <translation>l'aller et le retour diffèrent de %1 N : chercher un frottement entre la cellule et son plateau</translation>
     </message>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
@@ -4661,11 +4661,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no force is measured: look at the load cell's cable</source>
-        <translation>aucune force mesurée : regarder le câble de la cellule de charge</translation>
+        <translation>aucune force mesurée : regarder le câble de la cellule de charge</translation>
     </message>
     <message>
         <source>no indentation is measured: press the cloth with a finger</source>
-        <translation>aucune indentation mesurée : presser le tissu du doigt</translation>
+        <translation>aucune indentation mesurée : presser le tissu du doigt</translation>
     </message>
     <message>
         <source>no picture</source>
@@ -4681,7 +4681,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no press at %1 deg is deeper than %2 mm; expected at least %3 mm: press deeper there</source>
-        <translation>aucune pression à %1 degrés ne dépasse %2 mm ; il faut au moins %3 mm : y presser plus</translation>
+        <translation>aucune pression à %1° ne dépasse %2 mm ; il faut au moins %3 mm : y presser plus</translation>
     </message>
     <message>
         <source>no recent picture</source>
@@ -4701,7 +4701,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no value changes: the texture takes rest away by itself</source>
-        <translation>aucune valeur ne change : la texture retire elle-même le repos</translation>
+        <translation>aucune valeur ne change : la texture retire elle-même le repos</translation>
     </message>
     <message>
         <source>none</source>
@@ -4717,7 +4717,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>not confirmed: the station did not answer. It last used %1.</source>
-        <translation>non confirmé : la station n'a pas répondu. Elle utilisait en dernier %1.</translation>
+        <translation>non confirmé : la station n'a pas répondu. Elle utilisait en dernier %1.</translation>
     </message>
     <message>
         <source>note</source>
@@ -4781,7 +4781,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>position duty %1</source>
-        <translation>rapport de position %1</translation>
+        <translation>rapport cyclique de position %1</translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -4821,7 +4821,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>refused: %1</source>
-        <translation>refusé : %1</translation>
+        <translation>refusé : %1</translation>
     </message>
     <message>
         <source>renaming of preset %1</source>
@@ -4929,7 +4929,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>stiffness falls from %1 N/mm at %2 deg to %3 at %4 deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>
-        <translation>la raideur tombe de %1 N/mm à %2 degrés à %3 à %4 degrés, alors que la tension raidit le tissu : presser de nouveau aux deux angles et voir si le tissu glisse</translation>
+        <translation>la raideur tombe de %1 N/mm à %2° à %3 à %4°, alors que l'étirement raidit le tissu : presser de nouveau aux deux angles et voir si le tissu glisse</translation>
     </message>
     <message>
         <source>still being recorded</source>
@@ -5005,7 +5005,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the law is rising; beyond its ends the controller stays at them</source>
-        <translation>la loi est croissante ; au-delà de ses bouts, la commande y reste</translation>
+        <translation>la loi est croissante ; au-delà de ses bornes, la commande y reste</translation>
     </message>
     <message>
         <source>the load cell is silent</source>
@@ -5045,7 +5045,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the reading drifts by %1 N over the measurement: let the bridge warm up</source>
-        <translation>la lecture dérive de %1 N pendant la mesure : laisser chauffer le pont</translation>
+        <translation>la lecture dérive de %1 N pendant la mesure : laisser chauffer le pont</translation>
     </message>
     <message>
         <source>the recorder is not running</source>
@@ -5073,11 +5073,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the robot sends no acceleration: look at the link's panel</source>
-        <translation>le robot n'envoie pas d'accélération : voir le panneau de la liaison</translation>
+        <translation>le robot n'envoie pas d'accélération : voir le panneau de la liaison</translation>
     </message>
     <message>
         <source>the robot's end has taken rest away before it sends: whether 1 g is 1 g is not seen here</source>
-        <translation>le côté robot retire le repos avant d'envoyer : on ne voit pas ici si 1 g vaut 1 g</translation>
+        <translation>le côté robot retire le repos avant d'envoyer : on ne voit pas ici si 1 g vaut 1 g</translation>
     </message>
     <message>
         <source>the robot's stiffness is not a number</source>
@@ -5089,15 +5089,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
-        <translation>la raideur ne change pas avec l'angle : vérifier que les moteurs tendent le tissu</translation>
+        <translation>la raideur ne change pas avec l'angle : vérifier que les moteurs étirent le tissu</translation>
     </message>
     <message>
         <source>the stretch is not known: look under Devices whether the motors answer</source>
-        <translation>la tension est inconnue : voir sous Appareils si les moteurs répondent</translation>
+        <translation>l'étirement est inconnu : voir sous Appareils si les moteurs répondent</translation>
     </message>
     <message>
         <source>the stretch lies outside control.travel_minimum_deg and control.travel_maximum_deg</source>
-        <translation>la tension est hors de control.travel_minimum_deg et control.travel_maximum_deg</translation>
+        <translation>l'étirement est hors de control.travel_minimum_deg et control.travel_maximum_deg</translation>
     </message>
     <message>
         <source>the touchpad closed the connection</source>
@@ -5129,7 +5129,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>this part was never calibrated: accept a calibration first</source>
-        <translation>cette partie n'a jamais été étalonnée : accepter d'abord un étalonnage</translation>
+        <translation>cette partie n'a jamais été étalonnée : accepter d'abord un étalonnage</translation>
     </message>
     <message>
         <source>this source has none</source>

@@ -3508,8 +3508,8 @@ N/mm</translation>
         <translation>Togliere il carico dalla copertura; controllare il cablaggio del ponte.</translation>
     </message>
     <message>
-        <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (T).</source>
-        <translation>Prende le letture presenti come "non toccato": offset delle distanze e zero della cella di carico. Alzare prima il dito (T).</translation>
+        <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (Ctrl+T).</source>
+        <translation>Prende le letture presenti come "non toccato": offset delle distanze e zero della cella di carico. Alzare prima il dito (Ctrl+T).</translation>
     </message>
     <message>
         <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
