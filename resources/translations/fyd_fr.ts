@@ -342,6 +342,14 @@
         <translation>%1 : un rapport se termine par .html ou .pdf</translation>
     </message>
     <message>
+        <source>%1: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = %2?</source>
+        <translation>%1 : une réponse à une question antérieure a été refusée ; faut-il au touchpad plus que device.response_timeout_ms = %2 ?</translation>
+    </message>
+    <message>
+        <source>%1: asked for %2 Bd, the port runs at %3 Bd; choose a speed its driver supports</source>
+        <translation>%1 : demandé %2 Bd, le port fonctionne à %3 Bd ; choisir une vitesse que permet son pilote</translation>
+    </message>
+    <message>
         <source>%1: cannot be opened for reading</source>
         <translation>%1 : impossible à ouvrir en lecture</translation>
     </message>
@@ -364,6 +372,14 @@
     <message>
         <source>%1: difference %2, mean %3</source>
         <translation>%1 : différence %2, moyenne %3</translation>
+    </message>
+    <message>
+        <source>%1: does not open: %2</source>
+        <translation>%1 : ne s'ouvre pas : %2</translation>
+    </message>
+    <message>
+        <source>%1: does not open; %2</source>
+        <translation>%1 : ne s'ouvre pas ; %2</translation>
     </message>
     <message>
         <source>%1: everything needed is there. Arm to start.</source>
@@ -398,12 +414,20 @@
         <translation>%1 : erreur de vérification %2 mm (au plus %3 mm), décroît à chaque code de %4 à %5</translation>
     </message>
     <message>
+        <source>%1: in use by another program ("fuser %2" names it)</source>
+        <translation>%1 : utilisé par un autre programme (« fuser %2 » le nomme)</translation>
+    </message>
+    <message>
         <source>%1: is being recorded at this moment</source>
         <translation>%1 : est en cours d'enregistrement en ce moment</translation>
     </message>
     <message>
         <source>%1: is no serial port</source>
         <translation>%1 : n'est pas un port série</translation>
+    </message>
+    <message>
+        <source>%1: no permission. Add yourself to its group with "sudo usermod -aG %2 $USER" and log in again</source>
+        <translation>%1 : pas de permission. S'ajouter à son groupe par « sudo usermod -aG %2 $USER » et se reconnecter</translation>
     </message>
     <message>
         <source>%1: no such parameter</source>
@@ -420,6 +444,10 @@
     <message>
         <source>%1: sensors are live, motors are off.</source>
         <translation>%1 : capteurs actifs, moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>%1: stop, then arm again</source>
+        <translation>%1 : arrêter, puis armer de nouveau</translation>
     </message>
     <message>
         <source>%1: the device behind the port is gone; is the cable plugged in?</source>
@@ -460,6 +488,10 @@
     <message>
         <source>%1: there is no such file</source>
         <translation>%1 : ce fichier n'existe pas</translation>
+    </message>
+    <message>
+        <source>%1: there is no such port; is the cable plugged in?</source>
+        <translation>%1 : ce port n'existe pas ; le câble est-il branché ?</translation>
     </message>
     <message>
         <source>%1: this folder cannot be made</source>
@@ -1768,6 +1800,10 @@ Robot : %2
         <translation>Capteur IR %1</translation>
     </message>
     <message>
+        <source>IR sensor %1 is stuck at code %2 while the others change: check its cable</source>
+        <translation>le capteur IR %1 est bloqué au code %2 pendant que les autres changent : vérifier son câble</translation>
+    </message>
+    <message>
         <source>Identical, bit for bit.</source>
         <translation>Identique, bit pour bit.</translation>
     </message>
@@ -2925,7 +2961,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Redo %1 (Ctrl+Shift+Z)</source>
-        <translation>Rétablir %1 (Ctrl+Shift+Z)</translation>
+        <translation>Rétablir %1 (Ctrl+Maj+Z)</translation>
     </message>
     <message>
         <source>Refused: %1</source>
@@ -4088,6 +4124,10 @@ Pour commencer : %1</translation>
         <translation>par seconde</translation>
     </message>
     <message>
+        <source>a second robot</source>
+        <translation>un second robot</translation>
+    </message>
+    <message>
         <source>a sensor is outside its span</source>
         <translation>un capteur est hors de sa plage</translation>
     </message>
@@ -4106,6 +4146,22 @@ Pour commencer : %1</translation>
     <message>
         <source>add weights between %1 and %2 N</source>
         <translation>ajouter des poids entre %1 et %2 N</translation>
+    </message>
+    <message>
+        <source>address "%1": "%2" is not an %3 address (names other than localhost are not looked up)</source>
+        <translation>adresse « %1 » : « %2 » n'est pas une adresse %3 (les noms autres que localhost ne sont pas cherchés)</translation>
+    </message>
+    <message>
+        <source>address "%1": an IPv6 address stands in brackets, such as [::1]:3490</source>
+        <translation>adresse « %1 » : une adresse IPv6 se met entre crochets, comme [::1]:3490</translation>
+    </message>
+    <message>
+        <source>address "%1": no port; expected HOST:PORT such as 127.0.0.1:3490 or [::1]:3490</source>
+        <translation>adresse « %1 » : pas de port ; attendu HOST:PORT comme 127.0.0.1:3490 ou [::1]:3490</translation>
+    </message>
+    <message>
+        <source>address "%1": port "%2" is not a whole number from 0 to 65535</source>
+        <translation>adresse « %1 » : le port « %2 » n'est pas un nombre entier de 0 à 65535</translation>
     </message>
     <message>
         <source>ageing: %1</source>
@@ -4142,6 +4198,10 @@ Pour commencer : %1</translation>
     <message>
         <source>another file</source>
         <translation>un autre fichier</translation>
+    </message>
+    <message>
+        <source>answers missing</source>
+        <translation>réponses manquantes</translation>
     </message>
     <message>
         <source>area</source>
@@ -4184,6 +4244,10 @@ Pour commencer : %1</translation>
         <translation>retour aux valeurs enregistrées</translation>
     </message>
     <message>
+        <source>before a handshake</source>
+        <translation>avant une poignée de main</translation>
+    </message>
+    <message>
         <source>being recorded</source>
         <translation>en cours d'enregistrement</translation>
     </message>
@@ -4224,6 +4288,14 @@ Pour commencer : %1</translation>
         <translation>étalonné %1 jours dans le futur : l'horloge de l'ordinateur était ou est fausse</translation>
     </message>
     <message>
+        <source>camera device %1: there is no %2; capture devices found: %3</source>
+        <translation>caméra %1 : il n'y a pas de %2 ; périphériques de capture trouvés : %3</translation>
+    </message>
+    <message>
+        <source>camera device '%1': there is none; capture devices found: %2</source>
+        <translation>caméra '%1' : elle n'existe pas ; périphériques de capture trouvés : %2</translation>
+    </message>
+    <message>
         <source>camera: none given</source>
         <translation>caméra : non indiquée</translation>
     </message>
@@ -4260,8 +4332,16 @@ Pour commencer : %1</translation>
         <translation>confirmé</translation>
     </message>
     <message>
+        <source>connections</source>
+        <translation>connexions</translation>
+    </message>
+    <message>
         <source>contrast</source>
         <translation>contraste</translation>
+    </message>
+    <message>
+        <source>cookie</source>
+        <translation>cookie</translation>
     </message>
     <message>
         <source>counts</source>
@@ -4302,6 +4382,18 @@ Pour commencer : %1</translation>
     <message>
         <source>deleting of preset %1</source>
         <translation>suppression du préréglage %1</translation>
+    </message>
+    <message>
+        <source>device %1: %2 fit: %3; name more of the one that is meant</source>
+        <translation>appareil %1 : %2 conviennent : %3 ; préciser lequel est voulu</translation>
+    </message>
+    <message>
+        <source>device %1: none is plugged in; %2 holds %3</source>
+        <translation>appareil %1 : aucun n'est branché ; %2 contient %3</translation>
+    </message>
+    <message>
+        <source>device restarts</source>
+        <translation>redémarrages de l'appareil</translation>
     </message>
     <message>
         <source>device test '%1': %2</source>
@@ -4356,6 +4448,10 @@ Pour commencer : %1</translation>
         <translation>codeur %1</translation>
     </message>
     <message>
+        <source>encoder %1 jumped by %2° in %3 ms: check its magnet and cable; stop, then arm again</source>
+        <translation>le codeur %1 a sauté de %2° en %3 ms : vérifier son aimant et son câble ; arrêter, puis armer de nouveau</translation>
+    </message>
+    <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
         <translation>codeur %1 : %2, zéro à %3 points, balayé de %4 à %5</translation>
     </message>
@@ -4388,8 +4484,52 @@ Pour commencer : %1</translation>
         <translation>événement</translation>
     </message>
     <message>
+        <source>exception 1: it does not know this function; is it a touchpad with this register map?</source>
+        <translation>exception 1 : il ne connaît pas cette fonction ; est-ce un touchpad avec cette table de registres ?</translation>
+    </message>
+    <message>
+        <source>exception 2: it has no such register; is it a touchpad with this register map?</source>
+        <translation>exception 2 : il n'a pas ce registre ; est-ce un touchpad avec cette table de registres ?</translation>
+    </message>
+    <message>
+        <source>exception 3: it refuses the value</source>
+        <translation>exception 3 : il refuse la valeur</translation>
+    </message>
+    <message>
+        <source>exception 4: it failed; see the touchpad's own display or log</source>
+        <translation>exception 4 : il a échoué ; voir l'affichage ou le journal du touchpad</translation>
+    </message>
+    <message>
+        <source>exception 6: it is busy, another program drives its motors; close that one</source>
+        <translation>exception 6 : il est occupé, un autre programme commande ses moteurs ; le fermer</translation>
+    </message>
+    <message>
+        <source>expected a camera that Video4Linux can read, and the right to open it</source>
+        <translation>attendu une caméra que Video4Linux sait lire, et le droit de l'ouvrir</translation>
+    </message>
+    <message>
+        <source>expected a stream that FFmpeg can play and that starts within 3 s</source>
+        <translation>attendu un flux que FFmpeg sait lire et qui commence en 3 s</translation>
+    </message>
+    <message>
+        <source>expected a video that FFmpeg can decode</source>
+        <translation>attendu une vidéo que FFmpeg sait décoder</translation>
+    </message>
+    <message>
         <source>exposure</source>
         <translation>exposition</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>défaut</translation>
+    </message>
+    <message>
+        <source>fault reaction active</source>
+        <translation>réaction au défaut en cours</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>champ</translation>
     </message>
     <message>
         <source>figures from %1 s to %2 s: expected two times</source>
@@ -4414,6 +4554,10 @@ Pour commencer : %1</translation>
     <message>
         <source>finished</source>
         <translation>terminé</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>micrologiciel</translation>
     </message>
     <message>
         <source>flat picture</source>
@@ -4448,6 +4592,10 @@ Pour commencer : %1</translation>
         <translation>du robot</translation>
     </message>
     <message>
+        <source>from the future</source>
+        <translation>venu du futur</translation>
+    </message>
+    <message>
         <source>from the start</source>
         <translation>depuis le début</translation>
     </message>
@@ -4458,6 +4606,10 @@ Pour commencer : %1</translation>
     <message>
         <source>has said goodbye</source>
         <translation>a pris congé</translation>
+    </message>
+    <message>
+        <source>heartbeat lost</source>
+        <translation>battement perdu</translation>
     </message>
     <message>
         <source>height</source>
@@ -4532,6 +4684,14 @@ Pour commencer : %1</translation>
         <translation>fichier de clé %1 : %2</translation>
     </message>
     <message>
+        <source>key file %1: not a regular file</source>
+        <translation>fichier de clé %1 : pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>key file %1: open to others (mode %2); make it private with: chmod 600 %3</source>
+        <translation>fichier de clé %1 : ouvert aux autres (mode %2) ; le rendre privé par : chmod 600 %3</translation>
+    </message>
+    <message>
         <source>largest %1 at %2</source>
         <translation>maximum %1 à %2</translation>
     </message>
@@ -4542,6 +4702,10 @@ Pour commencer : %1</translation>
     <message>
         <source>last touch</source>
         <translation>dernier toucher</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>en retard</translation>
     </message>
     <message>
         <source>lay the target flat and set the camera square to it</source>
@@ -4608,6 +4772,10 @@ Pour commencer : %1</translation>
         <translation>membrane utilise la forme du tissu enfoncé et un filtre de Kalman ; thesis un plan, 0.8/0.2 et un seuil de 2 mm.</translation>
     </message>
     <message>
+        <source>message</source>
+        <translation>message</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -4618,6 +4786,22 @@ Pour commencer : %1</translation>
     <message>
         <source>motor %1</source>
         <translation>moteur %1</translation>
+    </message>
+    <message>
+        <source>motor board %1 at %2 %3: stop, then arm again</source>
+        <translation>carte moteurs %1 sur %2 %3 : arrêter, puis armer de nouveau</translation>
+    </message>
+    <message>
+        <source>motor board %1 at %2: no answer to command %3 in %4 ms; is it on, and are device.qbmove_baud = %5 and device.qbmove_id right?</source>
+        <translation>carte moteurs %1 sur %2 : pas de réponse à la commande %3 en %4 ms ; est-elle allumée, et device.qbmove_baud = %5 et device.qbmove_id sont-ils justes ?</translation>
+    </message>
+    <message>
+        <source>motor board: nothing received yet</source>
+        <translation>carte moteurs : encore rien reçu</translation>
+    </message>
+    <message>
+        <source>motor over-temperature</source>
+        <translation>surchauffe d'un moteur</translation>
     </message>
     <message>
         <source>motor reference off</source>
@@ -4632,6 +4816,10 @@ Pour commencer : %1</translation>
         <translation>moteurs</translation>
     </message>
     <message>
+        <source>motors at %1 and %2 °C, switched off at %3: let them cool</source>
+        <translation>moteurs à %1 et %2 °C, coupés à %3 : les laisser refroidir</translation>
+    </message>
+    <message>
         <source>moving</source>
         <translation>en mouvement</translation>
     </message>
@@ -4642,6 +4830,10 @@ Pour commencer : %1</translation>
     <message>
         <source>never calibrated</source>
         <translation>jamais étalonné</translation>
+    </message>
+    <message>
+        <source>no answer in %1 ms; is it switched on and connected?</source>
+        <translation>pas de réponse en %1 ms ; est-il allumé et connecté ?</translation>
     </message>
     <message>
         <source>no catalogue was chosen</source>
@@ -4712,12 +4904,20 @@ Pour commencer : %1</translation>
         <translation>aucune depuis le démarrage</translation>
     </message>
     <message>
+        <source>not FYD Link</source>
+        <translation>pas du FYD Link</translation>
+    </message>
+    <message>
         <source>not a digit</source>
         <translation>pas un chiffre</translation>
     </message>
     <message>
         <source>not confirmed: the station did not answer. It last used %1.</source>
         <translation>non confirmé : la station n'a pas répondu. Elle utilisait en dernier %1.</translation>
+    </message>
+    <message>
+        <source>not ready to switch on</source>
+        <translation>pas prêt à s'allumer</translation>
     </message>
     <message>
         <source>note</source>
@@ -4764,6 +4964,26 @@ Pour commencer : %1</translation>
         <translation>un parmi %1</translation>
     </message>
     <message>
+        <source>operation enabled</source>
+        <translation>en marche</translation>
+    </message>
+    <message>
+        <source>other address</source>
+        <translation>autre adresse</translation>
+    </message>
+    <message>
+        <source>other session</source>
+        <translation>autre session</translation>
+    </message>
+    <message>
+        <source>other version</source>
+        <translation>autre version</translation>
+    </message>
+    <message>
+        <source>out of turn</source>
+        <translation>hors de son tour</translation>
+    </message>
+    <message>
         <source>pictures</source>
         <translation>images</translation>
     </message>
@@ -4800,12 +5020,20 @@ Pour commencer : %1</translation>
         <translation>px</translation>
     </message>
     <message>
+        <source>quick stop active</source>
+        <translation>arrêt rapide en cours</translation>
+    </message>
+    <message>
         <source>reachable</source>
         <translation>atteignable</translation>
     </message>
     <message>
         <source>readings too unsteady</source>
         <translation>lectures trop instables</translation>
+    </message>
+    <message>
+        <source>ready to switch on</source>
+        <translation>prêt à s'allumer</translation>
     </message>
     <message>
         <source>recorder crashed</source>
@@ -4830,6 +5058,14 @@ Pour commencer : %1</translation>
     <message>
         <source>repeatability %1</source>
         <translation>répétabilité %1</translation>
+    </message>
+    <message>
+        <source>repeated</source>
+        <translation>répété</translation>
+    </message>
+    <message>
+        <source>repeated pictures</source>
+        <translation>images répétées</translation>
     </message>
     <message>
         <source>resume</source>
@@ -4884,6 +5120,10 @@ Pour commencer : %1</translation>
         <translation>envoyé, pas encore confirmé</translation>
     </message>
     <message>
+        <source>serial number</source>
+        <translation>numéro de série</translation>
+    </message>
+    <message>
         <source>set to %1 %</source>
         <translation>réglé à %1 %</translation>
     </message>
@@ -4924,6 +5164,18 @@ Pour commencer : %1</translation>
         <translation>dispersion x %1, y %2, z %3</translation>
     </message>
     <message>
+        <source>stale</source>
+        <translation>périmé</translation>
+    </message>
+    <message>
+        <source>stale answers</source>
+        <translation>réponses périmées</translation>
+    </message>
+    <message>
+        <source>status word</source>
+        <translation>mot d'état</translation>
+    </message>
+    <message>
         <source>stiffness (% of target)</source>
         <translation>raideur (% de la consigne)</translation>
     </message>
@@ -4940,8 +5192,24 @@ Pour commencer : %1</translation>
         <translation>sujet %1</translation>
     </message>
     <message>
+        <source>supply undervoltage</source>
+        <translation>sous-tension de l'alimentation</translation>
+    </message>
+    <message>
+        <source>switch-on disabled</source>
+        <translation>mise en marche inhibée</translation>
+    </message>
+    <message>
         <source>switched off</source>
         <translation>coupés</translation>
+    </message>
+    <message>
+        <source>switched off by itself</source>
+        <translation>coupée d'elle-même</translation>
+    </message>
+    <message>
+        <source>switched on</source>
+        <translation>allumé</translation>
     </message>
     <message>
         <source>take points first</source>
@@ -5040,8 +5308,8 @@ Pour commencer : %1</translation>
         <translation>l'image n'a qu'un niveau de gris : vérifier la caméra et la lumière</translation>
     </message>
     <message>
-        <source>the picture is frozen: the camera sends one and the same</source>
-        <translation>l'image est figée : la caméra envoie toujours la même</translation>
+        <source>the picture is frozen: the camera sends one and the same; unplug it and plug it in again</source>
+        <translation>l'image est figée : la caméra envoie toujours la même ; la débrancher et la rebrancher</translation>
     </message>
     <message>
         <source>the reading drifts by %1 N over the measurement: let the bridge warm up</source>
@@ -5104,6 +5372,22 @@ Pour commencer : %1</translation>
         <translation>le touchpad a fermé la connexion</translation>
     </message>
     <message>
+        <source>the touchpad restarted</source>
+        <translation>le touchpad a redémarré</translation>
+    </message>
+    <message>
+        <source>the touchpad was lost while its motors were being switched on</source>
+        <translation>le touchpad a été perdu pendant la mise en marche de ses moteurs</translation>
+    </message>
+    <message>
+        <source>the touchpad's motors are in the state %1</source>
+        <translation>les moteurs du touchpad sont dans l'état %1</translation>
+    </message>
+    <message>
+        <source>the touchpad's motors are in the state %1 (%2)</source>
+        <translation>les moteurs du touchpad sont dans l'état %1 (%2)</translation>
+    </message>
+    <message>
         <source>the values do not fit this session</source>
         <translation>les valeurs ne conviennent pas à cette session</translation>
     </message>
@@ -5144,6 +5428,10 @@ Pour commencer : %1</translation>
         <translation>à</translation>
     </message>
     <message>
+        <source>too far behind</source>
+        <translation>trop en retard</translation>
+    </message>
+    <message>
         <source>too few distance sensors read within their span</source>
         <translation>trop peu de capteurs de distance lisent dans leur plage</translation>
     </message>
@@ -5164,6 +5452,10 @@ Pour commencer : %1</translation>
         <translation>trop incertain</translation>
     </message>
     <message>
+        <source>torn blocks</source>
+        <translation>blocs incohérents</translation>
+    </message>
+    <message>
         <source>touch %1 at %2 s</source>
         <translation>toucher %1 à %2 s</translation>
     </message>
@@ -5178,6 +5470,10 @@ Pour commencer : %1</translation>
     <message>
         <source>true or false</source>
         <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>unexpected kind</source>
+        <translation>type inattendu</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5220,6 +5516,14 @@ Pour commencer : %1</translation>
         <translation>moins de vibration</translation>
     </message>
     <message>
+        <source>vibration duties lost here</source>
+        <translation>rapports de vibration perdus ici</translation>
+    </message>
+    <message>
+        <source>vibration duties lost there</source>
+        <translation>rapports de vibration perdus là-bas</translation>
+    </message>
+    <message>
         <source>vibration up</source>
         <translation>plus de vibration</translation>
     </message>
@@ -5232,6 +5536,10 @@ Pour commencer : %1</translation>
         <translation>était %1</translation>
     </message>
     <message>
+        <source>was lost while its motors were on</source>
+        <translation>a été perdue pendant que ses moteurs étaient en marche</translation>
+    </message>
+    <message>
         <source>whole</source>
         <translation>entière</translation>
     </message>
@@ -5242,6 +5550,10 @@ Pour commencer : %1</translation>
     <message>
         <source>wrong button</source>
         <translation>bouton erroné</translation>
+    </message>
+    <message>
+        <source>wrong key or damaged</source>
+        <translation>mauvaise clé ou endommagé</translation>
     </message>
     <message>
         <source>wrong separator</source>

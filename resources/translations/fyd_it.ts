@@ -342,6 +342,14 @@
         <translation>%1: un rapporto termina in .html o .pdf</translation>
     </message>
     <message>
+        <source>%1: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = %2?</source>
+        <translation>%1: una risposta a una domanda precedente è stata rifiutata; al touchpad serve più di device.response_timeout_ms = %2?</translation>
+    </message>
+    <message>
+        <source>%1: asked for %2 Bd, the port runs at %3 Bd; choose a speed its driver supports</source>
+        <translation>%1: chiesti %2 Bd, la porta va a %3 Bd; scegliere una velocità che il suo driver consente</translation>
+    </message>
+    <message>
         <source>%1: cannot be opened for reading</source>
         <translation>%1: non si può aprire in lettura</translation>
     </message>
@@ -364,6 +372,14 @@
     <message>
         <source>%1: difference %2, mean %3</source>
         <translation>%1: differenza %2, media %3</translation>
+    </message>
+    <message>
+        <source>%1: does not open: %2</source>
+        <translation>%1: non si apre: %2</translation>
+    </message>
+    <message>
+        <source>%1: does not open; %2</source>
+        <translation>%1: non si apre; %2</translation>
     </message>
     <message>
         <source>%1: everything needed is there. Arm to start.</source>
@@ -398,12 +414,20 @@
         <translation>%1: errore di verifica %2 mm su al più %3 mm, decresce a ogni codice da %4 a %5</translation>
     </message>
     <message>
+        <source>%1: in use by another program ("fuser %2" names it)</source>
+        <translation>%1: in uso da un altro programma ("fuser %2" lo nomina)</translation>
+    </message>
+    <message>
         <source>%1: is being recorded at this moment</source>
         <translation>%1: è in registrazione in questo momento</translation>
     </message>
     <message>
         <source>%1: is no serial port</source>
         <translation>%1: non è una porta seriale</translation>
+    </message>
+    <message>
+        <source>%1: no permission. Add yourself to its group with "sudo usermod -aG %2 $USER" and log in again</source>
+        <translation>%1: nessun permesso. Aggiungersi al suo gruppo con "sudo usermod -aG %2 $USER" e rifare l'accesso</translation>
     </message>
     <message>
         <source>%1: no such parameter</source>
@@ -420,6 +444,10 @@
     <message>
         <source>%1: sensors are live, motors are off.</source>
         <translation>%1: sensori vivi, motori spenti.</translation>
+    </message>
+    <message>
+        <source>%1: stop, then arm again</source>
+        <translation>%1: fermare, poi armare di nuovo</translation>
     </message>
     <message>
         <source>%1: the device behind the port is gone; is the cable plugged in?</source>
@@ -460,6 +488,10 @@
     <message>
         <source>%1: there is no such file</source>
         <translation>%1: questo file non esiste</translation>
+    </message>
+    <message>
+        <source>%1: there is no such port; is the cable plugged in?</source>
+        <translation>%1: questa porta non esiste; il cavo è collegato?</translation>
     </message>
     <message>
         <source>%1: this folder cannot be made</source>
@@ -1768,6 +1800,10 @@ Robot: %2
         <translation>Sensore IR %1</translation>
     </message>
     <message>
+        <source>IR sensor %1 is stuck at code %2 while the others change: check its cable</source>
+        <translation>il sensore IR %1 è fermo al codice %2 mentre gli altri cambiano: controllare il suo cavo</translation>
+    </message>
+    <message>
         <source>Identical, bit for bit.</source>
         <translation>Identica, bit per bit.</translation>
     </message>
@@ -2815,7 +2851,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>Read</source>
-        <translation>Lettura</translation>
+        <translation>Letto</translation>
     </message>
     <message>
         <source>Read back</source>
@@ -3239,7 +3275,7 @@ s</translation>
     </message>
     <message>
         <source>Simulated</source>
-        <translation>Simulati</translation>
+        <translation>Simulato</translation>
     </message>
     <message>
         <source>Simulated finger: press on the picture. Depth %1; wheel or Shift and drag changes it.</source>
@@ -4088,6 +4124,10 @@ Per cominciare: %1</translation>
         <translation>al secondo</translation>
     </message>
     <message>
+        <source>a second robot</source>
+        <translation>un secondo robot</translation>
+    </message>
+    <message>
         <source>a sensor is outside its span</source>
         <translation>un sensore è fuori dal suo campo</translation>
     </message>
@@ -4106,6 +4146,22 @@ Per cominciare: %1</translation>
     <message>
         <source>add weights between %1 and %2 N</source>
         <translation>aggiungere pesi tra %1 e %2 N</translation>
+    </message>
+    <message>
+        <source>address "%1": "%2" is not an %3 address (names other than localhost are not looked up)</source>
+        <translation>indirizzo "%1": "%2" non è un indirizzo %3 (i nomi diversi da localhost non si cercano)</translation>
+    </message>
+    <message>
+        <source>address "%1": an IPv6 address stands in brackets, such as [::1]:3490</source>
+        <translation>indirizzo "%1": un indirizzo IPv6 sta fra parentesi quadre, come [::1]:3490</translation>
+    </message>
+    <message>
+        <source>address "%1": no port; expected HOST:PORT such as 127.0.0.1:3490 or [::1]:3490</source>
+        <translation>indirizzo "%1": manca la porta; atteso HOST:PORT come 127.0.0.1:3490 o [::1]:3490</translation>
+    </message>
+    <message>
+        <source>address "%1": port "%2" is not a whole number from 0 to 65535</source>
+        <translation>indirizzo "%1": la porta "%2" non è un numero intero da 0 a 65535</translation>
     </message>
     <message>
         <source>ageing: %1</source>
@@ -4142,6 +4198,10 @@ Per cominciare: %1</translation>
     <message>
         <source>another file</source>
         <translation>un altro file</translation>
+    </message>
+    <message>
+        <source>answers missing</source>
+        <translation>risposte mancanti</translation>
     </message>
     <message>
         <source>area</source>
@@ -4184,6 +4244,10 @@ Per cominciare: %1</translation>
         <translation>ritorno ai valori salvati</translation>
     </message>
     <message>
+        <source>before a handshake</source>
+        <translation>prima di un handshake</translation>
+    </message>
+    <message>
         <source>being recorded</source>
         <translation>in registrazione</translation>
     </message>
@@ -4224,6 +4288,14 @@ Per cominciare: %1</translation>
         <translation>calibrato %1 giorni nel futuro: l'orologio del computer era o è sbagliato</translation>
     </message>
     <message>
+        <source>camera device %1: there is no %2; capture devices found: %3</source>
+        <translation>telecamera %1: non c'è %2; dispositivi di acquisizione trovati: %3</translation>
+    </message>
+    <message>
+        <source>camera device '%1': there is none; capture devices found: %2</source>
+        <translation>telecamera '%1': non esiste; dispositivi di acquisizione trovati: %2</translation>
+    </message>
+    <message>
         <source>camera: none given</source>
         <translation>telecamera: non indicata</translation>
     </message>
@@ -4260,8 +4332,16 @@ Per cominciare: %1</translation>
         <translation>confermato</translation>
     </message>
     <message>
+        <source>connections</source>
+        <translation>connessioni</translation>
+    </message>
+    <message>
         <source>contrast</source>
         <translation>contrasto</translation>
+    </message>
+    <message>
+        <source>cookie</source>
+        <translation>cookie</translation>
     </message>
     <message>
         <source>counts</source>
@@ -4302,6 +4382,18 @@ Per cominciare: %1</translation>
     <message>
         <source>deleting of preset %1</source>
         <translation>eliminazione della preimpostazione %1</translation>
+    </message>
+    <message>
+        <source>device %1: %2 fit: %3; name more of the one that is meant</source>
+        <translation>dispositivo %1: %2 corrispondono: %3; precisare quale si intende</translation>
+    </message>
+    <message>
+        <source>device %1: none is plugged in; %2 holds %3</source>
+        <translation>dispositivo %1: nessuno è collegato; %2 contiene %3</translation>
+    </message>
+    <message>
+        <source>device restarts</source>
+        <translation>riavvii del dispositivo</translation>
     </message>
     <message>
         <source>device test '%1': %2</source>
@@ -4356,6 +4448,10 @@ Per cominciare: %1</translation>
         <translation>encoder %1</translation>
     </message>
     <message>
+        <source>encoder %1 jumped by %2° in %3 ms: check its magnet and cable; stop, then arm again</source>
+        <translation>l'encoder %1 è saltato di %2° in %3 ms: controllare magnete e cavo; fermare, poi armare di nuovo</translation>
+    </message>
+    <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
         <translation>encoder %1: %2, zero a %3 conteggi, percorso da %4 a %5</translation>
     </message>
@@ -4388,8 +4484,52 @@ Per cominciare: %1</translation>
         <translation>evento</translation>
     </message>
     <message>
+        <source>exception 1: it does not know this function; is it a touchpad with this register map?</source>
+        <translation>eccezione 1: non conosce questa funzione; è un touchpad con questa mappa dei registri?</translation>
+    </message>
+    <message>
+        <source>exception 2: it has no such register; is it a touchpad with this register map?</source>
+        <translation>eccezione 2: non ha questo registro; è un touchpad con questa mappa dei registri?</translation>
+    </message>
+    <message>
+        <source>exception 3: it refuses the value</source>
+        <translation>eccezione 3: rifiuta il valore</translation>
+    </message>
+    <message>
+        <source>exception 4: it failed; see the touchpad's own display or log</source>
+        <translation>eccezione 4: non è riuscito; vedere il display o il registro del touchpad</translation>
+    </message>
+    <message>
+        <source>exception 6: it is busy, another program drives its motors; close that one</source>
+        <translation>eccezione 6: è occupato, un altro programma comanda i suoi motori; chiuderlo</translation>
+    </message>
+    <message>
+        <source>expected a camera that Video4Linux can read, and the right to open it</source>
+        <translation>attesa una telecamera che Video4Linux sappia leggere, e il diritto di aprirla</translation>
+    </message>
+    <message>
+        <source>expected a stream that FFmpeg can play and that starts within 3 s</source>
+        <translation>atteso un flusso che FFmpeg sappia riprodurre e che cominci entro 3 s</translation>
+    </message>
+    <message>
+        <source>expected a video that FFmpeg can decode</source>
+        <translation>atteso un video che FFmpeg sappia decodificare</translation>
+    </message>
+    <message>
         <source>exposure</source>
         <translation>esposizione</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>guasto</translation>
+    </message>
+    <message>
+        <source>fault reaction active</source>
+        <translation>reazione al guasto in corso</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>campo</translation>
     </message>
     <message>
         <source>figures from %1 s to %2 s: expected two times</source>
@@ -4414,6 +4554,10 @@ Per cominciare: %1</translation>
     <message>
         <source>finished</source>
         <translation>finita</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>firmware</translation>
     </message>
     <message>
         <source>flat picture</source>
@@ -4448,6 +4592,10 @@ Per cominciare: %1</translation>
         <translation>dal robot</translation>
     </message>
     <message>
+        <source>from the future</source>
+        <translation>dal futuro</translation>
+    </message>
+    <message>
         <source>from the start</source>
         <translation>dall'inizio</translation>
     </message>
@@ -4458,6 +4606,10 @@ Per cominciare: %1</translation>
     <message>
         <source>has said goodbye</source>
         <translation>si è congedato</translation>
+    </message>
+    <message>
+        <source>heartbeat lost</source>
+        <translation>battito perso</translation>
     </message>
     <message>
         <source>height</source>
@@ -4532,6 +4684,14 @@ Per cominciare: %1</translation>
         <translation>file della chiave %1: %2</translation>
     </message>
     <message>
+        <source>key file %1: not a regular file</source>
+        <translation>file della chiave %1: non è un file normale</translation>
+    </message>
+    <message>
+        <source>key file %1: open to others (mode %2); make it private with: chmod 600 %3</source>
+        <translation>file della chiave %1: aperto ad altri (modo %2); renderlo privato con: chmod 600 %3</translation>
+    </message>
+    <message>
         <source>largest %1 at %2</source>
         <translation>massimo %1 a %2</translation>
     </message>
@@ -4542,6 +4702,10 @@ Per cominciare: %1</translation>
     <message>
         <source>last touch</source>
         <translation>ultimo tocco</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>in ritardo</translation>
     </message>
     <message>
         <source>lay the target flat and set the camera square to it</source>
@@ -4608,6 +4772,10 @@ Per cominciare: %1</translation>
         <translation>membrane usa la forma del tessuto premuto e un filtro di Kalman; thesis un piano, 0.8/0.2 e una soglia di 2 mm.</translation>
     </message>
     <message>
+        <source>message</source>
+        <translation>messaggio</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -4618,6 +4786,22 @@ Per cominciare: %1</translation>
     <message>
         <source>motor %1</source>
         <translation>motore %1</translation>
+    </message>
+    <message>
+        <source>motor board %1 at %2 %3: stop, then arm again</source>
+        <translation>scheda motori %1 su %2 %3: fermare, poi armare di nuovo</translation>
+    </message>
+    <message>
+        <source>motor board %1 at %2: no answer to command %3 in %4 ms; is it on, and are device.qbmove_baud = %5 and device.qbmove_id right?</source>
+        <translation>scheda motori %1 su %2: nessuna risposta al comando %3 in %4 ms; è accesa, e device.qbmove_baud = %5 e device.qbmove_id sono giusti?</translation>
+    </message>
+    <message>
+        <source>motor board: nothing received yet</source>
+        <translation>scheda motori: ancora niente ricevuto</translation>
+    </message>
+    <message>
+        <source>motor over-temperature</source>
+        <translation>motore surriscaldato</translation>
     </message>
     <message>
         <source>motor reference off</source>
@@ -4632,6 +4816,10 @@ Per cominciare: %1</translation>
         <translation>motori</translation>
     </message>
     <message>
+        <source>motors at %1 and %2 °C, switched off at %3: let them cool</source>
+        <translation>motori a %1 e %2 °C, spenti a %3: lasciarli raffreddare</translation>
+    </message>
+    <message>
         <source>moving</source>
         <translation>in moto</translation>
     </message>
@@ -4642,6 +4830,10 @@ Per cominciare: %1</translation>
     <message>
         <source>never calibrated</source>
         <translation>mai calibrato</translation>
+    </message>
+    <message>
+        <source>no answer in %1 ms; is it switched on and connected?</source>
+        <translation>nessuna risposta in %1 ms; è acceso e collegato?</translation>
     </message>
     <message>
         <source>no catalogue was chosen</source>
@@ -4712,12 +4904,20 @@ Per cominciare: %1</translation>
         <translation>nessuno dall'avvio</translation>
     </message>
     <message>
+        <source>not FYD Link</source>
+        <translation>non FYD Link</translation>
+    </message>
+    <message>
         <source>not a digit</source>
         <translation>non è una cifra</translation>
     </message>
     <message>
         <source>not confirmed: the station did not answer. It last used %1.</source>
         <translation>non confermato: la stazione non ha risposto. Da ultimo usava %1.</translation>
+    </message>
+    <message>
+        <source>not ready to switch on</source>
+        <translation>non pronto ad accendersi</translation>
     </message>
     <message>
         <source>note</source>
@@ -4764,6 +4964,26 @@ Per cominciare: %1</translation>
         <translation>uno fra %1</translation>
     </message>
     <message>
+        <source>operation enabled</source>
+        <translation>in funzione</translation>
+    </message>
+    <message>
+        <source>other address</source>
+        <translation>altro indirizzo</translation>
+    </message>
+    <message>
+        <source>other session</source>
+        <translation>altra sessione</translation>
+    </message>
+    <message>
+        <source>other version</source>
+        <translation>altra versione</translation>
+    </message>
+    <message>
+        <source>out of turn</source>
+        <translation>fuori turno</translation>
+    </message>
+    <message>
         <source>pictures</source>
         <translation>immagini</translation>
     </message>
@@ -4800,12 +5020,20 @@ Per cominciare: %1</translation>
         <translation>px</translation>
     </message>
     <message>
+        <source>quick stop active</source>
+        <translation>arresto rapido in corso</translation>
+    </message>
+    <message>
         <source>reachable</source>
         <translation>raggiungibile</translation>
     </message>
     <message>
         <source>readings too unsteady</source>
         <translation>letture troppo instabili</translation>
+    </message>
+    <message>
+        <source>ready to switch on</source>
+        <translation>pronto ad accendersi</translation>
     </message>
     <message>
         <source>recorder crashed</source>
@@ -4830,6 +5058,14 @@ Per cominciare: %1</translation>
     <message>
         <source>repeatability %1</source>
         <translation>ripetibilità %1</translation>
+    </message>
+    <message>
+        <source>repeated</source>
+        <translation>ripetuto</translation>
+    </message>
+    <message>
+        <source>repeated pictures</source>
+        <translation>immagini ripetute</translation>
     </message>
     <message>
         <source>resume</source>
@@ -4884,6 +5120,10 @@ Per cominciare: %1</translation>
         <translation>inviato, non ancora confermato</translation>
     </message>
     <message>
+        <source>serial number</source>
+        <translation>numero di serie</translation>
+    </message>
+    <message>
         <source>set to %1 %</source>
         <translation>impostato a %1 %</translation>
     </message>
@@ -4924,6 +5164,18 @@ Per cominciare: %1</translation>
         <translation>dispersione x %1, y %2, z %3</translation>
     </message>
     <message>
+        <source>stale</source>
+        <translation>scaduto</translation>
+    </message>
+    <message>
+        <source>stale answers</source>
+        <translation>risposte scadute</translation>
+    </message>
+    <message>
+        <source>status word</source>
+        <translation>parola di stato</translation>
+    </message>
+    <message>
         <source>stiffness (% of target)</source>
         <translation>rigidezza (% dell'obiettivo)</translation>
     </message>
@@ -4940,8 +5192,24 @@ Per cominciare: %1</translation>
         <translation>soggetto %1</translation>
     </message>
     <message>
+        <source>supply undervoltage</source>
+        <translation>sottotensione dell'alimentazione</translation>
+    </message>
+    <message>
+        <source>switch-on disabled</source>
+        <translation>accensione inibita</translation>
+    </message>
+    <message>
         <source>switched off</source>
         <translation>spenti</translation>
+    </message>
+    <message>
+        <source>switched off by itself</source>
+        <translation>spenta da sé</translation>
+    </message>
+    <message>
+        <source>switched on</source>
+        <translation>acceso</translation>
     </message>
     <message>
         <source>take points first</source>
@@ -5040,8 +5308,8 @@ Per cominciare: %1</translation>
         <translation>l'immagine ha un solo valore di grigio: controllare la telecamera e la luce</translation>
     </message>
     <message>
-        <source>the picture is frozen: the camera sends one and the same</source>
-        <translation>l'immagine è congelata: la telecamera manda sempre la stessa</translation>
+        <source>the picture is frozen: the camera sends one and the same; unplug it and plug it in again</source>
+        <translation>l'immagine è bloccata: la telecamera manda sempre la stessa; scollegarla e ricollegarla</translation>
     </message>
     <message>
         <source>the reading drifts by %1 N over the measurement: let the bridge warm up</source>
@@ -5104,6 +5372,22 @@ Per cominciare: %1</translation>
         <translation>il touchpad ha chiuso la connessione</translation>
     </message>
     <message>
+        <source>the touchpad restarted</source>
+        <translation>il touchpad si è riavviato</translation>
+    </message>
+    <message>
+        <source>the touchpad was lost while its motors were being switched on</source>
+        <translation>il touchpad è stato perso mentre i suoi motori si accendevano</translation>
+    </message>
+    <message>
+        <source>the touchpad's motors are in the state %1</source>
+        <translation>i motori del touchpad sono nello stato %1</translation>
+    </message>
+    <message>
+        <source>the touchpad's motors are in the state %1 (%2)</source>
+        <translation>i motori del touchpad sono nello stato %1 (%2)</translation>
+    </message>
+    <message>
         <source>the values do not fit this session</source>
         <translation>i valori non sono adatti a questa sessione</translation>
     </message>
@@ -5144,6 +5428,10 @@ Per cominciare: %1</translation>
         <translation>a</translation>
     </message>
     <message>
+        <source>too far behind</source>
+        <translation>troppo indietro</translation>
+    </message>
+    <message>
         <source>too few distance sensors read within their span</source>
         <translation>troppo pochi sensori di distanza leggono nel loro campo</translation>
     </message>
@@ -5164,6 +5452,10 @@ Per cominciare: %1</translation>
         <translation>troppo incerto</translation>
     </message>
     <message>
+        <source>torn blocks</source>
+        <translation>blocchi incoerenti</translation>
+    </message>
+    <message>
         <source>touch %1 at %2 s</source>
         <translation>tocco %1 a %2 s</translation>
     </message>
@@ -5178,6 +5470,10 @@ Per cominciare: %1</translation>
     <message>
         <source>true or false</source>
         <translation>true o false</translation>
+    </message>
+    <message>
+        <source>unexpected kind</source>
+        <translation>tipo inatteso</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5220,6 +5516,14 @@ Per cominciare: %1</translation>
         <translation>vibrazione in meno</translation>
     </message>
     <message>
+        <source>vibration duties lost here</source>
+        <translation>duty di vibrazione persi qui</translation>
+    </message>
+    <message>
+        <source>vibration duties lost there</source>
+        <translation>duty di vibrazione persi là</translation>
+    </message>
+    <message>
         <source>vibration up</source>
         <translation>vibrazione in più</translation>
     </message>
@@ -5232,6 +5536,10 @@ Per cominciare: %1</translation>
         <translation>era %1</translation>
     </message>
     <message>
+        <source>was lost while its motors were on</source>
+        <translation>è stata persa mentre i suoi motori erano accesi</translation>
+    </message>
+    <message>
         <source>whole</source>
         <translation>integra</translation>
     </message>
@@ -5242,6 +5550,10 @@ Per cominciare: %1</translation>
     <message>
         <source>wrong button</source>
         <translation>pulsante errato</translation>
+    </message>
+    <message>
+        <source>wrong key or damaged</source>
+        <translation>chiave sbagliata o danneggiato</translation>
     </message>
     <message>
         <source>wrong separator</source>

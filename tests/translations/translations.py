@@ -63,6 +63,7 @@ def write(ts, language, texts, known):
 
 
 def values(text):
+    text = text.replace("Maj+", "Shift+")  # what a French keyboard and Qt's own French call it
     return sorted(re.findall(r"%L?[0-9n]+", text)), sorted(re.findall(r"(?:Ctrl|Shift|Alt)\+(?:Shift\+)?\w|\bF\d\b", text))
 
 
