@@ -16,13 +16,30 @@ using widgets::kGrid;
 
 namespace {
 const QString kContents = QStringLiteral("README.md");
-}
+constexpr int kPageWidth = 54 * kGrid;  // px: a table of four columns does not break its words
+
+/// A page with its pictures no wider than itself.
+class Page : public QTextBrowser {
+ public:
+  using QTextBrowser::QTextBrowser;
+  QSize sizeHint() const override { return {kPageWidth, kPageWidth}; }
+  QVariant loadResource(int type, const QUrl& name) override {
+    const QVariant found = QTextBrowser::loadResource(type, name);
+    const QImage image = type == QTextDocument::ImageResource ? QImage::fromData(found.toByteArray()) : QImage();
+    const int room = std::max(kPageWidth, viewport()->width()) - 2 * kGrid;
+    if (image.width() <= room) return found;
+    QImage fitting = image.scaledToWidth(qRound(room * devicePixelRatioF()), Qt::SmoothTransformation);
+    fitting.setDevicePixelRatio(devicePixelRatioF());
+    return fitting;
+  }
+};
+}  // namespace
 
 HelpDock::HelpDock(QWidget* parent) : HelpDock(new QWidget, parent) {}
 
 HelpDock::HelpDock(QWidget* body, QWidget* parent)
     : SideDock(tr("Manual"), QStringLiteral("help_close"), tr("Close the manual"), body, parent),
-      page_(new QTextBrowser(body)),
+      page_(new Page(body)),
       field_(new QLineEdit(body)),
       found_(new QListWidget(body)),
       back_(new QToolButton(body)) {
@@ -121,7 +138,7 @@ void HelpDock::follow(const QUrl& link) {
 void HelpDock::search(const QString& words) {
   found_->clear();
   for (const ManualSection& each : searchManual(words)) {
-    auto* item = new QListWidgetItem(each.heading + QStringLiteral("  ·  ") + each.page.chopped(3), found_);
+    auto* item = new QListWidgetItem(each.heading + QStringLiteral("  ·  ") + each.title, found_);
     item->setData(Qt::UserRole, each.topic);
   }
   if (found_->count() == 0 && !words.trimmed().isEmpty()) {

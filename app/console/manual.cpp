@@ -101,7 +101,8 @@ std::vector<ManualSection> split(const QString& page, const QString& path) {
     const auto match = kHeading.match(line);
     if (match.hasMatch() && !quoted) {
       const QString heading = match.captured(1).remove(QLatin1Char('`'));
-      out.push_back({page, page + QLatin1Char('#') + headingLink(heading), heading, {}});
+      const QString title = out.empty() ? heading.section(QLatin1Char(':'), 0, 0) : out.front().title;
+      out.push_back({page, page + QLatin1Char('#') + headingLink(heading), title, heading, {}});
     } else if (!out.empty()) {
       out.back().text += line + QLatin1Char('\n');
     }

@@ -16,6 +16,7 @@ namespace fyd::console {
 struct ManualSection {
   QString page;     ///< "operate.md"
   QString topic;    ///< "operate.md#curves", in every language
+  QString title;    ///< "Operate", of the page, without what follows its colon
   QString heading;  ///< "Curves", "Curve"; of a page's first one: its title
   QString text;     ///< Markdown, without the heading
 };

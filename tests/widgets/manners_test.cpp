@@ -343,6 +343,35 @@ class MannersTest : public QObject {
     QCOMPARE(help->topic(), QStringLiteral("operate.md#camera"));
   }
 
+  void theManualSpeaksTheWindowsLanguageAndEnglishWhereAPageIsNotTranslated() {
+    const Speaking italian("it");
+    for (const QString& topic : console::manualTopics()) {
+      QVERIFY2(!topic.contains(QLatin1Char('#')) || console::manualHeading(topic) >= 0, qPrintable(topic));
+    }
+    Fixture f;
+    console::HelpDock* help = f.window->help();
+    const auto heading = [help] { return help->page()->textCursor().block().text(); };
+    auto* in_the_curves = f.window->operate()->curves()->findChild<QAbstractButton*>();
+    in_the_curves->setFocus();
+    QTest::keyClick(in_the_curves, Qt::Key_F1);
+    QCOMPARE(help->topic(), QStringLiteral("operate.md#curves"));
+    QCOMPARE(heading(), QStringLiteral("Curve"));
+    QTRY_VERIFY(help->page()->verticalScrollBar()->value() > 0);
+    QVERIFY(help->page()->rect().contains(help->page()->cursorRect()));
+    QVERIFY(!help->page()->toPlainText().contains(QLatin1String("translated from")));
+    QVERIFY(help->page()->loadResource(QTextDocument::ImageResource, QUrl("../images/operate-dark.png")).isValid());
+    // Links name the English heading.
+    emit help->page()->anchorClicked(QUrl(QStringLiteral("#tuning")));
+    QCOMPARE(heading(), QStringLiteral("Regolazione"));
+    emit help->page()->anchorClicked(QUrl(QStringLiteral("../protocol.md")));
+    QVERIFY(help->page()->document()->firstBlock().text().startsWith(QLatin1String("FYD Link: the secured")));
+    help->field()->setText(QStringLiteral("disposizioni pannelli"));
+    QCOMPARE(help->found()->item(0)->text(), QString::fromUtf8("Pannelli e disposizioni  ·  Lavoro"));
+    QTest::keyClick(help->field(), Qt::Key_Return);
+    QCOMPARE(help->topic(), QStringLiteral("operate.md#panels-and-layouts"));
+    QVERIFY(help->page()->textCursor().block().text().contains(QLatin1String("disposizioni")));
+  }
+
   void everyCommandIsInAMenuAndInThePalette() {
     Fixture f;
     QSet<QString> in_menus;
