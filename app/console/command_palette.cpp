@@ -45,7 +45,8 @@ void CommandPalette::filter(const QString& letters) {
     if (!action->isVisible()) continue;  // of another place
     const QString name = action->text().section(QLatin1Char('\t'), 0, 0);
     if (!name.contains(letters, Qt::CaseInsensitive)) continue;
-    const QString keys = action->property("keys").toString();
+    const QString own = action->shortcut().toString(QKeySequence::NativeText);  // as the menus name them: Ctrl+Maj+L
+    const QString keys = own.isEmpty() ? action->property("keys").toString() : own;
     QPixmap none(list_->iconSize());  // keeps the names in one column
     none.fill(Qt::transparent);
     auto* item = new QListWidgetItem(action->icon().isNull() ? QIcon(none) : action->icon(),

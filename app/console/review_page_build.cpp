@@ -32,7 +32,8 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
     : Page(parent),
       context_(context),
       stack_(new QStackedWidget(this)),
-      work_(new widgets::WorkBars(QLatin1String(kCancelWorkKeys), this)),
+      work_(
+          new widgets::WorkBars(QKeySequence(QLatin1String(kCancelWorkKeys)).toString(QKeySequence::NativeText), this)),
       list_(new SessionList(context.catalogue, this)),
       overview_(new widgets::SessionOverview(this)),
       curves_(new ReviewCurves(this)),

@@ -715,7 +715,7 @@
     </message>
     <message>
         <source>Answers</source>
-        <translation>Répond</translation>
+        <translation>Réponses</translation>
     </message>
     <message>
         <source>Asked</source>
@@ -5177,7 +5177,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>stiffness (% of target)</source>
-        <translation>raideur (% de la consigne)</translation>
+        <translation>raideur (% consigne)</translation>
     </message>
     <message>
         <source>stiffness falls from %1 N/mm at %2 deg to %3 at %4 deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>
@@ -5380,12 +5380,12 @@ Pour commencer : %1</translation>
         <translation>le touchpad a été perdu pendant la mise en marche de ses moteurs</translation>
     </message>
     <message>
-        <source>the touchpad's motors are in the state %1</source>
-        <translation>les moteurs du touchpad sont dans l'état %1</translation>
+        <source>the touchpad's motors are in the state %1 (%2): stop, then arm again</source>
+        <translation>les moteurs du touchpad sont dans l'état %1 (%2) : arrêter, puis armer de nouveau</translation>
     </message>
     <message>
-        <source>the touchpad's motors are in the state %1 (%2)</source>
-        <translation>les moteurs du touchpad sont dans l'état %1 (%2)</translation>
+        <source>the touchpad's motors are in the state %1: stop, then arm again</source>
+        <translation>les moteurs du touchpad sont dans l'état %1 : arrêter, puis armer de nouveau</translation>
     </message>
     <message>
         <source>the values do not fit this session</source>

@@ -715,7 +715,7 @@
     </message>
     <message>
         <source>Answers</source>
-        <translation>Risponde</translation>
+        <translation>Risposte</translation>
     </message>
     <message>
         <source>Asked</source>
@@ -5380,12 +5380,12 @@ Per cominciare: %1</translation>
         <translation>il touchpad è stato perso mentre i suoi motori si accendevano</translation>
     </message>
     <message>
-        <source>the touchpad's motors are in the state %1</source>
-        <translation>i motori del touchpad sono nello stato %1</translation>
+        <source>the touchpad's motors are in the state %1 (%2): stop, then arm again</source>
+        <translation>i motori del touchpad sono nello stato %1 (%2): fermare, poi armare di nuovo</translation>
     </message>
     <message>
-        <source>the touchpad's motors are in the state %1 (%2)</source>
-        <translation>i motori del touchpad sono nello stato %1 (%2)</translation>
+        <source>the touchpad's motors are in the state %1: stop, then arm again</source>
+        <translation>i motori del touchpad sono nello stato %1: fermare, poi armare di nuovo</translation>
     </message>
     <message>
         <source>the values do not fit this session</source>

@@ -1,5 +1,6 @@
 // The window's manners: languages, layouts that come back, a settings file that is damaged, the manual, and a walk over
 // every control of every place: named, with its unit, reached by the Tab key, and seen to have the focus.
+#include "app/console/command_palette.h"
 #include "app/console/language.h"
 #include "app/console/manual.h"
 #include "app/console/review_page.h"
@@ -104,6 +105,30 @@ class MannersTest : public QObject {
     QCOMPARE(widgets::coreText(QStringLiteral("what nobody ever said")), QStringLiteral("what nobody ever said"));
     QCOMPARE(widgets::coreText(QStringLiteral("/dev/%1: not open")), QStringLiteral("/dev/%1: non aperto"));
     QCOMPARE(widgets::coreText(QStringLiteral("")), QString());
+  }
+
+  void aDevicesFailureIsTranslatedWithItsValues() {
+    const Speaking french("fr");
+    const auto said = [](const char* english) { return widgets::coreText(QString::fromUtf8(english)); };
+    QCOMPARE(said("/dev/ttyUSB0: in use by another program (\"fuser /dev/ttyUSB0\" names it)"),
+             QString::fromUtf8("/dev/ttyUSB0 : utilisé par un autre programme (« fuser /dev/ttyUSB0 » le nomme)"));
+    QCOMPARE(said("10.0.0.7:502: reading at register 5: exception 3: it refuses the value"),
+             QString::fromUtf8("10.0.0.7:502 : reading at register 5 : exception 3 : il refuse la valeur"));
+    QCOMPARE(
+        said("the touchpad's motors are in the state fault (heartbeat lost): stop, then arm again"),
+        QString::fromUtf8("les moteurs du touchpad sont dans l'état défaut (battement perdu) : arrêter, puis armer de "
+                          "nouveau"));
+  }
+
+  void thePaletteNamesKeysAsTheMenusDo() {
+    const Speaking french("fr");
+    const QTemporaryDir folder;
+    const auto window = windowWith(folder.filePath(QStringLiteral("window.ini")), folder);
+    window->palette()->open();
+    QStringList said;
+    for (int i = 0; i < window->palette()->list()->count(); ++i) said << window->palette()->list()->item(i)->text();
+    QVERIFY2(said.contains(QStringLiteral("Liaison   (Ctrl+Maj+L)")), qPrintable(said.join(QLatin1Char('\n'))));
+    QVERIFY2(said.contains(QStringLiteral("Stop   (Esc)")), qPrintable(said.join(QLatin1Char('\n'))));
   }
 
   void whatIfExplainsEveryParameterInEveryLanguage() {
