@@ -1801,7 +1801,7 @@ Robot : %2
     </message>
     <message>
         <source>IR sensor %1 is stuck at code %2 while the others change: check its cable</source>
-        <translation>le capteur IR %1 est bloqué au code %2 pendant que les autres changent : vérifier son câble</translation>
+        <translation>le capteur IR %1 est figé au code %2 pendant que les autres changent : vérifier son câble</translation>
     </message>
     <message>
         <source>Identical, bit for bit.</source>
