@@ -138,12 +138,16 @@ CurveBuffer::Extent CurveBuffer::extent(const Channel& channel, std::uint64_t fr
       ++level;
     }
     const std::size_t position = positionOf(from);
-    if (level == 0) {
-      result.add(channel.values[position]);
-    } else {
+    if (level > 0) {
       result.add(channel.levels[level - 1][position >> (kShift * level)]);
+      from += std::uint64_t{1} << (kShift * level);
+      continue;
     }
-    from += std::uint64_t{1} << (kShift * level);
+    // Samples up to where the next entry starts lie side by side.
+    const std::uint64_t entry = std::uint64_t{1} << kShift;
+    const auto run = static_cast<std::size_t>(std::min(to, from - from % entry + entry) - from);
+    for (const float value : std::span(channel.values).subspan(position, run)) result.add(value);
+    from += run;
   }
   return result;
 }

@@ -1,13 +1,15 @@
-// A curve on the screen, drawn in one go: QCustomPlot hands the painter a line at a time, which costs more than the
-// lines.
+// A curve on the screen. QCustomPlot hands the painter a line at a time, and Qt's software painter outlines each one
+// on a scaled screen; but a curve over time covers one upright stretch of every column of the picture, and a rectangle
+// costs next to nothing.
 #pragma once
 
 #include <qcustomplot.h>
 
 namespace fyd::widgets {
 
-/// The picture is the same pixel for pixel. Dashed lines, those of a scaled screen and those of SVG and PDF are left to
-/// QCustomPlot.
+/// One rectangle for every column of the screen's pixels that the line passes; a level stretch is one altogether.
+/// A sample between two gaps is a dot. Lines that are dashed or let shine through, and those of SVG, PDF and other
+/// pictures with a transformation, are left to QCustomPlot. The axis of time must not run backwards.
 class CurveLine : public QCPGraph {
  public:
   using QCPGraph::QCPGraph;

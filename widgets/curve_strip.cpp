@@ -3,9 +3,8 @@
 #include <QRubberBand>
 #include <QVBoxLayout>
 
-#include <qcustomplot.h>
-
 #include "widgets/curve_line.h"
+#include "widgets/curve_plot.h"
 #include "widgets/number_ticker.h"
 #include "widgets/plot_dress.h"
 
@@ -28,7 +27,7 @@ QPen penOf(const Trace& trace) {
 CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, std::vector<Trace> traces,
                        bool with_time_scale, QWidget* parent)
     : QWidget(parent),
-      plot_(new QCustomPlot(this)),
+      plot_(new CurvePlot(this)),
       traces_(std::move(traces)),
       range_(least),
       unit_(unit),
@@ -41,7 +40,7 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
   setAccessibleName(tr("%1 over time, %2").arg(name, unit));
   plot_->setAccessibleName(accessibleName());
   plot_->setMinimumHeight(40);
-  plot_->setPlottingHints(QCP::phFastPolylines);
+  plot_->setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
   plot_->setNotAntialiasedElements(QCP::aeAll);
   plot_->setInteractions({});
   plot_->installEventFilter(this);
@@ -73,6 +72,8 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
   connect(&Look::instance(), &Look::changed, this, &CurveStrip::dress);
   dress();
 }
+
+QCustomPlot* CurveStrip::plot() const { return plot_; }
 
 void CurveStrip::setTimeScale(bool shown) {
   with_time_scale_ = shown;
@@ -131,11 +132,11 @@ double CurveStrip::laneCentre(std::size_t trace) const { return static_cast<doub
 
 void CurveStrip::dress() {
   const Theme& t = theme();
-  plot_->setBackground(QBrush(t.panel));
+  plot_->setGround(t.panel);
   QColor grid = t.line;
   grid.setAlphaF(0.6F);
   dressAxes({plot_->xAxis, plot_->yAxis});
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->grid()->setPen(QPen(grid, 1));
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->grid()->setPen(QPen(grid, 0));  // a hair at any scale
   if (scale_text_ != nullptr) {
     scale_text_->setFont(textFont(TextSize::small));
     scale_text_->setColor(t.muted);
@@ -148,7 +149,6 @@ void CurveStrip::dress() {
   for (std::size_t i = 0; i < traces_.size(); ++i) {
     plot_->graph(static_cast<int>(i))->setPen(penOf(traces_[i]));
   }
-  plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveSource& source, const TimeWindow& window) {
@@ -191,9 +191,6 @@ void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveSource& so
 
 void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
   drawn_ = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  if (!qFuzzyCompare(plot_->bufferDevicePixelRatio(), plot_->devicePixelRatioF())) {
-    plot_->setBufferDevicePixelRatio(plot_->devicePixelRatioF());
-  }
   for (std::size_t i = 0; i < traces_.size(); ++i) fill(plot_->graph(static_cast<int>(i)), traces_[i], source, window);
   if (drawn_.lower <= drawn_.upper) range_.fit(drawn_.lower, drawn_.upper);
   Range shown = fixed_range_.value_or(baseRange());
@@ -213,7 +210,7 @@ void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
   drawMarks(window);
   plot_->xAxis->setRange(-window.span_s(), 0.0);
   plot_->yAxis->setRange(shown.lower - margin, shown.upper + margin);
-  plot_->replot(QCustomPlot::rpQueuedRefresh);
+  plot_->update();
 }
 
 void CurveStrip::drawMarks(const TimeWindow& window) {

@@ -23,6 +23,8 @@ class QRubberBand;
 
 namespace fyd::widgets {
 
+class CurvePlot;
+
 enum class Stroke {
   solid,
   dashed,  ///< a target
@@ -76,7 +78,7 @@ class CurveStrip : public QWidget {
   [[nodiscard]] Range shownRange() const;
   /// Largest and smallest value drawn in the last `draw`; for tests.
   [[nodiscard]] Range drawnExtent() const { return drawn_; }
-  [[nodiscard]] QCustomPlot* plot() const { return plot_; }
+  [[nodiscard]] QCustomPlot* plot() const;
 
  signals:
   void panned(double by_s);                    ///< > 0 towards the past
@@ -101,7 +103,7 @@ class CurveStrip : public QWidget {
   bool release(const QMouseEvent& event);
   void wheel(const QWheelEvent& event);
 
-  QCustomPlot* plot_;
+  CurvePlot* plot_;
   std::vector<Trace> traces_;
   ValueRange range_;
   std::optional<Range> fixed_range_;

@@ -4,8 +4,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include <qcustomplot.h>
-
+#include "widgets/curve_plot.h"
 #include "widgets/curve_strip.h"
 
 namespace fyd::widgets {

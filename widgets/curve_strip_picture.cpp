@@ -1,8 +1,7 @@
 // A curve on paper or in a file.
 #include <cmath>
 
-#include <qcustomplot.h>
-
+#include "widgets/curve_plot.h"
 #include "widgets/curve_strip.h"
 
 namespace fyd::widgets {

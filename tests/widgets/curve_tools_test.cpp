@@ -65,7 +65,6 @@ struct CurveFixture : Fixture {
 /// A pixel of the curve's colour within two of where the spike must be.
 bool spikeOnScreen(widgets::CurveStrip& strip, double share, double value) {
   QCustomPlot& plot = *strip.plot();
-  plot.replot(QCustomPlot::rpImmediateRefresh);
   const QImage image = plot.grab().toImage();
   const QRect rect = plot.axisRect()->rect();
   const int x = rect.left() + static_cast<int>(share * rect.width());

@@ -6,6 +6,7 @@
 
 namespace fyd::tests {
 
+std::unique_ptr<QObject> makeCurveLineTest();
 std::unique_ptr<QObject> makeCurveTest();
 std::unique_ptr<QObject> makeCurveToolsTest();
 std::unique_ptr<QObject> makeControlTest();
