@@ -11,6 +11,8 @@
 
 namespace fyd::console::bench {
 
+constexpr float kBusySpike_N = 9.0F;
+
 /// Sample number `index`, one each millisecond. One in 5000 has a spike of one sample in the force.
 inline pipeline::TelemetrySample busySample(std::int64_t index, Instant now) {
   pipeline::TelemetrySample s;
@@ -20,7 +22,7 @@ inline pipeline::TelemetrySample busySample(std::int64_t index, Instant now) {
   s.step = static_cast<std::uint64_t>(index) + 1;
   s.state = pipeline::SafetyState::active;
   s.contact = true;
-  s.force_N = index % 5000 == 1234 ? 9.0 : 2.0 + std::sin(3.0 * t_s) + 0.05 * fast;
+  s.force_N = index % 5000 == 1234 ? kBusySpike_N : 2.0 + std::sin(3.0 * t_s) + 0.05 * fast;
   s.indentation_mm = 4.0 + 2.0 * std::sin(3.0 * t_s) + 0.02 * fast;
   s.stiffness_observable = true;
   s.stiffness_N_per_mm = 0.5 + 0.1 * std::sin(t_s) + 0.01 * fast;

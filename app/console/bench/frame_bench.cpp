@@ -9,6 +9,7 @@
 
 #include "app/console/bench/bench_parts.h"
 #include "app/console/bench/bench_session.h"
+#include "app/console/bench/spike.h"
 #include "app/console/bench/timed_application.h"
 #include "app/console/main_window.h"
 
@@ -88,7 +89,8 @@ std::vector<Row> frameRows(const Settings& settings) {
   }
   const double share = 100.0 * cpu_ms / wall_ms;
   const bool full = scaleWord() == "100 %";
-  const std::string lost = curves->strip(0)->drawnExtent().upper == 9.0 ? "0 spikes lost" : "a spike lost";
+  const SpikeCount spikes = countSpikes(*curves, kBusySpike_N);
+  const std::string lost = std::to_string(spikes.lost) + " of " + std::to_string(spikes.shown) + " spikes lost";
   Row frame{.what = "window: frame, 12 curves × 60 s × 1 kHz, camera 30 fps",
             .scale = scaleWord(),
             .aim = full ? "p95 ≤ 16" : "p95 ≤ 33",

@@ -6,6 +6,7 @@
 
 #include "app/console/bench/bench_parts.h"
 #include "app/console/bench/bench_session.h"
+#include "app/console/bench/spike.h"
 #include "widgets/curve_view.h"
 
 namespace fyd::console::bench {
@@ -35,7 +36,7 @@ std::vector<Row> soakRows(const Settings& settings) {
   std::vector<pipeline::TelemetrySample> chunk(kRate);
   std::vector<double> lag_ms;
   double filled_MB = 0.0;
-  int lost = 0;
+  SpikeCount spikes;
   for (int second = 0; second < seconds; ++second) {
     for (int i = 0; i < kRate; ++i) {
       const std::int64_t index = static_cast<std::int64_t>(second) * kRate + i;
@@ -49,14 +50,16 @@ std::vector<Row> soakRows(const Settings& settings) {
     if (second == kFilled_s) filled_MB = residentMB();
     if (second <= kFilled_s) continue;
     lag_ms.push_back(now_ms() - begun_ms);
-    lost += view.strip(0)->drawnExtent().upper == 9.0 ? 0 : 1;
+    const SpikeCount found = countSpikes(view, kBusySpike_N);
+    spikes.shown += found.shown;
+    spikes.lost += found.lost;
   }
   const double grown_MB = residentMB() - filled_MB;
   const std::string hours = QString::number(settings.hours, 'g', 3).toStdString() + " h";
   Row lag{.what = "soak, " + hours + " of samples: a sample's wait for its picture",
           .scale = scaleWord(),
           .aim = "≤ 100",
-          .error = std::to_string(lost) + " pictures without their spike"};
+          .error = std::to_string(spikes.lost) + " of " + std::to_string(spikes.shown) + " spikes lost"};
   return {summarise(lag, lag_ms),
           {.what = "soak, " + hours + " of samples: memory gained since the first five minutes",
            .scale = scaleWord(),

@@ -6,6 +6,7 @@
 #include <qcustomplot.h>
 
 #include "app/console/bench/bench_parts.h"
+#include "app/console/bench/spike.h"
 #include "widgets/curve_buffer.h"
 #include "widgets/curve_strip.h"
 
@@ -20,6 +21,7 @@ struct View {
   double from_s;
   double to_s;
   double spike_s;
+  [[nodiscard]] double share() const { return (spike_s - from_s) / (to_s - from_s); }
 };
 
 float valueOf(std::size_t index, const std::vector<std::size_t>& spikes) {
@@ -40,27 +42,6 @@ std::vector<View> viewsOf(double span_s, int count, const std::vector<std::size_
   return out;
 }
 
-/// Whether a pixel of the curve's colour stands near where the spike must be.
-bool spikeSeen(QCustomPlot& plot, const View& view, const QColor& colour) {
-  const QImage image = plot.grab().toImage();
-  const double scale = image.devicePixelRatio();
-  const QRect rect = plot.axisRect()->rect();
-  const double x = rect.left() + rect.width() * (view.spike_s - view.from_s) / (view.to_s - view.from_s);
-  const double y = plot.yAxis->coordToPixel(kSpike);
-  const auto near = [&](const QRgb pixel) {
-    const QColor c(pixel);
-    return std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
-               std::abs(c.blue() - colour.blue()) <
-           60;
-  };
-  for (int column = static_cast<int>(scale * (x - 2)); column <= static_cast<int>(scale * (x + 2)); ++column) {
-    for (int line = static_cast<int>(scale * (y - 2)); line <= static_cast<int>(scale * (y + 3)); ++line) {
-      if (image.valid(column, line) && near(image.pixel(column, line))) return true;
-    }
-  }
-  return false;
-}
-
 struct Result {
   std::vector<double> took_ms;
   int lost = 0;
@@ -79,7 +60,7 @@ Result ours(const widgets::CurveBuffer& buffer, const std::vector<View>& views, 
     strip.draw(buffer, window);
     strip.plot()->repaint();  // draw leaves only this to be done later
     out.took_ms.push_back(now_ms() - begun_ms);
-    if (!spikeSeen(*strip.plot(), view, widgets::theme().of(widgets::Quantity::force))) ++out.lost;
+    if (!spikeSeen(*strip.plot(), view.share(), kSpike, widgets::theme().of(widgets::Quantity::force))) ++out.lost;
     QApplication::processEvents();
   }
   return out;
@@ -93,7 +74,7 @@ Result naive(QCustomPlot& plot, const std::vector<View>& views) {
     plot.yAxis->setRange(-2.0, 11.0);
     plot.replot(QCustomPlot::rpImmediateRefresh);
     out.took_ms.push_back(now_ms() - begun_ms);
-    if (!spikeSeen(plot, view, plot.graph()->pen().color())) ++out.lost;
+    if (!spikeSeen(plot, view.share(), kSpike, plot.graph()->pen().color())) ++out.lost;
     QApplication::processEvents();
   }
   return out;
