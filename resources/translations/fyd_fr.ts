@@ -1781,7 +1781,7 @@ Robot : %2
     </message>
     <message>
         <source>How the stretch follows the stiffness target: law and PID, or as the thesis prints it.</source>
-        <translation>Comment l'étirement suit la raideur demandée : loi et PID, ou comme imprimé dans la thèse.</translation>
+        <translation>Comment l'étirement suit la raideur de consigne : loi et PID, ou comme imprimé dans la thèse.</translation>
     </message>
     <message>
         <source>How three axes of vibration become one signal.</source>
@@ -3633,7 +3633,7 @@ N/mm</translation>
     </message>
     <message>
         <source>The first encoder counts against its motor's reference (firmware of 2014 and later differ).</source>
-        <translation>Le premier codeur compte à l'inverse de la consigne de son moteur (les micrologiciels de 2014 et d'après diffèrent).</translation>
+        <translation>Le premier codeur compte à l'inverse de la référence de son moteur (les micrologiciels de 2014 et d'après diffèrent).</translation>
     </message>
     <message>
         <source>The fit and its residuals are drawn here.
@@ -3745,7 +3745,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The second encoder counts against its motor's reference.</source>
-        <translation>Le second codeur compte à l'inverse de la consigne de son moteur.</translation>
+        <translation>Le second codeur compte à l'inverse de la référence de son moteur.</translation>
     </message>
     <message>
         <source>The selected parameters take their saved values again</source>
