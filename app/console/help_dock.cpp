@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QTextBlock>
 #include <QTextTable>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/console/manual.h"
@@ -33,6 +34,21 @@ class Page : public QTextBrowser {
     return fitting;
   }
 };
+
+/// Links are underlined: their colour alone hardly tells them from the text.
+void underlineLinks(QTextDocument& page) {
+  QTextCharFormat underlined;
+  underlined.setFontUnderline(true);
+  for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
+    for (auto part = block.begin(); !part.atEnd(); ++part) {
+      if (!part.fragment().charFormat().isAnchor()) continue;
+      QTextCursor link(&page);
+      link.setPosition(part.fragment().position());
+      link.setPosition(part.fragment().position() + part.fragment().length(), QTextCursor::KeepAnchor);
+      link.mergeCharFormat(underlined);
+    }
+  }
+}
 }  // namespace
 
 HelpDock::HelpDock(QWidget* parent) : HelpDock(new QWidget, parent) {}
@@ -89,10 +105,13 @@ void HelpDock::build(QWidget& body) {
 }
 
 void HelpDock::showTopic(const QString& topic) {
+  const bool opens = topic_.isEmpty() || isHidden();
   if (!topic_.isEmpty() && topic != topic_) former_ << topic_;
   load(topic);
   show();
   raise();
+  // Lines break elsewhere once the panel has its width.
+  if (opens) QTimer::singleShot(0, this, [this] { scrollTo(manualHeading(topic_)); });
 }
 
 void HelpDock::load(const QString& topic) {
@@ -103,14 +122,16 @@ void HelpDock::load(const QString& topic) {
     if (table == nullptr) continue;
     QTextTableFormat lines = table->format();
     lines.setBorderCollapse(true);
+    lines.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
     lines.setBorderBrush(widgets::theme().line);
     lines.setCellPadding(kGrid / 2);
     lines.setCellSpacing(0);
     table->setFormat(lines);
   }
+  underlineLinks(*page_->document());
   topic_ = topic;
   back_->setEnabled(!former_.isEmpty());
-  if (topic.contains(QLatin1Char('#'))) scrollTo(manualHeading(topic));
+  scrollTo(manualHeading(topic));
 }
 
 void HelpDock::scrollTo(int heading) {

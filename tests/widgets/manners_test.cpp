@@ -381,8 +381,7 @@ class MannersTest : public QObject {
     QTest::keyClick(in_the_curves, Qt::Key_F1);
     QCOMPARE(help->topic(), QStringLiteral("operate.md#curves"));
     QCOMPARE(heading(), QStringLiteral("Curve"));
-    QTRY_VERIFY(help->page()->verticalScrollBar()->value() > 0);
-    QVERIFY(help->page()->rect().contains(help->page()->cursorRect()));
+    QTRY_VERIFY(help->page()->verticalScrollBar()->value() > 0 && help->page()->cursorRect().top() == 0);
     QVERIFY(!help->page()->toPlainText().contains(QLatin1String("translated from")));
     QVERIFY(help->page()->loadResource(QTextDocument::ImageResource, QUrl("../images/operate-dark.png")).isValid());
     // Links name the English heading.
