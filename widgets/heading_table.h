@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <numeric>
 #include <vector>
@@ -12,6 +13,14 @@ namespace fyd::widgets {
 class HeadingTable : public QTableWidget {
  public:
   using QTableWidget::QTableWidget;
+
+  /// What it needs so as not to scroll sideways, px.
+  [[nodiscard]] int wholeWidth() const {
+    int out_px = 2 * frameWidth() + verticalScrollBar()->sizeHint().width();
+    if (!verticalHeader()->isHidden()) out_px += verticalHeader()->sizeHint().width();
+    for (int i = 0; i < columnCount(); ++i) out_px += horizontalHeader()->sectionSizeHint(i);
+    return out_px;
+  }
 
   /// By itself after a change of the size; to be asked for after one of the headings.
   void shareWidth() {

@@ -1,7 +1,9 @@
 #include "widgets/tuning_list.h"
 
 #include <QHBoxLayout>
+#include <QScrollBar>
 #include <QVBoxLayout>
+#include <ranges>
 
 #include "widgets/tuning_text.h"
 #include "widgets/upright_scroll.h"
@@ -23,7 +25,8 @@ TuningList::TuningList(TuningModel& model, QWidget* parent)
       search_(new QLineEdit(this)),
       only_changed_(new QCheckBox(tr("Only what differs"), this)),
       summary_(new QLabel(this)),
-      empty_(new QLabel(tr("No parameter is found so. The search looks at name, identifier, help and group."), this)) {
+      empty_(new QLabel(tr("No parameter is found so. The search looks at name, identifier, help and group."), this)),
+      scroll_(makeUprightScroll(this)) {
   setProperty("surface", "panel");
   setAccessibleName(tr("All live parameters"));
   search_->setObjectName(QStringLiteral("tuning_search"));
@@ -43,20 +46,19 @@ TuningList::TuningList(TuningModel& model, QWidget* parent)
   head->addWidget(search_, 1);
   head->addWidget(only_changed_);
   head->addWidget(summary_);
-  auto* scroll = makeUprightScroll(this);
-  auto* body = new QWidget(scroll);
+  auto* body = new QWidget(scroll_);
   auto* rows = new QVBoxLayout(body);
   rows->setContentsMargins(0, 0, kGrid, 0);
   rows->setSpacing(kGrid);
   rows->addWidget(empty_);
   addRows(rows);
   rows->addStretch(1);
-  scroll->setWidget(body);
+  scroll_->setWidget(body);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
   layout->setSpacing(kGrid);
   layout->addLayout(head);
-  layout->addWidget(scroll, 1);
+  layout->addWidget(scroll_, 1);
   connect(search_, &QLineEdit::textChanged, this, &TuningList::filter);
   connect(only_changed_, &QCheckBox::toggled, this, &TuningList::filter);
   connect(&model_, &TuningModel::changed, this, [this] {
@@ -85,6 +87,14 @@ void TuningList::addRows(QVBoxLayout* layout) {
     rows_.push_back(row);
     groups_.back().rows.push_back(row);
   }
+}
+
+void TuningList::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  const auto wide = [](const TuningRow* row) { return row->wideWidth(); };
+  const int needed_px = std::ranges::max(rows_ | std::views::transform(wide)) + kGrid;
+  const int bar_px = scroll_->verticalScrollBar()->sizeHint().width();
+  for (TuningRow* row : rows_) row->setNarrow(scroll_->width() - bar_px < needed_px);
 }
 
 void TuningList::filter() {

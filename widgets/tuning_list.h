@@ -5,6 +5,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <vector>
 
 #include "widgets/tuning_model.h"
@@ -30,6 +31,9 @@ class TuningList : public QFrame {
  signals:
   void refused(const QString& why);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   struct Group {
     QLabel* title;
@@ -44,6 +48,7 @@ class TuningList : public QFrame {
   QCheckBox* only_changed_;
   QLabel* summary_;
   QLabel* empty_;
+  QScrollArea* scroll_;
   std::vector<Group> groups_;
   std::vector<TuningRow*> rows_;
 };

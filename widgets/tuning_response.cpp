@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kBand_percent = 5.0;  // within which the loop counts as settled
 constexpr double kLeastSpan_s = 1.0;
+constexpr int kMostTicks = 5;
+constexpr int kTick_px = 50;  // what a number and some air need
 
 QString marginText(double factor) {
   return std::isinf(factor) ? QStringLiteral("∞") : quantityText(factor, 2, QStringLiteral("×"));
@@ -37,7 +39,9 @@ TuningResponse::TuningResponse(QWidget* parent)
   lower_ = plot_->addGraph();
   target_ = plot_->addGraph();
   for (QCPGraph*& graph : graphs_) graph = plot_->addGraph();
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->ticker()->setTickCount(5);
+  plot_->yAxis->ticker()->setTickCount(kMostTicks);
+  connect(plot_, &QCustomPlot::beforeReplot, this,
+          [this] { plot_->xAxis->ticker()->setTickCount(std::clamp(plot_->width() / kTick_px, 2, kMostTicks)); });
   busy_->setRange(0, 0);
   busy_->setTextVisible(false);
   busy_->setFixedHeight(kGrid / 2);

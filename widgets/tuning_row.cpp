@@ -1,6 +1,5 @@
 #include "widgets/tuning_row.h"
 
-#include <QGridLayout>
 #include <QKeyEvent>
 #include <QSignalBlocker>
 
@@ -57,7 +56,21 @@ TuningRow::TuningRow(TuningModel& model, QString id, const QString& label, Quant
     editor->setAccessibleName(accessibleName());
     editor->setAccessibleDescription(help);
   }
-  layOut(detail);
+  if (field_ != nullptr) {
+    field_->setFixedWidth(QFontMetrics(textFont(TextSize::normal)).horizontalAdvance(QStringLiteral("0.00000")) + 16);
+  }
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(kGrid / 2);
+  grid->setVerticalSpacing(0);
+  mark_->setFixedWidth(kGrid);
+  mark_->setFont(textFont(TextSize::normal, true));
+  grid->addWidget(mark_, 0, 0);
+  if (detail == RowDetail::full) {
+    layOutFull(*grid);
+  } else {
+    layOutBrief(*grid);
+  }
   connect(&model_, &TuningModel::changed, this, [this](const QString& changed) {
     if (changed == id_) refresh();
   });
@@ -79,48 +92,72 @@ QToolButton* TuningRow::buildBack(const QString& symbol, const QString& words) {
   return button;
 }
 
-void TuningRow::layOut(RowDetail detail) {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(kGrid / 2);
-  grid->setVerticalSpacing(0);
-  mark_->setFixedWidth(kGrid);
-  mark_->setFont(textFont(TextSize::normal, true));
-  grid->addWidget(mark_, 0, 0);
-  grid->addWidget(name_, 0, 1);
-  const bool full = detail == RowDetail::full;
-  grid->setColumnStretch(full ? 2 : 1, 1);
-  if (full) name_->setFixedWidth(22 * kGrid);
-  const int editor = full ? 3 : 2;  // in the full row the slider stands between name and field
+QLabel* TuningRow::buildUnit(const QString& widest) {
+  const QFont font = textFont(TextSize::small);
+  auto* unit = new QLabel(unitText(parameter().info), this);
+  unit->setProperty("role", "muted");
+  unit->setFont(font);
+  unit->setFixedWidth(QFontMetrics(font).horizontalAdvance(widest));
+  return unit;
+}
+
+void TuningRow::layOutBrief(QGridLayout& grid) {
+  grid.setColumnStretch(1, 1);
+  grid.addWidget(name_, 0, 1);
   if (choice_ != nullptr) {
-    grid->addWidget(choice_, 0, editor, 1, 2);
+    grid.addWidget(choice_, 0, 2, 1, 2);
   } else {
-    field_->setFixedWidth(QFontMetrics(textFont(TextSize::normal)).horizontalAdvance(QStringLiteral("0.00000")) + 16);
-    auto* unit = new QLabel(unitText(parameter().info), this);
-    unit->setProperty("role", "muted");
-    unit->setFont(textFont(TextSize::small));
-    const QFontMetrics metrics(textFont(TextSize::small));
-    unit->setFixedWidth(metrics.horizontalAdvance(full ? QStringLiteral("deg/(N/mm)/s") : QStringLiteral("N/mm")));
-    grid->addWidget(field_, 0, editor);
-    grid->addWidget(unit, 0, editor + 1);
-    if (full) {
-      grid->addWidget(slider_, 0, 2);
-    } else {
-      grid->addWidget(slider_, 1, 1, 1, 4);
-    }
+    grid.addWidget(field_, 0, 2);
+    grid.addWidget(buildUnit(QStringLiteral("N/mm")), 0, 3);
+    grid.addWidget(slider_, 1, 1, 1, 4);
   }
-  if (!full) {
-    grid->addWidget(reset_, 0, 4);
-    return;
+  grid.addWidget(reset_, 0, 4);
+}
+
+void TuningRow::layOutFull(QGridLayout& grid) {
+  constexpr int kName_px = 22 * kGrid;
+  constexpr int kLeastSlider_px = 12 * kGrid;
+  unit_ = buildUnit(choice_ == nullptr ? QStringLiteral("deg/(N/mm)/s") : QString());
+  name_->setFixedWidth(kName_px);
+  if (slider_ != nullptr) {
+    slider_->setMinimumWidth(kLeastSlider_px);
+    wide_px_ = mark_->width() + kName_px + kLeastSlider_px + field_->maximumWidth() + unit_->maximumWidth() +
+               revert_->width() + reset_->width() + 6 * grid.horizontalSpacing();
   }
-  grid->addWidget(revert_, 0, 5);
-  grid->addWidget(reset_, 0, 6);
   for (QLabel* label : {help_, facts_}) {
     label->setFont(textFont(TextSize::small));
     label->setWordWrap(true);
     label->setProperty("role", "muted");
-    grid->addWidget(label, label == help_ ? 1 : 2, 1, 1, 6);
+    grid.addWidget(label, label == help_ ? 2 : 3, 1, 1, 6);
   }
+  grid.setColumnStretch(2, 1);
+  placeFull();
+}
+
+/// Wide: name, slider, field, unit, the ways back. Narrow: the name and the ways back, then the others below.
+void TuningRow::placeFull() {
+  auto& grid = static_cast<QGridLayout&>(*layout());
+  const int editors = narrow_ ? 1 : 0;  // their row
+  grid.addWidget(name_, 0, 1, 1, narrow_ ? 4 : 1);
+  if (choice_ != nullptr) {
+    grid.addWidget(choice_, editors, narrow_ ? 1 : 3, 1, narrow_ ? 3 : 2, narrow_ ? Qt::AlignLeft : Qt::Alignment());
+  } else {
+    grid.addWidget(slider_, editors, narrow_ ? 1 : 2, 1, narrow_ ? 2 : 1);
+    grid.addWidget(field_, editors, 3);
+    grid.addWidget(unit_, editors, 4, 1, narrow_ ? 3 : 1);
+  }
+  grid.addWidget(revert_, 0, 5);
+  grid.addWidget(reset_, 0, 6);
+}
+
+void TuningRow::setNarrow(bool narrow) {
+  if (help_ == nullptr || narrow == narrow_) return;
+  narrow_ = narrow;
+  for (QWidget* each : {static_cast<QWidget*>(name_), static_cast<QWidget*>(choice_), static_cast<QWidget*>(slider_),
+                        static_cast<QWidget*>(field_), static_cast<QWidget*>(unit_)}) {
+    if (each != nullptr) layout()->removeWidget(each);
+  }
+  placeFull();
 }
 
 void TuningRow::buildNumber() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
@@ -33,6 +34,10 @@ class TuningRow : public QWidget {
   [[nodiscard]] QToolButton* resetButton() const { return reset_; }
   [[nodiscard]] QToolButton* revertButton() const { return revert_; }  ///< nullptr in a brief row
   [[nodiscard]] QLabel* mark() const { return mark_; }
+  /// A full row in a narrow place: the name above, slider and field below it. A brief row is always so.
+  void setNarrow(bool narrow);
+  /// What a full row needs in px so that its name, a slider that can be worked with and its field stand side by side.
+  [[nodiscard]] int wideWidth() const { return wide_px_; }
   [[nodiscard]] QString facts() const { return facts_ == nullptr ? QString() : facts_->text(); }
 
  signals:
@@ -48,7 +53,10 @@ class TuningRow : public QWidget {
   QToolButton* buildBack(const QString& symbol, const QString& words);
   void buildNumber();
   void buildChoice();
-  void layOut(RowDetail detail);
+  void layOutBrief(QGridLayout& grid);
+  void layOutFull(QGridLayout& grid);
+  void placeFull();
+  QLabel* buildUnit(const QString& widest);
   void refresh();
   void refreshMark();
   void takeSlider(int position);
@@ -68,6 +76,9 @@ class TuningRow : public QWidget {
   QLabel* mark_;
   QToolButton* reset_;
   QToolButton* revert_ = nullptr;
+  bool narrow_ = false;
+  int wide_px_ = 0;
+  QLabel* unit_ = nullptr;
   QLabel* help_ = nullptr;
   QLabel* facts_ = nullptr;
   QSlider* slider_ = nullptr;

@@ -153,7 +153,7 @@ void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, 
     }
     if (std::isfinite(result.rmse)) figures << tr("error of the fit %1").arg(error(result.rmse));
     if (std::isfinite(result.max_residual)) figures << tr("largest residual %1").arg(error(result.max_residual));
-    if (!result.curve.empty()) figures << tr("curve: %1").arg(QString::fromStdString(result.curve));
+    if (!result.curve.empty()) figures << tr("curve: %1").arg(widgets::coreText(result.curve));
     if (!result.outliers.empty()) {
       QStringList rows;
       for (const std::size_t row : result.outliers) rows << QString::number(row + 1);

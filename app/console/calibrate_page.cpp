@@ -244,6 +244,7 @@ void CalibratePage::refreshTable() {
       table_->setItem(row, column, item);
     }
   }
+  table_->setMinimumWidth(table_->wholeWidth());  // the fit beside it gives way
   table_->scrollToBottom();
 }
 

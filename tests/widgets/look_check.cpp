@@ -12,15 +12,19 @@
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSlider>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTextDocument>
+
+#include "widgets/heading_table.h"
 
 namespace fyd::tests {
 namespace {
 
 constexpr int kHeaderPadding = 16;  // px, of the style sheet
-constexpr int kSlack = 1;           // px: a scale that is no whole number rounds
+constexpr int kLeastSlider_px = 64;
+constexpr int kSlack = 1;  // px: a scale that is no whole number rounds
 
 QString nameOf(const QWidget& widget, const QString& text) {
   return QStringLiteral("%1 %2 \"%3\"")
@@ -147,6 +151,11 @@ QStringList lookFaults(const QWidget& window) {
     if (button != nullptr && !button->text().isEmpty() && !cutsOnPurpose(*each)) fault = cutControl(*each);
     if (qobject_cast<const QComboBox*>(each) != nullptr && !cutsOnPurpose(*each)) fault = cutControl(*each);
     if (const auto* tabs = qobject_cast<const QTabBar*>(each)) fault = cutTabs(*tabs);
+    const auto* slider = qobject_cast<const QSlider*>(each);
+    if (slider != nullptr && slider->width() < kLeastSlider_px) fault = sizes({kLeastSlider_px, 0}, slider->size());
+    const auto* table = dynamic_cast<const widgets::HeadingTable*>(each);
+    if (table != nullptr && table->horizontalScrollBar()->isVisible()) fault = QStringLiteral(" scrolls sideways");
+    if (table != nullptr && liesOutside(*table)) fault = QStringLiteral(" sticks out of what it stands in");
     if (const auto* header = qobject_cast<const QHeaderView*>(each)) fault = cutHeader(*header);
     if (fault.isEmpty() && !textOf(*each).isEmpty() && liesOutside(*each)) {
       fault = QStringLiteral(" sticks out of what it stands in");

@@ -85,7 +85,7 @@ class LooksTest : public QObject {
     look(f, "log");
     f.window->commands().action(QStringLiteral("view.log"))->trigger();
     f.window->help()->showTopic(QStringLiteral("operate.md#curves"));
-    for (const char* place : {"operate", "review", "devices", "calibrate"}) {
+    for (const char* place : {"operate", "review", "devices", "tune", "calibrate"}) {
       go(f, place);
       look(f, qPrintable(QStringLiteral("help-%1").arg(QLatin1String(place))));
       QVERIFY2(f.window->stateBar()->height() <= 120, qPrintable(QString::number(f.window->stateBar()->height())));
@@ -110,14 +110,14 @@ class LooksTest : public QObject {
   static void lookAt(QWidget& window, const char* page) {
     QTest::qWait(20);  // what is laid out when the event loop comes round
     const QString name = QLatin1String(QTest::currentDataTag()) + QLatin1Char('-') + QLatin1String(page);
-    if (const QString folder = qEnvironmentVariable("FYD_LOOKS_FOLDER"); !folder.isEmpty()) {
-      window.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
-    }
     // What comes later, as found devices, needs a moment to be laid out.
     QStringList faults = lookFaults(window);
     for (int i = 0; i < 40 && !faults.isEmpty(); ++i) {
       QTest::qWait(25);
       faults = lookFaults(window);
+    }
+    if (const QString folder = qEnvironmentVariable("FYD_LOOKS_FOLDER"); !folder.isEmpty()) {
+      window.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
     }
     for (const QString& fault : faults) qWarning("%s: %s", qPrintable(name), qPrintable(fault));
     QVERIFY2(faults.isEmpty(), qPrintable(name));
