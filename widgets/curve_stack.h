@@ -75,6 +75,8 @@ class CurveStack : public QWidget {
 
   /// All vertical scales stay as they are shown now, or follow the data again.
   void holdRanges(bool hold);
+  /// Whether every shown strip keeps its vertical scale.
+  [[nodiscard]] bool rangesHeld() const;
   void freeRanges();
 
   void draw(const CurveSource& source);

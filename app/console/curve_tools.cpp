@@ -25,17 +25,19 @@ void CurveTools::addCommands(PlaceCommands& commands, const std::string& place, 
       add("choose", QT_TRANSLATE_NOOP("Commands", "Choose curves"), "curves", "C", true, [](bool) {});
   connect(panel_, &widgets::CurveSetupPanel::closeAsked, choose, [choose] { choose->setChecked(false); });
   connect(choose, &QAction::toggled, panel_, &QWidget::setVisible);
-  QAction* link =
+  link_action_ =
       add("link_time", QT_TRANSLATE_NOOP("Commands", "One time for all curves"), "", "T", true, [this](bool linked) {
         stack_->setLinked(linked);
         panel_->refresh();
       });
-  link->setChecked(stack_->linked());
-  connect(panel_->linkBox(), &QCheckBox::toggled, link, &QAction::setChecked);
-  add("hold_ranges", QT_TRANSLATE_NOOP("Commands", "Hold the vertical ranges"), "", "R", true, [this](bool held) {
-    stack_->holdRanges(held);
-    panel_->refresh();
-  });
+  hold_action_ =
+      add("hold_ranges", QT_TRANSLATE_NOOP("Commands", "Hold the vertical ranges"), "", "R", true, [this](bool held) {
+        stack_->holdRanges(held);
+        panel_->refresh();
+      });
+  // A layout, a field or a start may change them too.
+  connect(stack_, &widgets::CurveStack::moved, this, &CurveTools::showState);
+  showState();
   spectrum_action_ = add("spectrum", QT_TRANSLATE_NOOP("Commands", "Spectrum of the vibration"), "spectrum", "S", true,
                          [this](bool shown) {
                            spectrum_->setVisible(shown);
@@ -44,11 +46,15 @@ void CurveTools::addCommands(PlaceCommands& commands, const std::string& place, 
   addSaving(commands, place, menu, std::move(save_table));
 }
 
+void CurveTools::showState() {
+  link_action_->setChecked(stack_->linked());
+  hold_action_->setChecked(stack_->rangesHeld());
+}
+
 QByteArray CurveTools::choice() const { return widgets::choiceOf(*stack_); }
 
 QString CurveTools::choose(const QByteArray& choice) {
   const QString left_out = widgets::takeChoice(*stack_, choice);
-  panel_->linkBox()->setChecked(stack_->linked());
   panel_->refresh();
   return left_out;
 }

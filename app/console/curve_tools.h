@@ -35,12 +35,16 @@ class CurveTools : public QObject {
   [[nodiscard]] std::vector<QToolButton*> makeButtons(QWidget* parent) const;
 
  private:
+  /// What the checkable commands say is what is.
+  void showState();
   void addSaving(PlaceCommands& commands, const std::string& place, const char* menu, std::function<void()> save_table);
 
   widgets::CurveStack* stack_;
   widgets::CurveSetupPanel* panel_;
   widgets::SpectrumView* spectrum_;
   CurveSaver saver_;
+  QAction* link_action_ = nullptr;
+  QAction* hold_action_ = nullptr;
   QAction* choose_action_ = nullptr;
   QAction* spectrum_action_ = nullptr;
 };

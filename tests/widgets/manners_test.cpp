@@ -289,6 +289,40 @@ class MannersTest : public QObject {
     QCOMPARE(window->log()->lines(), 0);
   }
 
+  void whetherTheRangesAreHeldIsSaidAsItIs() {
+    QTemporaryDir folder;
+    const QString memory = folder.filePath(QStringLiteral("window.ini"));
+    const auto hold = [](console::MainWindow& window) {
+      return window.commands().action(QStringLiteral("curves.hold_ranges"));  // the key R
+    };
+    {
+      const auto window = windowWith(memory, folder);
+      window->show();
+      QVERIFY(!hold(*window)->isChecked());
+      hold(*window)->trigger();
+      QVERIFY(hold(*window)->isChecked() && window->operate()->curves()->stack()->strip(1)->chosenRange());
+      window->close();
+    }
+    const auto window = windowWith(memory, folder);
+    window->show();
+    QVERIFY(hold(*window)->isChecked());
+    // One curve follows its values again: they are not all held; the key then holds all.
+    widgets::CurveStack* stack = window->operate()->curves()->stack();
+    widgets::CurveSetupPanel* panel = window->operate()->curveTools()->panel();
+    window->commands().action(QStringLiteral("curves.choose"))->trigger();
+    for (const char* end : {"from_force", "to_force"}) {
+      auto* field = panel->findChild<QLineEdit*>(QLatin1String(end));
+      field->setFocus();
+      field->clear();
+      QTest::keyClick(field, Qt::Key_Return);
+    }
+    QVERIFY(!stack->strip(0)->chosenRange() && stack->strip(1)->chosenRange() && !hold(*window)->isChecked());
+    for (const bool now : {true, false}) {
+      hold(*window)->trigger();
+      QVERIFY(hold(*window)->isChecked() == now && stack->strip(0)->chosenRange().has_value() == now);
+    }
+  }
+
   void aChoiceOfCurvesThatIsNoneIsLeftOutWithAWordInTheLog() {
     const QByteArray bad[] = {"",
                               "\0\1\xff",
