@@ -5,7 +5,9 @@
 #include <QFileSystemModel>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/session/catalogue.h"
 #include "widgets/core_text.h"
@@ -59,7 +61,7 @@ SessionList::SessionList(QString catalogue, QWidget* parent)
   connect(table_, &QTableWidget::cellActivated, this, [this](int row, int) {
     emit openAsked(QString::fromStdString(entries_[static_cast<std::size_t>(row)].path));
   });
-  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) { explain(row); });
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) { choose(row); });
 }
 
 void SessionList::build() {
@@ -116,6 +118,7 @@ void SessionList::look() {
 }
 
 void SessionList::fill(const std::vector<session::CatalogueEntry>& entries) {
+  const int chosen_column = table_->currentColumn();
   entries_.clear();
   table_->setRowCount(0);
   entries_ = entries;
@@ -146,12 +149,29 @@ void SessionList::fill(const std::vector<session::CatalogueEntry>& entries) {
   } else {
     words_->setText(tr("No session has these words."));
   }
+  chooseAgain(chosen_column);
 }
 
-void SessionList::explain(int row) {
+void SessionList::choose(int row) {
   if (row < 0 || static_cast<std::size_t>(row) >= entries_.size()) return;
   const session::CatalogueEntry& entry = entries_[static_cast<std::size_t>(row)];
+  chosen_ = entry;
   path_->setText(QString::fromStdString(entry.path));
+  explain(entry);
+}
+
+/// The chosen session may stand in another row now, or in none. A path that was written since stays.
+void SessionList::chooseAgain(int column) {
+  const auto found = std::ranges::find(entries_, chosen_.id, &session::CatalogueEntry::id);
+  if (found == entries_.end()) return;
+  if (path_->text() == QString::fromStdString(chosen_.path)) path_->setText(QString::fromStdString(found->path));
+  chosen_ = *found;
+  const QSignalBlocker quiet(table_);
+  table_->setCurrentCell(static_cast<int>(found - entries_.begin()), std::max(0, column));
+  explain(*found);
+}
+
+void SessionList::explain(const session::CatalogueEntry& entry) {
   const bool crashed =
       entry.file_state == session::FileState::present && entry.wholeness == session::Wholeness::crashed;
   words_->setText(crashed ? tr("Its recorder crashed. Recover makes it whole; it can be opened as it is, too.")

@@ -36,7 +36,9 @@ class SessionList : public QWidget {
   void build();
   void fill(const std::vector<session::CatalogueEntry>& entries);
   void openPath();
-  void explain(int row);
+  void choose(int row);
+  void chooseAgain(int column);
+  void explain(const session::CatalogueEntry& entry);
   /// Empty: none, which is said.
   [[nodiscard]] QString namedPath();
 
@@ -48,6 +50,7 @@ class SessionList : public QWidget {
   QPushButton* recover_;
   QLabel* words_;
   std::vector<session::CatalogueEntry> entries_;
+  session::CatalogueEntry chosen_;  ///< rows come and go; without an id: none
   Background work_;
 };
 

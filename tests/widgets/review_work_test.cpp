@@ -162,6 +162,43 @@ class ReviewWorkTest : public QObject {
     QVERIFY(f.page->whatIf()->runButton()->isEnabled());
   }
 
+  void theChosenSessionStaysChosenWhenTheListIsReadAgain() {
+    ReviewFixture f;
+    console::SessionList* list = f.page->list();
+    const auto record = [&](const char* id, const char* started) {
+      auto catalogue = session::Catalogue::open({});
+      return catalogue && catalogue->add({.id = id,
+                                          .path = f.folder.filePath(QLatin1String(id)).toStdString(),
+                                          .station = "here",
+                                          .started_utc = started,
+                                          .operator_name = id});
+    };
+    const auto lookAgain = [&](int rows) {
+      list->look();
+      QTRY_VERIFY(!list->looking());
+      QCOMPARE(list->table()->rowCount(), rows);
+    };
+    QVERIFY(record("first", "2026-11-20T10:00:00.000Z") && record("second", "2026-11-21T10:00:00.000Z"));
+    lookAgain(2);
+    QCOMPARE(list->table()->currentRow(), -1);
+    list->table()->setCurrentCell(0, 3);  // the newest is on top
+    QVERIFY(list->path()->text().endsWith(QLatin1String("second")));
+    QVERIFY(record("third", "2026-11-22T10:00:00.000Z"));
+    list->path()->setText(QStringLiteral("/written/meanwhile.h5"));
+    lookAgain(3);
+    QCOMPARE(list->table()->currentRow(), 1);
+    QCOMPARE(list->table()->currentColumn(), 3);
+    QCOMPARE(list->table()->selectedItems().value(0)->toolTip(), f.folder.filePath(QStringLiteral("second")));
+    QCOMPARE(list->path()->text(), QStringLiteral("/written/meanwhile.h5"));
+    // Not among those found, then again.
+    list->filter()->setText(QStringLiteral("third"));
+    lookAgain(1);
+    QCOMPARE(list->table()->currentRow(), -1);
+    list->filter()->clear();
+    lookAgain(3);
+    QCOMPARE(list->table()->currentRow(), 1);
+  }
+
   void aCrashedRecordingIsMadeWholeFromTheList() {
     ReviewFixture f;
     QVERIFY(QDir(f.folder.path()).mkdir(QStringLiteral("crashed")));
@@ -181,6 +218,8 @@ class ReviewWorkTest : public QObject {
     QTRY_VERIFY(f.told().contains(QStringLiteral("killed.h5 is whole: 6000 samples")));
     QVERIFY(!QFile::exists(file));
     QTRY_COMPARE(f.page->list()->table()->item(0, 5)->text(), QStringLiteral("whole"));
+    QCOMPARE(f.page->list()->table()->currentRow(), 0);
+    QCOMPARE(f.page->list()->path()->text(), file.chopped(8));  // where it is now
     QVERIFY(f.page->showsList());
     f.openByPath(file.chopped(8));
     QTRY_COMPARE(f.page->touches()->rowCount(), 1);
