@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <numeric>
 
 #include "widgets/icon.h"
 #include "widgets/number_text.h"
@@ -23,6 +24,11 @@ QColor healthColour(PartView::Health health) {
   return theme().muted;
 }
 
+/// Where its figures begin, from its left edge.
+int figuresLeft(const PartView& part) {
+  return kIcon + kGrid / 2 + QFontMetrics(textFont(TextSize::small, true)).horizontalAdvance(part.name) + kGrid / 2 + 2;
+}
+
 }  // namespace
 
 PartList::PartList(QWidget* parent) : QWidget(parent) {
@@ -37,18 +43,34 @@ QSize PartList::sizeHint() const { return {300, QFontMetrics(textFont(TextSize::
 void PartList::setParts(const std::vector<PartView>& parts) {
   if (parts == parts_) return;
   parts_ = parts;
+  needs_.resize(parts_.size());
   QStringList words;
-  for (const PartView& part : parts_) words << part.name + QLatin1Char(' ') + part.figures;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const PartView& part = parts_[i];
+    words << part.name + QLatin1Char(' ') + part.figures;
+    needs_[i] =
+        std::max(needs_[i], figuresLeft(part) +
+                                QFontMetrics(textFont(TextSize::small)).horizontalAdvance(part.figures) + 2 * kGrid);
+  }
   setAccessibleDescription(words.join(QStringLiteral("; ")));
   update();
 }
 
 std::vector<QRect> PartList::places() const {
-  // Equal columns: a figure that changes its width moves nothing.
-  std::vector<QRect> out;
+  // What each once needed and an equal share of the rest: none moves because a figure changes its width. Equal columns
+  // where there is too little room.
   const int count = std::max(1, static_cast<int>(parts_.size()));
-  const int column = width() / count;
-  for (int i = 0; i < count; ++i) out.emplace_back(i * column, 0, column - kGrid, height());
+  std::vector<int> columns(static_cast<std::size_t>(count), width() / count);
+  const int needed = std::accumulate(needs_.begin(), needs_.end(), 0);
+  if (needed <= width()) {
+    for (std::size_t i = 0; i < needs_.size(); ++i) columns[i] = needs_[i] + (width() - needed) / count;
+  }
+  std::vector<QRect> out;
+  int left = 0;
+  for (const int column : columns) {
+    out.emplace_back(left, 0, column - kGrid, height());
+    left += column;
+  }
   return out;
 }
 
@@ -64,14 +86,13 @@ void PartList::paintEvent(QPaintEvent*) {
     const int middle = rect.center().y();
     paintIcon(painter, QRectF(rect.left(), middle - kIcon / 2 + 1, kIcon, kIcon),
               well ? part.icon : QStringLiteral("warning"), colour);
-    int x = rect.left() + kIcon + kGrid / 2;
+    const int name_x = rect.left() + kIcon + kGrid / 2;
     QFont name_font = textFont(TextSize::small, true);
     name_font.setUnderline(static_cast<int>(i) == hovered_);
     painter.setFont(name_font);
-    const QFontMetrics strong(painter.font());
     painter.setPen(theme().text);
-    painter.drawText(QRect(x, rect.top(), rect.right() - x, rect.height()), Qt::AlignVCenter, part.name);
-    x += strong.horizontalAdvance(part.name) + kGrid / 2 + 2;
+    painter.drawText(QRect(name_x, rect.top(), rect.right() - name_x, rect.height()), Qt::AlignVCenter, part.name);
+    const int x = rect.left() + figuresLeft(part);
     painter.setFont(textFont(TextSize::small));
     painter.setPen(well ? theme().muted : colour);
     const int room = rect.right() - x;

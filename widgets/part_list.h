@@ -43,6 +43,7 @@ class PartList : public QWidget {
   [[nodiscard]] int openingPartAt(const QPoint& where) const;  ///< -1: none
   void hover(int part);
   std::vector<PartView> parts_;
+  std::vector<int> needs_;  ///< the widest each has been, px
   int hovered_ = -1;
 };
 

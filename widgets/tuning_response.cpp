@@ -34,7 +34,7 @@ TuningResponse::TuningResponse(QWidget* parent)
   plot_->setMinimumSize(160, 120);
   plot_->setFocusPolicy(Qt::NoFocus);
   plot_->xAxis->setLabel(tr("time (s)"));
-  plot_->yAxis->setLabel(tr("stiffness (% of target)"));
+  plot_->yAxis->setLabel(tr("% of target"));
   upper_ = plot_->addGraph();
   lower_ = plot_->addGraph();
   target_ = plot_->addGraph();

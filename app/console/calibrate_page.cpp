@@ -273,6 +273,7 @@ void CalibratePage::refreshButtons() {
   take_->setVisible(!moves);
   move_->setVisible(moves);
   move_->setEnabled(free && !silent_);
+  why_still_->setVisible(moves && !free && !silent_);
   report_->setEnabled(!taking_now_);
   take_->setEnabled(!taking_now_);
   simulate_->setEnabled(!taking_now_);

@@ -119,6 +119,7 @@ class CalibratePage : public Page {
   QLabel* instruction_;
   QLabel* live_;
   QLabel* hint_;
+  QLabel* why_still_;  ///< why motors may not be moved now
   QLabel* missing_;
   QProgressBar* progress_;
   CalibrationEntryForm* entries_;

@@ -135,6 +135,10 @@ QWidget* CalibratePage::buildButtons() {
   accept_ = button(out, "calibrate_accept", tr("Accept"),
                    tr("Writes the new values with their record, and begins the session anew with them."));
   row->addStretch(1);  // notices slide in at the left
+  why_still_ = new QLabel(tr("Only while nothing renders: press Esc first."), out);
+  why_still_->setObjectName(QStringLiteral("calibrate_why_still"));
+  why_still_->setProperty("role", "muted");
+  row->addWidget(why_still_);
   row->addWidget(back_);
   row->addWidget(take_);
   row->addWidget(move_);

@@ -40,7 +40,7 @@ constexpr OptionInfo kOptions[] = {
     {"notes", "TEXT", words::kNotes},
     {"tag", "WORD", words::kTag},
     {"catalogue", "CATALOGUE", words::kCatalogue},
-    {"trials", "A,B,…", "Conditions of an experiment; Ctrl+Shift+M begins the next trial and marks it."},
+    {"trials", "A,B,...", "Conditions of an experiment; Ctrl+Shift+M begins the next trial and marks it."},
     {"trial-repetitions", "N", "How often each condition comes; default: 1."},
     {"trial-seed", "N", "The same seed gives the same order; default: 1."},
     {"review", "FILE", "Recording to review at once."},
@@ -149,7 +149,8 @@ Result<Options> readOptions(const QStringList& arguments) {
   if (!parser.parse(arguments)) return fail("{}", parser.errorText().toStdString());
   Options options;
   if (parser.isSet(QStringLiteral("help"))) {
-    options.help = parser.helpText();
+    // There is no application yet whose name Qt could put there.
+    options.help = parser.helpText().replace(QStringLiteral("<executable_name>"), QStringLiteral("fyd-console"));
     return options;
   }
   if (parser.isSet(QStringLiteral("version"))) {

@@ -20,6 +20,10 @@
         <translation>%</translation>
     </message>
     <message>
+        <source>% of target</source>
+        <translation>% de la cible</translation>
+    </message>
+    <message>
         <source>%1
 %2</source>
         <translation>%1
@@ -5174,10 +5178,6 @@ Pour commencer : %1</translation>
     <message>
         <source>status word</source>
         <translation>mot d'état</translation>
-    </message>
-    <message>
-        <source>stiffness (% of target)</source>
-        <translation>raideur (% consigne)</translation>
     </message>
     <message>
         <source>stiffness falls from %1 N/mm at %2 deg to %3 at %4 deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>

@@ -20,6 +20,10 @@
         <translation>%</translation>
     </message>
     <message>
+        <source>% of target</source>
+        <translation>% dell'obiettivo</translation>
+    </message>
+    <message>
         <source>%1
 %2</source>
         <translation>%1
@@ -5174,10 +5178,6 @@ Per cominciare: %1</translation>
     <message>
         <source>status word</source>
         <translation>parola di stato</translation>
-    </message>
-    <message>
-        <source>stiffness (% of target)</source>
-        <translation>rigidezza (% dell'obiettivo)</translation>
     </message>
     <message>
         <source>stiffness falls from %1 N/mm at %2 deg to %3 at %4 deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>

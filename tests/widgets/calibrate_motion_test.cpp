@@ -62,6 +62,18 @@ device::DeviceReport encoders(double stretch_deg) {
 class CalibrateMotionTest : public QObject {
   Q_OBJECT
  private slots:
+  void whyTheMotorsMayNotBeMovedIsSaid() {
+    Moving c("encoders");
+    auto* why = c.page->findChild<QLabel*>(QStringLiteral("calibrate_why_still"));
+    QVERIFY(c.page->moveButton()->isEnabled());
+    QVERIFY(!why->isVisible());
+    c.state(SafetyState::active);
+    QVERIFY(!c.page->moveButton()->isEnabled());
+    QVERIFY(why->isVisible());
+    c.page->choose(QStringLiteral("load-cell"));  // nothing moves for it
+    QVERIFY(!why->isVisible());
+  }
+
   void theStiffnessMapWhileTheButtonIsHeld() {
     Moving c("stiffness");
     QVERIFY(!c.page->takeButton()->isVisible());

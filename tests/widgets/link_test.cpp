@@ -137,6 +137,26 @@ class LinkTest : public QObject {
     QVERIFY(!f.window->link()->isVisible());
   }
 
+  void aLongFigureBorrowsRoomAndGivesNoneBack() {
+    widgets::PartList parts;
+    const QString all = QStringLiteral("a long word about this part, read to its very end");
+    const int needed = QFontMetrics(widgets::textFont(widgets::TextSize::small)).horizontalAdvance(all);
+    parts.resize(3 * needed, 24);  // a third each would just not do, with sign and name
+    std::vector<widgets::PartView> views = {{.name = QStringLiteral("First"), .figures = QStringLiteral("1 Hz")},
+                                            {.name = QStringLiteral("Second"), .figures = all},
+                                            {.name = QStringLiteral("Third"), .figures = QStringLiteral("1 Hz")}};
+    parts.setParts(views);
+    const QRect wide = parts.place(QStringLiteral("Second"));
+    QVERIFY(wide.width() > needed);
+    QVERIFY(parts.place(QStringLiteral("Third")).right() <= parts.width());
+    QVERIFY(parts.place(QStringLiteral("First")).right() < wide.left());
+    views[1].figures = QStringLiteral("1 Hz");
+    parts.setParts(views);
+    QCOMPARE(parts.place(QStringLiteral("Second")), wide);
+    parts.resize(100, 24);  // too little for any: alike
+    QCOMPARE(parts.place(QStringLiteral("First")).width(), parts.place(QStringLiteral("Third")).width());
+  }
+
   void withThePanelOpenTheWindowStillFitsItsUsualSize() {
     Fixture f;
     f.window->commands().action(QStringLiteral("view.link"))->trigger();
