@@ -1,7 +1,6 @@
 #include "core/session/export_file.h"
 
 #include <fcntl.h>
-#include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -25,30 +24,26 @@ Result<ExportFile> ExportFile::create(const std::string& path, bool replace) {
   if (wanted.filename().empty()) return fail("{}: not a file's name", path);
   if (std::filesystem::is_directory(wanted)) return fail("{}: is a folder, not a file", path);
   if (!replace && exists(path)) return fail("{}: exists already", path);
-  const std::string extension = wanted.extension().string();
-  std::string name = (wanted.parent_path() / fmt::format(".{}.part-XXXXXX{}", wanted.stem().string(), extension)).string();
-  const int file = ::mkostemps(name.data(), static_cast<int>(extension.size()), O_CLOEXEC);
-  if (file < 0) return fail("{}: cannot be made: {}", path, std::strerror(errno));
-  // mkstemp gives 0600; what a user exports is readable as their other files are.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(file, 0666 & ~mask);
-  ::close(file);
-  return ExportFile(path, std::move(name), replace);
+  removeExportLeftovers(wanted.parent_path());
+  auto part = makeExportPart(wanted);
+  if (!part) return tl::unexpected(part.error());
+  return ExportFile(path, std::move(*part), replace);
 }
 
-ExportFile::ExportFile(std::string path, std::string temporary, bool replace)
-    : path_(std::move(path)), temporary_(std::move(temporary)), replace_(replace) {}
+ExportFile::ExportFile(std::string path, ExportPart part, bool replace)
+    : path_(std::move(path)), temporary_(std::move(part.path)), lock_(part.lock), replace_(replace) {}
 
 ExportFile::ExportFile(ExportFile&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::exchange(other.temporary_, {})),
+      lock_(std::exchange(other.lock_, -1)),
       replace_(other.replace_),
       file_(std::move(other.file_)) {}
 
 ExportFile::~ExportFile() {
   file_.reset();
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (lock_ >= 0) ::close(lock_);
 }
 
 tl::unexpected<Error> ExportFile::failed(int error) const {

@@ -7,11 +7,13 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/session/export_part.h"
 
 namespace fyd::session {
 
 class ExportFile {
  public:
+  /// What killed programs left in the folder goes away before.
   /// @return an error when the folder cannot be written, or `path` exists and may not be replaced
   [[nodiscard]] static Result<ExportFile> create(const std::string& path, bool replace);
   ExportFile(ExportFile&& other) noexcept;
@@ -28,11 +30,12 @@ class ExportFile {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  ExportFile(std::string path, std::string temporary, bool replace);
+  ExportFile(std::string path, ExportPart part, bool replace);
   [[nodiscard]] tl::unexpected<Error> failed(int error) const;
 
   std::string path_;
   std::string temporary_;  ///< empty: renamed, or handed on
+  int lock_ = -1;          ///< tells other programs that this one lives
   bool replace_ = false;
   std::unique_ptr<std::FILE, Close> file_;
 };
