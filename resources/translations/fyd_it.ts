@@ -647,7 +647,7 @@
     </message>
     <message>
         <source>Accepted: the proposed values are in use. Undo takes them back, Save profile keeps them.</source>
-        <translation>Accettato: i valori proposti sono in uso. Annulla li toglie, Salva profilo li conserva.</translation>
+        <translation>Accettato: i valori proposti sono in uso. Annulla li toglie, Salva il profilo li conserva.</translation>
     </message>
     <message>
         <source>Accepting begins the session anew and would end the recording: stop the recording first.</source>
@@ -1139,7 +1139,7 @@
     </message>
     <message>
         <source>Dead time of the measured stiffness behind the stretch; auto-tune measures it.</source>
-        <translation>Tempo morto della rigidezza misurata rispetto allo stiramento; l'autoregolazione lo misura.</translation>
+        <translation>Tempo morto della rigidezza misurata rispetto alla tensione; la taratura automatica lo misura.</translation>
     </message>
     <message>
         <source>Dead zone</source>
@@ -1173,7 +1173,7 @@ mm</translation>
     </message>
     <message>
         <source>Derivative gain, on the measured stiffness and not on the target.</source>
-        <translation>Guadagno derivativo, sulla rigidezza misurata e non sul valore desiderato.</translation>
+        <translation>Guadagno derivativo, sulla rigidezza misurata e non sull'obiettivo.</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -1303,7 +1303,7 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     </message>
     <message>
         <source>Drawn faint. The search for its touches was cancelled.</source>
-        <translation>Disegnata in chiaro. La ricerca dei suoi tocchi è stata annullata.</translation>
+        <translation>Disegnata tenue. La ricerca dei suoi tocchi è stata annullata.</translation>
     </message>
     <message>
         <source>Duties smaller than this become zero, as the motors would not turn.</source>
@@ -1403,7 +1403,7 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     </message>
     <message>
         <source>Fastest change of the commanded stretch.</source>
-        <translation>Massima velocità dello stiramento comandato.</translation>
+        <translation>Massima velocità della tensione comandata.</translation>
     </message>
     <message>
         <source>Fastest the position sent to the robot moves.</source>
@@ -1459,7 +1459,7 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     </message>
     <message>
         <source>Finds out how cloth and sensors answer and proposes gains. Nothing changes until you accept.</source>
-        <translation>Scopre come rispondono tessuto e sensori e propone guadagni. Nulla cambia finché non accettate.</translation>
+        <translation>Scopre come rispondono tessuto e sensori e propone guadagni. Nulla cambia finché non si accetta.</translation>
     </message>
     <message>
         <source>Finger</source>
@@ -1535,7 +1535,7 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     </message>
     <message>
         <source>First encoder's reading at zero stretch.</source>
-        <translation>Lettura del primo encoder a stiramento zero.</translation>
+        <translation>Lettura del primo encoder a tensione zero.</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -1645,7 +1645,7 @@ N</translation>
     </message>
     <message>
         <source>Greatest stretch the controller commands.</source>
-        <translation>Massimo stiramento che il controllore comanda.</translation>
+        <translation>Massima tensione che il controllore comanda.</translation>
     </message>
     <message>
         <source>Grey value</source>
@@ -1665,7 +1665,7 @@ N</translation>
     </message>
     <message>
         <source>Hand target</source>
-        <translation>Valore a mano</translation>
+        <translation>Obiettivo a mano</translation>
     </message>
     <message>
         <source>Height</source>
@@ -1781,11 +1781,11 @@ Robot: %2
     </message>
     <message>
         <source>How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.</source>
-        <translation>Quanto lentamente la rigidezza misurata segue la vera (costante di tempo); l'autoregolazione la misura.</translation>
+        <translation>Quanto lentamente la rigidezza misurata segue la vera (costante di tempo); la taratura automatica la misura.</translation>
     </message>
     <message>
         <source>How the stretch follows the stiffness target: law and PID, or as the thesis prints it.</source>
-        <translation>Come lo stiramento segue la rigidezza richiesta: legge e PID, o come stampato nella tesi.</translation>
+        <translation>Come la tensione segue la rigidezza desiderata: legge e PID, o come stampato nella tesi.</translation>
     </message>
     <message>
         <source>How three axes of vibration become one signal.</source>
@@ -1965,7 +1965,7 @@ Robot: %2
     </message>
     <message>
         <source>Least stretch the controller commands.</source>
-        <translation>Minimo stiramento che il controllore comanda.</translation>
+        <translation>Minima tensione che il controllore comanda.</translation>
     </message>
     <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
@@ -2337,7 +2337,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>No motor is sent further than this from its zero, whatever stretch and translation add up to.</source>
-        <translation>Nessun motore è mandato più lontano di così dal suo zero, qualunque sia la somma di stiramento e traslazione.</translation>
+        <translation>Nessun motore è mandato più lontano di così dal suo zero, qualunque sia la somma di tensione e traslazione.</translation>
     </message>
     <message>
         <source>No notes. N writes one at the cursor.</source>
@@ -2373,7 +2373,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>No preset yet. Tune what you like to keep, write a name and press Save.</source>
-        <translation>Ancora nessuna preimpostazione. Regolate ciò che volete conservare, scrivete un nome e premete Salva.</translation>
+        <translation>Ancora nessuna preimpostazione. Regolare ciò che si vuole conservare, scrivere un nome e premere Salva.</translation>
     </message>
     <message>
         <source>No preset yet; the place Tune saves one</source>
@@ -2505,7 +2505,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>Nothing differs from the saved profile. Change a value at the left and it is listed here; A and B then switch between saved and current while you feel.</source>
-        <translation>Nulla differisce dal profilo salvato. Cambiate un valore a sinistra e comparirà qui; A e B passano allora dal salvato all'attuale mentre sentite.</translation>
+        <translation>Nulla differisce dal profilo salvato. Cambiare un valore a sinistra e comparirà qui; A e B passano allora dal salvato all'attuale mentre si sente.</translation>
     </message>
     <message>
         <source>Nothing differs from the saved values</source>
@@ -3157,7 +3157,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Second encoder's reading at zero stretch.</source>
-        <translation>Lettura del secondo encoder a stiramento zero.</translation>
+        <translation>Lettura del secondo encoder a tensione zero.</translation>
     </message>
     <message>
         <source>Secured</source>
@@ -3283,7 +3283,7 @@ s</translation>
     </message>
     <message>
         <source>Simulated finger: press on the picture. Depth %1; wheel or Shift and drag changes it.</source>
-        <translation>Dito simulato: premere sull'immagine. Profondità %1; rotella o Maiusc e trascinamento la cambiano.</translation>
+        <translation>Dito simulato: premere sull'immagine. Profondità %1; rotella o Shift e trascinamento la cambiano.</translation>
     </message>
     <message>
         <source>Simulated points, from the simulator's own truth and noise. No part was measured.</source>
@@ -3351,7 +3351,7 @@ s</translation>
     </message>
     <message>
         <source>Start the robot's program, or set the target by hand.</source>
-        <translation>Avviare il programma del robot, o impostare il bersaglio a mano.</translation>
+        <translation>Avviare il programma del robot, o impostare l'obiettivo a mano.</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -3363,7 +3363,7 @@ s</translation>
     </message>
     <message>
         <source>Static law between stretch angle and stiffness; interpolated uses the points below.</source>
-        <translation>Legge statica fra angolo di stiramento e rigidezza; interpolated usa i punti seguenti.</translation>
+        <translation>Legge statica fra angolo di tensione e rigidezza; interpolated usa i punti seguenti.</translation>
     </message>
     <message>
         <source>Steady error</source>
@@ -3489,7 +3489,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Stretch angles of the calibration points, rising.</source>
-        <translation>Angoli di stiramento dei punti di calibrazione, crescenti.</translation>
+        <translation>Angoli di tensione dei punti di calibrazione, crescenti.</translation>
     </message>
     <message>
         <source>Stretch, read by the encoders</source>
@@ -3573,7 +3573,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation>Consegna</translation>
+        <translation>Obiettivo</translation>
     </message>
     <message>
         <source>Target and robot motion</source>
@@ -3581,11 +3581,11 @@ N/mm</translation>
     </message>
     <message>
         <source>Target by hand</source>
-        <translation>Valore a mano</translation>
+        <translation>Obiettivo a mano</translation>
     </message>
     <message>
         <source>Target from robot</source>
-        <translation>Valore dal robot</translation>
+        <translation>Obiettivo dal robot</translation>
     </message>
     <message>
         <source>Test, while held</source>
@@ -3597,11 +3597,11 @@ N/mm</translation>
     </message>
     <message>
         <source>Texture and vibration</source>
-        <translation>Tessitura e vibrazione</translation>
+        <translation>Texture e vibrazione</translation>
     </message>
     <message>
         <source>Texture signal</source>
-        <translation>Segnale della trama</translation>
+        <translation>Segnale della texture</translation>
     </message>
     <message>
         <source>The camera sees the cloth mirrored left to right.</source>
@@ -3625,7 +3625,7 @@ N/mm</translation>
     </message>
     <message>
         <source>The file before is still being written; try again.</source>
-        <translation>Il file precedente è ancora in scrittura; riprova.</translation>
+        <translation>Il file precedente è ancora in scrittura; riprovare.</translation>
     </message>
     <message>
         <source>The file begins up to 10 s before you start. Ctrl+M puts a marker.</source>
@@ -3741,7 +3741,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
-        <translation>Si sentono i valori salvati (A). Tornate a B per cambiare qualcosa.</translation>
+        <translation>Si sentono i valori salvati (A). Tornare a B per cambiare qualcosa.</translation>
     </message>
     <message>
         <source>The search was cancelled. Open the session again to look for touches.</source>
@@ -3761,7 +3761,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The session has no robot; the target is set by hand.</source>
-        <translation>La sessione non ha robot; il valore desiderato si imposta a mano.</translation>
+        <translation>La sessione non ha robot; l'obiettivo si imposta a mano.</translation>
     </message>
     <message>
         <source>The session is closed. %1. Choose another robot.</source>
@@ -3781,7 +3781,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The station did not take the target: too many commands at once. Try again.</source>
-        <translation>La stazione non ha preso il valore desiderato: troppi comandi in una volta. Riprovare.</translation>
+        <translation>La stazione non ha preso l'obiettivo: troppi comandi in una volta. Riprovare.</translation>
     </message>
     <message>
         <source>The station is silent: wait until it answers.</source>
@@ -3797,7 +3797,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The target is out of reach; rendering the nearest, %1 N/mm.</source>
-        <translation>Il valore desiderato è fuori portata; si rende il più vicino, %1 N/mm.</translation>
+        <translation>L'obiettivo è fuori portata; si rende il più vicino, %1 N/mm.</translation>
     </message>
     <message>
         <source>The touchpad runs mode thesis; these courses are of mode default.</source>
@@ -3893,7 +3893,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Time over which the measured stiffness' noise repeats itself; auto-tune measures it.</source>
-        <translation>Tempo dopo il quale il rumore della rigidezza misurata si ripete; l'autoregolazione lo misura.</translation>
+        <translation>Tempo dopo il quale il rumore della rigidezza misurata si ripete; la taratura automatica lo misura.</translation>
     </message>
     <message>
         <source>Time shown</source>
@@ -5005,7 +5005,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>position duty %1</source>
-        <translation>ciclo di posizione %1</translation>
+        <translation>duty di posizione %1</translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -5225,11 +5225,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>target</source>
-        <translation>consegna</translation>
+        <translation>obiettivo</translation>
     </message>
     <message>
         <source>target limited</source>
-        <translation>valore limitato</translation>
+        <translation>obiettivo limitato</translation>
     </message>
     <message>
         <source>temperature %1</source>
@@ -5309,7 +5309,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>the picture is frozen: the camera sends one and the same; unplug it and plug it in again</source>
-        <translation>l'immagine è bloccata: la telecamera manda sempre la stessa; scollegarla e ricollegarla</translation>
+        <translation>l'immagine è congelata: la telecamera manda sempre la stessa; scollegarla e ricollegarla</translation>
     </message>
     <message>
         <source>the reading drifts by %1 N over the measurement: let the bridge warm up</source>
