@@ -156,7 +156,7 @@ def page_faults(page, english_page, words):
         yield f"the first line is {first!r}; expected {expected!r}"
     elif first != expected:
         yield (f"{english_page.name} has changed since this was translated: see git log -p {english_page.name}, mend the"
-               " translation, then run tests/translations/manual.py stamp with this page")
+               f" translation, then run: python3 tests/translations/manual.py stamp {page.parent.name}/{page.name}")
     english, translated = sections(read(english_page)), sections(text)
     for own, other in zip(english, translated):
         if own.level != other.level:
