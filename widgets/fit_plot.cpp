@@ -47,8 +47,7 @@ FitPlot::FitPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)
   empty_->setWordWrap(true);
   empty_->setProperty("role", "muted");
   empty_->setFont(textFont(TextSize::title));
-  empty_->setMinimumSize(200, 160);
-  plot_->setMinimumSize(200, 160);
+  for (QWidget* each : {static_cast<QWidget*>(empty_), static_cast<QWidget*>(plot_)}) each->setMinimumSize(200, 208);
   plot_->setFocusPolicy(Qt::NoFocus);
   plot_->setInteractions({});
   plot_->plotLayout()->clear();

@@ -16,6 +16,14 @@ constexpr double kMark_px = 9.0;
 constexpr double kLevel_px = 12.0;
 constexpr double kRoom = 0.1;  // of the values' span, above and below
 
+/// "Distance 1 · 2 · 3": the word that all begin with stands once, because an axis is short.
+QString namesOf(QStringList names) {
+  const QString first = names.value(0).section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ');
+  const bool alike = std::ranges::all_of(names, [&](const QString& name) { return name.startsWith(first); });
+  for (qsizetype i = 1; alike && i < names.size(); ++i) names[i].remove(0, first.size());
+  return names.join(QStringLiteral(" · "));
+}
+
 }  // namespace
 
 LiveTrace::LiveTrace(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
@@ -63,8 +71,7 @@ void LiveTrace::restart(const QStringList& signals_shown, const QString& unit) {
   for (QCPGraph* trace : traces_) trace->data()->clear();
   marks_->data()->clear();
   level_readings_.clear();
-  plot_->yAxis->setLabel(unit.isEmpty() ? QString()
-                                        : signals_shown.join(QStringLiteral(" · ")) + QStringLiteral(", ") + unit);
+  plot_->yAxis->setLabel(unit.isEmpty() ? QString() : namesOf(signals_shown) + QStringLiteral(", ") + unit);
   plot_->xAxis->setLabel(tr("the last %1 s").arg(kShown_s));
   draw();
 }

@@ -10,6 +10,7 @@
 #include "widgets/heading_table.h"
 #include "widgets/number_text.h"
 #include "widgets/theme.h"
+#include "widgets/upright_scroll.h"
 
 namespace fyd::console {
 namespace {
@@ -93,14 +94,20 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   record->addWidget(who_, 0, 1);
   record->addWidget(new QLabel(tr("Conditions"), this), 1, 0);
   record->addWidget(conditions_, 1, 1);
+  // In a low window what is said scrolls, and the plot keeps a height at which it can be read.
+  auto* said = new QWidget(this);
+  auto* lines = new QVBoxLayout(said);
+  lines->setContentsMargins(0, 0, kGrid, 0);
+  lines->setSpacing(kGrid);
+  lines->addWidget(plot_, 1);
+  for (QLabel* each : {legend_, verdict_, figures_}) lines->addWidget(each);
+  lines->addWidget(changes_);
+  QScrollArea* scroll = widgets::makeUprightScroll(this);
+  scroll->setWidget(said);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
   layout->setSpacing(kGrid);
-  layout->addWidget(plot_, 1);
-  layout->addWidget(legend_);
-  layout->addWidget(verdict_);
-  layout->addWidget(figures_);
-  layout->addWidget(changes_);
+  layout->addWidget(scroll, 1);
   layout->addLayout(record);
 }
 

@@ -134,11 +134,15 @@ QWidget* CalibratePage::buildButtons() {
       button(out, "calibrate_discard", tr("Discard"), tr("Forgets this part's points; the values in force stay."));
   accept_ = button(out, "calibrate_accept", tr("Accept"),
                    tr("Writes the new values with their record, and begins the session anew with them."));
-  row->addStretch(1);  // notices slide in at the left
   why_still_ = new QLabel(tr("Only while nothing renders: press Esc first."), out);
   why_still_->setObjectName(QStringLiteral("calibrate_why_still"));
   why_still_->setProperty("role", "muted");
-  row->addWidget(why_still_);
+  why_still_->setWordWrap(true);
+  why_still_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  QSizePolicy room = why_still_->sizePolicy();
+  room.setRetainSizeWhenHidden(true);  // the buttons stay at the right; notices slide in at the left
+  why_still_->setSizePolicy(room);
+  row->addWidget(why_still_, 1);
   row->addWidget(back_);
   row->addWidget(take_);
   row->addWidget(move_);

@@ -17,6 +17,8 @@
 #include <QTabBar>
 #include <QTextDocument>
 
+#include <qcustomplot.h>
+
 #include "widgets/heading_table.h"
 
 namespace fyd::tests {
@@ -105,6 +107,22 @@ QString cutHeader(const QHeaderView& header) {
   return {};
 }
 
+/// An axis's name stands about the middle of its axis, and what does not fit into the plot is not seen.
+QString cutAxes(const QCustomPlot& plot) {
+  for (const QCPAxisRect* rect : plot.axisRects()) {
+    for (const QCPAxis* axis : rect->axes()) {
+      if (!axis->visible() || axis->label().isEmpty()) continue;
+      const bool level = axis->orientation() == Qt::Horizontal;
+      const int middle = level ? rect->rect().center().x() : rect->rect().center().y();
+      const int room = 2 * std::min(middle, (level ? plot.width() : plot.height()) - middle);
+      const int wanted = QFontMetrics(axis->labelFont()).horizontalAdvance(axis->label());
+      if (wanted > room + kSlack)
+        return QStringLiteral(" axis %1 wants %2, has %3").arg(axis->label()).arg(wanted).arg(room);
+    }
+  }
+  return {};
+}
+
 /// Inside every ancestor, up to the first that scrolls.
 bool liesOutside(const QWidget& widget) {
   QRect place(QPoint(0, 0), widget.size());
@@ -157,6 +175,7 @@ QStringList lookFaults(const QWidget& window) {
     if (table != nullptr && table->horizontalScrollBar()->isVisible()) fault = QStringLiteral(" scrolls sideways");
     if (table != nullptr && liesOutside(*table)) fault = QStringLiteral(" sticks out of what it stands in");
     if (const auto* header = qobject_cast<const QHeaderView*>(each)) fault = cutHeader(*header);
+    if (const auto* plot = qobject_cast<const QCustomPlot*>(each)) fault = cutAxes(*plot);
     if (fault.isEmpty() && !textOf(*each).isEmpty() && liesOutside(*each)) {
       fault = QStringLiteral(" sticks out of what it stands in");
     }

@@ -94,6 +94,7 @@ class LooksTest : public QObject {
     QTest::mouseClick(calibrate->simulateButton(), Qt::LeftButton);
     look(f, "help-calibrate-points");
     f.window->help()->hide();
+    look(f, "calibrate-points");
     go(f, "operate");
     f.window->layouts()->open();
     lookAt(*f.window->layouts(), "layouts");
