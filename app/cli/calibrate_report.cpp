@@ -1,5 +1,6 @@
 #include "app/cli/calibrate_report.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -127,7 +128,14 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
     record = valueOrFail(station::saveCalibration(result, record, profile, options.profile));
     json["changes"] = nlohmann::ordered_json::array();
     for (const calibration::AppliedChange& change : record.changes) {
+      if (std::ranges::find(result.changes, change.id, &calibration::ParameterChange::id) == result.changes.end()) {
+        continue;  // left behind as it was
+      }
       json["changes"].push_back({{"id", change.id}, {"before", change.before}, {"after", change.after}});
+    }
+    json["to_do_again"] = nlohmann::ordered_json::array();
+    for (const station::OutdatedPart& each : valueOrFail(station::outdatedParts(options.profile, profile))) {
+      json["to_do_again"].push_back({{"part", each.part}, {"why", each.why}});
     }
     json["written_to"] = options.profile;
     json["record"] = station::calibrationFileOf(options.profile);

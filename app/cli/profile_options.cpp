@@ -1,6 +1,9 @@
 #include "app/cli/profile_options.h"
 
+#include <iostream>
+
 #include "app/cli/command.h"
+#include "core/station/calibration_file.h"
 
 namespace fyd::cli {
 
@@ -24,6 +27,18 @@ station::Profile ProfileOptions::load() const {
     }
   }
   return profile;
+}
+
+void ProfileOptions::sayWhatIsOutdated(const station::Profile& profile) const {
+  if (file.empty()) return;
+  const auto outdated = station::outdatedParts(file, profile);
+  if (!outdated) {
+    std::cerr << fmt::format("warning: {}\n", outdated.error().message);
+    return;
+  }
+  for (const station::OutdatedPart& each : *outdated) {
+    std::cerr << fmt::format("warning: {}: {}: {}\n", file, each.part, each.why);
+  }
 }
 
 }  // namespace fyd::cli

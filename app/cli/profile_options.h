@@ -17,6 +17,8 @@ struct ProfileOptions {
   void addTo(CLI::App& command);
   /// The profile with the settings over it. Throws Failure (file) or UsageError (settings).
   [[nodiscard]] station::Profile load() const;
+  /// On standard error, for those that measure with the profile: which of its calibrations rest on an older one.
+  void sayWhatIsOutdated(const station::Profile& profile) const;
 };
 
 }  // namespace fyd::cli

@@ -86,7 +86,9 @@ void add_sense(CLI::App& app) {
   options->profile.addTo(*command);
   command->add_flag("--json", options->json, "As JSON; null stands for what is invalid");
   command->callback([options] {
-    const sensing::SensingParameters parameters = options->profile.load().step.sensing;
+    const station::Profile profile = options->profile.load();
+    options->profile.sayWhatIsOutdated(profile);
+    const sensing::SensingParameters& parameters = profile.step.sensing;
     const std::size_t sensors = std::min(parameters.indentation.ir_x_mm.size(), parameters.indentation.ir_y_mm.size());
     const Sensed out = sense(
         parameters, parseNumbers("--adc", options->adc, sensors), parseNumbers("--at", options->at, 2),

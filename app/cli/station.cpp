@@ -213,6 +213,7 @@ void add_station(CLI::App& app) {
       throw UsageError(fmt::format("station: {}", words::kRecordMissing));
     }
     options->station.profile = options->profile.load();
+    options->profile.sayWhatIsOutdated(options->station.profile);
     runStation(*options);
   });
 }

@@ -16,29 +16,30 @@ std::vector<widgets::ReadinessRow> ageingRows(const std::vector<calibration::Cal
   if (records.empty()) return out;
   for (const auto& step : makeCalibrationSteps(profile)) {
     const PartState state = partStateOf(records, step->procedure(), step->sensor(), profile, today);
-    if (state.kind != PartState::Kind::ageing && state.kind != PartState::Kind::old) continue;
+    if (!isDoubtful(state.kind)) continue;
     widgets::ReadinessRow row;
     row.what = QCoreApplication::translate("CalibrationAges", "%1: %2").arg(step->name(), state.words);
     row.ok = state.kind == PartState::Kind::ageing;
-    row.remedy = QCoreApplication::translate("CalibrationAges",
-                                             "Calibrate it again under Calibrate. It does not keep "
-                                             "you from arming.");
+    row.remedy = step->procedure() == "no-touch" && state.kind == PartState::Kind::outdated
+                     ? QCoreApplication::translate("CalibrationAges",
+                                                   "Take the tare, or calibrate it again under Calibrate. It does not "
+                                                   "keep you from arming.")
+                     : QCoreApplication::translate("CalibrationAges",
+                                                   "Calibrate it again under Calibrate. It does not keep "
+                                                   "you from arming.");
     out.push_back(row);
   }
   return out;
 }
 
-const std::vector<widgets::ReadinessRow>& CalibrationAges::rows() {
-  constexpr qint64 kHour_ms = 3'600'000;
+std::vector<widgets::ReadinessRow> CalibrationAges::rows() {
   const std::string profile = context_.tuning.profilePath().toStdString();
   const QDateTime changed = QFileInfo(QString::fromStdString(station::calibrationFileOf(profile))).lastModified();
-  if (looked_.isValid() && looked_.elapsed() < kHour_ms && changed == changed_) return rows_;
-  looked_.start();
-  changed_ = changed;
-  const auto records = station::loadCalibrationRecords(profile);
-  rows_ = records ? ageingRows(*records, context_.session.currentProfile(), nowUtc())
-                  : std::vector<widgets::ReadinessRow>{};
-  return rows_;
+  if (changed != changed_) {
+    changed_ = changed;
+    records_ = station::loadCalibrationRecords(profile).value_or(std::vector<calibration::CalibrationRecord>{});
+  }
+  return ageingRows(records_, context_.session.currentProfile(), nowUtc());
 }
 
 }  // namespace fyd::console

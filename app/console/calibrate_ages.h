@@ -1,9 +1,8 @@
-// Lines of the readiness list about calibrations that are ageing or old. One that was never made is no line: a first
-// session would begin with eight of them; the place "Calibrate" shows it.
+// Lines of the readiness list about calibrations that are ageing, old or rest on an older one of another part. One that
+// was never made is no line: a first session would begin with eight of them; the place "Calibrate" shows it.
 #pragma once
 
 #include <QDateTime>
-#include <QElapsedTimer>
 #include <vector>
 
 #include "app/console/page.h"
@@ -12,22 +11,21 @@
 
 namespace fyd::console {
 
-/// Of the newest record of each part.
+/// Of each part.
 /// @param today "2026-11-21" or longer
 [[nodiscard]] std::vector<widgets::ReadinessRow> ageingRows(const std::vector<calibration::CalibrationRecord>& records,
                                                             const station::Profile& profile, const std::string& today);
 
-/// Looks at the record again when its file has changed, and once an hour for the date.
+/// Reads the record again when its file has changed. What it says depends on the date and on the values in force, too.
 class CalibrationAges {
  public:
   explicit CalibrationAges(const PageContext& context) : context_(context) {}
-  [[nodiscard]] const std::vector<widgets::ReadinessRow>& rows();
+  [[nodiscard]] std::vector<widgets::ReadinessRow> rows();
 
  private:
   PageContext context_;
-  QElapsedTimer looked_;
-  QDateTime changed_;
-  std::vector<widgets::ReadinessRow> rows_;
+  QDateTime changed_;  ///< no date: there was no file
+  std::vector<calibration::CalibrationRecord> records_;
 };
 
 }  // namespace fyd::console

@@ -26,6 +26,7 @@ QString signOf(PartState::Kind kind) {
     case PartState::Kind::fine: return QStringLiteral("●");
     case PartState::Kind::ageing: return QStringLiteral("◐");
     case PartState::Kind::old: return QStringLiteral("!");
+    case PartState::Kind::outdated: return QStringLiteral("↻");
     case PartState::Kind::changed: return QStringLiteral("≠");
     case PartState::Kind::never: break;
   }
@@ -261,8 +262,7 @@ void CalibratePage::refreshParts() {
     QListWidgetItem* item = parts_->item(static_cast<int>(i));
     item->setText(signOf(state.kind) + QLatin1Char(' ') + steps_[i]->name() + QLatin1Char('\n') + state.words);
     item->setToolTip(state.words);
-    const bool doubtful = state.kind == PartState::Kind::ageing || state.kind == PartState::Kind::old;
-    item->setForeground(doubtful ? widgets::theme().warning : widgets::theme().text);
+    item->setForeground(isDoubtful(state.kind) ? widgets::theme().warning : widgets::theme().text);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "core/calibration/calibration_dependence.h"
 #include "core/station/calibration_file.h"
 #include "core/station/calibration_report.h"
 #include "widgets/core_text.h"
@@ -25,10 +26,34 @@ Result<station::Profile> profileToWrite(const PageContext& context, bool exists)
   return station::loadProfile(context.tuning.profilePath().toStdString());
 }
 
+QString outdatedWords(const std::string& procedure, const std::vector<calibration::NewerBasis>& bases) {
+  QStringList names;
+  for (const calibration::NewerBasis& each : bases) {
+    names << (each.procedure == "ir"          ? tr("distance sensor %1").arg(each.sensor)
+              : each.procedure == "load-cell" ? tr("load cell")
+                                              : tr("encoders"));
+  }
+  const QString all = names.join(QStringLiteral(", "));
+  return procedure == "no-touch" ? tr("taken with another curve: take it again (%1)").arg(all)
+                                 : tr("measured with another calibration: measure it again (%1)").arg(all);
+}
+
+/// The sensor's offset in force may be a tare that is not saved yet. The file gets it, so that the record notes what
+/// the session goes on with.
+void keepOffsetInForce(station::Profile& file, const station::Profile& session, int sensor) {
+  ParameterList& to = file.step.sensing.indentation.ir_offset_mm;
+  const ParameterList& from = session.step.sensing.indentation.ir_offset_mm;
+  const auto place = static_cast<std::size_t>(sensor - 1);
+  if (sensor > 0 && place < to.size() && place < from.size()) to[place] = from[place];
+}
+
 }  // namespace
 
 PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records, const std::string& procedure,
                       int sensor, station::Profile profile, const std::string& today) {
+  if (const auto bases = calibration::newerBases(records, procedure, bindParameters(profile)); !bases.empty()) {
+    return {PartState::Kind::outdated, outdatedWords(procedure, bases)};
+  }
   const auto newest = std::find_if(records.rbegin(), records.rend(), [&](const auto& record) {
     return record.procedure == procedure && record.sensor == sensor;
   });
@@ -62,6 +87,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
                  tr("Not accepted, the old values stay. %1").arg(widgets::coreText(profile.error().message)));
     return false;
   }
+  keepOffsetInForce(*profile, context.session.currentProfile(), sensor);
   const auto record = station::saveCalibration(
       result, {.sensor = sensor, .who = said.who, .when = nowUtc(), .conditions = said.conditions}, *profile,
       path.toStdString());

@@ -11,12 +11,25 @@
 namespace fyd::console {
 
 struct PartState {
-  enum class Kind { never, fine, ageing, old, changed };
+  enum class Kind {
+    never,
+    fine,
+    ageing,
+    old,
+    changed,
+    outdated  ///< what it rests on was calibrated since
+  };
   Kind kind = Kind::never;
   QString words;
 };
 
-/// Of the newest record of this procedure and sensor.
+/// Usable, but to be done again: shown in amber, and in the readiness list.
+[[nodiscard]] constexpr bool isDoubtful(PartState::Kind kind) {
+  using enum PartState::Kind;
+  return kind == ageing || kind == old || kind == outdated;
+}
+
+/// Of the newest record of this procedure and sensor, and of what it rests on.
 /// @param today "2026-11-21" or longer
 [[nodiscard]] PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records,
                                     const std::string& procedure, int sensor, station::Profile profile,

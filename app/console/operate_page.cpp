@@ -93,7 +93,7 @@ void OperatePage::connectFeed() {
   });
   connect(feed, &SessionFeed::cameraMissing, camera_, &widgets::CameraPanel::showMissing);
   connect(feed, &SessionFeed::readiness, this, [this](std::vector<widgets::ReadinessRow> rows) {
-    const auto& ages = ages_.rows();
+    const auto ages = ages_.rows();
     rows.insert(rows.end(), ages.begin(), ages.end());
     readiness_->setRows(rows);
   });

@@ -8,6 +8,8 @@
 
 #include <toml++/toml.h>
 
+#include "core/calibration/calibration_dependence.h"
+
 namespace fyd::calibration {
 namespace {
 
@@ -219,14 +221,14 @@ std::vector<std::string> entriesOf(std::string_view list) {
   return out;
 }
 
-/// A list that all distance sensors share holds an entry for each: only the calibrated sensor's own is the record's.
-bool sameEntry(const std::string& a, const std::string& b, int sensor) {
+}  // namespace
+
+bool sameValue(std::string_view a, std::string_view b, int sensor) {
+  if (sensor == 0) return a == b;
   const auto mine = entriesOf(a), theirs = entriesOf(b);
   const auto place = static_cast<std::size_t>(sensor - 1);
   return place < mine.size() && place < theirs.size() && mine[place] == theirs[place];
 }
-
-}  // namespace
 
 bool inForce(const CalibrationRecord& record, std::span<const Parameter> parameters) {
   for (const AppliedChange& change : record.changes) {
@@ -235,9 +237,9 @@ bool inForce(const CalibrationRecord& record, std::span<const Parameter> paramet
     const std::string now = formatParameter(*parameter);
     if (now == change.after) continue;
     const bool shared = record.sensor > 0 && change.id.find(fmt::format("ir{}_", record.sensor)) == std::string::npos;
-    if (shared && sameEntry(now, change.after, record.sensor)) continue;
-    // The load cell's zero is the tare's business: a tare after the calibration is what the manual asks for.
-    if (record.procedure == "load-cell" && change.id == "sensing.force_zero_N") continue;
+    if (shared && sameValue(now, change.after, record.sensor)) continue;
+    // A tare after the calibration is what the manual asks for.
+    if (isTared(record.procedure, change.id)) continue;
     return false;
   }
   return true;

@@ -42,8 +42,12 @@ struct CalibrationRecord {
 /// @param source_name stands before the line in messages
 [[nodiscard]] Result<std::vector<CalibrationRecord>> parseRecords(std::string_view text, std::string_view source_name);
 
+/// Whether two values, as `formatParameter` writes them, are the same for a sensor: of a list that all distance sensors
+/// share only its own entry counts. @param sensor 0: the whole value
+[[nodiscard]] bool sameValue(std::string_view a, std::string_view b, int sensor);
+
 /// Whether the profile still holds what the record wrote; false after a change by hand or a newer calibration. Other
-/// sensors' entries in a shared list and a later tare of the load cell's zero do not count.
+/// sensors' entries in a shared list and what a later tare changes do not count.
 [[nodiscard]] bool inForce(const CalibrationRecord& record, std::span<const Parameter> parameters);
 
 enum class Age : std::uint8_t { fresh, ageing, old };

@@ -2,10 +2,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "core/calibration/calibration_dependence.h"
 #include "core/control/control_parameters.h"
 #include "core/station/replace_file.h"
 
@@ -49,6 +51,17 @@ Result<std::vector<calibration::CalibrationRecord>> loadCalibrationRecords(const
   return calibration::parseRecords(file->text, path);
 }
 
+Result<std::vector<OutdatedPart>> outdatedParts(const std::string& profile_path, Profile profile) {
+  const auto records = loadCalibrationRecords(profile_path);
+  if (!records) return tl::unexpected(records.error());
+  std::vector<OutdatedPart> out;
+  for (const std::string_view part : calibration::dependentParts()) {
+    const auto bases = calibration::newerBases(*records, part, bindParameters(profile));
+    if (!bases.empty()) out.push_back({std::string(part), calibration::describeBases(part, bases)});
+  }
+  return out;
+}
+
 Result<calibration::CalibrationRecord> saveCalibration(const calibration::CalibrationResult& result,
                                                        calibration::CalibrationRecord record, Profile& profile,
                                                        const std::string& profile_path) {
@@ -61,6 +74,11 @@ Result<calibration::CalibrationRecord> saveCalibration(const calibration::Calibr
   if (!applied) return tl::unexpected(applied.error());
   if (auto checked = control::checkControlParameters(changed.step.control); !checked)
     return tl::unexpected(checked.error());
+  for (calibration::AppliedChange& left : calibration::leftBehind(result.procedure, bindParameters(changed))) {
+    if (std::ranges::find(*applied, left.id, &calibration::AppliedChange::id) == applied->end()) {
+      applied->push_back(std::move(left));
+    }
+  }
   record = calibration::makeRecord(result, std::move(*applied), record.sensor, std::move(record.who),
                                    std::move(record.when), std::move(record.conditions));
   records->push_back(record);

@@ -23,4 +23,11 @@ namespace fyd::station {
                                                                      calibration::CalibrationRecord record,
                                                                      Profile& profile, const std::string& profile_path);
 
+struct OutdatedPart {
+  std::string part;  ///< "no-touch"
+  std::string why;   ///< "taken with another curve: take it again (distance sensor 2)"
+};
+/// The parts whose values rest on an older calibration than the profile has; see calibration_dependence.h.
+[[nodiscard]] Result<std::vector<OutdatedPart>> outdatedParts(const std::string& profile_path, Profile profile);
+
 }  // namespace fyd::station

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/calibration/calibration_dependence.h"
 #include "core/session/report.h"
 
 namespace fyd::station {
@@ -66,7 +67,8 @@ session::ReportTable valuesTable(const CalibrationReport& report) {
                                        {.title = "after", .share = 3.0}},
                            .rows = {}};
   for (const calibration::AppliedChange& change : report.record.changes) {
-    out.rows.push_back({change.id, change.before, change.after});
+    const bool left = change.before == change.after && calibration::isTared(report.record.procedure, change.id);
+    out.rows.push_back({change.id, change.before, left ? "as before: to be taken again" : change.after});
   }
   if (!out.rows.empty()) return out;
   out.remark = report.accepted ? "This calibration is a check: it changes no value."

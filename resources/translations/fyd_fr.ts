@@ -339,7 +339,7 @@
     </message>
     <message>
         <source>%1: '%2' is not a number; expected %3</source>
-        <translation>%1 : « %2 » n'est pas un nombre ; attendu : %3</translation>
+        <translation>%1 : « %2 » n'est pas un nombre ; attendu : %3</translation>
     </message>
     <message>
         <source>%1: a report ends in .html or .pdf</source>
@@ -667,7 +667,7 @@
     </message>
     <message>
         <source>Adaptive mode: use every n-th pixel and row, for slow computers.</source>
-        <translation>Mode adaptatif : n'utilise qu'un pixel et une ligne sur n, pour les ordinateurs lents.</translation>
+        <translation>Mode adaptatif : n'utilise qu'un pixel et une ligne sur n, pour les ordinateurs lents.</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1237,7 +1237,7 @@ mm</translation>
     </message>
     <message>
         <source>Distance sensor's curve of volts, as its form says; empty: the thesis polynomial.</source>
-        <translation>Courbe du capteur de distance en fonction des volts, selon sa forme ; vide : le polynôme de la thèse.</translation>
+        <translation>Courbe du capteur de distance en fonction des volts, selon sa forme ; vide : le polynôme de la thèse.</translation>
     </message>
     <message>
         <source>Distance sensors measure</source>
@@ -1249,11 +1249,11 @@ mm</translation>
     </message>
     <message>
         <source>Distance sensors: highest valid ADC code of each.</source>
-        <translation>Capteurs de distance : code CAN valable le plus haut de chacun.</translation>
+        <translation>Capteurs de distance : code CAN valable le plus haut de chacun.</translation>
     </message>
     <message>
         <source>Distance sensors: lowest valid ADC code of each.</source>
-        <translation>Capteurs de distance : code CAN valable le plus bas de chacun.</translation>
+        <translation>Capteurs de distance : code CAN valable le plus bas de chacun.</translation>
     </message>
     <message>
         <source>Distance sensors: noise of one reading.</source>
@@ -1261,11 +1261,11 @@ mm</translation>
     </message>
     <message>
         <source>Distance sensors: x of each; as many as there are.</source>
-        <translation>Capteurs de distance : x de chacun ; autant qu'il y en a.</translation>
+        <translation>Capteurs de distance : x de chacun ; autant qu'il y en a.</translation>
     </message>
     <message>
         <source>Distance sensors: y of each.</source>
-        <translation>Capteurs de distance : y de chacun.</translation>
+        <translation>Capteurs de distance : y de chacun.</translation>
     </message>
     <message>
         <source>Distance, mm</source>
@@ -1785,7 +1785,7 @@ Robot : %2
     </message>
     <message>
         <source>How the stretch follows the stiffness target: law and PID, or as the thesis prints it.</source>
-        <translation>Comment l'étirement suit la raideur de consigne : loi et PID, ou comme imprimé dans la thèse.</translation>
+        <translation>Comment l'étirement suit la raideur de consigne : loi et PID, ou comme imprimé dans la thèse.</translation>
     </message>
     <message>
         <source>How three axes of vibration become one signal.</source>
@@ -2063,11 +2063,11 @@ s</translation>
     </message>
     <message>
         <source>Load cell: grams at 0 mV/V.</source>
-        <translation>Cellule de charge : grammes à 0 mV/V.</translation>
+        <translation>Cellule de charge : grammes à 0 mV/V.</translation>
     </message>
     <message>
         <source>Load cell: grams per mV/V.</source>
-        <translation>Cellule de charge : grammes par mV/V.</translation>
+        <translation>Cellule de charge : grammes par mV/V.</translation>
     </message>
     <message>
         <source>Load cell: how far its zero may be off.</source>
@@ -2079,7 +2079,7 @@ s</translation>
     </message>
     <message>
         <source>Load cell: readings beyond it are invalid.</source>
-        <translation>Cellule de charge : les lectures au-delà ne sont pas valables.</translation>
+        <translation>Cellule de charge : les lectures au-delà ne sont pas valables.</translation>
     </message>
     <message>
         <source>Load the chosen preset</source>
@@ -3363,7 +3363,7 @@ s</translation>
     </message>
     <message>
         <source>Static law between stretch angle and stiffness; interpolated uses the points below.</source>
-        <translation>Loi statique entre angle d'étirement et raideur ; interpolated utilise les points qui suivent.</translation>
+        <translation>Loi statique entre angle d'étirement et raideur ; interpolated utilise les points qui suivent.</translation>
     </message>
     <message>
         <source>Steady error</source>
@@ -3550,6 +3550,10 @@ N/mm</translation>
     <message>
         <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (Ctrl+T).</source>
         <translation>Prend les lectures présentes comme « sans contact » : décalages des distances et zéro de la cellule de charge. Lever d'abord le doigt (Ctrl+T).</translation>
+    </message>
+    <message>
+        <source>Take the tare, or calibrate it again under Calibrate. It does not keep you from arming.</source>
+        <translation>Faire la tare, ou refaire l'étalonnage sous Étalonner. Cela n'empêche pas d'armer.</translation>
     </message>
     <message>
         <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
@@ -3853,7 +3857,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: each touch moves it from where it stands.</source>
-        <translation>Mode thèse : le robot va où est le doigt, avec un saut à chaque nouveau toucher ; éteint : chaque toucher le déplace d'où il se trouve.</translation>
+        <translation>Mode thèse : le robot va où est le doigt, avec un saut à chaque nouveau toucher ; éteint : chaque toucher le déplace d'où il se trouve.</translation>
     </message>
     <message>
         <source>This angle is taken.</source>
@@ -4420,6 +4424,10 @@ Pour commencer : %1</translation>
         <translation>lectures de distance absentes ou trop vieilles</translation>
     </message>
     <message>
+        <source>distance sensor %1</source>
+        <translation>capteur de distance %1</translation>
+    </message>
+    <message>
         <source>distance sensor %1 reads %2 counts, outside its span: look whether something stands before it</source>
         <translation>le capteur de distance %1 lit %2 points, hors de sa plage : voir si quelque chose est devant</translation>
     </message>
@@ -4458,6 +4466,10 @@ Pour commencer : %1</translation>
     <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
         <translation>codeur %1 : %2, zéro à %3 points, balayé de %4 à %5</translation>
+    </message>
+    <message>
+        <source>encoders</source>
+        <translation>codeurs</translation>
     </message>
     <message>
         <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
@@ -4768,6 +4780,10 @@ Pour commencer : %1</translation>
         <translation>mesuré</translation>
     </message>
     <message>
+        <source>measured with another calibration: measure it again (%1)</source>
+        <translation>mesurée avec un autre étalonnage : la mesurer de nouveau (%1)</translation>
+    </message>
+    <message>
         <source>measured without the invalid sensors</source>
         <translation>mesuré sans les capteurs invalides</translation>
     </message>
@@ -5001,7 +5017,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2.</source>
-        <translation>polynomial : c0 + c1 v + ..., la constante d'abord ; inverse : c0/(v + c1) + c2.</translation>
+        <translation>polynomial : c0 + c1 v + ..., la constante d'abord ; inverse : c0/(v + c1) + c2.</translation>
     </message>
     <message>
         <source>position duty %1</source>
@@ -5222,6 +5238,10 @@ Pour commencer : %1</translation>
     <message>
         <source>take the weights off again one by one to see drift and hysteresis</source>
         <translation>retirer les poids un à un pour voir dérive et hystérésis</translation>
+    </message>
+    <message>
+        <source>taken with another curve: take it again (%1)</source>
+        <translation>pris avec une autre courbe : les reprendre (%1)</translation>
     </message>
     <message>
         <source>target</source>

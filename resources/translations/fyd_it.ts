@@ -3552,6 +3552,10 @@ N/mm</translation>
         <translation>Prende le letture presenti come "non toccato": offset delle distanze e zero della cella di carico. Alzare prima il dito (Ctrl+T).</translation>
     </message>
     <message>
+        <source>Take the tare, or calibrate it again under Calibrate. It does not keep you from arming.</source>
+        <translation>Fare la tara, o ripetere la calibrazione in Calibra. Non impedisce di armare.</translation>
+    </message>
+    <message>
         <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
         <translation>Togliere le mani dal tessuto e tenere il pulsante per 16 s: entrambi i motori vanno subito al loro zero, poi a passi di %1° fino a %2° e ritorno.</translation>
     </message>
@@ -4420,6 +4424,10 @@ Per cominciare: %1</translation>
         <translation>letture di distanza assenti o troppo vecchie</translation>
     </message>
     <message>
+        <source>distance sensor %1</source>
+        <translation>sensore di distanza %1</translation>
+    </message>
+    <message>
         <source>distance sensor %1 reads %2 counts, outside its span: look whether something stands before it</source>
         <translation>il sensore di distanza %1 legge %2 conteggi, fuori dal suo campo: guardare se c'è qualcosa davanti</translation>
     </message>
@@ -4458,6 +4466,10 @@ Per cominciare: %1</translation>
     <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
         <translation>encoder %1: %2, zero a %3 conteggi, percorso da %4 a %5</translation>
+    </message>
+    <message>
+        <source>encoders</source>
+        <translation>encoder</translation>
     </message>
     <message>
         <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
@@ -4766,6 +4778,10 @@ Per cominciare: %1</translation>
     <message>
         <source>measured</source>
         <translation>misurato</translation>
+    </message>
+    <message>
+        <source>measured with another calibration: measure it again (%1)</source>
+        <translation>misurata con un'altra calibrazione: misurarla di nuovo (%1)</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>
@@ -5222,6 +5238,10 @@ Per cominciare: %1</translation>
     <message>
         <source>take the weights off again one by one to see drift and hysteresis</source>
         <translation>togliere di nuovo i pesi uno a uno per vedere deriva e isteresi</translation>
+    </message>
+    <message>
+        <source>taken with another curve: take it again (%1)</source>
+        <translation>presi con un'altra curva: prenderli di nuovo (%1)</translation>
     </message>
     <message>
         <source>target</source>

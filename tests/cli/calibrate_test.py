@@ -126,9 +126,16 @@ class Calibrate(fyd.Case):
         found = self.json("calibrate", "ir", file, "--sensor", 2, "--profile", profile, "--who", "R. Lee", "--conditions",
                           "lamp off", "--json")
         self.assertEqual(found["written_to"], profile)
+        self.assertEqual(found["to_do_again"], [
+            {"part": "no-touch", "why": "taken with another curve: take it again (distance sensor 2)"}])
+        self.assertNotIn("sensing.ir_offset_mm", [change["id"] for change in found["changes"]])
         sensed = self.json("sense", "--adc", f"{code},{code},{code}", "--at", "0,0", "--profile", profile, "--json")
         self.assertAlmostEqual(sensed["distance_mm"][1], 100, delta=1)
         self.assertGreater(abs(sensed["distance_mm"][0] - 100), 2)
+        again = "no-touch: taken with another curve: take it again (distance sensor 2)"
+        sense = ["sense", "--adc", f"{code},{code},{code}", "--at", "0,0", "--profile", profile]
+        self.assertIn(again, fyd.run(*sense).stderr)
+        self.assertEqual("", fyd.run(*sense, "--set", "sensing.ir_offset_mm=[100, 99.5, 100]").stderr)  # a tare since
         with open(self.path("lab.calibration.toml"), encoding="utf-8") as record:
             text = record.read()
         for words in ["R. Lee", "lamp off", "sensing.ir2_curve_mm", "format = 1"]:

@@ -131,6 +131,10 @@ class CalibrateTest : public QObject {
 
   void aDistanceSensorFromTypedDistances() {
     Calibrating c("ir-2");
+    // A profile on the disk, and a tare since that is not saved.
+    QVERIFY(station::saveProfile(c.session->profile, c.profilePath()).has_value());
+    ParameterList& offsets = c.session->profile.step.sensing.indentation.ir_offset_mm;
+    offsets[0] = offsets[1] = offsets[2] = 98.75;
     for (double distance_mm = 40.0; distance_mm <= 300.0; distance_mm += 20.0) {
       c.session->reports = {touchpad(0.1, sim::irCode(sim::irVolts(distance_mm)))};
       c.take(QString::number(distance_mm));
@@ -153,6 +157,22 @@ class CalibrateTest : public QObject {
     QCOMPARE(records->size(), std::size_t{1});
     QCOMPARE(records->front().sensor, 2);
     QVERIFY(c.partText("sensor 2").contains(QLatin1String("calibrated today")));
+    // The offset was taken with the former curve, tared or not: said in amber, here and before arming, until a tare.
+    const QString again = QStringLiteral("taken with another curve: take it again (distance sensor 2)");
+    QVERIFY2(c.partText("No-touch").contains(again), qPrintable(c.partText("No-touch")));
+    for (int i = 0; i < c.page->parts()->count(); ++i) {
+      const bool amber = c.page->parts()->item(i)->foreground().color() == widgets::theme().warning;
+      QCOMPARE(amber, c.page->parts()->item(i)->text().contains(again));
+    }
+    QVERIFY(p.ir_offset_mm[0] == 100.0 && p.ir_offset_mm[1] == 98.75);
+    QCOMPARE(station::outdatedParts(c.profilePath(), *profile)->size(), std::size_t{1});
+    const auto before_arming = [&] {
+      c.window->feed().pump();
+      return c.window->operate()->readiness()->title();
+    };
+    QTRY_COMPARE(before_arming(), QStringLiteral("Ready? 1/2"));
+    c.session->profile.step.sensing.indentation.ir_offset_mm[1] = 98.5;  // a tare
+    QTRY_COMPARE(before_arming(), QStringLiteral("Ready? 1/1"));
     QVERIFY(c.partText("sensor 1").contains(QLatin1String("never calibrated")));
   }
 

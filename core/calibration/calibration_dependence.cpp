@@ -1,0 +1,100 @@
+#include "core/calibration/calibration_dependence.h"
+
+#include <algorithm>
+#include <set>
+
+namespace fyd::calibration {
+namespace {
+
+constexpr std::string_view kNoTouch = "no-touch";
+constexpr std::string_view kStiffness = "stiffness";
+constexpr std::string_view kParts[] = {kNoTouch, kStiffness};
+
+struct Dependence {
+  std::string_view part;
+  std::string_view basis;
+  std::string_view tared;  ///< the part's value that a tare changes too; empty: only its calibration does
+};
+constexpr Dependence kDependences[] = {
+    {kNoTouch, "ir", "sensing.ir_offset_mm"},
+    {kNoTouch, "load-cell", "sensing.force_zero_N"},
+    {kStiffness, "encoders", {}},
+    {kStiffness, "load-cell", {}},
+    {kStiffness, "ir", {}},
+};
+
+using Records = std::span<const CalibrationRecord>;
+
+/// Place of the newest one; the number of records when there is none. @param sensor 0 or more; any: -1
+std::size_t newest(Records records, std::string_view procedure, int sensor) {
+  for (std::size_t i = records.size(); i-- > 0;) {
+    if (records[i].procedure == procedure && (sensor < 0 || records[i].sensor == sensor)) return i;
+  }
+  return records.size();
+}
+
+bool isNewer(Records records, const Dependence& rests, std::size_t basis, std::span<const Parameter> parameters) {
+  const CalibrationRecord& record = records[basis];
+  if (!inForce(record, parameters)) return false;
+  const std::size_t part = newest(records, rests.part, -1);
+  const bool taken = part < records.size();
+  if (taken && part > basis) return false;
+  const auto note = std::ranges::find(record.changes, rests.tared, &AppliedChange::id);
+  if (rests.tared.empty() || note == record.changes.end()) return taken && inForce(records[part], parameters);
+  const Parameter* value = findParameter(parameters, rests.tared);
+  return value != nullptr && sameValue(formatParameter(*value), note->after, record.sensor);
+}
+
+std::string nameOf(const NewerBasis& basis) {
+  if (basis.procedure == "ir") return fmt::format("distance sensor {}", basis.sensor);
+  return basis.procedure == "load-cell" ? "load cell" : basis.procedure;
+}
+
+}  // namespace
+
+std::span<const std::string_view> dependentParts() { return kParts; }
+
+std::vector<NewerBasis> newerBases(Records records, std::string_view procedure, std::span<const Parameter> parameters) {
+  std::vector<NewerBasis> out;
+  for (const Dependence& rests : kDependences) {
+    if (rests.part != procedure) continue;
+    std::set<int> sensors;
+    for (const CalibrationRecord& each : records) {
+      if (each.procedure == rests.basis) sensors.insert(each.sensor);
+    }
+    for (const int sensor : sensors) {
+      const std::size_t basis = newest(records, rests.basis, sensor);
+      if (isNewer(records, rests, basis, parameters)) out.push_back({std::string(rests.basis), sensor});
+    }
+  }
+  return out;
+}
+
+std::string describeBases(std::string_view procedure, std::span<const NewerBasis> bases) {
+  if (bases.empty()) return {};
+  std::vector<std::string> names;
+  for (const NewerBasis& each : bases) names.push_back(nameOf(each));
+  const std::string_view what = procedure == kNoTouch ? "taken with another curve: take it again"
+                                                      : "measured with another calibration: measure it again";
+  return fmt::format("{} ({})", what, fmt::join(names, ", "));
+}
+
+bool isTared(std::string_view procedure, std::string_view parameter_id) {
+  return std::ranges::any_of(kDependences, [&](const Dependence& rests) {
+    return rests.basis == procedure && !rests.tared.empty() && rests.tared == parameter_id;
+  });
+}
+
+std::vector<AppliedChange> leftBehind(std::string_view procedure, std::span<const Parameter> parameters) {
+  std::vector<AppliedChange> out;
+  for (const Dependence& rests : kDependences) {
+    if (rests.basis != procedure || rests.tared.empty()) continue;
+    const Parameter* parameter = findParameter(parameters, rests.tared);
+    if (parameter == nullptr) continue;
+    const std::string value = formatParameter(*parameter);
+    out.push_back({.id = std::string(rests.tared), .before = value, .after = value});
+  }
+  return out;
+}
+
+}  // namespace fyd::calibration
