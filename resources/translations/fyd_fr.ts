@@ -3553,7 +3553,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Take the tare, or calibrate it again under Calibrate. It does not keep you from arming.</source>
-        <translation>Faire la tare, ou refaire l'étalonnage sous Étalonner. Cela n'empêche pas d'armer.</translation>
+        <translation>Faire la tare, ou refaire l'étalonnage sous Étalonnage. Cela n'empêche pas d'armer.</translation>
     </message>
     <message>
         <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>

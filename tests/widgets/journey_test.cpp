@@ -124,7 +124,12 @@ void calibrateEverything(const Day& day) {
   for (int part = 0; part < count; ++part) {
     QCOMPARE(page->parts()->currentRow(), part);
     const QString before = page->parts()->currentItem()->text();
-    QVERIFY2(before.contains(QLatin1String("never calibrated")), qPrintable(before));
+    // The curves before it have moved what the untouched cloth reads.
+    const bool moved = before.contains(QLatin1String("No-touch"));
+    QVERIFY2(before.contains(moved ? QLatin1String("take it again (distance sensor 1, distance sensor 2, "
+                                                   "distance sensor 3, load cell)")
+                                   : QLatin1String("never calibrated")),
+             qPrintable(before));
     if (before.contains(QLatin1String("Stiffness map"))) {
       GO(measureOneStretch(page));
       QTest::mouseClick(page->discardButton(), Qt::LeftButton);  // the map needs more stretches than there is time for
