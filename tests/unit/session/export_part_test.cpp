@@ -2,6 +2,7 @@
 #include "core/session/export_part.h"
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,6 +34,7 @@ pid_t exportForEver(const std::string& path) {
   if (::pipe(ready.data()) != 0) return -1;
   const pid_t child = ::fork();
   if (child == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // also after a test that failed
     auto file = ExportFile::create(path, false);
     const bool good = file && file->write("half of it");
     (void)!::write(ready[1], good ? "y" : "n", 1);
