@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QVBoxLayout>
 
+#include "widgets/note_edit.h"
 #include "widgets/theme.h"
 
 namespace fyd::widgets {
@@ -15,7 +16,7 @@ RecordingForm::RecordingForm(QWidget* parent)
       operator_(new QLineEdit(this)),
       subject_(new QLineEdit(this)),
       tags_(new QLineEdit(this)),
-      notes_(new QPlainTextEdit(this)),
+      notes_(new NoteEdit(this)),
       file_(new QLineEdit(this)),
       browse_(new QToolButton(this)),
       before_(new QWidget(this)),

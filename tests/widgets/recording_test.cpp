@@ -37,6 +37,20 @@ struct RecordingFixture : Fixture {
 class RecordingTest : public QObject {
   Q_OBJECT
  private slots:
+  void whatIsNoTextIsNotPastedIntoTheNotes() {
+    RecordingFixture f;
+    QClipboard* clipboard = QApplication::clipboard();
+    clipboard->setMimeData(new QMimeData);  // as of a desktop where nothing was ever selected
+    f.form->notesField()->paste();
+    clipboard->setImage(QImage(8, 8, QImage::Format_RGB32));
+    f.form->notesField()->paste();
+    QCOMPARE(f.form->notesField()->toPlainText(), QString());
+    clipboard->setText(QStringLiteral("from elsewhere"));
+    f.form->notesField()->paste();
+    QCOMPARE(f.form->notesField()->toPlainText(), QStringLiteral("from elsewhere"));
+    clipboard->clear();
+  }
+
   void fromTheKeyToAClosedFile() {
     RecordingFixture f;
     QVERIFY(f.window->recording()->dock()->isVisible());
