@@ -14,6 +14,7 @@ int nearest(double value) { return static_cast<int>(value + kFar_px + 0.5) - sta
 /// What the line covers of each column, as rectangles. All in pixels of the screen.
 class Columns {
  public:
+  /// @param count of the columns that can be seen
   Columns(int count, int line_width) : count_(count), line_width_(line_width) {}
 
   void moveTo(QPointF point) {
