@@ -15,21 +15,6 @@ std::size_t roundUp(std::size_t capacity) {
 
 }  // namespace
 
-void CurveBuffer::Extent::add(float value) {
-  if (!std::isfinite(value)) {
-    gap = true;
-    return;
-  }
-  minimum = std::min(minimum, value);
-  maximum = std::max(maximum, value);
-}
-
-void CurveBuffer::Extent::add(const Extent& other) {
-  minimum = std::min(minimum, other.minimum);
-  maximum = std::max(maximum, other.maximum);
-  gap = gap || other.gap;
-}
-
 CurveBuffer::CurveBuffer(std::size_t channels, std::size_t capacity, double longest_step_s)
     : times_(roundUp(capacity)), channels_(std::max<std::size_t>(1, channels)), longest_step_s_(longest_step_s) {
   hole_.assign(channels_.size(), kNaN);
