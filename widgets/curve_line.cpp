@@ -1,7 +1,9 @@
 #include "widgets/curve_line.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace fyd::widgets {
 namespace {
@@ -10,6 +12,8 @@ constexpr double kFar_px = 1e6;  // above and below every screen; keeps what bec
 
 /// To the nearest; std::lround is a call, and a picture has thousands. @param value within kFar_px
 int nearest(double value) { return static_cast<int>(value + kFar_px + 0.5) - static_cast<int>(kFar_px); }
+
+constexpr std::size_t kBlock = 8;  // columns
 
 /// What the line covers of each column, as rectangles. All in pixels of the screen.
 class Columns {
@@ -40,48 +44,60 @@ class Columns {
 
   /// The pen is up.
   void finish() {
-    if (open_) put();
-    open_ = false;
+    if (block_size_ == 0) return;
+    // What all columns of the block cover is one rectangle: a painter fills one wide row sooner than many of a pixel.
+    const std::span block = std::span(block_).first(block_size_);
+    const int above = line_width_ / 2;
+    const int below = line_width_ - 1 - above;
+    const int low = std::ranges::max(block, {}, &Column::low).low;
+    const int high = std::ranges::min(block, {}, &Column::high).high;
+    const bool common = low <= high;
+    if (common) put(block.front().x, static_cast<int>(block.size()), low - above, high + below);
+    for (const Column& column : block) {
+      if (!common) {
+        put(column.x, 1, column.low - above, column.high + below);
+        continue;
+      }
+      put(column.x, 1, column.low - above, low - above - 1);
+      put(column.x, 1, high + below + 1, column.high + below);
+    }
+    block_size_ = 0;
   }
 
   [[nodiscard]] const QVector<QRect>& rectangles() const { return rectangles_; }
 
  private:
+  struct Column {
+    int x;
+    int low;
+    int high;
+  };
+
   void reach(int x, double from, double to) {
     const auto [low, high] = std::minmax({nearest(from), nearest(to)});
-    if (open_ && x == x_) {
-      low_ = std::min(low_, low);
-      high_ = std::max(high_, high);
-      return;
+    if (block_size_ > 0) {
+      Column& last = block_[block_size_ - 1];
+      if (last.x == x) {
+        last.low = std::min(last.low, low);
+        last.high = std::max(last.high, high);
+        return;
+      }
+      if (block_size_ == block_.size() || last.x + 1 != x) finish();
     }
-    if (open_) put();
-    open_ = true;
-    x_ = x;
-    low_ = low;
-    high_ = high;
+    block_[block_size_++] = {x, low, high};
   }
 
-  void put() {
-    const int half = line_width_ / 2;
-    const QRect next(x_ - half, low_ - half, line_width_, high_ - low_ + line_width_);
-    const bool goes_on = !rectangles_.isEmpty() && rectangles_.constLast().top() == next.top() &&
-                         rectangles_.constLast().height() == next.height() &&
-                         rectangles_.constLast().right() >= next.left() - 1;
-    if (goes_on) {
-      rectangles_.last().setRight(next.right());
-    } else {
-      rectangles_.append(next);
-    }
+  /// From the first of the rows to the last, the line's width included.
+  void put(int x, int columns, int from, int to) {
+    if (to >= from) rectangles_.append(QRect(x - line_width_ / 2, from, columns - 1 + line_width_, to - from + 1));
   }
 
   int count_;
   int line_width_;
   QPointF at_;
   int at_column_ = 0;
-  bool open_ = false;
-  int x_ = 0;
-  int low_ = 0;
-  int high_ = 0;
+  std::array<Column, kBlock> block_;  ///< side by side
+  std::size_t block_size_ = 0;
   QVector<QRect> rectangles_;
 };
 

@@ -40,6 +40,7 @@ std::vector<Drawing> drawings() {
           {"level", {{-10.0, 0.3}, {0.0, 0.3}}},
           {"one step", {{-10.0, -0.5}, {-5.0, -0.5}, {-5.0, 0.5}, {0.0, 0.5}}},
           {"gaps", gaps},
+          {"level from far left to far right", {{-1e6, 0.3}, {1e6, 0.3}}},
           {"from far left to far right", {{-1e6, -1.0}, {1e6, 1.0}}},
           {"far above and below", {{-8.0, 0.0}, {-6.0, 1e12}, {-4.0, 0.0}, {-3.0, -1e12}, {-1.0, 0.0}}}};
 }
