@@ -28,14 +28,8 @@ Result<station::Profile> profileToWrite(const PageContext& context, bool exists)
 
 QString outdatedWords(const std::string& procedure, const std::vector<calibration::NewerBasis>& bases) {
   QStringList names;
-  for (const calibration::NewerBasis& each : bases) {
-    names << (each.procedure == "ir"          ? tr("distance sensor %1").arg(each.sensor)
-              : each.procedure == "load-cell" ? tr("load cell")
-                                              : tr("encoders"));
-  }
-  const QString all = names.join(QStringLiteral(", "));
-  return procedure == "no-touch" ? tr("taken with another curve: take it again (%1)").arg(all)
-                                 : tr("measured with another calibration: measure it again (%1)").arg(all);
+  for (const calibration::NewerBasis& each : bases) names << widgets::coreText(calibration::nameOf(each));
+  return tr("%1 (%2)").arg(widgets::coreText(calibration::remedyOf(procedure)), names.join(QStringLiteral(", ")));
 }
 
 /// The sensor's offset in force may be a tare that is not saved yet. The file gets it, so that the record notes what

@@ -45,11 +45,6 @@ bool isNewer(Records records, const Dependence& rests, std::size_t basis, std::s
   return value != nullptr && sameValue(formatParameter(*value), note->after, record.sensor);
 }
 
-std::string nameOf(const NewerBasis& basis) {
-  if (basis.procedure == "ir") return fmt::format("distance sensor {}", basis.sensor);
-  return basis.procedure == "load-cell" ? "load cell" : basis.procedure;
-}
-
 }  // namespace
 
 std::span<const std::string_view> dependentParts() { return kParts; }
@@ -70,13 +65,21 @@ std::vector<NewerBasis> newerBases(Records records, std::string_view procedure, 
   return out;
 }
 
+std::string nameOf(const NewerBasis& basis) {
+  if (basis.procedure == "ir") return fmt::format("distance sensor {}", basis.sensor);
+  return basis.procedure == "load-cell" ? "load cell" : basis.procedure;
+}
+
+std::string_view remedyOf(std::string_view procedure) {
+  return procedure == kNoTouch ? "taken with another curve: take it again"
+                               : "measured with another calibration: measure it again";
+}
+
 std::string describeBases(std::string_view procedure, std::span<const NewerBasis> bases) {
   if (bases.empty()) return {};
   std::vector<std::string> names;
   for (const NewerBasis& each : bases) names.push_back(nameOf(each));
-  const std::string_view what = procedure == kNoTouch ? "taken with another curve: take it again"
-                                                      : "measured with another calibration: measure it again";
-  return fmt::format("{} ({})", what, fmt::join(names, ", "));
+  return fmt::format("{} ({})", remedyOf(procedure), fmt::join(names, ", "));
 }
 
 bool isTared(std::string_view procedure, std::string_view parameter_id) {

@@ -4780,8 +4780,8 @@ Pour commencer : %1</translation>
         <translation>mesuré</translation>
     </message>
     <message>
-        <source>measured with another calibration: measure it again (%1)</source>
-        <translation>mesurée avec un autre étalonnage : la mesurer de nouveau (%1)</translation>
+        <source>measured with another calibration: measure it again</source>
+        <translation>mesurée avec un autre étalonnage : la mesurer de nouveau</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>
@@ -5240,8 +5240,8 @@ Pour commencer : %1</translation>
         <translation>retirer les poids un à un pour voir dérive et hystérésis</translation>
     </message>
     <message>
-        <source>taken with another curve: take it again (%1)</source>
-        <translation>pris avec une autre courbe : les reprendre (%1)</translation>
+        <source>taken with another curve: take it again</source>
+        <translation>pris avec une autre courbe : les reprendre</translation>
     </message>
     <message>
         <source>target</source>

@@ -4780,8 +4780,8 @@ Per cominciare: %1</translation>
         <translation>misurato</translation>
     </message>
     <message>
-        <source>measured with another calibration: measure it again (%1)</source>
-        <translation>misurata con un'altra calibrazione: misurarla di nuovo (%1)</translation>
+        <source>measured with another calibration: measure it again</source>
+        <translation>misurata con un'altra calibrazione: misurarla di nuovo</translation>
     </message>
     <message>
         <source>measured without the invalid sensors</source>
@@ -5240,8 +5240,8 @@ Per cominciare: %1</translation>
         <translation>togliere di nuovo i pesi uno a uno per vedere deriva e isteresi</translation>
     </message>
     <message>
-        <source>taken with another curve: take it again (%1)</source>
-        <translation>presi con un'altra curva: prenderli di nuovo (%1)</translation>
+        <source>taken with another curve: take it again</source>
+        <translation>presi con un'altra curva: prenderli di nuovo</translation>
     </message>
     <message>
         <source>target</source>

@@ -81,19 +81,20 @@ def faults(language, texts, known):
 
 
 def stale_core_sentences(root):
-    """Each row of the table of the core's sentences is still said somewhere."""
-    table = root / "widgets/core_sentences.cpp"
-    rows = re.findall(r'QT_TRANSLATE_NOOP\(\s*"Core",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\)', table.read_text(encoding="utf-8"))
+    """Each row of the tables of what the core says is still said somewhere."""
+    tables = [root / "widgets" / name for name in ("core_sentences.cpp", "core_help.cpp")]
     core = ""
-    for path in [path for folder in ("core", *SOURCES) for path in (root / folder).rglob("*.[ch]*") if path != table]:
+    for path in [path for folder in ("core", *SOURCES) for path in (root / folder).rglob("*.[ch]*") if path not in tables]:
         core += path.read_text(encoding="utf-8")
     core = re.sub(r'"\s*\n\s*"', "", core)  # a sentence that goes on in the next line
     core = re.sub(r"\{[^{}\s]*\}", "{}", core)
-    for row in rows:
-        text = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', row))
-        parts = [part.strip(" .:,;()") for part in re.split(r"%\d", text)]
-        if not all(part in core for part in parts):
-            yield f"core_sentences.cpp: no longer said anywhere: {text!r}"
+    for table in tables:
+        rows = re.findall(r'QT_TRANSLATE_NOOP\(\s*"Core",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\)', table.read_text(encoding="utf-8"))
+        for row in rows:
+            text = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', row))
+            parts = [part.strip(" .:,;()") for part in re.split(r"%\d", text)]
+            if not all(part in core for part in parts):
+                yield f"{table.name}: no longer said anywhere: {text!r}"
 
 
 def untold_help(root, texts):
@@ -104,7 +105,7 @@ def untold_help(root, texts):
         yield f"parameters.md: only {len(rows)} parameters of the step found"
     for room, name, text in rows:
         if (text, "") not in texts:
-            yield f"core_sentences.cpp: the help of {room}.{name} is missing: {text!r}"
+            yield f"core_help.cpp: the help of {room}.{name} is missing: {text!r}"
 
 
 def main():
