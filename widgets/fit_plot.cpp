@@ -12,6 +12,7 @@
 namespace fyd::widgets {
 namespace {
 
+constexpr QSize kLeast(160, 208);  // px, of what can still be read
 constexpr double kPoint_px = 7.0;
 constexpr double kOutlier_px = 11.0;
 
@@ -47,7 +48,7 @@ FitPlot::FitPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)
   empty_->setWordWrap(true);
   empty_->setProperty("role", "muted");
   empty_->setFont(textFont(TextSize::title));
-  for (QWidget* each : {static_cast<QWidget*>(empty_), static_cast<QWidget*>(plot_)}) each->setMinimumSize(200, 208);
+  for (QWidget* each : {static_cast<QWidget*>(empty_), static_cast<QWidget*>(plot_)}) each->setMinimumSize(kLeast);
   plot_->setFocusPolicy(Qt::NoFocus);
   plot_->setInteractions({});
   plot_->plotLayout()->clear();

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -26,7 +27,6 @@ SideDock::SideDock(const QString& title, const QString& name, const QString& clo
     : QDockWidget(title, parent) {
   setTitleBarWidget(titleBar(name, close_words));
   auto* scroll = widgets::makeUprightScroll(this);
-  scroll->setMinimumWidth(kPanelWidth);
   auto* body = new QWidget(scroll);
   auto* layout = new QVBoxLayout(body);
   layout->setContentsMargins(0, kGrid, kGrid, kGrid);
@@ -34,6 +34,9 @@ SideDock::SideDock(const QString& title, const QString& name, const QString& clo
   for (QWidget* part : parts) layout->addWidget(part);
   layout->addStretch(1);
   scroll->setWidget(body);
+  // It does not scroll sideways: what stands in it and the bar beside it have their room in every language.
+  const int needed = body->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width();
+  scroll->setMinimumWidth(std::max(kPanelWidth, needed));
   setWidget(scroll);
 }
 

@@ -174,6 +174,11 @@ QStringList lookFaults(const QWidget& window) {
     const auto* table = dynamic_cast<const widgets::HeadingTable*>(each);
     if (table != nullptr && table->horizontalScrollBar()->isVisible()) fault = QStringLiteral(" scrolls sideways");
     if (table != nullptr && liesOutside(*table)) fault = QStringLiteral(" sticks out of what it stands in");
+    const auto* scroll = qobject_cast<const QScrollArea*>(each);
+    if (scroll != nullptr && scroll->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff &&
+        scroll->widget() != nullptr && scroll->widget()->width() > scroll->viewport()->width() + kSlack) {
+      fault = sizes(scroll->widget()->size(), scroll->viewport()->size());
+    }
     if (const auto* header = qobject_cast<const QHeaderView*>(each)) fault = cutHeader(*header);
     if (const auto* plot = qobject_cast<const QCustomPlot*>(each)) fault = cutAxes(*plot);
     if (fault.isEmpty() && !textOf(*each).isEmpty() && liesOutside(*each)) {
