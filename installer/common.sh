@@ -3,6 +3,30 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '== %s\n' "$*"; }
 
+# One line of progress that a terminal overwrites; in a log a new line, at most one in ten seconds.
+progress_shown=-10
+show_progress() {
+  if [ -t 1 ]; then
+    printf '\r%s\033[K' "$*"
+  elif [ $((SECONDS - progress_shown)) -ge 10 ]; then
+    printf '%s\n' "$*"
+    progress_shown=$SECONDS
+  fi
+}
+end_progress() { [ ! -t 1 ] || printf '\r\033[K'; }
+
+# Reads what apt-get writes to its status descriptor: "pmstatus:PACKAGE:PERCENT:TEXT" and "dlstatus:…".
+show_installing() {
+  local kind package percent text
+  while IFS=: read -r kind package percent text; do
+    case $kind in
+      dlstatus | pmstatus) show_progress "[ ${percent%.*} % ] $text" ;;
+      pmerror) printf '%s: %s\n' "$package" "$text" ;;
+    esac
+  done
+  end_progress
+}
+
 # Installs what of installer/packages.txt is missing. $@: the groups wanted (run, test).
 install_packages() {
   local wanted missing=() package
@@ -16,9 +40,33 @@ install_packages() {
     command -v sudo >/dev/null || { echo "These packages are missing and neither root nor sudo is here: ${missing[*]}" >&2; return 1; }
     as_root=(sudo)
   fi
-  say "Installing ${missing[*]}"
+  say "Installing ${#missing[@]} packages and what they need: ${missing[*]}"
   "${as_root[@]}" apt-get update -qq
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0 "${missing[@]}" | show_installing
+}
+
+# Reads Ninja's lines "[ 37/392 ] Building …" and shows how far the build is and about how long it still takes; passes on
+# everything else, such as warnings. What one step takes is first assumed (2.6 s of one processor, measured), then known.
+show_building() {
+  local line began=$SECONDS done total left assumed_steps=20
+  local assumed_s=$((assumed_steps * 26 / 10 / $(nproc)))
+  while IFS= read -r line; do
+    if [[ $line =~ ^\[\ ([0-9]+)/([0-9]+)\ \] ]]; then
+      done=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+      left=$(((SECONDS - began + assumed_s) * (total - done) / (done + assumed_steps)))
+      if [ "$left" -ge 90 ]; then
+        left="about $(((left + 30) / 60)) min left"
+      else
+        left="about $left s left"
+      fi
+      show_progress "[ $done/$total ] $left"
+    elif [ "$line" != "ninja: no work to do." ]; then
+      end_progress
+      printf '%s\n' "$line"
+    fi
+  done
+  end_progress
 }
 
 # $1: preset, then options for CMake.
@@ -26,5 +74,6 @@ build() {
   local preset=$1
   shift
   say "Building preset $preset"
-  (cd "$root" && cmake --preset "$preset" "$@" >/dev/null && cmake --build --preset "$preset" -- --quiet)
+  (cd "$root" && cmake --preset "$preset" "$@" >/dev/null &&
+    NINJA_STATUS='[ %f/%t ] ' cmake --build --preset "$preset" 2>&1 | show_building)
 }

@@ -1,13 +1,19 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and opens the console on its simulated touchpad and robot.
-# With no display it runs a headless session instead and says so. Arguments go to the console.
+# With no display, or with --headless, it runs a session without a window instead. Other arguments go to the console.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 
+headless=
+arguments=()
+for argument in "$@"; do
+  if [ "$argument" = --headless ]; then headless="--headless"; else arguments+=("$argument"); fi
+done
+
 install_packages run
 build release -DFYD_BUILD_TESTS=OFF -DFYD_BUILD_BENCHMARKS=OFF
-if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
-  exec "$root/build/release/bin/fyd-console" "$@"
-fi
-say "No display: running a headless session of 10 s on the simulated touchpad and robot instead of the window"
-exec "$root/build/release/bin/fyd" station --headless --simulate --duration 10
+[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || headless="No display"
+[ -n "$headless" ] || exec "$root/build/release/bin/fyd-console" "${arguments[@]}"
+say "$headless: running a session of 10 s without a window, on the simulated touchpad and robot"
+[ ${#arguments[@]} -eq 0 ] || say "Not used, they are for the window: ${arguments[*]}"
+exec "$root/build/release/bin/fyd" station --simulate --duration 10
