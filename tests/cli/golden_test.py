@@ -1,0 +1,93 @@
+"""The golden recordings (tests/data/recordings): made by older programs, still opened, verified, exported and replayed."""
+import csv
+import hashlib
+import lzma
+import os
+import pathlib
+import re
+import shutil
+import unittest
+
+import fyd
+
+GOLDEN = pathlib.Path(fyd.DATA) / "recordings"
+KINDS = ("arithmetic_1",)
+
+
+def numbers(html):
+    """What a report says in figures: everything outside its style and its curves."""
+    text = re.sub(r"<(style|svg)\b.*?</\1>", " ", html, flags=re.DOTALL)
+    return re.findall(r"-?\d+(?:\.\d+)?", re.sub(r"<[^>]*>", " ", text))
+
+
+class Golden(fyd.Case):
+    def each(self, check):
+        """Calls check(folder, name, file) with a copy of each recording that may be worked on, whole."""
+        for kind in KINDS:
+            folder = GOLDEN / kind
+            for file in sorted([*folder.glob("*.h5"), *folder.glob("*.h5.partial")]):
+                name = file.name.removesuffix(".partial").removesuffix(".h5")
+                with self.subTest(recording=f"{kind}/{name}"):
+                    copy = self.path(f"{kind}-{file.name}")
+                    shutil.copy(file, copy)
+                    if copy.endswith(".partial"):
+                        self.assertEqual(self.json("session", "recover", copy, "--json")["result"], "whole")
+                        copy = copy.removesuffix(".partial")
+                    check(folder, name, copy)
+
+    def test_they_are_those_that_were_made(self):
+        for kind in KINDS:
+            lines = (GOLDEN / kind / "SHA256SUMS").read_text().splitlines()
+            self.assertGreaterEqual(len(lines), 40)
+            for line in lines:
+                expected, name = line.split()
+                self.assertEqual(hashlib.sha256((GOLDEN / kind / name).read_bytes()).hexdigest(), expected, name)
+
+    def test_they_open_and_are_whole(self):
+        def check(folder, name, file):
+            info = self.json("session", "info", file, "--json")
+            self.assertGreater(info["committed_samples"], 1000)
+            self.assertTrue(self.json("session", "verify", file, "--json")["intact"])
+
+        self.each(check)
+
+    def test_they_export_the_same_values(self):
+        def check(folder, name, file):
+            self.json("session", "export", file, self.path("out.csv"), "--force", "--json")
+            with lzma.open(folder / f"{name}.csv.xz", "rt", newline="") as old, open(self.path("out.csv"), newline="") as new:
+                old_rows, new_rows = list(csv.DictReader(old)), list(csv.DictReader(new))
+            self.assertEqual(len(new_rows), len(old_rows))
+            for before, after in zip(old_rows, new_rows):
+                self.assertEqual({column: after[column] for column in before}, before)
+            self.assertEqual(pathlib.Path(self.path("out.events.csv")).read_text(),
+                             (folder / f"{name}.events.csv").read_text())
+
+        self.each(check)
+
+    def test_their_reports_say_the_same_figures(self):
+        def check(folder, name, file):
+            out = self.path(f"{name}.html")
+            self.json("session", "report", file, out, "--json")
+            self.assertEqual(numbers(pathlib.Path(out).read_text()),
+                             numbers((folder / f"{name}.html").read_text()))
+
+        self.each(check)
+
+    def test_they_replay(self):
+        def check(folder, name, file):
+            result = self.json("session", "replay", file, "--json")
+            self.assertTrue(result["identical"], result)
+
+        self.each(check)
+
+    def test_their_profiles_load(self):
+        def check(folder, name, file):
+            if (folder / f"{name}.toml").exists():
+                done = fyd.run("params", "--profile", folder / f"{name}.toml")
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+        self.each(check)
+
+
+if __name__ == "__main__":
+    unittest.main()
