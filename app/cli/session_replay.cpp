@@ -22,6 +22,17 @@ nlohmann::ordered_json toJson(const session::ReplayResult& result) {
   out["of"] = result.of;
   out["gaps"] = result.gaps;
   out["different"] = result.different;
+  out["arithmetic_recorded"] = result.arithmetic_recorded;
+  out["arithmetic_replayed"] = pipeline::kArithmetic;
+  if (result.tolerance) {
+    out["tolerance"] = {{"since", result.tolerance->since},
+                        {"changed", result.tolerance->name},
+                        {"field", result.tolerance->of_a_field},
+                        {"command", result.tolerance->of_a_command},
+                        {"beyond", result.beyond_tolerance}};
+  }
+  out["out_of_range"] = result.out_of_range;
+  out["unknown_changes"] = result.unknown_changes;
   out["first_difference_s"] = jsonNumber(result.first_difference_s);
   out["first_difference_field"] = result.first_difference_field;
   out["max_abs_difference"] = jsonNumber(result.max_abs_difference);
@@ -39,6 +50,20 @@ nlohmann::ordered_json toJson(const session::ReplayResult& result) {
                          {"lag_s", result.fabric->lag_s}};
   }
   return out;
+}
+
+/// Bits of another arithmetic cannot come out again: that is said, and is no failure.
+void sayArithmetic(const std::string& file, const session::ReplayResult& result) {
+  std::string judged = "this program does not know that one";
+  if (result.tolerance) {
+    judged = fmt::format("{}; {} of the steps lie beyond the tolerance stated for that", result.tolerance->name,
+                         result.beyond_tolerance == 0 ? "none" : fmt::format("{}", result.beyond_tolerance));
+  }
+  fmt::print(stderr,
+             "fyd: {}: recorded with arithmetic {}, replayed with {}: {} of {} steps came out otherwise, by at most "
+             "{:.3g} in {} ({})\n",
+             file, result.arithmetic_recorded, pipeline::kArithmetic, result.different, result.samples,
+             result.max_abs_difference, result.max_difference_field, judged);
 }
 
 }  // namespace
@@ -66,6 +91,10 @@ void addSessionReplay(CLI::App& parent) {
     if (csv) csv->close();
     printSession(toJson(result), options->session.json);
     const bool proves = !result.what_if && !result.closed_loop;
+    if (proves && result.different > 0 && result.arithmetic_recorded != pipeline::kArithmetic) {
+      sayArithmetic(options->session.file, result);
+      if (result.samples == result.of) return;
+    }
     if (proves && !result.identical) {
       throw Failure(result.different > 0
                         ? fmt::format("{}: {} of {} steps came out otherwise, the first at {:.3f} s in {}",

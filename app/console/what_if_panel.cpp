@@ -169,10 +169,18 @@ void WhatIfPanel::finish(const Result<session::ReplayResult>& result,
   }
   QStringList lines;
   if (!result->what_if) {
+    const bool same_arithmetic = result->arithmetic_recorded == pipeline::kArithmetic;
     lines << (result->identical ? tr("Identical, bit for bit.")
-                                : tr("Different from %1 s on (%2).")
-                                      .arg(numberText(result->first_difference_s, 3),
-                                           QString::fromStdString(result->first_difference_field)));
+              : result->tolerance && result->beyond_tolerance == 0
+                  ? tr("The same, within the tolerance of another arithmetic.")
+                  : tr("Different from %1 s on (%2).")
+                        .arg(numberText(result->first_difference_s, 3),
+                             QString::fromStdString(result->first_difference_field)));
+    if (!result->identical && !same_arithmetic) {
+      lines << tr("Recorded with arithmetic %1, replayed with %2: the bits cannot be the same.")
+                   .arg(result->arithmetic_recorded)
+                   .arg(pipeline::kArithmetic);
+    }
   } else {
     lines << (result->closed_loop ? tr("Closed loop: cloth and robot answer as identified from this recording.")
                                   : tr("Open loop: the recorded inputs as they were; the cloth does not answer."));

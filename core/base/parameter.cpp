@@ -24,15 +24,26 @@ Result<double> parseNumber(const Parameter& parameter, std::string_view text) {
 
 }  // namespace
 
-Result<double> checkParameter(const Parameter& parameter, double value) {
-  if (parameter.kind == ParameterKind::text)
-    return fail("{} = {}: expected {}", parameter.id, value, describeRange(parameter));
-  const bool whole = parameter.kind != ParameterKind::real && parameter.kind != ParameterKind::list;
-  if (!std::isfinite(value) || value < parameter.info.minimum || value > parameter.info.maximum ||
-      (whole && value != std::floor(value))) {
+bool mayTake(const Parameter& parameter, double value, Ranges ranges) {
+  const ParameterKind kind = parameter.kind;
+  const bool whole = kind != ParameterKind::real && kind != ParameterKind::list;
+  const bool bound = ranges == Ranges::bind || kind != ParameterKind::real || !parameter.info.live;
+  if (kind == ParameterKind::text || !std::isfinite(value) || (whole && value != std::floor(value))) return false;
+  return !bound || (value >= parameter.info.minimum && value <= parameter.info.maximum);
+}
+
+Result<double> checkParameter(const Parameter& parameter, double value, Ranges ranges) {
+  if (!mayTake(parameter, value, ranges)) {
     return fail("{} = {}: expected {}", parameter.id, value, describeRange(parameter));
   }
   return value;
+}
+
+bool insideRange(const Parameter& parameter) {
+  const auto inside = [&](double value) { return mayTake(parameter, value); };
+  if (parameter.kind == ParameterKind::text) return true;
+  if (parameter.kind == ParameterKind::list) return std::ranges::all_of(parameter.list(), inside);
+  return inside(parameter.value());
 }
 
 Result<std::string> checkText(const Parameter& parameter, std::string_view text) {
@@ -43,7 +54,7 @@ Result<std::string> checkText(const Parameter& parameter, std::string_view text)
               describeRange(parameter));
 }
 
-Result<void> assignParameter(const Parameter& parameter, std::string_view text) {
+Result<void> assignParameter(const Parameter& parameter, std::string_view text, Ranges ranges) {
   text = trim(text);
   if (parameter.kind == ParameterKind::text) {
     auto checked = checkText(parameter, text);
@@ -60,7 +71,7 @@ Result<void> assignParameter(const Parameter& parameter, std::string_view text) 
     while (!rest.empty()) {
       const auto comma = rest.find(',');
       const auto value = parseNumber(parameter, trim(rest.substr(0, comma))).and_then([&](double v) {
-        return checkParameter(parameter, v);
+        return checkParameter(parameter, v, ranges);
       });
       if (!value) return tl::unexpected(value.error());
       if (!values.push(*value)) return fail("{}: at most {} values", parameter.id, kParameterListCapacity);
@@ -85,7 +96,8 @@ Result<void> assignParameter(const Parameter& parameter, std::string_view text) 
   if (parameter.kind == ParameterKind::boolean) {
     return fail("{} = '{}': expected true or false", parameter.id, text);
   }
-  const auto value = parseNumber(parameter, text).and_then([&](double v) { return checkParameter(parameter, v); });
+  const auto value =
+      parseNumber(parameter, text).and_then([&](double v) { return checkParameter(parameter, v, ranges); });
   if (!value) return tl::unexpected(value.error());
   parameter.set(*value);
   return {};

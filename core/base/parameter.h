@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,7 +39,13 @@ struct ParameterInfo {
   double maximum = std::numeric_limits<double>::infinity();
   std::string_view help;  ///< one sentence, for the tuning panel and the manual
   bool live = false;      ///< may change while the pipeline is active
+  /// In recordings made before there was this parameter: the value that gives what they felt like. None: the default.
+  std::optional<double> before_it_was = std::nullopt;
 };
+
+/// Whom a range binds: what is set now, but not a real that may change while active and was set by an earlier program
+/// or in a replay; it is only marked.
+enum class Ranges : std::uint8_t { bind, mark };
 
 inline constexpr std::size_t kParameterListCapacity = 16;
 inline constexpr std::size_t kParameterTextLimit = 1024;  // bytes
@@ -126,14 +133,19 @@ template <class Parameters>
   return out;
 }
 
-/// Whether `value` may be stored: finite, in range, whole where it must be. The message names id, value and range.
-[[nodiscard]] Result<double> checkParameter(const Parameter& parameter, double value);
+/// Whether `value` may be stored: finite, in range, whole where it must be. Allocates nothing.
+[[nodiscard]] bool mayTake(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
+/// The same; the message names id, value and range.
+[[nodiscard]] Result<double> checkParameter(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
+/// Of the value it has.
+[[nodiscard]] bool insideRange(const Parameter& parameter);
 
 /// Whether `text` may be stored: one line of at most kParameterTextLimit bytes. The message names the id.
 [[nodiscard]] Result<std::string> checkText(const Parameter& parameter, std::string_view text);
 
 /// Reads one value as a person writes it ("12.5", "true", "dft321", "[1, 2]"), checks it and stores it.
-[[nodiscard]] Result<void> assignParameter(const Parameter& parameter, std::string_view text);
+[[nodiscard]] Result<void> assignParameter(const Parameter& parameter, std::string_view text,
+                                           Ranges ranges = Ranges::bind);
 
 /// The value as `assignParameter` reads it; reals with the digits that round-trip.
 [[nodiscard]] std::string formatParameter(const Parameter& parameter);

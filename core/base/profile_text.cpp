@@ -19,7 +19,7 @@ std::string place(std::string_view source, const toml::node& node) {
   return fmt::format("{}:{}", source, node.source().begin.line);
 }
 
-Result<double> readNumber(const Parameter& parameter, const toml::node& node) {
+Result<double> readNumber(const Parameter& parameter, const toml::node& node, Ranges ranges) {
   if (parameter.kind == ParameterKind::boolean) {
     if (const auto value = node.value_exact<bool>()) return *value ? 1.0 : 0.0;
     return fail("{}: expected true or false", parameter.id);
@@ -34,12 +34,12 @@ Result<double> readNumber(const Parameter& parameter, const toml::node& node) {
     return fail("{}: expected {}", parameter.id, describeRange(parameter));
   }
   if (const auto value = node.value_exact<std::int64_t>())
-    return checkParameter(parameter, static_cast<double>(*value));
-  if (const auto value = node.value_exact<double>()) return checkParameter(parameter, *value);
+    return checkParameter(parameter, static_cast<double>(*value), ranges);
+  if (const auto value = node.value_exact<double>()) return checkParameter(parameter, *value, ranges);
   return fail("{}: expected {}", parameter.id, describeRange(parameter));
 }
 
-Result<Assignment> readAssignment(const Parameter& parameter, const toml::node& node) {
+Result<Assignment> readAssignment(const Parameter& parameter, const toml::node& node, Ranges ranges) {
   Assignment assignment{.parameter = &parameter, .list = {}, .text = {}};
   if (parameter.kind == ParameterKind::text) {
     const auto text = node.value_exact<std::string>();
@@ -50,7 +50,7 @@ Result<Assignment> readAssignment(const Parameter& parameter, const toml::node& 
     return assignment;
   }
   if (parameter.kind != ParameterKind::list) {
-    const auto value = readNumber(parameter, node);
+    const auto value = readNumber(parameter, node, ranges);
     if (!value) return tl::unexpected(value.error());
     assignment.value = *value;
     return assignment;
@@ -58,7 +58,7 @@ Result<Assignment> readAssignment(const Parameter& parameter, const toml::node& 
   const toml::array* array = node.as_array();
   if (array == nullptr) return fail("{}: expected {}", parameter.id, describeRange(parameter));
   for (const toml::node& item : *array) {
-    const auto value = readNumber(parameter, item);
+    const auto value = readNumber(parameter, item, ranges);
     if (!value) return tl::unexpected(value.error());
     if (!assignment.list.push(*value)) return fail("{}: at most {} values", parameter.id, kParameterListCapacity);
   }
@@ -73,9 +73,45 @@ std::string quoted(const std::string& text) {
   return out.str();
 }
 
+// What describeRange says of a choice.
+constexpr std::string_view kChoiceMark = "  # one of ";
+
+std::vector<std::string> parted(std::string_view list, std::string_view by) {
+  std::vector<std::string> parts;
+  for (std::size_t end = list.find(by); end != std::string_view::npos; end = list.find(by)) {
+    parts.emplace_back(list.substr(0, end));
+    list.remove_prefix(end + by.size());
+  }
+  parts.emplace_back(list);
+  return parts;
+}
+
 }  // namespace
 
-Result<void> parseProfile(std::string_view text, std::string_view source_name, std::span<const Parameter> parameters) {
+std::vector<ProfileEntry> profileEntries(std::string_view text) {
+  std::vector<ProfileEntry> entries;
+  std::string room;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+    if (line.starts_with('[') && line.ends_with(']')) {
+      room = line.substr(1, line.size() - 2);
+      continue;
+    }
+    const std::size_t equals = line.find(" = ");
+    if (room.empty() || line.starts_with('#') || equals == std::string_view::npos) continue;
+    const std::string_view value = line.substr(equals + 3);
+    ProfileEntry entry{
+        .id = fmt::format("{}.{}", room, line.substr(0, equals)), .list = value.starts_with('['), .choices = {}};
+    const std::size_t choices = value.rfind(kChoiceMark);
+    if (choices != std::string_view::npos) entry.choices = parted(value.substr(choices + kChoiceMark.size()), ", ");
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+Result<void> parseProfile(std::string_view text, std::string_view source_name, std::span<const Parameter> parameters,
+                          Ranges ranges) {
   toml::table root;
   try {
     root = parseToml(text, source_name);
@@ -95,7 +131,7 @@ Result<void> parseProfile(std::string_view text, std::string_view source_name, s
       if (parameter == nullptr) {
         return fail("{}: unknown parameter '{}'; 'fyd params' lists those there are", place(source_name, value), id);
       }
-      const auto assignment = readAssignment(*parameter, value);
+      const auto assignment = readAssignment(*parameter, value, ranges);
       if (!assignment) return fail("{}: {}", place(source_name, value), assignment.error().message);
       assignments.push_back(*assignment);
     }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/parameter.h"
@@ -15,9 +16,21 @@ namespace fyd {
 /// Stores every key of `text` into the bound parameters; parameters that are not named keep their value.
 /// @param source_name stands before the line number in messages, usually the file's name
 [[nodiscard]] Result<void> parseProfile(std::string_view text, std::string_view source_name,
-                                        std::span<const Parameter> parameters);
+                                        std::span<const Parameter> parameters, Ranges ranges = Ranges::bind);
 
 /// Every parameter with its unit and range as a comment, in the form parseProfile reads back equal.
 [[nodiscard]] std::string formatProfile(std::span<const Parameter> parameters);
+
+/// What formatProfile wrote of one parameter, whichever program it was.
+struct ProfileEntry {
+  std::string id;
+  bool list = false;
+  std::vector<std::string> choices;  ///< of a choice, in that program's order
+};
+
+/// The parameters of a text that formatProfile wrote, in its order, which is that of the program's bindParameters: so
+/// an index that was written beside it is understood by any later program. Lines that formatProfile never writes are
+/// passed over.
+[[nodiscard]] std::vector<ProfileEntry> profileEntries(std::string_view text);
 
 }  // namespace fyd

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::control {
 namespace {
 
@@ -48,7 +50,7 @@ Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const C
   const auto fabric = identifyFabric(recording, present);
   if (!fabric) return tl::unexpected(fabric.error());
   for (double lambda_s = kFastest_s; lambda_s <= kSlowest_s; lambda_s *= 1.05) {
-    const double tried = std::log(lambda_s / kFastest_s) / std::log(kSlowest_s / kFastest_s);
+    const double tried = math::log(lambda_s / kFastest_s) / math::log(kSlowest_s / kFastest_s);
     if (ended(kIdentified + (1 - kIdentified) * tried)) return fail("auto-tune: cancelled");
     const ControlParameters proposed = tuned(present, *fabric, lambda_s);
     if (!keepsMargins(*fabric, proposed)) continue;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/portable_math.h"
 #include "core/control/lag_model.h"
 #include "core/control/static_law.h"
 
@@ -146,8 +147,8 @@ Result<IdentifiedFabric> identifyFabric(std::span<const TuneSample> recording, c
     if (!points.empty() && sample.time_s - last_s < kGridStep_s) continue;
     const bool seen = std::isfinite(sample.stiffness_N_per_mm) && sample.stiffness_N_per_mm > 0;
     points.push_back({points.empty() ? kGridStep_s : sample.time_s - last_s,
-                      std::log(law.stiffness_N_per_mm(sample.angle_deg).value),
-                      seen ? std::log(sample.stiffness_N_per_mm) : std::numeric_limits<double>::quiet_NaN()});
+                      math::log(law.stiffness_N_per_mm(sample.angle_deg).value),
+                      seen ? math::log(sample.stiffness_N_per_mm) : std::numeric_limits<double>::quiet_NaN()});
     observed += seen ? 1 : 0;
     least_deg = std::min(least_deg, sample.angle_deg);
     most_deg = std::max(most_deg, sample.angle_deg);
@@ -170,7 +171,7 @@ Result<IdentifiedFabric> identifyFabric(std::span<const TuneSample> recording, c
         fit.variance > 0 && fit.gain > 0 ? 100 * (1 - fit.residual / fit.variance) : 0.0, 100 * kLeastExplained);
   }
   IdentifiedFabric fabric;
-  fabric.scale = std::exp(fit.log_scale + (fit.gain - 1) * 0.5 * std::log(least_k * most_k));
+  fabric.scale = math::exp(fit.log_scale + (fit.gain - 1) * 0.5 * math::log(least_k * most_k));
   fabric.shape_gain = fit.gain;
   fabric.delay_s = fit.delay_s;
   fabric.lag_s = fit.lag_s;

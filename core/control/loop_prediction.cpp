@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/portable_math.h"
 #include "core/control/lag_model.h"
 #include "core/control/static_law.h"
 #include "core/control/stiffness_controller.h"
@@ -15,7 +16,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-Complex measurement(Complex s, double delay_s, double lag_s) { return std::exp(-s * delay_s) / (s * lag_s + 1.0); }
+Complex measurement(Complex s, double delay_s, double lag_s) { return math::exp(-s * delay_s) / (s * lag_s + 1.0); }
 
 Complex loop(double omega, const IdentifiedFabric& fabric, const ControlParameters& p) {
   const Complex s(0.0, omega);
@@ -70,7 +71,7 @@ Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& paramete
   const double middle_k = std::sqrt(law.minimumStiffness_N_per_mm() * law.maximumStiffness_N_per_mm());
   const double target = kSoftness * middle_k;
   const auto stiffnessAt = [&](double angle_deg) {
-    return target * std::pow(law.stiffness_N_per_mm(angle_deg).value / middle_k, fabric.shape_gain);
+    return target * math::pow(law.stiffness_N_per_mm(angle_deg).value / middle_k, fabric.shape_gain);
   };
   double angle_deg = law.minimumAngle_deg();
   LagModel sensor;
@@ -112,14 +113,14 @@ LoopMargins loopMargins(const IdentifiedFabric& fabric, const ControlParameters&
   double phase_deg = 0.0, last_phase_deg = 0.0;
   for (int i = 0; i < kPoints; ++i) {
     const double omega =
-        kSlowest_rad_s * std::pow(kFastest_rad_s / kSlowest_rad_s, static_cast<double>(i) / (kPoints - 1));
+        kSlowest_rad_s * math::pow(kFastest_rad_s / kSlowest_rad_s, static_cast<double>(i) / (kPoints - 1));
     const Complex value = loop(omega, fabric, p);
-    phase_deg = i == 0 ? std::arg(value) * 180 / std::numbers::pi
-                       : last_phase_deg + std::arg(value / last) * 180 / std::numbers::pi;
+    phase_deg = i == 0 ? math::arg(value) * 180 / std::numbers::pi
+                       : last_phase_deg + math::arg(value / last) * 180 / std::numbers::pi;
     if (i > 0) {
       const bool crosses_phase = std::floor((phase_deg + 180) / 360) != std::floor((last_phase_deg + 180) / 360);
-      if (crosses_phase) margins.gain_margin = std::min(margins.gain_margin, 1 / std::abs(value));
-      if ((std::abs(value) < 1) != (std::abs(last) < 1)) {
+      if (crosses_phase) margins.gain_margin = std::min(margins.gain_margin, 1 / math::abs(value));
+      if ((math::abs(value) < 1) != (math::abs(last) < 1)) {
         margins.phase_margin_deg = std::min(margins.phase_margin_deg, 180 + phase_deg);
       }
     }

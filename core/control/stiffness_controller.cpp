@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::control {
 namespace {
 
@@ -62,7 +64,7 @@ void StiffnessController::reset(double stretch_angle_deg) {
   reference_deg_ = std::clamp(start, law_.minimumAngle_deg(), law_.maximumAngle_deg());
   pid_.reset();
   thesis_pid_.reset();
-  lag_.reset(std::log(law_.stiffness_N_per_mm(reference_deg_).value));
+  lag_.reset(math::log(law_.stiffness_N_per_mm(reference_deg_).value));
   scale_.reset();
   clamped_ = rest_known_ = was_enabled_ = was_observable_ = started_ = false;
 }
@@ -82,7 +84,7 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
   was_enabled_ = input.enabled;
 
   const double angle_deg = angle_known ? input.measured_angle_deg : reference_deg_;
-  const double present_log = std::log(law_.stiffness_N_per_mm(angle_deg).value);
+  const double present_log = math::log(law_.stiffness_N_per_mm(angle_deg).value);
   if (input.observable && !was_observable_) {
     lag_.reset(present_log);  // the estimate starts anew with each touch: it has seen no other stretch
     scale_.beginTouch();
@@ -90,7 +92,7 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
   was_observable_ = input.observable;
   const double seen_log = lag_.step(present_log, dt_s);
   if (isMeasured(input)) {
-    scale_.step(std::log(input.measured_N_per_mm) - seen_log, input.measured_sigma_N_per_mm / input.measured_N_per_mm,
+    scale_.step(math::log(input.measured_N_per_mm) - seen_log, input.measured_sigma_N_per_mm / input.measured_N_per_mm,
                 present_log, dt_s);
   }
 
@@ -112,18 +114,18 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
   output.at_limit = reference_deg_ <= law_.minimumAngle_deg() + kAtLimit_deg ||
                     reference_deg_ >= law_.maximumAngle_deg() - kAtLimit_deg;
   output.correction = parameters_.mode == ControlMode::thesis ? thesis_pid_.output() : pid_.output();
-  output.fabric_scale = std::exp(scale_.credible());
+  output.fabric_scale = math::exp(scale_.credible());
   return output;
 }
 
 double StiffnessController::desiredDefault(const ControlInput& input, double present_log, double dt_s) {
-  const double target_log = std::log(input.target_N_per_mm);
-  pid_.setLimits({std::log(law_.minimumStiffness_N_per_mm()) - target_log,
-                  std::log(law_.maximumStiffness_N_per_mm()) - target_log, 1e300});
+  const double target_log = math::log(input.target_N_per_mm);
+  pid_.setLimits({math::log(law_.minimumStiffness_N_per_mm()) - target_log,
+                  math::log(law_.maximumStiffness_N_per_mm()) - target_log, 1e300});
   const double y = scale_.credible() + present_log;
   const double error = beyond(target_log - y, parameters_.dead_band_N_per_mm / input.target_N_per_mm);
   const double correction = pid_.step(y + error, y, dt_s, still_s_ >= kArriving_s);
-  return law_.angle_deg(std::exp(target_log + correction)).value;
+  return law_.angle_deg(math::exp(target_log + correction)).value;
 }
 
 double StiffnessController::desiredThesis(const ControlInput& input) {
@@ -151,7 +153,7 @@ void StiffnessController::judgeReach(double target, ControlOutput& output) {
     output.reachable_target_N_per_mm = kNone;
     return;
   }
-  const double scale = std::exp(scale_.credible());
+  const double scale = math::exp(scale_.credible());
   const double least = scale * law_.minimumStiffness_N_per_mm(), most = scale * law_.maximumStiffness_N_per_mm();
   const double margin = clamped_ ? kClampHysteresis : 0.0;
   clamped_ = target < least * (1 + margin) || target > most * (1 - margin);

@@ -92,8 +92,7 @@ void Pipeline::applyChanges(const Inputs& inputs) {
 
 void Pipeline::changeParameter(std::uint16_t index, double value) {
   const bool allowed = index < bound_.size() && bound_[index].info.live && bound_[index].isNumber() &&
-                       std::isfinite(value) && value >= bound_[index].info.minimum &&
-                       value <= bound_[index].info.maximum;
+                       mayTake(bound_[index], value, ranges_);
   report(
       {.kind = allowed ? EventKind::parameter_changed : EventKind::parameter_refused, .index = index, .value = value});
   if (!allowed) return;

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,19 +51,20 @@ class Pipeline {
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
 
   /// All that the next steps depend on, live parameters, tare and safety state included, as bytes (15 to 45 kB) that
-  /// only `restoreState` of the same program reads. Allocates.
+  /// `restoreState` of this program and of later ones reads. Allocates.
   [[nodiscard]] std::string saveState() const;
   /// Continues where `saveState` stood: the same inputs then give the same outputs bit for bit. This pipeline must have
   /// been made with the same surface and the same parameters, live ones apart.
   /// For replay. A pipeline that drives motors is never restored: the saved state may be Active, and only an operator
   /// arms.
-  /// @return an error, and this pipeline as it was, for bytes that are damaged, cut short, too long, of another
-  ///         version, or saved with other parameters or another surface
+  /// @return an error, and this pipeline as it was, for bytes that are damaged, cut short, too long, hold a parameter
+  /// or
+  ///         a module (or a version of one) that this program does not know, or were saved with other parameters or
+  ///         another surface
   [[nodiscard]] Result<void> restoreState(std::string_view state);
 
-  /// What changes between steps, parameters apart; see pipeline_state.cpp.
-  template <class Archive>
-  void serialize(Archive& archive);
+  /// For replay: live values beyond today's range are taken, as the program took them that recorded them.
+  void takeRecordedValues() { ranges_ = Ranges::mark; }
 
  private:
   void takeTime(const Inputs& inputs);
@@ -85,8 +87,16 @@ class Pipeline {
   [[nodiscard]] std::optional<Lack> fault(const Inputs& inputs) const;
   void report(const Event& event) { (void)outputs_.events.push(event); }
 
+  // The state, see pipeline_state.cpp.
+  struct Between;
+  template <class Visit>
+  void eachModule(Visit&& visit);
+  [[nodiscard]] std::string saveModules();
+  void restoreModules(std::istream& bytes);
+
   Parameters parameters_;
   std::vector<Parameter> bound_;  // into parameters_
+  Ranges ranges_ = Ranges::bind;
 
   sensing::IndentationEstimator indentation_;
   sensing::LoadCell load_cell_;

@@ -1,146 +1,232 @@
-// The whole state of a pipeline as bytes, and back: a seal that says what the bytes are, the parameters, then the
-// members that change between steps. Each class names its own (core/base/state.h); here stands the step's list.
+// The whole state of a pipeline as bytes, and back: parameters by their ids, then the modules that change between
+// steps, each with a version of its own. Each class names its members itself (core/base/state.h); here stands the
+// step's list.
+#include <algorithm>
 #include <bit>
 #include <sstream>
+#include <vector>
 
-#include <sodium/crypto_generichash.h>
-
-#include "core/base/archive.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/state_seal.h"
 
 namespace fyd::pipeline {
 namespace {
 
-/// Raised whenever a class changes what its `serialize` names.
-constexpr std::uint32_t kLayout = 1;
-
-using Digest = std::array<std::uint8_t, crypto_generichash_BYTES_MIN>;
-
-Digest digestOf(std::string_view text) {
-  Digest digest{};
-  crypto_generichash(digest.data(), digest.size(), reinterpret_cast<const unsigned char*>(text.data()), text.size(),
-                     nullptr, 0);
-  return digest;
+Digest digestOfSurface(const std::optional<texture::VirtualTexture>& surface) {
+  return digestOf(std::string_view(surface ? formatSurface(surface->model()) : ""));
 }
 
-/// Stands in front: who wrote the bytes, for which pipeline, and whether they are whole.
-struct Seal {
-  std::array<char, 8> mark{'F', 'Y', 'D', 's', 't', 'a', 't', 'e'};
-  Digest program{};
-  Digest surface{};
-  Digest content{};
-  std::uint64_t content_bytes = 0;
-
-  static constexpr std::size_t kBytes = 8 + 3 * sizeof(Digest) + 8;
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(mark, program, surface, content, content_bytes);
+/// A class whose saved content has changed says `kStateVersion` and reads older ones in `serialize(archive, version)`.
+template <class Module>
+consteval std::uint16_t stateVersion() {
+  if constexpr (requires { Module::kStateVersion; }) {
+    return Module::kStateVersion;
+  } else {
+    return 1;
   }
-};
-
-Seal sealOf(std::span<const Parameter> parameters, const std::optional<texture::VirtualTexture>& surface) {
-  std::string program = fmt::format("{} {} {}", FYD_VERSION, kLayout, sizeof(Pipeline));
-  for (const Parameter& p : parameters) program += fmt::format(" {}:{}", p.id, static_cast<int>(p.kind));
-  return {.program = digestOf(program), .surface = digestOf(surface ? formatSurface(surface->model()) : "")};
 }
 
-template <class... Items>
-std::string write(const Items&... items) {
-  std::ostringstream bytes;
-  StateWriter archive(bytes);
-  archive(items...);
-  return std::move(bytes).str();
+template <class Module>
+void readModule(StateReader& archive, Module& module, std::uint16_t version) {
+  if constexpr (stateVersion<Module>() == 1) {
+    archive(module);
+  } else {
+    module.serialize(archive, version);
+  }
 }
 
 void writeParameters(StateWriter& archive, std::span<const Parameter> parameters) {
+  archive(static_cast<std::uint16_t>(parameters.size()));
   for (const Parameter& p : parameters) {
+    writeText(archive, p.id);
     if (p.kind == ParameterKind::list) {
-      archive(p.list());
+      archive(static_cast<std::uint8_t>(p.list().size()));
+      for (const double value : p.list()) archive(value);
+    } else if (p.kind == ParameterKind::choice) {
+      archive(kWordFollows);
+      writeText(archive, formatParameter(p));
     } else {
-      archive(p.value());
+      archive(std::uint8_t{1}, p.value());
     }
   }
 }
 
-/// A live parameter takes any value in its range; another must be the one this pipeline was made with.
+/// A live parameter takes any value that it could have been given; another must be the one this pipeline was made with.
 Result<void> takeValue(const Parameter& parameter, double own, double saved) {
   if (std::bit_cast<std::uint64_t>(own) == std::bit_cast<std::uint64_t>(saved)) return {};
   if (!parameter.info.live) {
     return fail("{} was {} when the state was saved, here it is {}; expected the same", parameter.id, saved, own);
   }
-  return checkParameter(parameter, saved).map([](double) {});
+  return checkParameter(parameter, saved, Ranges::mark).map([](double) {});
 }
 
+Result<void> takeList(const Parameter& parameter, const ParameterList& saved) {
+  if (!parameter.info.live && saved.count != parameter.list().count) {
+    return fail("{} had {} values when the state was saved, here it has {}; expected the same", parameter.id,
+                saved.count, parameter.list().count);
+  }
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    if (auto taken = takeValue(parameter, parameter.list()[i], saved[i]); !taken) return taken;
+  }
+  parameter.list() = saved;
+  return {};
+}
+
+Result<void> takeWord(const Parameter& parameter, const std::string& word) {
+  const double own = parameter.value();
+  if (auto assigned = assignParameter(parameter, word); !assigned) return assigned;
+  const double saved = parameter.value();
+  parameter.set(own);
+  if (auto taken = takeValue(parameter, own, saved); !taken) return taken;
+  parameter.set(saved);
+  return {};
+}
+
+/// Parameters that the state does not name keep their value.
 Result<void> readParameters(StateReader& archive, std::span<const Parameter> parameters) {
-  for (const Parameter& p : parameters) {
-    if (p.kind != ParameterKind::list) {
+  std::uint16_t count = 0;
+  archive(count);
+  for (std::uint16_t k = 0; k < count; ++k) {
+    const std::string id = readText(archive);
+    const Parameter* parameter = findParameter(parameters, id);
+    if (parameter == nullptr) return fail("'{}' is no parameter of this program's step", id);
+    std::uint8_t values = 0;
+    archive(values);
+    if ((values == kWordFollows) != (parameter->kind == ParameterKind::choice) ||
+        (values != kWordFollows && parameter->kind != ParameterKind::list && values != 1)) {
+      return fail("{} is another kind of parameter in this program", id);
+    }
+    Result<void> taken;
+    if (values == kWordFollows) {
+      taken = takeWord(*parameter, readText(archive));
+    } else if (parameter->kind == ParameterKind::list) {
+      ParameterList saved;
+      for (std::uint8_t i = 0; i < values; ++i) {
+        double value = 0.0;
+        archive(value);
+        if (!saved.push(value)) return fail("{}: {} values; expected at most {}", id, values, saved.capacity());
+      }
+      taken = takeList(*parameter, saved);
+    } else {
       double saved = 0.0;
       archive(saved);
-      if (auto taken = takeValue(p, p.value(), saved); !taken) return taken;
-      p.set(saved);
-      continue;
+      taken = takeValue(*parameter, parameter->value(), saved);
+      if (taken) parameter->set(saved);
     }
-    ParameterList saved;
-    archive(saved);
-    if (!p.info.live && saved.count != p.list().count) {
-      return fail("{} had {} values when the state was saved, here it has {}; expected the same", p.id, saved.count,
-                  p.list().count);
-    }
-    for (std::size_t i = 0; i < saved.size(); ++i) {
-      if (auto taken = takeValue(p, p.list()[i], saved[i]); !taken) return taken;
-    }
-    p.list() = saved;
+    if (!taken) return taken;
   }
   return {};
 }
 
-/// The content behind a seal that fits `own`.
-Result<std::string_view> openSeal(std::string_view state, const Seal& own) {
-  Seal seal;
-  if (state.size() < Seal::kBytes) return fail("state of {} bytes: expected at least {}", state.size(), Seal::kBytes);
-  std::istringstream stream{std::string(state.substr(0, Seal::kBytes))};
+/// The content behind a seal that fits a pipeline with this surface.
+Result<std::string_view> openSeal(std::string_view state, const Digest& surface) {
+  StateSeal seal;
+  const std::array<char, 8> own_mark = seal.mark;
+  if (state.size() < StateSeal::kBytes) {
+    return fail("state of {} bytes: expected at least {}", state.size(), StateSeal::kBytes);
+  }
+  std::istringstream stream{std::string(state.substr(0, StateSeal::kBytes))};
   StateReader archive(stream);
   archive(seal);
-  const std::string_view content = state.substr(Seal::kBytes);
-  if (seal.mark != own.mark) return fail("these {} bytes are not the state of a pipeline", state.size());
+  const std::string_view content = state.substr(StateSeal::kBytes);
+  if (seal.mark != own_mark) return fail("these {} bytes are not the state of a pipeline", state.size());
   if (seal.content_bytes != content.size()) {
     return fail("state with {} bytes of content: expected {}", content.size(), seal.content_bytes);
   }
   if (seal.content != digestOf(content)) return fail("state of {} bytes: damaged", state.size());
-  if (seal.program != own.program) return fail("state saved by another version; expected {}", FYD_VERSION);
-  if (seal.surface != own.surface) return fail("state saved with another surface; expected the same");
+  if (seal.surface != surface) return fail("state saved with another surface; expected the same");
   return content;
 }
 
 }  // namespace
 
-template <class Archive>
-void Pipeline::serialize(Archive& archive) {
-  archive(indentation_, stiffness_, tare_, controller_, mixing_, renderer_, finger_speed_, health_, safety_, motion_);
-  if (surface_) archive(*surface_);
-  archive(started_, last_now_, steps_, missed_at_second_start_, second_start_, last_finger_, last_bridge_,
-          within(last_phase_, LinkPhase::lost), target_by_hand_, target_was_clamped_, robot_sets_reference_,
-          stretch_deg_, translation_deg_, newest_acceleration_g_, force_N_, outputs_.tare);
+/// What changes between steps and belongs to no module.
+struct Pipeline::Between {
+  Pipeline& p;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(p.started_, p.last_now_, p.steps_, p.missed_at_second_start_, p.second_start_, p.last_finger_,
+            p.last_bridge_, within(p.last_phase_, LinkPhase::lost), p.target_by_hand_, p.target_was_clamped_,
+            p.robot_sets_reference_, p.stretch_deg_, p.translation_deg_, p.newest_acceleration_g_, p.force_N_,
+            p.outputs_.tare);
+  }
+};
+
+template <class Visit>
+void Pipeline::eachModule(Visit&& visit) {
+  visit("indentation", indentation_);
+  visit("stiffness", stiffness_);
+  visit("tare", tare_);
+  visit("controller", controller_);
+  visit("mixing", mixing_);
+  visit("renderer", renderer_);
+  visit("finger_speed", finger_speed_);
+  visit("health", health_);
+  visit("safety", safety_);
+  visit("motion", motion_);
+  if (surface_) visit("surface", *surface_);
+  Between between{*this};
+  visit("step", between);
+}
+
+std::string Pipeline::saveModules() {
+  std::ostringstream bytes;
+  StateWriter archive(bytes);
+  std::uint16_t count = 0;
+  eachModule([&count](const char*, auto&) { ++count; });
+  archive(count);
+  eachModule([&archive]<class Module>(const char* name, Module&) {
+    writeText(archive, name);
+    archive(stateVersion<Module>());
+  });
+  eachModule([&archive](const char*, auto& module) { archive(module); });
+  return std::move(bytes).str();
+}
+
+void Pipeline::restoreModules(std::istream& bytes) {
+  StateReader archive(bytes);
+  std::uint16_t count = 0;
+  archive(count);
+  std::vector<std::pair<std::string, std::uint16_t>> saved;
+  for (std::uint16_t i = 0; i < count; ++i) {
+    std::string name = readText(archive);
+    std::uint16_t version = 0;
+    archive(version);
+    if (std::ranges::any_of(saved, [&name](const auto& other) { return other.first == name; })) {
+      throw std::out_of_range(fmt::format("the module '{}' twice", name));
+    }
+    saved.emplace_back(std::move(name), version);
+  }
+  for (const auto& [name, version] : saved) {
+    bool known = false;
+    eachModule([&, &name = name, version = version]<class Module>(const char* own, Module& module) {
+      if (name != own) return;
+      known = true;
+      if (version == 0 || version > stateVersion<Module>()) {
+        throw std::out_of_range(fmt::format("version {} of the module '{}'; this program knows 1 to {}", version, name,
+                                            stateVersion<Module>()));
+      }
+      readModule(archive, module, version);
+    });
+    if (!known) throw std::out_of_range(fmt::format("'{}' is no module of this program's step", name));
+  }
+  if (bytes.peek() != std::istream::traits_type::eof()) throw std::out_of_range("more content than a state has");
 }
 
 std::string Pipeline::saveState() const {
   std::ostringstream bytes;
   StateWriter archive(bytes);
   writeParameters(archive, bound_);
-  archive(*this);
-  const std::string content = std::move(bytes).str();
-  Seal seal = sealOf(bound_, surface_);
-  seal.content = digestOf(content);
-  seal.content_bytes = content.size();
-  return write(seal) + content;
+  // Reads only: the same list of members serves saving and restoring.
+  return sealed(digestOfSurface(surface_), std::move(bytes).str() + const_cast<Pipeline*>(this)->saveModules());
 }
 
 Result<void> Pipeline::restoreState(std::string_view state) {
-  const auto content = openSeal(state, sealOf(bound_, surface_));
+  const auto content = openSeal(state, digestOfSurface(surface_));
   if (!content) return tl::unexpected(content.error());
   const Parameters old_parameters = parameters_;
-  const std::string old_state = write(*this);
+  const std::string old_modules = saveModules();
   const auto takeParameters = [this](const Parameters& parameters) {
     parameters_ = parameters;
     configure();
@@ -151,14 +237,12 @@ Result<void> Pipeline::restoreState(std::string_view state) {
     Parameters parameters = parameters_;
     if (auto read = readParameters(archive, bindParameters(parameters)); !read) return read;
     takeParameters(parameters);
-    archive(*this);
-    if (stream.peek() == std::istringstream::traits_type::eof()) return {};
-    throw std::out_of_range("more content than a state has");
+    restoreModules(stream);
+    return {};
   } catch (const std::exception& problem) {
     takeParameters(old_parameters);
-    std::istringstream stream{old_state};
-    StateReader archive(stream);
-    archive(*this);
+    std::istringstream stream{old_modules};
+    restoreModules(stream);
     return fail("state of {} bytes: {}", state.size(), problem.what());
   }
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::sensing {
 
 bool FabricPlane::solve(std::span<const SensorPosition> sensors, std::uint32_t used, double condition_limit) {
@@ -38,7 +40,7 @@ bool FabricPlane::solve(std::span<const SensorPosition> sensors, std::uint32_t u
   }
   // Eigenvalues of C; the smaller one from the determinant, which keeps its digits when it is small.
   const double determinant = xx * yy - xy * xy;
-  const double larger = 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
+  const double larger = 0.5 * (xx + yy) + math::hypot(0.5 * (xx - yy), xy);
   if (!(determinant > 0.0) || !std::isfinite(larger)) return false;
   condition_ = larger / std::sqrt(determinant);
   if (!(condition_ <= condition_limit)) return false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::sensing {
 namespace {
 
@@ -66,7 +68,7 @@ void ForceFusion::update(double dt_s, Instant taken, std::span<const Indentation
     const auto& m = measurements[i];
     of_compliance[i] = {.z_mm = m.z_mm,
                         .h = m.h * force,
-                        .sigma_mm = std::hypot(m.sigma_mm, m.h * compliance_.value_mm() * kForceSigma_N)};
+                        .sigma_mm = math::hypot(m.sigma_mm, m.h * compliance_.value_mm() * kForceSigma_N)};
   }
   compliance_.update(dt_s, std::span(of_compliance).first(count));
 }
@@ -74,7 +76,7 @@ void ForceFusion::update(double dt_s, Instant taken, std::span<const Indentation
 void ForceFusion::compare(double dt_s, double indentation, double sigma) {
   if (!known_) return;
   const double apart = std::abs(indentation - indentation_mm());
-  const bool contradicts = apart > kContradiction * std::hypot(sigma, sigma_mm());
+  const bool contradicts = apart > kContradiction * math::hypot(sigma, sigma_mm());
   contradiction_s_ = contradicts ? contradiction_s_ + std::max(0.0, dt_s) : 0.0;
   contradicted_ = contradicted_ || contradiction_s_ > kPersistent_s;
 }
@@ -92,8 +94,8 @@ double ForceFusion::indentation_mm() const {
 
 double ForceFusion::sigma_mm() const {
   if (written_ == 0) return compliance_.sigma_mm();
-  return std::hypot(compliance_.sigma_mm() * forces_[(written_ - 1) % forces_.size()].value_N,
-                    compliance_.value_mm() * kForceSigma_N);
+  return math::hypot(compliance_.sigma_mm() * forces_[(written_ - 1) % forces_.size()].value_N,
+                     compliance_.value_mm() * kForceSigma_N);
 }
 
 }  // namespace fyd::sensing

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::sensing {
 namespace {
 
@@ -274,7 +276,7 @@ IndentationEstimate IndentationEstimator::once(const IrCounts& counts, double x_
     }
     if (information > 0.0) {
       value = sum / information;
-      variance = 1.0 / information + std::pow(kShapeError * value, 2);
+      variance = 1.0 / information + math::square(kShapeError * value);
     }
   }
   if (std::isfinite(variance)) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::sensing {
 namespace {
 
@@ -61,12 +63,12 @@ void IndentationFilter::update(double dt_s, std::span<Measurement> measurements)
       const double gain = b.variance * m.h / variance;
       b.mean = std::clamp(b.mean + gain * innovation, -kLargest_mm, kLargest_mm);
       b.variance = std::max(b.variance * (1.0 - gain * m.h), 1e-9);
-      log_likelihood[i] -= 0.5 * (innovation * innovation / variance + std::log(variance));
+      log_likelihood[i] -= 0.5 * (innovation * innovation / variance + math::log(variance));
     }
   }
   const double top = std::max(log_likelihood[0], log_likelihood[1]);
-  const double holding = probability_[0] * std::exp(log_likelihood[0] - top);
-  const double moving = probability_[1] * std::exp(log_likelihood[1] - top);
+  const double holding = probability_[0] * math::exp(log_likelihood[0] - top);
+  const double moving = probability_[1] * math::exp(log_likelihood[1] - top);
   if (holding + moving > 0.0) {
     probability_[0] = std::clamp(holding / (holding + moving), 1e-3, 1.0 - 1e-3);
     probability_[1] = 1.0 - probability_[0];
@@ -85,7 +87,7 @@ void IndentationFilter::update(double dt_s, std::span<Measurement> measurements)
 }
 
 void IndentationFilter::mix(double dt_s) {
-  const std::array<double, 2> leaves = {1.0 - std::exp(-dt_s / kHolds_s), 1.0 - std::exp(-dt_s / kMoves_s)};
+  const std::array<double, 2> leaves = {1.0 - math::exp(-dt_s / kHolds_s), 1.0 - math::exp(-dt_s / kMoves_s)};
   const std::array<Belief, 2> before = belief_;
   const std::array<double, 2> prior = probability_;
   for (std::size_t to = 0; to < 2; ++to) {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::sensing {
 namespace {
 
@@ -22,16 +24,16 @@ struct Green {
 /// `regular` leaves out −ln(ρ)/2π, and is meant for the point at the source.
 Green green(double length, double breadth, double x, double y, double xs, double ys, bool regular) {
   const double p = kPi / breadth;
-  const double cos_sum = std::cos(p * (y + ys));
-  const double sin_sum = std::sin(p * (y + ys));
-  const double cos_difference = std::cos(p * (y - ys));
-  const double sin_difference = std::sin(p * (y - ys));
+  const double cos_sum = math::cos(p * (y + ys));
+  const double sin_sum = math::sin(p * (y + ys));
+  const double cos_difference = math::cos(p * (y - ys));
+  const double sin_difference = math::sin(p * (y - ys));
   double upper = 1.0;  // the logarithms are gathered in two products: one logarithm in all
   double lower = 1.0;
   Green g;
   for (int m = -kMirrors; m <= kMirrors; ++m) {
     for (const double sign : {1.0, -1.0}) {
-      const double e = std::exp(p * (x - (2.0 * m * length + sign * xs)));
+      const double e = math::exp(p * (x - (2.0 * m * length + sign * xs)));
       const double cosh = 0.5 * (e + 1.0 / e);
       const double sinh = 0.5 * (e - 1.0 / e);
       const double mirrored = cosh - cos_sum;
@@ -44,7 +46,7 @@ Green green(double length, double breadth, double x, double y, double xs, double
       g.across += sign * p * (sin_sum / mirrored + (own ? 0.0 : sin_difference / direct));
     }
   }
-  g.value = std::log(upper / lower) / (4.0 * kPi);
+  g.value = math::log(upper / lower) / (4.0 * kPi);
   g.along /= 4.0 * kPi;
   g.across /= 4.0 * kPi;
   return g;
@@ -69,7 +71,7 @@ double Membrane::shape(double x_mm, double y_mm, double finger_x_mm, double fing
   const double limit_y = half_depth_mm_ - r;
   const double fx = std::clamp(finger_x_mm, -limit_x, limit_x);
   const double fy = std::clamp(finger_y_mm, -limit_y, limit_y);
-  if (std::hypot(x_mm - fx, y_mm - fy) <= r) return 1.0;
+  if (math::hypot(x_mm - fx, y_mm - fy) <= r) return 1.0;
 
   double length = 2.0 * half_width_mm_;
   double breadth = 2.0 * half_depth_mm_;
@@ -85,7 +87,7 @@ double Membrane::shape(double x_mm, double y_mm, double finger_x_mm, double fing
   const Green at_point = green(length, breadth, x, y, xs, ys, false);
   const Green at_finger = green(length, breadth, xs, ys, xs, ys, true);
   const double dipole = -2.0 * kPi * r * r;
-  const double level = -std::log(r) / (2.0 * kPi) + at_finger.value +
+  const double level = -math::log(r) / (2.0 * kPi) + at_finger.value +
                        dipole * (at_finger.along * at_finger.along + at_finger.across * at_finger.across);
   const double u = at_point.value + dipole * (at_finger.along * at_point.along + at_finger.across * at_point.across);
   const double ratio = u / level;

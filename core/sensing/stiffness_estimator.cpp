@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::sensing {
 namespace {
 
@@ -81,7 +83,7 @@ void StiffnessEstimator::observe(const Timed<double>& force_N, const Indentation
   double variance = 0.0;
   if (parameters_.mode == StiffnessMode::thesis) {
     value = force_N.value / depth;
-    variance = std::pow(parameters_.force_noise_N / depth, 2);
+    variance = math::square(parameters_.force_noise_N / depth);
   } else {
     if (!started_ || force_N.count != last_force_) {
       learn(started_ ? toSeconds(force_N.taken - last_learned_) : 0.0, force_N.value, depth, indentation.sigma_mm);
@@ -93,7 +95,7 @@ void StiffnessEstimator::observe(const Timed<double>& force_N, const Indentation
     variance = slope_variance_;
   }
   value = std::clamp(value, 0.0, kLargest_N_per_mm);
-  const double sigma = std::min(std::sqrt(variance + std::pow(value * depth_part, 2)), kLargest_N_per_mm);
+  const double sigma = std::min(std::sqrt(variance + math::square(value * depth_part)), kLargest_N_per_mm);
   if (parameters_.mode == StiffnessMode::slope && sigma > parameters_.relative_sigma_limit * value) {
     estimate_.reason = StiffnessReason::uncertain;
     return;

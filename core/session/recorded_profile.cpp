@@ -1,11 +1,13 @@
 #include "core/session/recorded_profile.h"
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 
 #include <toml++/toml.h>
 
 #include "core/base/profile_text.h"
+#include "core/pipeline/state_of_arithmetic_1.h"
 
 namespace fyd::session {
 namespace {
@@ -37,8 +39,55 @@ Result<pipeline::Parameters> recordedParameters(const RecordingHeader& header) {
   } catch (const toml::parse_error& error) {
     return fail("{}:{}: {}", kSource, error.source().begin.line, error.description());
   }
-  if (auto parsed = parseProfile(text.str(), kSource, bound); !parsed) return tl::unexpected(parsed.error());
+  const std::vector<ProfileEntry> listed = profileEntries(header.profile);
+  for (const Parameter& parameter : bound) {
+    const auto names = [&parameter](const ProfileEntry& entry) { return entry.id == parameter.id; };
+    if (parameter.info.before_it_was && std::ranges::none_of(listed, names))
+      parameter.set(*parameter.info.before_it_was);
+  }
+  if (auto parsed = parseProfile(text.str(), kSource, bound, Ranges::mark); !parsed) {
+    return tl::unexpected(parsed.error());
+  }
   return out;
+}
+
+Result<std::string> recordedState(const RecordingHeader& header) {
+  if (!pipeline::isStateOfArithmetic1(header.step_state)) return header.step_state;
+  return pipeline::convertStateOfArithmetic1(header.step_state, profileEntries(header.profile));
+}
+
+RecordedIndices::RecordedIndices(const RecordingHeader& header) {
+  pipeline::Parameters today;
+  const std::vector<Parameter> bound = bindParameters(today);
+  for (const ProfileEntry& recorded : profileEntries(header.profile)) {
+    Entry& entry = entries_.emplace_back();
+    const Parameter* parameter = findParameter(bound, recorded.id);
+    if (parameter == nullptr) continue;
+    entry.index = static_cast<std::uint16_t>(parameter - bound.data());
+    for (const std::string& word : recorded.choices) {
+      const auto found = std::ranges::find(parameter->choices, word);
+      entry.words.push_back(found == parameter->choices.end()
+                                ? kUnknown
+                                : static_cast<std::uint16_t>(found - parameter->choices.begin()));
+    }
+  }
+}
+
+void RecordedIndices::translate(std::uint16_t& index, double& value) const {
+  if (entries_.empty()) return;
+  if (index >= entries_.size()) {
+    index = kUnknown;
+    return;
+  }
+  const Entry& entry = entries_[index];
+  index = entry.index;
+  if (entry.words.empty() || !(value >= 0.0 && value < static_cast<double>(entry.words.size()))) return;
+  const std::uint16_t word = entry.words[static_cast<std::size_t>(value)];
+  if (word == kUnknown) {
+    index = kUnknown;
+  } else {
+    value = word;
+  }
 }
 
 Result<std::optional<texture::SurfaceModel>> recordedSurface(const RecordingHeader& header) {

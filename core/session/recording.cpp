@@ -2,6 +2,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/session/recorded_profile.h"
 #include "core/session/recording_header.h"
 #include "core/session/recording_place.h"
 #include "core/session/recording_rows.h"
@@ -38,6 +39,7 @@ class Hdf5Recording final : public Recording {
  public:
   Hdf5Recording(std::string path, bool damaged_header) : path_(std::move(path)), source_(path_) {
     info_.header = damaged_header ? readDamagedHeader(source_.file()) : readHeader(source_.file());
+    indices_.emplace(info_.header);
     tables_.emplace(source_.file());
     look();
   }
@@ -234,6 +236,12 @@ class Hdf5Recording final : public Recording {
   template <class Row, class Value>
   void take(Table table, std::uint64_t index, Value& value) const {
     expect(valueOf(tables_->row<Row>(table, index), value));
+    if constexpr (std::is_same_v<Value, pipeline::ParameterChange>) indices_->translate(value.index, value.value);
+    if constexpr (std::is_same_v<Value, EventRow>) {
+      const bool names_parameter = value.event.kind == pipeline::EventKind::parameter_changed ||
+                                   value.event.kind == pipeline::EventKind::parameter_refused;
+      if (names_parameter) indices_->translate(value.event.index, value.event.value);
+    }
   }
 
   template <class Row, class Items>
@@ -283,6 +291,7 @@ class Hdf5Recording final : public Recording {
   RecordingInfo info_;
   RecordingSource source_;
   std::optional<RecordingTables> tables_;
+  std::optional<RecordedIndices> indices_;
 };
 
 }  // namespace

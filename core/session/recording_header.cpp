@@ -23,6 +23,9 @@ void visitTexts(Header& header, Visit&& visit) {
   visit("/header/program", header.version);
 }
 
+/// Of files that do not name theirs.
+constexpr int kUnnamedArithmetic = 1;
+
 std::string joined(const std::vector<std::string>& tags) {
   std::string text;
   for (const std::string& tag : tags) {
@@ -48,6 +51,7 @@ std::int64_t checksum(const RecordingHeader& header) {
   visitTexts(header, add);
   add("/header/tags", joined(header.tags));
   add("/header/step_state", header.step_state);
+  if (header.arithmetic != kUnnamedArithmetic) all += fmt::format("arithmetic:{};", header.arithmetic);
   return crc32c(std::as_bytes(std::span(all)));
 }
 
@@ -58,6 +62,13 @@ void checkVersion(hid_t file) {
     failHard("a recording of format {}; this program reads format {}", version, kFormatVersion);
 }
 
+int readArithmetic(hid_t file) {
+  if (H5Aexists(file, "arithmetic") <= 0) return kUnnamedArithmetic;
+  const std::int64_t arithmetic = readNumber(file, "arithmetic");
+  if (arithmetic < 1 || arithmetic > 1'000'000) failHard("arithmetic {}: expected 1 or more", arithmetic);
+  return static_cast<int>(arithmetic);
+}
+
 }  // namespace
 
 void writeHeader(hid_t file, const RecordingHeader& header) {
@@ -66,6 +77,7 @@ void writeHeader(hid_t file, const RecordingHeader& header) {
   visitTexts(header, [&](const char* path, const std::string& text) { writeText(file, path, text); });
   writeText(file, "/header/tags", joined(header.tags));
   writeBytes(file, "/header/step_state", header.step_state);
+  writeNumber(file, "arithmetic", header.arithmetic);
   writeNumber(file, "header_crc32c", checksum(header));
 }
 
@@ -76,6 +88,7 @@ RecordingHeader readHeader(hid_t file) {
   visitTexts(header, [&](const char* path, std::string& text) { text = readText(file, path); });
   header.tags = parted(readText(file, "/header/tags"));
   header.step_state = readBytes(file, "/header/step_state");
+  header.arithmetic = readArithmetic(file);
   if (readNumber(file, "header_crc32c") != checksum(header)) failHard("its header is damaged: the checksum differs");
   return header;
 }
@@ -93,6 +106,7 @@ RecordingHeader readDamagedHeader(hid_t file) {
   visitTexts(header, [&](const char* path, std::string& text) { attempt([&] { text = readText(file, path); }); });
   attempt([&] { header.tags = parted(readText(file, "/header/tags")); });
   attempt([&] { header.step_state = readBytes(file, "/header/step_state"); });
+  attempt([&] { header.arithmetic = readArithmetic(file); });
   return header;
 }
 

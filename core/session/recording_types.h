@@ -8,6 +8,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/base/time.h"
+#include "core/pipeline/arithmetic.h"
 #include "core/pipeline/outputs.h"
 #include "core/sensing/finger_types.h"
 
@@ -25,10 +26,11 @@ struct RecordingHeader {
   std::string touchpad;  ///< words of the station's options
   std::string camera;
   std::string robot;
-  std::string profile;     ///< TOML, the whole station's, as it was at the first row
-  std::string surface;     ///< TOML of the stored surface; empty: none
-  std::string step_state;  ///< Pipeline::saveState before the first row
-  std::string version;     ///< of the program that records
+  std::string profile;                     ///< TOML, the whole station's, as it was at the first row
+  std::string surface;                     ///< TOML of the stored surface; empty: none
+  std::string step_state;                  ///< Pipeline::saveState before the first row
+  std::string version;                     ///< of the program that records
+  int arithmetic = pipeline::kArithmetic;  ///< of the step that was recorded
 };
 
 /// One picture: the whole one compressed, of some pictures only; the region of interest exactly as the detector saw it.

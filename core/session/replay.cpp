@@ -28,7 +28,9 @@ Result<Wanted> wantedOf(const pipeline::Parameters& recorded, const std::vector<
     const std::string id = setting.substr(0, equals);
     const Parameter* parameter = findParameter(bound, id);
     if (parameter == nullptr) return fail("unknown parameter '{}'; a replay changes the step's only", id);
-    if (auto set = assignParameter(*parameter, setting.substr(equals + 1)); !set) return tl::unexpected(set.error());
+    if (auto set = assignParameter(*parameter, setting.substr(equals + 1), Ranges::mark); !set) {
+      return tl::unexpected(set.error());
+    }
     const auto index = static_cast<std::uint16_t>(parameter - bound.data());
     out.indices.push_back(index);
     if (parameter->info.live && parameter->isNumber()) {
@@ -58,11 +60,19 @@ struct StiffnessError {
   }
 };
 
+void noteOutOfRange(ReplayResult& out, const Parameter& parameter) {
+  if (std::ranges::find(out.out_of_range, parameter.id) == out.out_of_range.end()) {
+    out.out_of_range.emplace_back(parameter.id);
+  }
+}
+
 class Run {
  public:
   Run(const Recording& recording, const Wanted& wanted, const std::optional<texture::SurfaceModel>& surface,
       const ReplayObserver& observer)
-      : recording_(recording), wanted_(wanted), pipeline_(wanted.parameters, surface), observer_(observer) {}
+      : recording_(recording), wanted_(wanted), pipeline_(wanted.parameters, surface), observer_(observer) {
+    pipeline_.takeRecordedValues();
+  }
 
   Result<void> restore(const std::string& state) { return pipeline_.restoreState(state); }
   void closeLoop(const control::IdentifiedFabric& fabric, const control::ControlParameters& recorded) {
@@ -90,7 +100,9 @@ class Run {
  private:
   void step(const StepRecord& record, bool first, double elapsed_s, ReplayResult& out) {
     inputs_ = record.inputs;
-    if (first || !wanted_.indices.empty()) change(record, first);
+    leaveOutRefused(record);
+    if (first || !wanted_.indices.empty()) change(first, record);
+    for (const pipeline::ParameterChange& change : inputs_.changes) mark(change, out);
     if (plant_) plant_->answer(inputs_, pipeline_.parameters());
     const pipeline::Outputs& outputs = pipeline_.step(inputs_);
     if (plant_) plant_->follow(record.motors, outputs.motors, elapsed_s);
@@ -102,10 +114,31 @@ class Run {
     if (observer_) observer_(outputs.telemetry, record.telemetry);
   }
 
-  void change(const StepRecord& record, bool first) {
+  /// What was refused when it was recorded is refused again, whatever the ranges are today.
+  void leaveOutRefused(const StepRecord& record) {
+    for (const pipeline::Event& event : record.events) {
+      if (event.kind != pipeline::EventKind::parameter_refused) continue;
+      const auto kept = inputs_.changes;
+      inputs_.changes.clear();
+      for (const pipeline::ParameterChange& change : kept) {
+        if (change.index != event.index) (void)inputs_.changes.push(change);
+      }
+    }
+  }
+
+  void mark(const pipeline::ParameterChange& change, ReplayResult& out) const {
+    if (change.index >= names_.size()) {
+      ++out.unknown_changes;
+    } else if (!mayTake(names_[change.index], change.value)) {
+      noteOutOfRange(out, names_[change.index]);
+    }
+  }
+
+  void change(bool first, const StepRecord& record) {
+    const auto recorded = inputs_.changes;
     inputs_.changes.clear();
     for (std::size_t i = 0; first && i < wanted_.changes.size(); ++i) (void)inputs_.changes.push(wanted_.changes[i]);
-    for (const pipeline::ParameterChange& change : record.inputs.changes) {
+    for (const pipeline::ParameterChange& change : recorded) {
       if (std::find(wanted_.indices.begin(), wanted_.indices.end(), change.index) != wanted_.indices.end()) continue;
       (void)inputs_.changes.push(change);
     }
@@ -123,6 +156,10 @@ class Run {
   void note(const StepRecord& record, const pipeline::Outputs& outputs, ReplayResult& out) const {
     const auto difference = compareSteps(record.telemetry, record.motors, outputs.telemetry, outputs.motors);
     if (!difference) return;
+    if (out.tolerance &&
+        !withinTolerance(*out.tolerance, record.telemetry, record.motors, outputs.telemetry, outputs.motors)) {
+      ++out.beyond_tolerance;
+    }
     if (out.different++ == 0) {
       out.first_difference_s = secondsInto(recording_.info(), record.inputs.now);
       out.first_difference_field = difference->field;
@@ -135,6 +172,8 @@ class Run {
 
   const Recording& recording_;
   const Wanted& wanted_;
+  pipeline::Parameters described_;
+  std::vector<Parameter> names_ = bindParameters(described_);
   pipeline::Pipeline pipeline_;
   const ReplayObserver& observer_;
   std::optional<ReplayPlant> plant_;
@@ -161,7 +200,13 @@ Result<ReplayResult> replay(const Recording& recording, const ReplayOptions& opt
                    .closed_loop = options.closed_loop,
                    .from_rest = wanted->from_rest,
                    .of = info.committed_samples,
-                   .gaps = info.gaps};
+                   .gaps = info.gaps,
+                   .arithmetic_recorded = info.header.arithmetic,
+                   .tolerance = pipeline::arithmeticTolerance(info.header.arithmetic)};
+  pipeline::Parameters checked = wanted->parameters;
+  for (const Parameter& parameter : bindParameters(checked)) {
+    if (!insideRange(parameter)) noteOutOfRange(out, parameter);
+  }
   Run run(recording, *wanted, *surface, observer);
   if (!wanted->from_rest) {
     if (info.header.step_state.empty()) {
@@ -169,7 +214,9 @@ Result<ReplayResult> replay(const Recording& recording, const ReplayOptions& opt
           "the recording holds no state of the step to start from: steps had been lost before it began; it can be "
           "looked at, not replayed");
     }
-    if (auto restored = run.restore(info.header.step_state); !restored) return tl::unexpected(restored.error());
+    const auto state = recordedState(info.header);
+    if (!state) return tl::unexpected(state.error());
+    if (auto restored = run.restore(*state); !restored) return tl::unexpected(restored.error());
   }
   if (options.closed_loop) {
     const auto fabric = identifyRecordedFabric(recording, recorded->control);

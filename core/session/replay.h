@@ -34,6 +34,13 @@ struct ReplayResult {
   std::uint64_t of = 0;         ///< steps recorded
   std::uint64_t gaps = 0;       ///< steps the recording lost; the replay ends at the first gap
   std::uint64_t different = 0;  ///< steps
+  int arithmetic_recorded = pipeline::kArithmetic;
+  /// Set when the recording was made with an older arithmetic, whose bits cannot come out again; see step_compare.h.
+  std::optional<pipeline::ArithmeticTolerance> tolerance;
+  std::uint64_t beyond_tolerance = 0;  ///< of the different steps
+  std::vector<std::string>
+      out_of_range;  ///< parameters with a recorded or wanted value beyond today's range, taken as it is
+  std::uint64_t unknown_changes = 0;  ///< recorded changes of parameters, or words, that this program does not know
   double first_difference_s = pipeline::kNone;
   std::string first_difference_field;
   double max_abs_difference = 0.0;  ///< in the field's own unit; infinite: a number against none

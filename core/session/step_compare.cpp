@@ -29,6 +29,25 @@ bool sameStep(const pipeline::TelemetrySample& a, const control::MotorCommand& a
   return a_motors.reference_ticks == b_motors.reference_ticks && a_motors.active == b_motors.active;
 }
 
+bool withinTolerance(const pipeline::ArithmeticTolerance& tolerance, const pipeline::TelemetrySample& a,
+                     const control::MotorCommand& a_motors, const pipeline::TelemetrySample& b,
+                     const control::MotorCommand& b_motors) {
+  const auto close = [](double first, double second, double most) {
+    return sameBits(first, second) || (std::isnan(first) && std::isnan(second)) || distance(first, second) <= most;
+  };
+  if (a.now != b.now || a_motors.active != b_motors.active) return false;
+  for (std::size_t i = 0; i < control::kMotorCount; ++i) {
+    if (!close(a_motors.reference_ticks[i], b_motors.reference_ticks[i], tolerance.of_a_command)) return false;
+    if (!close(a_motors.vibration_duty_percent[i], b_motors.vibration_duty_percent[i], tolerance.of_a_command))
+      return false;
+  }
+  for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
+    const bool command = field.name == "vibration_duty_percent";
+    if (!close(field.read(a), field.read(b), command ? tolerance.of_a_command : tolerance.of_a_field)) return false;
+  }
+  return true;
+}
+
 std::optional<StepDifference> compareSteps(const pipeline::TelemetrySample& a, const control::MotorCommand& a_motors,
                                            const pipeline::TelemetrySample& b, const control::MotorCommand& b_motors) {
   if (sameStep(a, a_motors, b, b_motors)) return std::nullopt;

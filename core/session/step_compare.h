@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/pipeline/arithmetic.h"
 #include "core/pipeline/outputs.h"
 
 namespace fyd::session {
@@ -22,5 +23,10 @@ struct StepDifference {
                                                          const control::MotorCommand& a_motors,
                                                          const pipeline::TelemetrySample& b,
                                                          const control::MotorCommand& b_motors);
+
+/// Whether no field and no command lies further apart than an older arithmetic explains. NaN is close to NaN only.
+[[nodiscard]] bool withinTolerance(const pipeline::ArithmeticTolerance& tolerance, const pipeline::TelemetrySample& a,
+                                   const control::MotorCommand& a_motors, const pipeline::TelemetrySample& b,
+                                   const control::MotorCommand& b_motors);
 
 }  // namespace fyd::session

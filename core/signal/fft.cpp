@@ -8,6 +8,10 @@
 namespace fyd::signal {
 namespace {
 
+// The same bits on every processor: plans are not chosen by measurement, and no vector instructions, which FFTW selects
+// by the processor it runs on.
+constexpr unsigned kFlags = FFTW_ESTIMATE | FFTW_NO_SIMD;
+
 // FFTW's planner is the one part of it that threads may not share.
 std::mutex& plannerMutex() {
   static std::mutex mutex;
@@ -24,8 +28,8 @@ struct RealFft::Plans {
             fftw_malloc(sizeof(std::complex<double>) * static_cast<std::size_t>(n / 2 + 1)))) {
     const std::lock_guard lock(plannerMutex());
     auto* spectrum = reinterpret_cast<fftw_complex*>(bins);
-    forward = fftw_plan_dft_r2c_1d(n, time, spectrum, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
-    backward = fftw_plan_dft_c2r_1d(n, spectrum, time, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+    forward = fftw_plan_dft_r2c_1d(n, time, spectrum, kFlags | FFTW_PRESERVE_INPUT);
+    backward = fftw_plan_dft_c2r_1d(n, spectrum, time, kFlags | FFTW_DESTROY_INPUT);
     std::fill_n(time, n, 0.0);
     std::fill_n(bins, n / 2 + 1, std::complex<double>());
   }

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::signal {
 namespace {
 
 double warped(double frequency_Hz, double sample_rate_Hz) {
-  return std::tan(std::numbers::pi * std::clamp(frequency_Hz / sample_rate_Hz, 1e-5, 0.49));
+  return math::tan(std::numbers::pi * std::clamp(frequency_Hz / sample_rate_Hz, 1e-5, 0.49));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/base/portable_math.h"
 #include "core/signal/fft.h"
 
 namespace fyd::signal {
@@ -37,7 +38,7 @@ Spectrogram spectrogram(std::span<const double> time_s, std::span<const float> s
   RealFft fft(segment);
   std::vector<double> window(n);
   for (std::size_t i = 0; i < n; ++i) {
-    window[i] = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
+    window[i] = 0.5 - 0.5 * math::cos(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
   }
   const double window_sum = std::accumulate(window.begin(), window.end(), 0.0);
   const double length_s = static_cast<double>(n - 1) / rate_Hz;
@@ -59,7 +60,7 @@ Spectrogram spectrogram(std::span<const double> time_s, std::span<const float> s
     fft.forward();
     for (std::size_t k = 0; k < out.bins; ++k) {
       const bool single = k == 0 || 2 * k == n;
-      out.amplitude.push_back((single ? 1.0 : 2.0) * std::abs(fft.bins()[k]) / window_sum);
+      out.amplitude.push_back((single ? 1.0 : 2.0) * math::abs(fft.bins()[k]) / window_sum);
     }
   }
   return out;

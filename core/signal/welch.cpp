@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/portable_math.h"
 #include "core/signal/fft.h"
 
 namespace fyd::signal {
@@ -16,7 +17,7 @@ Spectrum welch(std::span<const double> signal, double sample_rate_Hz, int segmen
   std::vector<double> window(n);
   double window_power = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    window[i] = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
+    window[i] = 0.5 - 0.5 * math::cos(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
     window_power += window[i] * window[i];
   }
   out.resolution_Hz = sample_rate_Hz / static_cast<double>(n);

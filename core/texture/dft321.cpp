@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/portable_math.h"
 #include "core/texture/phase_rule.h"
 
 namespace fyd::texture {
@@ -41,7 +42,7 @@ Dft321::Dft321(int frame, int hop, double sample_rate_Hz) : frame_(frame), hop_(
     window_.resize(n);
     const double scale = std::sqrt(2.0 * hop_ / frame_);  // Σ sin² over the overlapping frames is frame/(2·hop)
     for (std::size_t i = 0; i < n; ++i) {
-      window_[i] = scale * std::sin(std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
+      window_[i] = scale * math::sin(std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
     }
   }
   reset();
@@ -122,7 +123,7 @@ double ThesisDft321::step(const Vec3& filtered_g) {
       energy_[k] += std::norm(fft_.bins()[k]);
     }
   }
-  for (std::size_t k = 0; k < sum_.size(); ++k) fft_.bins()[k] = std::polar(std::sqrt(energy_[k]), std::arg(sum_[k]));
+  for (std::size_t k = 0; k < sum_.size(); ++k) fft_.bins()[k] = math::polar(std::sqrt(energy_[k]), math::arg(sum_[k]));
   fft_.backward();
   std::copy(fft_.time().begin(), fft_.time().end(), playing_.begin());
   playing_.back() = 0.0;

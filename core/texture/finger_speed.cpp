@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::texture {
 namespace {
 
@@ -16,7 +18,7 @@ void FingerSpeed::observe(double x_mm, double y_mm, Instant taken) {
   if (seen_ && taken <= taken_) return;
   const double elapsed_s = seen_ ? toSeconds(taken - taken_) : 0.0;
   if (seen_ && elapsed_s <= kGoneAfter_s) {
-    const double raw = std::hypot(x_mm - x_mm_, y_mm - y_mm_) / elapsed_s;
+    const double raw = math::hypot(x_mm - x_mm_, y_mm - y_mm_) / elapsed_s;
     speed_mm_s_ = 0.5 * speed_mm_s_ + 0.5 * std::min(raw, kFastest_mm_s);
   } else {
     speed_mm_s_ = 0.0;  // a new touch, or one too long ago to tell how the finger came here

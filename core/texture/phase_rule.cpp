@@ -3,21 +3,23 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::texture {
 namespace {
 
 using Bin = std::complex<double>;
 
-Bin direction(Bin a) { return a / std::abs(a); }
+Bin direction(Bin a) { return a / math::abs(a); }
 
 // The direction where the sum of the axes (nearly) vanishes; magnitude > 0.
 Bin antiphaseDirection(Bin x, Bin y, Bin z, double magnitude) {
-  static const double kAlong = std::cos(std::numbers::pi / 12.0);
-  static const double kAcross = std::sin(std::numbers::pi / 12.0);
+  static const double kAlong = math::cos(std::numbers::pi / 12.0);
+  static const double kAcross = math::sin(std::numbers::pi / 12.0);
   const Bin p = (x - y) / std::numbers::sqrt2;
   const Bin q = (x + y - 2.0 * z) / (std::numbers::sqrt2 * std::numbers::sqrt3);
   const Bin t = kAlong * p + kAcross * q;
-  if (std::abs(t) > kAntiphaseRatio * magnitude) return direction(t);
+  if (math::abs(t) > kAntiphaseRatio * magnitude) return direction(t);
   return direction(kAlong * q - kAcross * p);
 }
 
@@ -35,7 +37,7 @@ Bin combineAxes(Bin x, Bin y, Bin z) {
   const double s = std::sqrt(sum_energy) / (kAntiphaseRatio * magnitude);
   const Bin fallback = antiphaseDirection(x, y, z, magnitude);
   const Bin blend = s > 0.0 ? s * s * direction(sum) + (1.0 - s * s) * fallback : fallback;
-  const double length = std::abs(blend);
+  const double length = math::abs(blend);
   return length > 1e-6 ? blend * (magnitude / length) : fallback * magnitude;
 }
 

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::texture {
 namespace {
 
@@ -32,7 +34,7 @@ SpectralEqualiser::SpectralEqualiser(double sample_rate_Hz)
       frame_share_(std::min(1.0, kHop / std::max(kSpectrumTime_s * sample_rate_Hz, kFewestSpectrum))),
       trim_share_(std::min(1.0, 1.0 / std::max(kTrimTime_s * sample_rate_Hz, kFewestTrim))) {
   for (std::size_t i = 0; i < kFrame; ++i) {
-    window_[i] = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / kFrame);
+    window_[i] = 0.5 - 0.5 * math::cos(2.0 * std::numbers::pi * static_cast<double>(i) / kFrame);
   }
   reset();
 }
@@ -103,14 +105,14 @@ void SpectralEqualiser::design() {
   const auto cepstrum = fft_.time();
   const double floor = kFloor * strongest;
   for (std::size_t k = 0; k < kBins; ++k) {
-    const double log_gain = 0.5 * std::log((reference_[k] + floor) / (power_[k] + floor));
+    const double log_gain = 0.5 * math::log((reference_[k] + floor) / (power_[k] + floor));
     bins[k] = std::clamp(log_gain, -kLargestLogGain, kLargestLogGain);
   }
   fft_.backward();
   for (std::size_t i = 1; i < kFrame / 2; ++i) cepstrum[i] *= 2.0;
   std::fill(cepstrum.begin() + kFrame / 2 + 1, cepstrum.end(), 0.0);
   fft_.forward();
-  for (auto& bin : bins) bin = std::polar(std::exp(bin.real()), bin.imag());
+  for (auto& bin : bins) bin = math::polar(math::exp(bin.real()), bin.imag());
   fft_.backward();
   for (std::size_t i = 0; i < kTaps; ++i) {
     next_taps_[i] = cepstrum[i];

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/portable_math.h"
 #include "core/signal/resonator.h"
 #include "core/texture/surface_model.h"
 
@@ -88,7 +89,7 @@ Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const doubl
 
   const double lowest_Hz = std::min(20.0, rate_Hz / 10.0);
   std::vector<double> centres_Hz;
-  for (double f = lowest_Hz; f < 0.4 * rate_Hz && centres_Hz.size() < kMaximumBands; f *= std::cbrt(2.0)) {
+  for (double f = lowest_Hz; f < 0.4 * rate_Hz && centres_Hz.size() < kMaximumBands; f *= math::cbrt(2.0)) {
     centres_Hz.push_back(f);
   }
   const auto from = static_cast<std::size_t>(std::ceil(lowest_Hz / target.resolution_Hz));

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/base/portable_math.h"
 #include "core/signal/fft.h"
 
 namespace fyd::texture {
@@ -18,14 +19,14 @@ double bandShape(double frequency_Hz, double low_Hz, double high_Hz) {
   const double inside_Hz = std::min(frequency_Hz - low_Hz, high_Hz - frequency_Hz);
   if (inside_Hz <= 0.0) return 0.0;
   if (inside_Hz >= edge_Hz) return 1.0;
-  return 0.5 - 0.5 * std::cos(std::numbers::pi * inside_Hz / edge_Hz);
+  return 0.5 - 0.5 * math::cos(std::numbers::pi * inside_Hz / edge_Hz);
 }
 
 std::vector<double> chirp(std::size_t samples, double from_Hz, double to_Hz, double sample_rate_Hz) {
   std::vector<double> out(samples);
   double phase = 0.0;
   for (std::size_t n = 0; n < samples; ++n) {
-    out[n] = std::sin(phase);
+    out[n] = math::sin(phase);
     const double progress = static_cast<double>(n) / static_cast<double>(samples);
     phase = std::fmod(phase + kTwoPi * (from_Hz + (to_Hz - from_Hz) * progress) / sample_rate_Hz, kTwoPi);
   }
@@ -63,7 +64,7 @@ ThreeAxes spread(std::span<const double> source, const std::array<Path, 3>& path
     for (std::size_t k = 0; k < fft.bins().size(); ++k) {
       const double turn =
           -kTwoPi * static_cast<double>(k) * paths[axis].delay_samples / static_cast<double>(source.size());
-      fft.bins()[k] *= std::polar(paths[axis].gain, turn);
+      fft.bins()[k] *= math::polar(paths[axis].gain, turn);
     }
     fft.backward();
     axes[axis]->assign(fft.time().begin(), fft.time().end());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/portable_math.h"
+
 namespace fyd::texture {
 namespace {
 
@@ -60,7 +62,7 @@ void VirtualTexture::retune() {
   const double speed = std::min(speed_mm_s_, strongest_mm_s) / model_.reference_speed_mm_s;
   const double force = force_N_ / model_.reference_force_N;
   gain_ = smoothRise(speed_mm_s_, kQuietBelow_mm_s, kFullFrom_mm_s);
-  if (gain_ > 0.0) gain_ *= std::pow(speed, model_.speed_exponent) * std::pow(force, model_.force_exponent);
+  if (gain_ > 0.0) gain_ *= math::pow(speed, model_.speed_exponent) * math::pow(force, model_.force_exponent);
 }
 
 double VirtualTexture::step(double speed_mm_s, double force_N) {

@@ -76,7 +76,13 @@ class Golden(fyd.Case):
     def test_they_replay(self):
         def check(folder, name, file):
             result = self.json("session", "replay", file, "--json")
-            self.assertTrue(result["identical"], result)
+            self.assertEqual((result["samples"], result["gaps"]), (result["of"], 0))
+            if folder.name == f"arithmetic_{result['arithmetic_replayed']}":
+                self.assertTrue(result["identical"], result)
+            else:
+                self.assertEqual(folder.name, f"arithmetic_{result['arithmetic_recorded']}")
+                self.assertEqual(result["tolerance"]["beyond"], 0, result)
+                self.assertLess(result["max_abs_difference"], 1e-12)
 
         self.each(check)
 

@@ -49,16 +49,16 @@ std::vector<std::uint64_t> bitsOf(const Outputs& out) {
   return bits;
 }
 
-/// Bytes 8 + 3·16 + 8 in front: mark, digests of program, surface and content, length of the content.
-constexpr std::size_t kSealBytes = 64;
+/// Bytes 8 + 2·16 + 8 in front: mark, digests of surface and content, length of the content.
+constexpr std::size_t kSealBytes = 48;
 
 /// The state with other content under a seal that fits it, as a forger would make it.
 std::string resealed(std::string_view seal, std::string_view content) {
   std::string state(seal.substr(0, kSealBytes));
-  crypto_generichash(reinterpret_cast<unsigned char*>(state.data()) + 40, 16,
+  crypto_generichash(reinterpret_cast<unsigned char*>(state.data()) + 24, 16,
                      reinterpret_cast<const unsigned char*>(content.data()), content.size(), nullptr, 0);
   const std::uint64_t bytes = content.size();
-  std::memcpy(state.data() + 56, &bytes, sizeof bytes);
+  std::memcpy(state.data() + 40, &bytes, sizeof bytes);
   return state.append(content);
 }
 
@@ -192,14 +192,56 @@ TEST(RefusedState, AnySingleFlippedBit) {
   EXPECT_EQ(other.pipeline->saveState(), before);
 }
 
-TEST(RefusedState, OfAnotherVersionSurfaceOrParameter) {
+/// The content with `from` replaced by `to`, once.
+std::string changed(std::string_view state, std::string_view from, std::string_view to) {
+  std::string content(state.substr(kSealBytes));
+  const std::size_t at = content.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  content.replace(at, from.size(), to);
+  return resealed(state, content);
+}
+
+/// As a program would have saved it that had neither this parameter nor a list as long as today's.
+std::string withoutParameter(std::string_view state, std::string_view id) {
+  std::string content(state.substr(kSealBytes));
+  const std::size_t at = content.find(std::string(1, static_cast<char>(id.size())) + std::string(id));
+  EXPECT_NE(at, std::string::npos) << id;
+  content.erase(at, 1 + id.size() + 1 + sizeof(double));
+  std::uint16_t count = 0;
+  std::memcpy(&count, content.data(), sizeof count);
+  --count;
+  std::memcpy(content.data(), &count, sizeof count);
+  return resealed(state, content);
+}
+
+TEST(OlderState, WithoutAParameterInTheMiddleLeavesItsValueAndTakesTheRest) {
+  const Advanced advanced(2, 20'000);
+  Pipeline pipeline(Parameters{}, surfaceOf(2));
+  const double before = Parameters{}.control.kp;
+  ASSERT_NE(advanced.pipeline->parameters().control.kp, before);
+  ASSERT_TRUE(pipeline.restoreState(withoutParameter(advanced.pipeline->saveState(), "control.kp")));
+  EXPECT_EQ(pipeline.parameters().control.kp, before);
+  EXPECT_EQ(pipeline.parameters().texture.dead_zone_percent, advanced.pipeline->parameters().texture.dead_zone_percent);
+  EXPECT_EQ(pipeline.parameters().texture.k_vib, advanced.pipeline->parameters().texture.k_vib);
+}
+
+TEST(NewerState, IsRefusedByTheNameOfWhatIsNotKnown) {
   const Advanced advanced(1);
   const std::string state = advanced.pipeline->saveState();
-  std::string other_version = state;
-  other_version[9] = static_cast<char>(other_version[9] + 1);
-  Pipeline same(Parameters{}, denim());
-  expectRefused(same, other_version, "another version");
+  Pipeline pipeline(Parameters{}, denim());
+  expectRefused(pipeline, changed(state, "control.kp", "control.kq"), "'control.kq' is no parameter");
+  expectRefused(pipeline, changed(state, "interpolated", "interpolatex"), "control.law = 'interpolatex'");
+  expectRefused(pipeline, changed(state, "controller", "controllex"), "'controllex' is no module");
+  const std::string second{"\6safety\2\0", 9};
+  expectRefused(pipeline, changed(state, std::string_view("\6safety\1\0", 9), second),
+                "version 2 of the module 'safety'");
+  expectRefused(pipeline, changed(state, "\6motion", "\6safety"), "the module 'safety' twice");
+}
 
+TEST(RefusedState, OfAnotherSurfaceOrParameter) {
+  const Advanced advanced(1);
+  const std::string state = advanced.pipeline->saveState();
+  Pipeline same(Parameters{}, denim());
   Pipeline without_surface{Parameters{}};
   expectRefused(without_surface, state, "another surface");
   Parameters moved;

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Fails on a function whose bits depend on the processor in what a replay computes again.
+
+The C library chooses exp, log, sin, … by the processor; the rooms of the step use core/base/portable_math.h in their
+place. Looked for in the compiled objects, so that nothing inlined from a header is missed.
+
+  check_arithmetic.py NM COMPILER OBJECT…
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOMS = ("base", "signal", "sensing", "control", "texture", "pipeline")
+# What a replay does not compute again: the finger's detection is an input of the step; test signals are for benches.
+OUTSIDE = {"finger_adaptive.cpp.o", "finger_detector.cpp.o", "finger_thesis.cpp.o", "blob_measure.cpp.o",
+           "test_signals.cpp.o"}
+BY_PROCESSOR = {"exp", "exp2", "exp10", "expm1", "log", "log2", "log10", "log1p", "pow", "sin", "cos", "tan", "sincos",
+                "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "hypot", "cbrt",
+                "erf", "erfc", "tgamma", "lgamma", "fma", "cabs", "carg", "cexp", "clog", "cpow", "csqrt", "csin",
+                "ccos"}
+FORBIDDEN = BY_PROCESSOR | {name + "f" for name in BY_PROCESSOR}
+
+
+def undefined(nm, file):
+    done = subprocess.run([nm, "--undefined-only", "--format=just-symbols", file], capture_output=True, text=True, check=True)
+    return set(done.stdout.split())
+
+
+def problems(nm, objects):
+    found, seen = [], 0
+    for file in map(pathlib.Path, objects):
+        if file.parent.name not in ROOMS or file.name in OUTSIDE:
+            continue
+        seen += 1
+        found += [f"{file.parent.name}/{file.name}: calls {name}; expected that of core/base/portable_math.h"
+                  for name in sorted(undefined(nm, file) & FORBIDDEN)]
+    if seen < 50:
+        found.append(f"only {seen} objects of the step's rooms were given; expected 50 and more")
+    return found
+
+
+def self_test(nm, compiler):
+    with tempfile.TemporaryDirectory() as folder:
+        source, out = pathlib.Path(folder) / "a.cpp", pathlib.Path(folder) / "a.o"
+        source.write_text("#include <cmath>\ndouble f(double x) { return std::exp(x); }\n")
+        subprocess.run([compiler, "-O2", "-c", source, "-o", out], check=True)
+        assert "exp" in undefined(nm, out) & FORBIDDEN
+
+
+if __name__ == "__main__":
+    self_test(sys.argv[1], sys.argv[2])
+    failures = problems(sys.argv[1], sys.argv[3:])
+    for failure in failures:
+        print(failure)
+    print(f"0 passed, {len(failures)} failed" if failures else "1 passed, 0 failed")
+    sys.exit(1 if failures else 0)
