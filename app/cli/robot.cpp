@@ -51,8 +51,10 @@ nlohmann::ordered_json armJson(const device::FriRobot& robot) {
           {"out_of_order", c.out_of_order},
           {"refused_datagrams", refused},
           {"wrong_peer_datagrams", c.wrong_peer},
+          {"impossible_measurements", c.impossible},
           {"send_failures", c.send_failures},
-          {"command_entries", c.command_entries}};
+          {"command_entries", c.command_entries},
+          {"answers_not_taken", c.not_taken}};
 }
 
 void runRobot(const RobotCliOptions& given) {
@@ -122,6 +124,7 @@ void add_robot(CLI::App& app) {
   robot->add_option("--workspace", options->workspace, "X,Y,Z: farthest from the start, mm")->capture_default_str();
   robot->add_option("--speed-limit", options->limits.speed_mm_s, "mm/s")->capture_default_str();
   robot->add_option("--acceleration-limit", options->limits.acceleration_mm_s2, "mm/s²")->capture_default_str();
+  robot->add_option("--jerk-limit", options->limits.jerk_mm_s3, "mm/s³")->capture_default_str();
   robot->callback([options] { runRobot(*options); });
 }
 

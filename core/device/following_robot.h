@@ -1,5 +1,6 @@
-// Any robot behind the motion limits. When it did not follow for a while (an error, a controller in another mode), the
-// motion starts anew from where the arm then stands, so that no target that piled up meanwhile makes it leap.
+// Any robot behind the motion limits, kept by the arm itself in its own tick, or else here: one exchange, one tick.
+// When it did not follow for a while (an error, a controller in another mode), the motion starts anew from where the
+// arm then stands, so that no target that piled up meanwhile makes it leap.
 #pragma once
 
 #include <memory>
@@ -11,33 +12,64 @@
 
 namespace fyd::device {
 
-class FollowingRobot final : public Robot {
+class FollowingRobot final {
  public:
   /// @param limits as checkLimits accepts them
   FollowingRobot(std::unique_ptr<Robot> robot, const MotionLimits& limits)
-      : robot_(std::move(robot)), limiter_(limits) {}
+      : robot_(std::move(robot)), limiter_(limits), limits_itself_(robot_->keepLimits(limits)) {}
 
-  [[nodiscard]] std::string description() const override { return robot_->description(); }
-  [[nodiscard]] bool inVirtualTime() const override { return robot_->inVirtualTime(); }
+  [[nodiscard]] std::string description() const { return robot_->description(); }
+  [[nodiscard]] bool inVirtualTime() const { return robot_->inVirtualTime(); }
 
-  [[nodiscard]] Result<RobotReadings> exchange(const Vec3& target_mm, Instant now) override {
-    auto readings = robot_->exchange(limiter_.apply(target_mm, now), now);
+  /// @param target_mm not finite: refused, the last one stands
+  /// @param tick_s from this exchange to the next, s, as it is meant: what the machine adds to it moves nothing
+  /// @return an error as Robot::exchange gives it
+  [[nodiscard]] Result<RobotReadings> exchange(const Vec3& target_mm, double tick_s, Instant now) {
+    if (target_mm.finite()) {
+      target_mm_ = target_mm;
+    } else {
+      ++refused_;
+    }
+    auto readings = robot_->exchange(limits_itself_ ? target_mm_ : advanced(tick_s), now);
     resumed_ = readings && !following_;
     following_ = readings.has_value();
-    if (resumed_) limiter_.reset(readings->commanded_mm.value_or(readings->position_mm));
+    if (resumed_) {
+      limiter_.reset(readings->commanded_mm.value_or(readings->position_mm));
+      target_mm_ = limiter_.position_mm();
+    }
+    if (readings) commanded_mm_ = limits_itself_ ? readings->commanded_mm.value_or(target_mm_) : limiter_.position_mm();
     return readings;
   }
+  /// Brakes within the limits from the next exchange on, whatever the target.
+  void comeToRest() {
+    stopping_ = true;
+    robot_->comeToRest();
+  }
+  /// What the arm is told stands still.
+  [[nodiscard]] bool atRest() const { return limits_itself_ ? robot_->atRest() : limiter_.atRest(); }
 
   /// The last exchange was the first that succeeded: it moved nothing, the next ones start from where the arm stands.
   [[nodiscard]] bool resumed() const { return resumed_; }
   [[nodiscard]] bool following() const { return following_; }
-  [[nodiscard]] const MotionLimiter& limiter() const { return limiter_; }
+  /// Where the arm was told to be when it last followed.
+  [[nodiscard]] const Vec3& commanded_mm() const { return commanded_mm_; }
+  /// Targets refused so far: they were no numbers.
+  [[nodiscard]] std::uint64_t refused() const { return refused_; }
 
  private:
+  const Vec3& advanced(double tick_s) {
+    return stopping_ ? limiter_.brake(tick_s) : limiter_.advance(target_mm_, tick_s);
+  }
+
   std::unique_ptr<Robot> robot_;
   MotionLimiter limiter_;
+  bool limits_itself_;
+  Vec3 target_mm_;
+  Vec3 commanded_mm_;
+  std::uint64_t refused_ = 0;
   bool following_ = false;
   bool resumed_ = false;
+  bool stopping_ = false;
 };
 
 }  // namespace fyd::device

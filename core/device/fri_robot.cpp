@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/device/fri_check.h"
+
 namespace fyd::device {
 namespace {
 
@@ -18,55 +20,21 @@ constexpr int kMostAtOnce = 64;  // datagrams in one exchange, so that a flood c
 constexpr double kFurthestYield_m = 0.03;
 constexpr int kForceReadings = 100;
 constexpr Duration kPeerGone = std::chrono::seconds(1);
-constexpr std::array<std::size_t, 3> kTranslation = {3, 7, 11};
+constexpr int kNeverTaken = 100;
 
-Vec3 translation(const FriFrame& frame) {
-  return {frame[kTranslation[0]], frame[kTranslation[1]], frame[kTranslation[2]]};
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// The same but for the last digit of the floats that carry it.
+bool samePlace(const Vec3& a, const Vec3& b) {
+  const auto size = static_cast<float>(std::max(largest(a), largest(b)));
+  return largest(a - b) <= std::nextafter(size, HUGE_VALF) - size;
 }
 
 bool sameHost(const protocol::Endpoint& a, const protocol::Endpoint& b) {
   return a.v6 == b.v6 && a.address == b.address && a.scope == b.scope;
 }
 
-double component(const Vec3& v, int axis) { return axis == 1 ? v.x : (axis == 2 ? v.y : v.z); }
-
 }  // namespace
-
-Vec3 AxisMap::toBase(const Vec3& ours) const {
-  const auto along = [&](int axis) { return std::copysign(1.0, axis) * component(ours, std::abs(axis)); };
-  return {along(base_from_ours[0]), along(base_from_ours[1]), along(base_from_ours[2])};
-}
-
-Vec3 AxisMap::toOurs(const Vec3& base) const {
-  std::array<double, 3> ours{};
-  for (int i = 0; i < 3; ++i) {
-    const int axis = base_from_ours[static_cast<std::size_t>(i)];
-    ours[static_cast<std::size_t>(std::abs(axis) - 1)] = std::copysign(1.0, axis) * component(base, i + 1);
-  }
-  return {ours[0], ours[1], ours[2]};
-}
-
-Result<AxisMap> parseAxisMap(std::string_view text) {
-  const auto wrong = [&] { return fail("axes \"{}\": expected x, y and z once each, such as -y,-x,z", text); };
-  AxisMap map;
-  std::array<bool, 3> used{};
-  std::string_view rest = text;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int sign = rest.starts_with('-') ? -1 : 1;
-    if (sign < 0) rest.remove_prefix(1);
-    if (rest.empty() || rest[0] < 'x' || rest[0] > 'z') return wrong();
-    const int axis = rest[0] - 'x';
-    if (std::exchange(used[static_cast<std::size_t>(axis)], true)) return wrong();
-    map.base_from_ours[i] = sign * (axis + 1);
-    rest.remove_prefix(1);
-    if (i < 2) {
-      if (!rest.starts_with(',')) return wrong();
-      rest.remove_prefix(1);
-    }
-  }
-  if (!rest.empty()) return wrong();
-  return map;
-}
 
 Result<std::unique_ptr<FriRobot>> FriRobot::open(const FriSettings& settings) {
   auto socket = protocol::UdpSocket::open(settings.bind);
@@ -86,10 +54,31 @@ std::string FriRobot::description() const {
   return fmt::format("KUKA LWR over FRI on {}", protocol::toString(socket_.local()));
 }
 
+bool FriRobot::keepLimits(const MotionLimits& limits) {
+  const Vec3 place = limiter_.position_mm();
+  limiter_ = MotionLimiter(limits);
+  limiter_.reset(place);
+  return true;
+}
+
 Result<RobotReadings> FriRobot::exchange(const Vec3& target_mm, Instant now) {
   const bool good_target = target_mm.finite();
-  holding_ = std::exchange(began_, false);
+  const bool informed = std::exchange(followed_, false);
+  began_ = false;
   if (now - heard_at_ > settings_.silence) moving_ = false;
+  if (now - impossible_at_ > settings_.silence) impossible_.clear();
+  receive(informed && good_target && !stopping_ ? std::optional(target_mm) : std::nullopt, now);
+  if (!good_target) {
+    return fail("KRC: target ({}, {}, {}) mm: expected three finite numbers", target_mm.x, target_mm.y, target_mm.z);
+  }
+  if (!follows(now) || !(informed || limiter_.atRest())) return reasonNotToFollow(now);
+  followed_ = true;
+  return readings();
+}
+
+// The newest measurement is answered with the motion, those before it with a halt.
+void FriRobot::receive(const std::optional<Vec3>& target_mm, Instant now) {
+  bool waiting = false;
   for (int i = 0; i < kMostAtOnce; ++i) {
     const auto received = socket_.receive(buffer_, Duration::zero());
     if (!received) break;
@@ -102,20 +91,26 @@ Result<RobotReadings> FriRobot::exchange(const Vec3& target_mm, Instant now) {
       ++counters_.refused[static_cast<std::size_t>(refusal)];
       continue;
     }
-    const bool same_session = peer_ && *peer_ == received->from;
+    const bool same_session = heard_ && *peer_ == received->from && now - heard_at_ < kPeerGone;
     const auto ahead = static_cast<std::int16_t>(incoming_.header.sequence - newest_.header.sequence);
-    if (same_session && ahead <= 0 && now - heard_at_ < kPeerGone) {
+    if (same_session && ahead <= 0) {
       ++counters_.out_of_order;
       continue;
     }
+    auto possible = checkMeasurement(incoming_);
+    if (possible && same_session) possible = checkStep(newest_, incoming_, ahead);
+    if (!possible) {
+      ++counters_.impossible;
+      impossible_ = std::move(possible.error().message);
+      impossible_at_ = now;
+      continue;
+    }
+    if (waiting) answer(target_mm, false);
     peer_ = received->from;
-    take(target_mm, now);
+    take(same_session ? ahead : 0, now);
+    waiting = true;
   }
-  if (!good_target) {
-    return fail("KRC: target ({}, {}, {}) mm: expected three finite numbers", target_mm.x, target_mm.y, target_mm.z);
-  }
-  if (!heard_ || now - heard_at_ > settings_.silence || !moving_ || began_) return reasonNotToFollow(now);
-  return readings();
+  if (waiting) answer(target_mm, true);
 }
 
 bool FriRobot::accept(const protocol::Endpoint& from, Instant now) {
@@ -123,43 +118,68 @@ bool FriRobot::accept(const protocol::Endpoint& from, Instant now) {
   return !peer_ || *peer_ == from || now - heard_at_ >= kPeerGone;
 }
 
-void FriRobot::take(const Vec3& target_mm, Instant now) {
+/// @param ahead measurements since the last one taken; 0: another session
+void FriRobot::take(int ahead, Instant now) {
   newest_ = incoming_;
+  impossible_.clear();
   ++counters_.measurements;
-  if (!heard_) origin_m_ = translation(newest_.commanded_frame);
+  if (ahead == 0) {
+    tick_.reset();
+    moving_ = false;
+  }
+  tick_.take(newest_);
+  if (!heard_) origin_m_ = placeIn(newest_.commanded_frame);
   heard_ = true;
   heard_at_ = now;
   if (force_count_ < kForceReadings && (force_count_ == 0 || newest_.state != FriState::command)) {
     force_sum_N_ += pressedUp_N();
     ++force_count_;
   }
-  answer(target_mm);
+  if (moving_) compareWithSent(ahead);
 }
 
-bool FriRobot::mayMove() const {
-  return newest_.state == FriState::command && newest_.control == FriControl::cartesian_impedance &&
-         newest_.error == 0 && newest_.quality >= FriQuality::good;
+// FRI's part of the motion stands in the commanded frame or, as with the joints, in the offset beside it.
+void FriRobot::compareWithSent(int ahead) {
+  const Vec3 sent_m = placeIn(command_.frame);
+  const Vec3 alone_m = placeIn(newest_.commanded_frame);
+  const Vec3 together_m = alone_m + placeIn(newest_.frame_offset);
+  const Vec3 stands_m = (together_m - sent_m).norm() < (alone_m - sent_m).norm() ? together_m : alone_m;
+  const bool taken = samePlace(stands_m, sent_m);
+  if (!taken) {
+    ++counters_.not_taken;
+    not_taken_in_a_row_ = std::min(not_taken_in_a_row_ + 1, kNeverTaken);
+  } else if (!samePlace(stands_m, stood_m_)) {
+    not_taken_in_a_row_ = 0;
+  }
+  stood_m_ = stands_m;
+  if (!((stands_m - sent_m).norm() <= kFurthestYield_m)) {
+    moving_ = false;  // it was moved by somebody else: command mode begins anew there
+  } else if (!taken) {
+    limiter_.reset(placeOf(stands_m));
+  } else if (ahead != 1) {
+    limiter_.stand();
+  }
 }
 
-void FriRobot::answer(const Vec3& target_mm) {
+bool FriRobot::obeys() const {
+  return newest_.state == FriState::command && newest_.control == FriControl::cartesian_impedance && newest_.error == 0;
+}
+
+/// @param target_mm nothing: come to rest
+void FriRobot::answer(const std::optional<Vec3>& target_mm, bool in_time) {
   command_.header.reflected = newest_.header.sequence;
   ++command_.header.sequence;
   command_.flags = protocol::fri_flag::kJoints;
   for (std::size_t i = 0; i < command_.joints.size(); ++i) {
     command_.joints[i] = newest_.commanded_joints[i] + newest_.joint_offsets[i];
   }
-  if (!mayMove()) {
-    moving_ = false;
-    // In command mode under a wrong strategy or with a failing line nothing new is asked for: the mirrored joints hold.
-  } else {
+  // In command mode under a wrong strategy, or before the line is good, nothing is asked for: the mirrored joints hold.
+  if (obeys() && (moving_ || newest_.quality >= FriQuality::good)) {
     command_.flags =
         protocol::fri_flag::kFrame | protocol::fri_flag::kCartesianStiffness | protocol::fri_flag::kCartesianDamping;
-    if (!moving_) {
-      hold();
-    } else if (!began_ && !holding_ && target_mm.finite()) {
-      aimAt(target_mm, command_.frame);
-    }
-    moving_ = true;
+    move(target_mm, in_time);
+  } else {
+    moving_ = false;
   }
   const auto bytes = protocol::encodeFriCommand(command_);
   if (socket_.send(bytes, *peer_) == protocol::SendOutcome::sent) {
@@ -169,25 +189,41 @@ void FriRobot::answer(const Vec3& target_mm) {
   }
 }
 
+void FriRobot::move(const std::optional<Vec3>& target_mm, bool in_time) {
+  if (!std::exchange(moving_, true)) {
+    hold();
+    return;
+  }
+  if (!in_time) {
+    limiter_.stand();
+  } else if (target_mm && !began_ && newest_.quality >= FriQuality::good) {
+    limiter_.advance(*target_mm, tick_.seconds());
+  } else {
+    limiter_.brake(tick_.seconds());
+  }
+  aimAt(limiter_.position_mm());
+}
+
 void FriRobot::hold() {
   ++counters_.command_entries;
   began_ = true;
-  const double apart_m = (translation(newest_.commanded_frame) - translation(newest_.frame)).norm();
+  not_taken_in_a_row_ = 0;
+  const double apart_m = (placeIn(newest_.commanded_frame) - placeIn(newest_.frame)).norm();
   held_frame_ = apart_m <= kFurthestYield_m ? newest_.commanded_frame : newest_.frame;
   command_.frame = held_frame_;
+  stood_m_ = placeIn(held_frame_);
+  limiter_.reset(placeOf(stood_m_));
 }
 
-void FriRobot::aimAt(const Vec3& target_mm, FriFrame& frame) const {
-  const Vec3 place = origin_m_ + settings_.axes.toBase((1.0 / kMillimetres) * target_mm);
-  frame = held_frame_;
-  frame[kTranslation[0]] = static_cast<float>(place.x);
-  frame[kTranslation[1]] = static_cast<float>(place.y);
-  frame[kTranslation[2]] = static_cast<float>(place.z);
+void FriRobot::aimAt(const Vec3& place_mm) {
+  const Vec3 place_m = origin_m_ + settings_.axes.toBase((1.0 / kMillimetres) * place_mm);
+  command_.frame = held_frame_;
+  command_.frame[3] = static_cast<float>(place_m.x);
+  command_.frame[7] = static_cast<float>(place_m.y);
+  command_.frame[11] = static_cast<float>(place_m.z);
 }
 
-Vec3 FriRobot::placeOf(const FriFrame& frame) const {
-  return settings_.axes.toOurs(kMillimetres * (translation(frame) - origin_m_));
-}
+Vec3 FriRobot::placeOf(const Vec3& base_m) const { return settings_.axes.toOurs(kMillimetres * (base_m - origin_m_)); }
 
 double FriRobot::pressedUp_N() const {
   return settings_.axes.toOurs({newest_.force_torque[0], newest_.force_torque[1], newest_.force_torque[2]}).z;
@@ -195,14 +231,20 @@ double FriRobot::pressedUp_N() const {
 
 RobotReadings FriRobot::readings() const {
   const double rest_N = force_count_ > 0 ? force_sum_N_ / force_count_ : 0.0;
-  return {.position_mm = placeOf(newest_.frame),
+  return {.position_mm = placeOf(placeIn(newest_.frame)),
           .force_N = std::max(pressedUp_N() - rest_N, 0.0),
           .acceleration_g = {newest_.krl.reals[0], newest_.krl.reals[1], newest_.krl.reals[2]},
           .taken = heard_at_,
-          .commanded_mm = placeOf(command_.frame)};
+          .commanded_mm = limiter_.position_mm()};
+}
+
+bool FriRobot::follows(Instant now) const {
+  return heard_ && now - heard_at_ <= settings_.silence && impossible_.empty() && moving_ && !began_ &&
+         newest_.quality >= FriQuality::good && not_taken_in_a_row_ < kNeverTaken;
 }
 
 tl::unexpected<Error> FriRobot::reasonNotToFollow(Instant now) const {
+  if (!impossible_.empty()) return tl::unexpected(Error{impossible_});
   if (!heard_) {
     return fail("KRC: nothing heard on {}; expected a measurement every 1 to 100 ms: is FRI open on the controller?",
                 protocol::toString(socket_.local()));
@@ -220,12 +262,19 @@ tl::unexpected<Error> FriRobot::reasonNotToFollow(Instant now) const {
   if (began_) return fail("KRC: command mode has just begun, the arm holds");
   if (newest_.quality < FriQuality::good) {
     return fail("KRC link quality {}: {:.0f} % of its measurements answered; expected good or perfect",
-                protocol::toString(newest_.quality), 100.0F * newest_.answer_rate);
+                protocol::toString(newest_.quality), 100.0F * std::clamp(newest_.answer_rate, 0.0F, 1.0F));
   }
   if (newest_.error != 0) {
     return fail("KRC reports drive errors {:#04x}: acknowledge them on the controller", newest_.error);
   }
-  return fail("KRC control strategy {}: expected Cartesian impedance", protocol::toString(newest_.control));
+  if (newest_.control != FriControl::cartesian_impedance) {
+    return fail("KRC control strategy {}: expected Cartesian impedance", protocol::toString(newest_.control));
+  }
+  if (not_taken_in_a_row_ >= kNeverTaken) {
+    return fail("KRC: none of the last {} answers shows in its commanded frame; expected the place that was commanded",
+                kNeverTaken);
+  }
+  return fail("KRC: the arm is coming to rest");
 }
 
 }  // namespace fyd::device

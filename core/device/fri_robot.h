@@ -2,7 +2,16 @@
 //
 // Every measurement is answered at once, reflecting its sequence number. Outside command mode the answer mirrors the
 // commanded joints plus their offsets, as FRI demands. In command mode, under Cartesian impedance control, it carries
-// the target as a frame with stiffness 1000 N/m and 300 Nm/rad and damping 0.3 (thesis §4.2).
+// a frame with stiffness 1000 N/m and 300 Nm/rad and damping 0.3 (thesis §4.2).
+//
+// Limits: each answer is one command, for one tick of the controller (fri_tick.h), so the motion to the target advances
+// by one tick for each answer, whatever this machine's clock says. It goes on from where the controller says that it
+// stands: when the last answer does not show in its commanded frame, or a sequence number is missing, a tick passed
+// without a command and the arm stood in it; the motion then starts anew there, from rest. Of several measurements
+// that wait, the older ones are answered with a halt: their ticks are over. While the controller still obeys, a lost
+// quality brakes within the limits.
+//
+// What no arm can measure is refused (fri_check.h) and neither used nor answered.
 //
 // Command mode begins (also anew, and after a silence): the frame found there is held and its orientation kept from
 // then on; that exchange fails, the next one succeeds and holds, and only what follows moves. The frame found is the
@@ -24,22 +33,13 @@
 #include <string>
 #include <vector>
 
+#include "core/device/axis_map.h"
+#include "core/device/fri_tick.h"
 #include "core/device/robot.h"
 #include "core/protocol/fri_codec.h"
 #include "core/protocol/udp_socket.h"
 
 namespace fyd::device {
-
-/// How the touchpad's axes (x right, y back, z up) lie in the robot's base: entry i says along which of our axes base
-/// axis i points, 1…3 for x…z, negative for the opposite way.
-struct AxisMap {
-  std::array<int, 3> base_from_ours{-2, -1, 3};  ///< the authors' X = −y, Y = −x, Z = z; a mirror, as printed
-
-  [[nodiscard]] Vec3 toBase(const Vec3& ours) const;
-  [[nodiscard]] Vec3 toOurs(const Vec3& base) const;
-};
-/// Reads "-y,-x,z". @return an error when it is not three different axes
-[[nodiscard]] Result<AxisMap> parseAxisMap(std::string_view text);
 
 struct FriSettings {
   protocol::Endpoint bind;                ///< where the KRC sends to; port kFriPort on a real one
@@ -58,6 +58,8 @@ struct FriCounters {
   std::uint64_t wrong_peer = 0;
   std::uint64_t send_failures = 0;
   std::uint64_t command_entries = 0;  ///< times command mode began
+  std::uint64_t not_taken = 0;        ///< answers in command mode that the controller did not take in their tick
+  std::uint64_t impossible = 0;       ///< measurements no arm can make: answered not
   std::array<std::uint64_t, protocol::kFriRefusalCount> refused{};
 };
 
@@ -70,8 +72,12 @@ class FriRobot final : public Robot {
 
   /// Answers what has arrived; does not wait. To be called at least as often as the KRC sends.
   /// @return an error that says in words why the arm does not follow: target not finite (nothing is answered with it),
-  /// nothing heard, KRC off or in monitor mode, link quality, drive error, another control strategy
+  /// nothing heard, an impossible measurement, KRC off or in monitor mode, link quality, drive error, another control
+  /// strategy
   [[nodiscard]] Result<RobotReadings> exchange(const Vec3& target_mm, Instant now) override;
+  bool keepLimits(const MotionLimits& limits) override;
+  void comeToRest() override { stopping_ = true; }
+  [[nodiscard]] bool atRest() const override { return !moving_ || limiter_.atRest(); }
 
   [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
   [[nodiscard]] const FriCounters& counters() const { return counters_; }
@@ -81,15 +87,19 @@ class FriRobot final : public Robot {
  private:
   FriRobot(const FriSettings& settings, protocol::UdpSocket socket);
   bool accept(const protocol::Endpoint& from, Instant now);
-  void take(const Vec3& target_mm, Instant now);
-  void answer(const Vec3& target_mm);
-  void aimAt(const Vec3& target_mm, protocol::FriFrame& frame) const;
+  void receive(const std::optional<Vec3>& target_mm, Instant now);
+  void take(int ahead, Instant now);
+  void answer(const std::optional<Vec3>& target_mm, bool in_time);
+  void move(const std::optional<Vec3>& target_mm, bool in_time);
+  void compareWithSent(int ahead);
   void hold();
-  [[nodiscard]] bool mayMove() const;
+  void aimAt(const Vec3& place_mm);
+  [[nodiscard]] bool obeys() const;
+  [[nodiscard]] bool follows(Instant now) const;
   [[nodiscard]] RobotReadings readings() const;
   [[nodiscard]] tl::unexpected<Error> reasonNotToFollow(Instant now) const;
   [[nodiscard]] double pressedUp_N() const;
-  [[nodiscard]] Vec3 placeOf(const protocol::FriFrame& frame) const;
+  [[nodiscard]] Vec3 placeOf(const Vec3& base_m) const;
 
   FriSettings settings_;
   protocol::UdpSocket socket_;
@@ -98,10 +108,17 @@ class FriRobot final : public Robot {
   protocol::FriMeasurement incoming_;
   protocol::FriMeasurement newest_;
   protocol::FriCommand command_;
+  std::string impossible_;  // why the newest measurement was refused; empty: it was not
+  Instant impossible_at_{};
+  FriTick tick_;
+  MotionLimiter limiter_;
   bool heard_ = false;
-  bool moving_ = false;   // the last answer carried a frame
-  bool began_ = false;    // command mode did, in this exchange
-  bool holding_ = false;  // it did in the last one
+  bool moving_ = false;    // the last answer carried a frame
+  bool began_ = false;     // command mode did, in this exchange
+  bool followed_ = false;  // the last exchange succeeded: the caller knows from where the next target goes on
+  bool stopping_ = false;
+  int not_taken_in_a_row_ = 0;  // answers that would have moved it
+  Vec3 stood_m_;                // by its commanded frame
   Instant heard_at_{};
   Vec3 origin_m_;
   protocol::FriFrame held_frame_{};  // commanded when command mode began

@@ -7,9 +7,9 @@
 namespace fyd::device {
 namespace {
 
-constexpr Duration kStep = std::chrono::milliseconds(1);
-constexpr double kStep_s = 0.001;
-constexpr Duration kLongestCatchUp = std::chrono::milliseconds(20);
+constexpr double kLongestTick_s = 1.0;
+
+double tickOf(double tick_s) { return tick_s > 0.0 ? std::min(tick_s, kLongestTick_s) : 0.0; }
 
 }  // namespace
 
@@ -24,23 +24,29 @@ Result<void> checkLimits(const MotionLimits& limits) {
   if (!(limits.acceleration_mm_s2 >= 10.0 && limits.acceleration_mm_s2 <= 100'000.0)) {
     return fail("acceleration limit {} mm/s²: expected 10 to 100000", limits.acceleration_mm_s2);
   }
+  if (!(limits.jerk_mm_s3 >= 1000.0 && limits.jerk_mm_s3 <= 1e7)) {
+    return fail("jerk limit {} mm/s³: expected 1000 to 10000000", limits.jerk_mm_s3);
+  }
   return {};
 }
 
 MotionLimiter::MotionLimiter(const MotionLimits& limits)
     : limits_(limits),
-      axis_speed_(limits.speed_mm_s / std::numbers::sqrt3),
-      axis_acceleration_(limits.acceleration_mm_s2 / std::numbers::sqrt3) {}
+      axis_limits_{.speed = limits.speed_mm_s / std::numbers::sqrt3,
+                   .acceleration = limits.acceleration_mm_s2 / std::numbers::sqrt3,
+                   .jerk = limits.jerk_mm_s3 / std::numbers::sqrt3} {}
 
 void MotionLimiter::reset(const Vec3& position_mm) {
   if (!position_mm.finite()) return;
-  position_mm_ = position_mm;
+  axes_ = {AxisState{.position = position_mm.x}, AxisState{.position = position_mm.y},
+           AxisState{.position = position_mm.z}};
   goal_mm_ = position_mm;
-  velocity_mm_s_ = {};
-  owed_ = {};
+  position_mm_ = position_mm;
 }
 
-const Vec3& MotionLimiter::apply(const Vec3& target_mm, Instant now) {
+void MotionLimiter::stand() { reset(Vec3(position_mm_)); }
+
+const Vec3& MotionLimiter::advance(const Vec3& target_mm, double tick_s) {
   if (target_mm.finite()) {
     const Vec3& w = limits_.workspace_mm;
     goal_mm_ = {std::clamp(target_mm.x, -w.x, w.x), std::clamp(target_mm.y, -w.y, w.y),
@@ -48,32 +54,24 @@ const Vec3& MotionLimiter::apply(const Vec3& target_mm, Instant now) {
   } else {
     ++refused_;
   }
-  if (!started_ || now > last_) {
-    if (started_) owed_ = std::min(owed_ + std::min<Duration>(now - last_, kLongestCatchUp), kLongestCatchUp);
-    started_ = true;
-    last_ = now;
-  }
-  for (; owed_ >= kStep; owed_ -= kStep) step();
+  const double tick = tickOf(tick_s);
+  axes_[0] = approach(axes_[0], goal_mm_.x, axis_limits_, tick);
+  axes_[1] = approach(axes_[1], goal_mm_.y, axis_limits_, tick);
+  axes_[2] = approach(axes_[2], goal_mm_.z, axis_limits_, tick);
+  return take();
+}
+
+const Vec3& MotionLimiter::brake(double tick_s) {
+  for (AxisState& axis : axes_) axis = device::brake(axis, axis_limits_, tickOf(tick_s));
+  goal_mm_ = {restPlace(axes_[0], axis_limits_), restPlace(axes_[1], axis_limits_), restPlace(axes_[2], axis_limits_)};
+  return take();
+}
+
+const Vec3& MotionLimiter::take() {
+  position_mm_ = {axes_[0].position, axes_[1].position, axes_[2].position};
   return position_mm_;
 }
 
-void MotionLimiter::step() {
-  stepAxis(position_mm_.x, velocity_mm_s_.x, goal_mm_.x);
-  stepAxis(position_mm_.y, velocity_mm_s_.y, goal_mm_.y);
-  stepAxis(position_mm_.z, velocity_mm_s_.z, goal_mm_.z);
-}
-
-void MotionLimiter::stepAxis(double& position, double& velocity, double goal) const {
-  const double speed_unit = axis_acceleration_ * kStep_s;
-  const double distance_unit = speed_unit * kStep_s;
-  const double distance = std::abs(goal - position) / distance_unit;
-  double whole = std::floor(std::sqrt(0.25 + 2.0 * distance) - 0.5);
-  if (whole < 0.0) whole = 0.0;
-  const double rest = distance - whole * (whole + 1.0) / 2.0;
-  const double braking = (whole + rest / (whole + 1.0)) * speed_unit;
-  const double wanted = std::copysign(std::min(braking, axis_speed_), goal - position);
-  velocity += std::clamp(wanted - velocity, -speed_unit, speed_unit);
-  position += velocity * kStep_s;
-}
+bool MotionLimiter::atRest() const { return axes_[0].atRest() && axes_[1].atRest() && axes_[2].atRest(); }
 
 }  // namespace fyd::device

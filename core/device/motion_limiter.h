@@ -1,18 +1,18 @@
-// Limits on what an arm is told: workspace, speed and acceleration, whatever is asked for. Pure: time is handed in.
+// Limits on what an arm is told: workspace, speed, acceleration and jerk, whatever is asked for. Pure: one call gives
+// one command, and the time between two commands, the arm's tick, is handed in. It is the arm's own and not this
+// machine's: an arm that takes a command every 5 ms sees 5 ms of motion in each, however late or crowded the messages
+// were that led to them.
 //
-// Each axis follows its goal (the target, clamped to the workspace) in steps of h = 1 ms with its share v = V/√3,
-// a = A/√3 of the limits, so that the vectors stay within V and A. In units of a·h² an axis at distance
-// d = k(k+1)/2 + r (k whole, 0 ≤ r < k+1) moves with speed k + r/(k+1), in units of a·h: the fastest from which
-// braking with a ends exactly at the goal. Hence it arrives without overshoot, and never leaves the workspace.
-//
-// Time that stands still or goes back moves nothing; after a pause at most 20 ms are caught up.
+// Each axis follows its goal (the target, clamped to the workspace) with its share 1/√3 of the three limits, so that
+// the vectors stay within them; axis_motion.h says how. It arrives without overshoot, and never leaves the workspace.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "core/base/error.h"
-#include "core/base/time.h"
 #include "core/base/vec3.h"
+#include "core/device/axis_motion.h"
 
 namespace fyd::device {
 
@@ -20,6 +20,7 @@ struct MotionLimits {
   Vec3 workspace_mm{35.0, 25.0, 70.0};  ///< ± from the start, each > 0 (the authors' figures; fact sheet §2)
   double speed_mm_s = 250.0;            ///< 1…1000
   double acceleration_mm_s2 = 5000.0;   ///< 10…100 000
+  double jerk_mm_s3 = 250'000.0;        ///< 1000…10 000 000; the default: 20 ms from rest to the whole acceleration
 };
 
 /// @return an error that names the limit, its value and its range
@@ -32,29 +33,29 @@ class MotionLimiter {
 
   /// Stands still at `position_mm`, wherever that is; a position that is not finite changes nothing.
   void reset(const Vec3& position_mm);
+  /// Stands still where it is.
+  void stand();
 
   /// The next position to command, mm, always finite. A target that is not finite is refused: the last goal stands.
-  const Vec3& apply(const Vec3& target_mm, Instant now);
+  /// @param tick_s until the arm takes the next command, s; above 1 counts as 1; what is not above 0 moves nothing
+  const Vec3& advance(const Vec3& target_mm, double tick_s);
+  /// The next position of the fastest stop, which becomes the goal.
+  const Vec3& brake(double tick_s);
 
   [[nodiscard]] const Vec3& position_mm() const { return position_mm_; }
-  [[nodiscard]] const Vec3& velocity_mm_s() const { return velocity_mm_s_; }
+  [[nodiscard]] bool atRest() const;
   /// Targets refused so far.
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
 
  private:
-  void step();
-  void stepAxis(double& position, double& velocity, double goal) const;
+  const Vec3& take();
 
   MotionLimits limits_;
-  double axis_speed_ = 0.0;
-  double axis_acceleration_ = 0.0;
+  AxisLimits axis_limits_;
+  std::array<AxisState, 3> axes_{};
   Vec3 goal_mm_;
   Vec3 position_mm_;
-  Vec3 velocity_mm_s_;
   std::uint64_t refused_ = 0;
-  Duration owed_{};  // time not yet stepped
-  Instant last_{};
-  bool started_ = false;
 };
 
 }  // namespace fyd::device

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/time.h"
 #include "core/base/vec3.h"
+#include "core/device/motion_limiter.h"
 
 namespace fyd::device {
 
@@ -27,10 +28,18 @@ class Robot {
   /// The times handed to `exchange` are its only clock, so that it may be driven faster than time passes.
   [[nodiscard]] virtual bool inVirtualTime() const { return false; }
 
-  /// Sends the target and reads the state, as one exchange; the arm itself limits workspace and speed.
+  /// Sends the target and reads the state, as one exchange.
   /// @return an error when the target is not finite or the arm did not answer or does not follow; the first exchange
   /// that succeeds again holds the arm where it stands
   [[nodiscard]] virtual Result<RobotReadings> exchange(const Vec3& target_mm, Instant now) = 0;
+
+  /// Limits for all that is told from now on. An arm that takes its commands in ticks of its own, whatever those of
+  /// the caller are, keeps them itself. @return false: the caller has to keep them, one exchange being one tick
+  virtual bool keepLimits(const MotionLimits& /*limits*/) { return false; }
+  /// Of an arm that keeps its limits: brakes within them from the next exchange on, whatever the target.
+  virtual void comeToRest() {}
+  /// Of an arm that keeps its limits: the last command stands still.
+  [[nodiscard]] virtual bool atRest() const { return true; }
 };
 
 }  // namespace fyd::device

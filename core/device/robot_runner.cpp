@@ -7,6 +7,7 @@ namespace fyd::device {
 namespace {
 
 constexpr Duration kVirtualStep = std::chrono::milliseconds(1);
+constexpr Duration kLongestBraking = std::chrono::seconds(5);
 constexpr Duration kPublishEvery = std::chrono::milliseconds(50);
 
 std::unique_ptr<protocol::RobotEnd> makeEnd(const RobotRunnerOptions& options) {
@@ -55,13 +56,15 @@ void RobotRunner::prepareAhead() {
     constexpr double kSettling_s = 10.0;  // the way back, and the rest
     const Instant end = Clock::now();
     Instant virtual_now = end - fromSeconds(options_.probe.time_limit_s + kSettling_s);
-    for (; !now_.prepared && virtual_now < end; virtual_now += kVirtualStep) prepareStep(virtual_now);
+    for (; !now_.prepared && virtual_now < end; virtual_now += kVirtualStep) {
+      prepareStep(kVirtualStep, virtual_now);
+    }
   }
   shown_ = now_;
 }
 
-void RobotRunner::prepareStep(Instant now) {
-  exchangeWithRobot(preparation_.target(), now);
+void RobotRunner::prepareStep(Duration tick, Instant now) {
+  exchangeWithRobot(preparation_.target(), tick, now);
   if (robot_.following()) {
     preparation_.succeeded(now_.readings, now);
   } else {
@@ -77,18 +80,25 @@ void RobotRunner::run(const std::stop_token& stop, Duration limit) {
   began_ = Clock::now();
   const Duration period = fromSeconds(1.0 / options_.rate_Hz);
   Instant due = began_;
+  std::optional<Instant> braking_since;
   for (Instant now = began_;; now = Clock::now()) {
-    if (stop.stop_requested() || now - began_ >= limit) {
-      if (now_.prepared) break;
-      preparation_.abort();
+    const bool closed = end_->phase() == protocol::RobotPhase::closed;
+    if (closed || stop.stop_requested() || now - began_ >= limit) {
+      if (!now_.prepared) {
+        preparation_.abort();
+      } else if (!braking_since) {
+        braking_since = now;
+        robot_.comeToRest();
+      }
     }
     if (now_.prepared) {
-      exchangeWithRobot(mapping_.target(), now);
+      exchangeWithRobot(mapping_.target(), period, now);
+      // An arm left to itself in the middle of a motion would stop dead.
+      if (braking_since && (robot_.atRest() || !robot_.following() || now - *braking_since > kLongestBraking)) break;
       queueCommands(now);
       sendDue(now);
-      if (end_->phase() == protocol::RobotPhase::closed) break;
     } else {
-      prepareStep(now);
+      prepareStep(period, now);
     }
     if (now - published_ >= kPublishEvery) publish(now);
     due += period;
@@ -110,8 +120,8 @@ RobotRunnerStatus RobotRunner::status() const {
   return shown_;
 }
 
-void RobotRunner::exchangeWithRobot(const Vec3& target_mm, Instant now) {
-  auto readings = robot_.exchange(target_mm, now);
+void RobotRunner::exchangeWithRobot(const Vec3& target_mm, Duration tick, Instant now) {
+  auto readings = robot_.exchange(target_mm, toSeconds(tick), now);
   if (!readings) {
     ++now_.robot_errors;
     now_.robot_problem = std::move(readings.error().message);
@@ -122,7 +132,7 @@ void RobotRunner::exchangeWithRobot(const Vec3& target_mm, Instant now) {
     now_.robot_problem.clear();
   }
   now_.readings = *readings;
-  if (robot_.resumed()) mapping_.reset(robot_.limiter().position_mm());
+  if (robot_.resumed()) mapping_.reset(robot_.commanded_mm());
 }
 
 void RobotRunner::queueCommands(Instant now) {
@@ -156,7 +166,7 @@ void RobotRunner::receiveUntil(Instant deadline) {
     const auto reception = end_->handle({buffer_.data(), received->size}, received->from, Clock::now());
     if (reception.connected) {
       if (now_.connections++ == 0) connected_ = Clock::now();
-      mapping_.reset(robot_.limiter().position_mm());
+      mapping_.reset(robot_.commanded_mm());
     }
     if (reception.touch) {
       now_.touch = *reception.touch;
@@ -184,7 +194,7 @@ void RobotRunner::publish(Instant now) {
   now_.counters = end_->counters();
   now_.problem = end_->problem();
   now_.seconds = toSeconds(now - began_);
-  now_.targets_refused = robot_.limiter().refused();
+  now_.targets_refused = robot_.refused();
   const std::lock_guard lock(mutex_);
   shown_ = now_;
 }

@@ -80,7 +80,7 @@ class RobotRunner {
 
   /// Prepares, connects, exchanges, reconnects when the touchpad went away and returns; until stopped, until `limit`
   /// has passed, or until a command 9 of the robot's own has closed the session. A probe that a stop meets goes back to
-  /// its start first. Blocks; call from one thread, once.
+  /// its start first, and an arm that moves brakes within its limits. Blocks; call from one thread, once.
   void run(const std::stop_token& stop, Duration limit = Duration::max());
 
   /// For the robot's operator; from one other thread. @return false when sixteen commands are waiting
@@ -92,8 +92,8 @@ class RobotRunner {
  private:
   RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot, protocol::UdpSocket socket);
   void prepareAhead();
-  void prepareStep(Instant now);
-  void exchangeWithRobot(const Vec3& target_mm, Instant now);
+  void prepareStep(Duration tick, Instant now);
+  void exchangeWithRobot(const Vec3& target_mm, Duration tick, Instant now);
   void sendDue(Instant now);
   void receiveUntil(Instant deadline);
   void queueCommands(Instant now);

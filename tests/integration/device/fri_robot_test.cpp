@@ -23,6 +23,7 @@ class Fri : public ::testing::Test {
   void SetUp() override {
     measurement.control = FriControl::cartesian_impedance;
     measurement.quality = FriQuality::good;
+    measurement.measurement_period_s = measurement.command_period_s = 0.005F;
     // Tool down, at (0.5, 0.1, 0.3) m.
     measurement.commanded_frame = {1, 0, 0, 0.5F, 0, -1, 0, 0.1F, 0, 0, -1, 0.3F};
     measurement.frame = measurement.commanded_frame;
@@ -35,14 +36,20 @@ class Fri : public ::testing::Test {
     settings.bind = any();
     robot = FriRobot::open(settings).value();
   }
-  // One measurement, one exchange, one answer.
+  // One measurement, one exchange, one answer, which is taken.
   Result<RobotReadings> cycle(const Vec3& target = {}) {
     ++measurement.header.sequence;
     now += std::chrono::milliseconds(5);
     send();
     auto result = robot->exchange(target, now);
     answered = take();
+    if (answered && measurement.state == FriState::command && command.flags == kImpedance) {
+      measurement.commanded_frame = measurement.frame = command.frame;
+    }
     return result;
+  }
+  void cycles(int count, const Vec3& target) {
+    for (int i = 0; i < count; ++i) EXPECT_EQ(reason(target), "follows");
   }
   std::string reason(const Vec3& target = {}) {
     const auto result = cycle(target);
@@ -82,17 +89,18 @@ TEST_F(Fri, EchoesTheSequenceAndMirrorsJointsPlusOffsetsOutsideCommandMode) {
 TEST_F(Fri, CommandModeHoldsFirstThenCarriesTheTargetInMetresWithTheThesisImpedance) {
   open();
   measurement.state = FriState::command;
+  const protocol::FriFrame found = measurement.commanded_frame;
   EXPECT_THAT(reason({10, 20, -30}), HasSubstr("just begun"));
   EXPECT_EQ(command.flags, kImpedance);
-  EXPECT_EQ(command.frame, measurement.commanded_frame);  // held
+  EXPECT_EQ(command.frame, found);  // held
   EXPECT_EQ(reason({10, 20, -30}), "follows");
-  EXPECT_EQ(command.frame, measurement.commanded_frame);  // held once more, now that it succeeded
-  EXPECT_EQ(reason({10, 20, -30}), "follows");
+  EXPECT_EQ(command.frame, found);  // held once more, now that it succeeded
+  cycles(100, {10, 20, -30});
   // X = −y, Y = −x, Z = z, in m from the start.
   EXPECT_NEAR(command.frame[3], 0.5 - 0.020, 1e-6);
   EXPECT_NEAR(command.frame[7], 0.1 - 0.010, 1e-6);
   EXPECT_NEAR(command.frame[11], 0.3 - 0.030, 1e-6);
-  for (const std::size_t i : {0, 1, 2, 4, 5, 6, 8, 9, 10}) EXPECT_EQ(command.frame[i], measurement.frame[i]);
+  for (const std::size_t i : {0, 1, 2, 4, 5, 6, 8, 9, 10}) EXPECT_EQ(command.frame[i], found[i]);
   for (const std::size_t i : {0, 1, 2}) EXPECT_EQ(command.cartesian_stiffness[i], 1000.0F);
   for (const std::size_t i : {3, 4, 5}) EXPECT_EQ(command.cartesian_stiffness[i], 300.0F);
   for (const float damping : command.cartesian_damping) EXPECT_EQ(damping, 0.3F);
@@ -146,16 +154,19 @@ TEST_F(Fri, SaysInWordsWhyTheArmDoesNotFollow) {
   EXPECT_THAT(robot->exchange({}, now).error().message, HasSubstr("KRC silent for 300 ms"));
 }
 
-TEST_F(Fri, ATargetThatIsNoNumberIsRefusedAndTheLastFrameStands) {
+TEST_F(Fri, ATargetThatIsNoNumberIsRefusedAndTheArmBrakes) {
   open();
   measurement.state = FriState::command;
   EXPECT_FALSE(cycle());
   EXPECT_TRUE(cycle());
-  EXPECT_TRUE(cycle({1, 2, 3}));
-  const auto before = command.frame;
+  cycles(10, {10, 20, 30});
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (int i = 0; i < 20; ++i) {
+      EXPECT_THAT(reason({0, bad, 0}), HasSubstr("expected three finite numbers"));
+      EXPECT_TRUE(answered);  // the controller is answered all the same
+    }
+    const auto before = command.frame;
     EXPECT_THAT(reason({0, bad, 0}), HasSubstr("expected three finite numbers"));
-    EXPECT_TRUE(answered);  // the controller is answered all the same
     EXPECT_EQ(command.frame, before);
   }
 }
@@ -213,6 +224,78 @@ TEST_F(Fri, OldRepeatedForeignAndDamagedMeasurementsAreCountedAndNotAnswered) {
   static_cast<void>(robot->exchange({}, now));
   EXPECT_EQ(robot->counters().wrong_peer, 1U);
   EXPECT_EQ(robot->counters().measurements, 1U);
+}
+
+TEST_F(Fri, WhatNoArmMeasuresIsRefusedNotAnsweredAndNotMirrored) {
+  open();
+  measurement.state = FriState::monitor;
+  EXPECT_FALSE(cycle());
+  const protocol::FriMeasurement sound = measurement;
+  std::uint64_t refused = 0;
+  const auto spoil = [&](const auto& change, const char* words) {
+    measurement = sound;
+    measurement.header.sequence = static_cast<std::uint16_t>(sound.header.sequence + 2 * refused + 1);
+    change(measurement);
+    EXPECT_THAT(reason(), HasSubstr(words));
+    EXPECT_FALSE(answered) << words;
+    EXPECT_EQ(robot->counters().impossible, ++refused);
+    // The next sound one is answered again, and mirrors nothing of what was refused.
+    const auto sequence = measurement.header.sequence;
+    measurement = sound;
+    measurement.header.sequence = sequence;
+    EXPECT_THAT(reason(), HasSubstr("monitor mode"));
+    EXPECT_TRUE(answered);
+    EXPECT_FLOAT_EQ(command.joints[6], 2.0F);
+  };
+  for (const FriState state : {FriState::monitor, FriState::command}) {
+    spoil([&](auto& m) { m.state = state, m.commanded_joints.fill(1e30F); }, "commanded joint 1 is 1e+30 rad");
+    spoil([&](auto& m) { m.state = state, m.frame.fill(0.0F); }, "rotation of the measured frame");
+    spoil([&](auto& m) { m.state = state, m.commanded_frame[3] = 1e30F; }, "commanded frame is at (1e+30, 0.1, 0.3) m");
+    spoil([&](auto& m) { m.state = state, m.frame[3] += 1.0F, m.commanded_frame[3] += 1.0F; }, "moved 1 m in 1 cycles");
+    spoil([&](auto& m) { m.state = state, m.force_torque[2] = 1e30F; }, "tool force 3 is 1e+30 N");
+  }
+}
+
+TEST_F(Fri, AnImpossibleMeasurementInAMotionMovesNothingAndItGoesOnFromRest) {
+  open();
+  measurement.state = FriState::command;
+  EXPECT_FALSE(cycle());
+  EXPECT_TRUE(cycle());
+  cycles(20, {0, 0, -60});
+  const auto good = measurement;
+  measurement.commanded_frame.fill(0.0F);
+  EXPECT_THAT(reason({0, 0, -60}), HasSubstr("rotation of the commanded frame"));
+  EXPECT_FALSE(answered);
+  measurement.commanded_frame = good.commanded_frame;
+  EXPECT_EQ(reason({0, 0, -60}), "follows");  // anew: holds
+  EXPECT_EQ(command.frame, good.commanded_frame);
+  EXPECT_EQ(reason({0, 0, -60}), "follows");
+  // From rest one axis goes j·h³/6 in the first tick: 250 000/√3 · 0.005³/6 = 0.003 mm.
+  EXPECT_NEAR(command.frame[11], good.commanded_frame[11] - 3.0e-6, 1e-7);
+}
+
+TEST_F(Fri, OfSeveralThatWaitedTheOlderOnesAreAnsweredWithAHalt) {
+  open();
+  measurement.state = FriState::command;
+  EXPECT_FALSE(cycle());
+  EXPECT_TRUE(cycle());
+  cycles(20, {0, 0, -60});
+  const auto stands = measurement.commanded_frame;
+  for (int i = 0; i < 3; ++i) {
+    ++measurement.header.sequence;
+    send();
+  }
+  now += std::chrono::milliseconds(15);
+  EXPECT_TRUE(robot->exchange({0, 0, -60}, now));
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(take());
+    EXPECT_EQ(command.header.reflected, measurement.header.sequence - 2 + i);
+    EXPECT_EQ(command.frame, stands);
+  }
+  ASSERT_TRUE(take());
+  EXPECT_EQ(command.header.reflected, measurement.header.sequence);
+  EXPECT_NEAR(command.frame[11], stands[11] - 3.0e-6, 1e-7);
+  EXPECT_FALSE(take());
 }
 
 TEST_F(Fri, SequenceNumbersWrap) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -17,73 +18,149 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-// Calls every millisecond and checks the limits between any two of them.
+// Takes a position every tick and checks the limits between any two, three and four of them: differences of what was
+// commanded, which know nothing of how it was made.
 struct Watch {
   MotionLimits limits;
+  double tick_s;
   MotionLimiter limiter{limits};
-  double seconds = 0.0;
   Vec3 velocity;
+  Vec3 acceleration;
 
-  explicit Watch(const MotionLimits& wanted = {}) : limits(wanted), limiter(wanted) {
-    limiter.apply({}, instantAt(0.0));
-  }
+  explicit Watch(const MotionLimits& wanted = {}, double tick = 0.001)
+      : limits(wanted), tick_s(tick), limiter(wanted) {}
   Vec3 apply(const Vec3& target) {
     const Vec3 before = limiter.position_mm();
-    seconds += 0.001;
-    const Vec3 after = limiter.apply(target, instantAt(seconds));
-    const Vec3 v = 1000.0 * (after - before);
+    return judge(before, Vec3(limiter.advance(target, tick_s)));
+  }
+  Vec3 brake() {
+    const Vec3 before = limiter.position_mm();
+    return judge(before, Vec3(limiter.brake(tick_s)));
+  }
+  Vec3 judge(const Vec3& before, const Vec3& after) {
+    const Vec3 v = (1.0 / tick_s) * (after - before);
+    const Vec3 a = (1.0 / tick_s) * (v - velocity);
+    const Vec3 j = (1.0 / tick_s) * (a - acceleration);
+    // Rounding of a position of some ten mm: 1e-14 mm, four of them in the third difference.
+    const double rounding = 1e-13 / (tick_s * tick_s * tick_s);
     EXPECT_TRUE(after.finite());
     EXPECT_LE(v.norm(), limits.speed_mm_s * (1 + 1e-9));
-    EXPECT_LE((1000.0 * (v - velocity)).norm(), limits.acceleration_mm_s2 * (1 + 1e-6));
+    EXPECT_LE(a.norm(), limits.acceleration_mm_s2 * (1 + 1e-9) + rounding * tick_s);
+    EXPECT_LE(j.norm(), limits.jerk_mm_s3 * (1 + 1e-9) + rounding);
     EXPECT_LE(std::abs(after.x), limits.workspace_mm.x + 1e-9);
     EXPECT_LE(std::abs(after.y), limits.workspace_mm.y + 1e-9);
     EXPECT_LE(std::abs(after.z), limits.workspace_mm.z + 1e-9);
     velocity = v;
+    acceleration = a;
     return after;
   }
 };
 
-TEST(MotionLimiter, ArrivesExactlyWithoutOvershoot) {
-  for (const double goal : {0.001, 0.5, 3.0, 20.0, -34.9}) {
-    Watch watch;
-    double furthest = 0.0;
-    for (int i = 0; i < 1000; ++i) furthest = std::max(furthest, std::abs(watch.apply({goal, 0, 0}).x));
-    EXPECT_NEAR(watch.limiter.position_mm().x, goal, 1e-9);
-    EXPECT_NEAR(watch.limiter.velocity_mm_s().x, 0.0, 1e-6);
-    EXPECT_LE(furthest, std::abs(goal) + 1e-9);
-  }
-}
-
-// Share of an axis: v = 173.205/√3 = 100 mm/s, a = 1732.05/√3 = 1000 mm/s². Over 60 mm: 0.1 s up to speed (5 mm),
-// 50 mm at speed (0.5 s), 0.1 s down (5 mm): 0.7 s.
-TEST(MotionLimiter, TakesTheTimeOfTheTrapezoid) {
-  Watch watch({.speed_mm_s = 100.0 * std::sqrt(3.0), .acceleration_mm_s2 = 1000.0 * std::sqrt(3.0)});
-  double arrived_s = 0.0;
-  for (int i = 0; i < 2000 && arrived_s == 0.0; ++i) {
-    if (std::abs(watch.apply({0, 0, -60}).z + 60.0) < 1e-6) arrived_s = watch.seconds;
-    if (i == 349) {
-      EXPECT_NEAR(watch.limiter.position_mm().z, -30.0, 0.2);  // half-way in half the time
+TEST(MotionLimiter, ArrivesExactlyWithoutOvershootAtAnyTick) {
+  for (const double tick_s : {0.0001, 0.001, 0.002, 0.0037, 0.005, 0.01, 0.1, 1.0}) {
+    for (const double goal : {0.001, 0.5, 3.0, 20.0, -34.9}) {
+      Watch watch({}, tick_s);
+      double furthest = 0.0;
+      for (double t = 0.0; t < 1.5; t += tick_s) furthest = std::max(furthest, std::abs(watch.apply({goal, 0, 0}).x));
+      EXPECT_NEAR(watch.limiter.position_mm().x, goal, 1e-9) << tick_s;
+      EXPECT_TRUE(watch.limiter.atRest()) << tick_s;
+      EXPECT_LE(furthest, std::abs(goal) + 1e-9);
+      const Vec3 there = watch.limiter.position_mm();
+      for (int i = 0; i < 10; ++i) EXPECT_NEAR((watch.apply({goal, 0, 0}) - there).norm(), 0.0, 1e-12);
     }
   }
-  EXPECT_NEAR(arrived_s, 0.7, 0.004);
 }
 
-TEST(MotionLimiter, AHundredThousandWildTargetsNeverBreakALimit) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> place(-200.0, 200.0);
-  Watch watch;
-  Vec3 target;
-  for (int i = 0; i < 100'000; ++i) {
-    if (random() % 50 == 0) target = {place(random), place(random), place(random)};
-    const Vec3 asked = random() % 97 == 0 ? Vec3{kNaN, kInf, -kInf} : target;
-    watch.apply(asked);
+// Share of an axis: v = 173.205/√3 = 100 mm/s, a = 1732.05/√3 = 1000 mm/s², j = 17320.5/√3 = 10 000 mm/s³. A change of
+// speed by 100 mm/s takes 100/1000 + 1000/10 000 = 0.2 s and 10 mm; over 60 mm: 0.2 s up, 40 mm at speed (0.4 s), 0.2 s
+// down: 0.8 s. Half-way after 0.4 s.
+TEST(MotionLimiter, TakesTheTimeOfTheSevenPhasesAtAnyTick) {
+  const double root = std::sqrt(3.0);
+  for (const double tick_s : {0.001, 0.002, 0.005, 0.01, 0.1}) {
+    Watch watch({.speed_mm_s = 100.0 * root, .acceleration_mm_s2 = 1000.0 * root, .jerk_mm_s3 = 10'000.0 * root},
+                tick_s);
+    const auto ticks = static_cast<int>(std::lround(0.8 / tick_s));
+    for (int i = 1; i <= ticks; ++i) {
+      const double z = watch.apply({0, 0, -60}).z;
+      if (2 * i == ticks) {
+        EXPECT_NEAR(z, -30.0, 1e-6) << tick_s;
+      }
+      if (i == ticks - 1) {
+        EXPECT_GT(z, -60.0) << tick_s;
+      }
+    }
+    EXPECT_NEAR(watch.limiter.position_mm().z, -60.0, 1e-6) << tick_s;
   }
-  EXPECT_GT(watch.limiter.refused(), 500U);
+}
+
+TEST(MotionLimiter, AHundredThousandWildTargetsNeverBreakALimitAtAnyTick) {
+  for (const double tick_s : {0.0001, 0.001, 0.002, 0.005, 0.01, 0.1}) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(-200.0, 200.0);
+    Watch watch({}, tick_s);
+    Vec3 target;
+    for (int i = 0; i < 20'000; ++i) {
+      if (random() % 50 == 0) target = {place(random), place(random), place(random)};
+      if (random() % 200 < 10) {
+        watch.brake();
+      } else {
+        watch.apply(random() % 97 == 0 ? Vec3{kNaN, kInf, -kInf} : target);
+      }
+    }
+  }
+}
+
+TEST(MotionLimiter, LimitsOfAnyRatioAreKept) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const auto between = [&](double low, double high) { return low * std::pow(high / low, share(random)); };
+  for (int trial = 0; trial < 300; ++trial) {
+    const MotionLimits limits{
+        .speed_mm_s = between(1, 1000), .acceleration_mm_s2 = between(10, 1e5), .jerk_mm_s3 = between(1e3, 1e7)};
+    ASSERT_TRUE(checkLimits(limits));
+    Watch watch(limits, between(0.001, 0.1));
+    Vec3 target;
+    for (int i = 0; i < 300; ++i) {
+      if (random() % 20 == 0) target = {70 * share(random) - 35, 50 * share(random) - 25, 140 * share(random) - 70};
+      watch.apply(target);
+    }
+  }
+}
+
+TEST(MotionLimiter, ChangingTicksKeepTheSpeedAndArrive) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> tick(0.0005, 0.02);
+  MotionLimiter limiter;
+  for (int i = 0; i < 2000; ++i) {
+    const double tick_s = tick(random);
+    const Vec3 before = limiter.position_mm();
+    const Vec3 after = limiter.advance({i % 500 < 250 ? 30.0 : -30.0, 20, -60}, tick_s);
+    EXPECT_LE((after - before).norm(), 250.0 * tick_s * (1 + 1e-9));
+  }
+  for (int i = 0; i < 500; ++i) limiter.advance({5, 5, -5}, tick(random));
+  EXPECT_NEAR((limiter.position_mm() - Vec3{5, 5, -5}).norm(), 0.0, 1e-9);
+}
+
+// From 100 mm/s with 1000 mm/s² and 10 000 mm/s³: 0.2 s and 10 mm, by hand as above.
+TEST(MotionLimiter, BrakesAsFastAsTheLimitsAllowAndStays) {
+  const double root = std::sqrt(3.0);
+  Watch watch({.speed_mm_s = 100.0 * root, .acceleration_mm_s2 = 1000.0 * root, .jerk_mm_s3 = 10'000.0 * root}, 0.01);
+  for (int i = 0; i < 40; ++i) watch.apply({0, 0, -70});
+  const double begun = watch.limiter.position_mm().z;
+  for (int i = 0; i < 19; ++i) watch.brake();
+  EXPECT_FALSE(watch.limiter.atRest());
+  for (int i = 0; i < 2; ++i) watch.brake();
+  EXPECT_TRUE(watch.limiter.atRest());
+  EXPECT_NEAR(watch.limiter.position_mm().z, begun - 10.0, 1e-9);
+  const Vec3 rest = watch.limiter.position_mm();
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(watch.brake(), rest);
+  // A target that is no number leaves the goal where it braked to.
+  for (int i = 0; i < 100; ++i) EXPECT_NEAR((watch.apply({kNaN, 0, 0}) - rest).norm(), 0.0, 1e-9);
 }
 
 TEST(MotionLimiter, WhatIsNoNumberIsRefusedAndTheLastGoalStands) {
   Watch watch;
-  for (int i = 0; i < 500; ++i) watch.apply({5, 0, 0});
+  for (int i = 0; i < 1000; ++i) watch.apply({5, 0, 0});
   for (const Vec3 bad : {Vec3{kNaN, 0, 0}, Vec3{0, kInf, 0}, Vec3{0, 0, -kInf}}) {
     EXPECT_NEAR(watch.apply(bad).x, 5.0, 1e-9);
   }
@@ -93,27 +170,19 @@ TEST(MotionLimiter, WhatIsNoNumberIsRefusedAndTheLastGoalStands) {
   EXPECT_EQ(watch.apply({1e300, -1e300, 1e300}).finite(), true);
 }
 
-TEST(MotionLimiter, AfterAPauseAtMostTwentyMillisecondsAreCaughtUp) {
-  MotionLimiter limiter({.speed_mm_s = 100.0 * std::sqrt(3.0), .acceleration_mm_s2 = 1e5});
-  limiter.apply({}, instantAt(0.0));
-  for (int i = 1; i <= 10; ++i) limiter.apply({30, 0, 0}, instantAt(0.001 * i));  // at full speed
-  const double before = limiter.position_mm().x;
-  limiter.apply({30, 0, 0}, instantAt(10.0));
-  EXPECT_NEAR(limiter.position_mm().x - before, 2.0, 1e-9);  // 100 mm/s · 20 ms
-}
-
-TEST(MotionLimiter, TimeThatStandsStillOrGoesBackMovesNothing) {
+TEST(MotionLimiter, ATickThatIsNoneMovesNothingAndALongOneCountsAsASecond) {
   MotionLimiter limiter;
-  for (int i = 0; i < 1000; ++i) limiter.apply({30, 10, -50}, instantAt(5.0 - 0.001 * i));
-  EXPECT_EQ(limiter.position_mm(), Vec3{});
+  for (const double tick_s : {0.0, -1.0, kNaN, -kInf}) EXPECT_EQ(limiter.advance({30, 10, -50}, tick_s), Vec3{});
+  MotionLimiter second;
+  const Vec3 after_one = second.advance({0, 0, -60}, 1.0);
+  EXPECT_EQ(limiter.advance({0, 0, -60}, kInf), after_one);
 }
 
 TEST(MotionLimiter, StartsFromWhereTheArmStandsEvenOutsideTheWorkspace) {
   MotionLimiter limiter;
   limiter.reset({100, 0, 0});
-  limiter.apply({0, 0, 0}, instantAt(0.0));
   EXPECT_EQ(limiter.position_mm().x, 100.0);
-  for (int i = 1; i < 3000; ++i) limiter.apply({0, 0, 0}, instantAt(0.001 * i));
+  for (int i = 1; i < 3000; ++i) limiter.advance({0, 0, 0}, 0.001);
   EXPECT_NEAR(limiter.position_mm().x, 0.0, 1e-9);
 }
 
@@ -126,6 +195,7 @@ TEST(MotionLimiter, WrongLimitsAreRefusedWithTheirValue) {
   EXPECT_THAT(message({.workspace_mm = {35, 0, 70}}), ::testing::HasSubstr("workspace ±(35, 0, 70) mm"));
   EXPECT_THAT(message({.speed_mm_s = kNaN}), ::testing::HasSubstr("speed limit nan"));
   EXPECT_THAT(message({.acceleration_mm_s2 = 1e9}), ::testing::HasSubstr("expected 10 to 100000"));
+  EXPECT_THAT(message({.jerk_mm_s3 = 10.0}), ::testing::HasSubstr("jerk limit 10 mm/s³: expected 1000 to 10000000"));
 }
 
 // An arm that stands where it is told, unless told not to follow; the first exchange that succeeds again holds it.
@@ -148,26 +218,60 @@ class Obedient final : public Robot {
   bool followed_ = false;
 };
 
-TEST(FollowingRobot, TargetsThatPiledUpWhileItDidNotFollowMakeNoLeap) {
-  auto owned = std::make_unique<Obedient>();
-  Obedient& arm = *owned;
-  FollowingRobot robot(std::move(owned), {});
+struct Followed {
+  Obedient* arm = nullptr;
+  std::optional<FollowingRobot> robot;
   double t_s = 0.0;
-  const auto run = [&](int cycles, const Vec3& target) {
-    for (int i = 0; i < cycles; ++i) static_cast<void>(robot.exchange(target, instantAt(t_s += 0.001)));
-  };
-  run(500, {10, 0, 0});
-  EXPECT_NEAR(arm.place_mm.x, 10.0, 1e-6);
-  arm.follows = false;
-  run(500, {-30, 20, -50});
-  EXPECT_FALSE(robot.following());
-  arm.follows = true;
-  arm.largest_step_mm = 0.0;
-  run(1, {-30, 20, -50});
-  EXPECT_TRUE(robot.resumed());
-  run(1000, {-30, 20, -50});
-  EXPECT_NEAR(arm.place_mm.y, 20.0, 1e-6);
-  EXPECT_LE(arm.largest_step_mm, 0.25 + 1e-6);  // 250 mm/s · 1 ms
+
+  Followed() {
+    auto owned = std::make_unique<Obedient>();
+    arm = owned.get();
+    robot.emplace(std::move(owned), MotionLimits{});
+  }
+  // `late_s`: how much longer than the tick the machine took.
+  void run(int cycles, const Vec3& target, double late_s = 0.0) {
+    for (int i = 0; i < cycles; ++i) {
+      static_cast<void>(robot->exchange(target, 0.001, instantAt(t_s += 0.001 + late_s)));
+    }
+  }
+};
+
+TEST(FollowingRobot, TargetsThatPiledUpWhileItDidNotFollowMakeNoLeap) {
+  Followed to;
+  to.run(500, {10, 0, 0});
+  EXPECT_NEAR(to.arm->place_mm.x, 10.0, 1e-6);
+  to.arm->follows = false;
+  to.run(500, {-30, 20, -50});
+  EXPECT_FALSE(to.robot->following());
+  to.arm->follows = true;
+  to.arm->largest_step_mm = 0.0;
+  to.run(1, {-30, 20, -50});
+  EXPECT_TRUE(to.robot->resumed());
+  to.run(1000, {-30, 20, -50});
+  EXPECT_NEAR(to.arm->place_mm.y, 20.0, 1e-6);
+  EXPECT_LE(to.arm->largest_step_mm, 0.25 + 1e-6);  // 250 mm/s · 1 ms
+}
+
+TEST(FollowingRobot, AMachineThatStoodStillCatchesUpNothing) {
+  Followed to;
+  to.run(100, {30, 0, 0});
+  to.arm->largest_step_mm = 0.0;
+  to.run(1, {30, 0, 0}, 0.5);
+  to.run(100, {30, 0, 0}, 0.0005);
+  EXPECT_LE(to.arm->largest_step_mm, 0.25 / std::sqrt(3.0) + 1e-9);  // an axis' share of 250 mm/s, in 1 ms
+}
+
+TEST(FollowingRobot, ComesToRestAndCountsTargetsThatAreNoNumbers) {
+  Followed to;
+  to.run(100, {30, 0, 0});
+  EXPECT_FALSE(to.robot->atRest());
+  to.run(3, {kNaN, 0, 0});
+  EXPECT_EQ(to.robot->refused(), 3U);
+  to.robot->comeToRest();
+  to.run(100, {30, 0, 0});
+  EXPECT_TRUE(to.robot->atRest());
+  EXPECT_LT(to.arm->place_mm.x, 25.0);
+  EXPECT_EQ(to.robot->commanded_mm(), to.arm->place_mm);
 }
 
 }  // namespace
