@@ -132,7 +132,7 @@ void RobotRunner::exchangeWithRobot(const Vec3& target_mm, Duration tick, Instan
     now_.robot_problem.clear();
   }
   now_.readings = *readings;
-  if (robot_.resumed()) mapping_.reset(robot_.commanded_mm());
+  if (robot_.resumed()) mapping_.resume(robot_.commanded_mm());
 }
 
 void RobotRunner::queueCommands(Instant now) {
@@ -166,9 +166,12 @@ void RobotRunner::receiveUntil(Instant deadline) {
     const auto reception = end_->handle({buffer_.data(), received->size}, received->from, Clock::now());
     if (reception.connected) {
       if (now_.connections++ == 0) connected_ = Clock::now();
-      mapping_.reset(robot_.commanded_mm());
+      mapping_.resume(robot_.commanded_mm());
     }
     if (reception.touch) {
+      const std::uint64_t gaps = end_->counters().lost + end_->counters().missed_replies;
+      // What the touch did meanwhile was not followed, and the session may be held since then.
+      if (std::exchange(gaps_, gaps) != gaps) mapping_.resume(robot_.commanded_mm());
       now_.touch = *reception.touch;
       mapping_.apply(*reception.touch);
     }

@@ -109,6 +109,7 @@ class RobotRunner {
   std::vector<std::uint8_t> buffer_;
   Ring<pipeline::RobotCommand> asked_{16};
   std::size_t next_command_ = 0;
+  std::uint64_t gaps_ = 0;  // in the stream of touches, so far
   Instant began_{};
   Instant published_{};
   Instant connected_{};

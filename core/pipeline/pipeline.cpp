@@ -110,10 +110,8 @@ void Pipeline::configure() {
 }
 
 void Pipeline::applyRobotCommands(const Inputs& inputs) {
-  if (inputs.robot.phase != last_phase_ && inputs.robot.phase == LinkPhase::waiting) {
-    motion_.reset();  // the next robot stands at its own origin
-    robot_sets_reference_ = false;
-  }
+  // The touch goes on as it was: the robot that is back stands where the last one left it.
+  if (inputs.robot.phase != last_phase_ && inputs.robot.phase == LinkPhase::waiting) robot_sets_reference_ = false;
   const auto indexOf = [this](std::string_view id) {
     return static_cast<std::uint16_t>(findParameter(bound_, id) - bound_.data());
   };

@@ -40,6 +40,4 @@ TouchMessage TouchMotion::step(const MotionInput& input) {
           .force_N = contact && std::isfinite(input.force_N) ? std::max(0.0, input.force_N) : 0.0};
 }
 
-void TouchMotion::reset() { *this = TouchMotion(); }
-
 }  // namespace fyd::pipeline

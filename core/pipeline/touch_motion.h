@@ -3,7 +3,8 @@
 // Relative (default): a new touch takes hold of the robot where it stands, like a clutch; finger travel along the
 // cloth becomes robot travel. Absolute (thesis): the robot goes where the finger is, with a jump at each new touch.
 // Depth is the indentation in both: pressing is negative z. The position sent never leaves the workspace and never
-// moves faster than the speed limit, whatever comes in.
+// moves faster than the speed limit, whatever comes in. A robot that is lost and comes back finds the position as it
+// left it: one that started anew would lead an arm that kept its place away, with nobody's finger behind it.
 #pragma once
 
 #include "core/base/time.h"
@@ -31,8 +32,6 @@ struct MotionInput {
 class TouchMotion {
  public:
   [[nodiscard]] TouchMessage step(const MotionInput& input);
-  /// The next robot is taken as standing at the origin.
-  void reset();
 
   template <class Archive>
   void serialize(Archive& archive) {

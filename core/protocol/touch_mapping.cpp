@@ -3,16 +3,39 @@
 #include <cmath>
 
 namespace fyd::protocol {
+namespace {
+
+constexpr double kSameHeight_mm = 1.0;  // what smoothing and whole millimetres leave
+
+}  // namespace
 
 void TouchMapping::reset(const Vec3& target_mm) {
   if (target_mm.finite()) target_mm_ = target_mm;
+  interrupted_ = false;
+}
+
+void TouchMapping::resume(const Vec3& target_mm) {
+  reset(target_mm);
+  interrupted_ = true;
+  first_.reset();
+  moved_ = level_ = false;
+}
+
+bool TouchMapping::waits(const pipeline::TouchMessage& touch) {
+  if (!interrupted_) return false;
+  if (!first_) first_ = touch.position_mm;
+  moved_ = moved_ || touch.position_mm != *first_;
+  level_ = level_ || settings_.scale_z * touch.position_mm.z >= target_mm_.z - kSameHeight_mm;
+  interrupted_ = !touch.in_contact && !(moved_ && level_);
+  return interrupted_;
 }
 
 const Vec3& TouchMapping::apply(const pipeline::TouchMessage& touch) {
   const Vec3& p = touch.position_mm;
   if (!p.finite()) return target_mm_;
   if (p.z > 0.0 && p.x != 0.0 && p.y != 0.0) return target_mm_;
-  const bool held = p.x == 0.0 && p.y == 0.0;
+  if (waits(touch)) return target_mm_;
+  const bool held = !touch.in_contact || (p.x == 0.0 && p.y == 0.0);
   Vec3 next = target_mm_;
   if (!held) {
     next.x = settings_.keep_xy * next.x + (1.0 - settings_.keep_xy) * settings_.scale_xy * p.x;

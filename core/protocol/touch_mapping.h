@@ -1,9 +1,15 @@
 // From the touchpad's touch to the robot's target, in the touchpad's frame (thesis §4.2):
 //   goal = (s_xy·x, s_xy·y, s_z·z),   target ← w·target + (1 − w)·goal   for each touch received.
-// x = y = 0 holds x and y; z > 0 with x and y both non-zero is ignored altogether, as the authors' robot does.
-// The authors smooth in 16-bit integers, which sticks up to 4 mm (x, y) and 9 mm (z) short of the goal; here the
-// target is a double and arrives.
+// Out of contact, or with x = y = 0, x and y are held; z > 0 with x and y both non-zero is ignored altogether, as the
+// authors' robot does.
+//
+// After an interruption (a touchpad that connects or was silent, an arm that follows again) touch and arm need not fit together: the
+// touchpad may have started anew, or the arm may have been moved. The target then stays where the arm stands until a
+// finger leads it, or until the touch moves without one (it is lifted), which both happen in an active session only;
+// and a touch without a finger leads only once it was as high as the arm, so that the arm does not go down to it.
 #pragma once
+
+#include <optional>
 
 #include "core/base/vec3.h"
 #include "core/pipeline/messages.h"
@@ -23,13 +29,21 @@ class TouchMapping {
 
   /// Starts from where the robot stands.
   void reset(const Vec3& target_mm);
+  /// Starts from where the robot stands, after an interruption.
+  void resume(const Vec3& target_mm);
   /// @return the new target, mm; always finite. A touch that is not finite changes nothing.
   const Vec3& apply(const pipeline::TouchMessage& touch);
   [[nodiscard]] const Vec3& target() const { return target_mm_; }
 
  private:
+  bool waits(const pipeline::TouchMessage& touch);
+
   TouchMappingSettings settings_;
   Vec3 target_mm_;
+  bool interrupted_ = false;
+  std::optional<Vec3> first_;  // touch after the interruption
+  bool moved_ = false;         // it has, since then
+  bool level_ = false;         // it was as high as the arm, since then
 };
 
 }  // namespace fyd::protocol

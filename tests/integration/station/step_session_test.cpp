@@ -288,5 +288,44 @@ TEST(StepSession, TwoSessionsOfOneSeedAreEqual) {
   }
 }
 
+// The robot that comes back stands where the touch left it: anything else would move it with nobody's finger behind it.
+TEST(StepSession, ARobotThatComesBackFindsTheTouchAsItLeftIt) {
+  using pipeline::LinkPhase;
+  auto session = activeSession();
+  session->run(1.0);
+  LinkPhase phase = LinkPhase::running;
+  session->spoil = [&phase](pipeline::Inputs& in) {
+    in.robot.phase = phase;
+    if (phase == LinkPhase::waiting) in.robot.state = {};
+  };
+  Vec3 last = session->outputs().touch.position_mm;
+  ASSERT_LT(last.z, -4.0);
+  const auto stays = [&](LinkPhase next, double seconds) {
+    phase = next;
+    session->run(seconds, [&](const pipeline::Outputs& outputs) {
+      ASSERT_NE(outputs.telemetry.state, SafetyState::active);
+      ASSERT_EQ(outputs.touch.position_mm, last);
+      ASSERT_FALSE(outputs.touch.in_contact);
+    });
+  };
+  phase = LinkPhase::lost;
+  session->run(0.002);
+  last = session->outputs().touch.position_mm;
+  for (const bool stopped : {false, true}) {
+    if (stopped) (void)session->next.commands.push({.action = OperatorAction::stop});
+    stays(LinkPhase::lost, 1.5);
+    stays(LinkPhase::waiting, 0.1);
+    stays(LinkPhase::running, 0.5);
+    stays(LinkPhase::closed, 0.5);
+    stays(LinkPhase::waiting, 0.1);
+    stays(LinkPhase::running, 0.5);
+  }
+  // Armed again, the finger goes on from there.
+  arm(*session);
+  session->run(0.005);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+  EXPECT_NEAR(session->outputs().touch.position_mm.z, last.z, 1.0);
+}
+
 }  // namespace
 }  // namespace fyd

@@ -718,5 +718,36 @@ TEST(TouchMapping, ZeroZeroHoldsXAndYAndPositiveZIsIgnored) {
   EXPECT_NE(mapping.apply({.position_mm = {0.0, 1.0, 1.0}, .in_contact = true}), before);
 }
 
+TEST(TouchMapping, OutOfContactXAndYAreHeld) {
+  TouchMapping mapping;
+  mapping.reset({5.0, 6.0, -7.0});
+  const Vec3 target = mapping.apply({.position_mm = {20.0, 10.0, -2.0}, .in_contact = false});
+  EXPECT_EQ(target.x, 5.0);
+  EXPECT_EQ(target.y, 6.0);
+}
+
+TEST(TouchMapping, AfterAnInterruptionNothingMovesUntilAFingerLeadsOrTheTouchMovesFromAbove) {
+  const auto touch = [](const Vec3& place, bool contact = false) {
+    return pipeline::TouchMessage{.position_mm = place, .in_contact = contact};
+  };
+  // A touchpad that started anew, an arm that kept its place: it neither rises nor goes sideways.
+  TouchMapping mapping;
+  mapping.resume({20.0, 5.0, -33.0});
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(mapping.apply(touch({0, 0, 0})), (Vec3{20.0, 5.0, -33.0}));
+  EXPECT_GT(mapping.apply(touch({0, 0, -1}, true)).z, -33.0);  // the finger leads
+
+  // A touchpad that is held with the finger pressed, an arm that started anew: it does not go down to it.
+  mapping.resume({0.0, 0.0, 0.0});
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(mapping.apply(touch({5, 3, -11})), Vec3{});
+  for (int i = 0; i < 11; ++i) EXPECT_EQ(mapping.apply(touch({5, 3, -11.0 + i})), Vec3{});  // lifted in the session
+  EXPECT_EQ(mapping.apply(touch({5, 3, 0})), Vec3{});
+  EXPECT_LT(mapping.apply(touch({5, 3, -1})).z, 0.0);  // and pressed again
+
+  // The same pair again: what was last asked for is where the arm stands, and the finger lifts it.
+  mapping.resume({5.0, 3.0, -33.0});
+  EXPECT_EQ(mapping.apply(touch({5, 3, -11})), (Vec3{5.0, 3.0, -33.0}));
+  EXPECT_GT(mapping.apply(touch({5, 3, -10})).z, -33.0);
+}
+
 }  // namespace
 }  // namespace fyd::protocol
