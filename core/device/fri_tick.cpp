@@ -6,7 +6,7 @@
 namespace fyd::device {
 namespace {
 
-constexpr std::uint16_t kFewest = 64;
+constexpr std::uint16_t kWindow = 64;
 
 bool possible(double tick_s) { return tick_s > 0.0 && tick_s <= kFriLongestTick_s; }
 
@@ -18,13 +18,14 @@ void FriTick::take(const protocol::FriMeasurement& m) {
     if (possible(stated)) stated_s_ = stated_s_ > 0.0 ? std::min(stated_s_, stated) : stated;
   }
   const auto ticks = static_cast<std::uint16_t>(m.header.sequence - first_sequence_);
-  if (counting_ && ticks < kFewest) return;
-  if (counting_) {
+  if (counting_ && ticks > 0 && (!window_complete_ || ticks >= kWindow)) {
     // Less what the stamp cannot resolve: a controller that runs for hours counts in whole milliseconds.
     const double resolution_s = std::nextafter(m.time_s, HUGE_VALF) - m.time_s;
     const double measured = (static_cast<double>(m.time_s) - static_cast<double>(first_time_s_) - resolution_s) / ticks;
     measured_s_ = possible(measured) ? measured : 0.0;
   }
+  if (counting_ && ticks < kWindow) return;
+  window_complete_ = counting_;
   counting_ = true;
   first_sequence_ = m.header.sequence;
   first_time_s_ = m.time_s;

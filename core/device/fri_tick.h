@@ -1,6 +1,7 @@
 // How long a KRC takes for one command: the shorter of what it states (interface state: sample times) and what its own
-// time stamps say, counted over at least 64 of its measurements. A tick taken too short makes the arm slower; one taken
-// too long would make it faster than its limits, so nothing known counts as the shortest that FRI has.
+// time stamps say, counted over 64 of its measurements (at first over those that there are). A tick taken too short
+// makes the arm slower; one taken too long would make it faster than its limits, so nothing known counts as the
+// shortest that FRI has.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +27,7 @@ class FriTick {
   double stated_s_ = 0.0;    // 0: it does not say
   double measured_s_ = 0.0;  // 0: not known yet
   bool counting_ = false;
+  bool window_complete_ = false;  // one was, so that the next figure waits for a whole one
   std::uint16_t first_sequence_ = 0;
   float first_time_s_ = 0.0F;
 };

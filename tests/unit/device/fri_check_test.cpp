@@ -100,6 +100,7 @@ TEST(FriTick, IsTheShorterOfWhatIsStatedAndStamped) {
   EXPECT_NEAR(after(0.005F, 0.0, 0.0, 1), 0.005, 1e-9);
   EXPECT_NEAR(after(0.005F, 0.005, 10.0, 200), 0.005, 1e-6);
   EXPECT_NEAR(after(0.01F, 0.002, 10.0, 200), 0.002, 1e-6);
+  EXPECT_NEAR(after(0.01F, 0.002, 10.0, 2), 0.002, 1e-5);  // known from the second measurement on
   EXPECT_NEAR(after(0.005F, 0.01, 10.0, 200), 0.005, 1e-6);
   EXPECT_NEAR(after(0.0F, 0.005, 10.0, 200), 0.005, 1e-6);
   EXPECT_EQ(after(0.0F, 0.0, 0.0, 200), 0.001);
