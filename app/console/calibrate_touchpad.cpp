@@ -46,8 +46,8 @@ class LoadCellStep : public CalibrationStep {
   Result<std::vector<double>> read(const CalibrationScene& scene) const override {
     const auto value = liveValue(scene.devices, "load cell");
     if (!value) return tl::unexpected(value.error());
-    const double limit = scene.profile.step.sensing.load_cell.limit_mV_per_V;
-    if (std::abs(*value) > limit) return fail("{:.3f} mV/V is beyond the bridge's span of {:g}", *value, limit);
+    const double span = sensing::LoadCell(scene.profile.step.sensing.load_cell).span_mV_per_V();
+    if (!(std::abs(*value) <= span)) return fail("{:.3f} mV/V is beyond the load cell's span of {:g}", *value, span);
     return std::vector{*value};
   }
   CalibrationPoint point(const std::vector<double>& entered, const std::vector<double>& mean,

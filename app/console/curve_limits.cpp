@@ -25,9 +25,8 @@ std::vector<double> limitsOf(const QString& strip, const pipeline::Parameters& p
   }
   if (strip == QLatin1String("translation")) return {-motor_deg, motor_deg};
   if (strip == QLatin1String("force")) {
-    const sensing::LoadCellParameters& cell = parameters.sensing.load_cell;
-    const sensing::LoadCell read(cell);
-    return {read.force_N(-cell.limit_mV_per_V), read.force_N(cell.limit_mV_per_V)};
+    const sensing::LoadCell cell(parameters.sensing.load_cell);
+    return {cell.force_N(-cell.span_mV_per_V()), cell.force_N(cell.span_mV_per_V())};
   }
   return {};
 }

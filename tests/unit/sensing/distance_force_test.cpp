@@ -138,8 +138,26 @@ TEST(LoadCell, InvalidIsNotANumberAndNeverZero) {
   for (const double bad : {7.78, -7.78, 1e300, std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     EXPECT_TRUE(std::isnan(cell.force_N(bad))) << bad;
   }
-  EXPECT_TRUE(std::isfinite(cell.force_N(7.77)));
   EXPECT_TRUE(std::isfinite(cell.force_N(5e-324)));
+}
+
+TEST(LoadCell, ABridgeAtTheEndOfItsConverterMeasuresNothingWhateverSpanIsConfigured) {
+  for (const double span : {2.0, 7.77, 1000.0}) {  // 7.77: as profiles of the first version say
+    const LoadCell cell({.limit_mV_per_V = span});
+    for (const double end : {7.77, 7.7699, 7.76, 7.8125, static_cast<double>(7.77F)}) {
+      EXPECT_TRUE(std::isnan(cell.force_N(end))) << end << " with a span of " << span;
+      EXPECT_TRUE(std::isnan(cell.force_N(-end))) << -end << " with a span of " << span;
+    }
+  }
+  EXPECT_TRUE(std::isfinite(LoadCell({.limit_mV_per_V = 7.77}).force_N(7.7))) << "another cell, of 6 mV/V or so";
+}
+
+TEST(LoadCell, TheDeliveredSpanIsTheCellsOwn) {
+  const LoadCell cell;
+  EXPECT_TRUE(std::isfinite(cell.force_N(0.8)));        // rated, 7.65 N
+  EXPECT_TRUE(std::isfinite(cell.force_N(1.5 * 0.8)));  // where it breaks
+  EXPECT_TRUE(std::isnan(cell.force_N(3.0 * 0.8)));
+  EXPECT_TRUE(std::isnan(cell.force_N(-3.0 * 0.8)));
 }
 
 TEST(LoadCell, TareMakesThePresentForceZero) {
