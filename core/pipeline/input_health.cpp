@@ -12,11 +12,6 @@ bool stale(const Timed<T>& input, Instant now, double maximum_age_ms) {
   return input.freshness(now, fromSeconds(maximum_age_ms * 1e-3)) != Freshness::fresh;
 }
 
-bool blind(sensing::FingerReason reason) {
-  using enum sensing::FingerReason;
-  return reason == black_picture || reason == saturated || reason == no_picture;
-}
-
 }  // namespace
 
 bool InputHealth::Grace::expired(bool now_bad, Instant now, double grace_ms) {
@@ -42,8 +37,8 @@ Lacks InputHealth::judge(const Inputs& inputs, const HealthContext& context, con
   mark(Lack::bridge_invalid,
        !bridge_stale && bridge_invalid_.expired(!context.bridge_valid, inputs.now, limits.bridge_maximum_age_ms));
   mark(Lack::camera_stale, camera_stale);
-  mark(Lack::camera_blind, !camera_stale && camera_blind_.expired(blind(inputs.finger.value.reason), inputs.now,
-                                                                  limits.finger_maximum_age_ms));
+  mark(Lack::camera_blind,
+       !camera_stale && camera_blind_.expired(!context.shows_cloth, inputs.now, limits.finger_maximum_age_ms));
   if (context.needs_robot) {
     const LinkPhase phase = inputs.robot.phase;
     mark(Lack::robot_waiting, phase == LinkPhase::none || phase == LinkPhase::waiting);

@@ -18,7 +18,7 @@ constexpr std::array<LackText, kLackCount> kLackTexts = {{
     {"the load cell is silent", "Check the load cell's bridge and its cable."},
     {"the load cell's value is outside its span", "Take the load off the cover; check the bridge's wiring."},
     {"the camera sends no pictures", "Check the camera's cable or choose another source."},
-    {"the camera sees nothing: picture black, saturated or empty", "Check light and lens cap."},
+    {"the camera sees nothing: picture black, white, of one grey or empty", "Check light and lens cap."},
     {"no robot has connected", "Start the robot's program, or set the target by hand."},
     {"the robot is silent", "Check the network and the robot's program."},
     {"the robot has said goodbye", "Start the robot's program again."},

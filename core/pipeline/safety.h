@@ -55,7 +55,7 @@ enum class Lack : std::uint8_t {
   bridge_stale,     ///< the load cell is silent
   bridge_invalid,   ///< the load cell's value is outside its span
   camera_stale,     ///< no new picture
-  camera_blind,     ///< pictures arrive, but black, saturated or empty
+  camera_blind,     ///< pictures arrive, but black, white, of one grey or empty
   robot_waiting,    ///< a robot is wanted and has not connected
   robot_lost,       ///< the robot went silent
   robot_closed,     ///< the robot said goodbye

@@ -19,6 +19,18 @@ enum class FingerReason : std::uint8_t {
   no_picture,     ///< empty, or the region of interest lies outside it
 };
 
+/// Whether the picture shows the cloth, so that "no contact" means that nothing touches it.
+/// @param flat_cloth the untouched cloth itself gives one grey, such as white at the camera's highest contrast
+[[nodiscard]] constexpr bool showsCloth(FingerReason reason, bool flat_cloth) {
+  switch (reason) {
+    case FingerReason::black_picture:
+    case FingerReason::no_picture: return false;
+    case FingerReason::flat_picture:
+    case FingerReason::saturated: return flat_cloth;
+    default: return true;
+  }
+}
+
 /// A word or two for the operator and for JSON, such as "at edge".
 [[nodiscard]] std::string_view toString(FingerReason reason);
 

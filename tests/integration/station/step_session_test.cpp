@@ -62,6 +62,51 @@ TEST(StepSession, ACameraThatIsBlackFromTheStartIsNeverReady) {
   EXPECT_EQ(session.outputs().telemetry.lack, Lack::camera_blind);
 }
 
+TEST(StepSession, AFlatPictureIsNoFaultWhereTheUntouchedClothGivesOne) {
+  using enum sensing::FingerReason;
+  for (const sensing::FingerReason reason : {flat_picture, saturated, black_picture}) {
+    LockstepOptions options;
+    options.parameters.sensing.finger.flat_cloth = true;
+    auto session = activeSession(options);
+    session->spoil = [reason](pipeline::Inputs& in) {
+      in.finger.value = {};
+      in.finger.value.reason = reason;
+    };
+    session->run(3.0);
+    EXPECT_EQ(session->outputs().telemetry.state, reason == black_picture ? SafetyState::held : SafetyState::active);
+    EXPECT_FALSE(session->outputs().touch.in_contact);
+  }
+}
+
+TEST(StepSession, AShortFlatPictureIsBorne) {
+  auto session = activeSession();
+  session->spoil = [](pipeline::Inputs& in) { in.finger.value.reason = sensing::FingerReason::flat_picture; };
+  session->run(0.2);
+  session->spoil = {};
+  session->run(1.0);
+  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
+}
+
+TEST(StepSession, AFlatPictureIsNoUntouchedClothToTareOn) {
+  LockstepOptions options;
+  options.finger = sim::FingerPath::constant(0, 0, 0);
+  Lockstep session{options};
+  session.run(0.5);
+  session.spoil = [](pipeline::Inputs& in) {
+    in.finger.value = {};
+    in.finger.value.reason = sensing::FingerReason::flat_picture;
+  };
+  (void)session.next.commands.push({.action = OperatorAction::tare});
+  int failed = 0;
+  session.run(8.0, [&](const pipeline::Outputs& outputs) {
+    for (const pipeline::Event& event : outputs.events) {
+      ASSERT_NE(event.kind, pipeline::EventKind::tare_done);
+      failed += event.kind == pipeline::EventKind::tare_failed ? 1 : 0;
+    }
+  });
+  EXPECT_EQ(failed, 1);
+}
+
 TEST(StepSession, ALiftedFingerIsNoFault) {
   LockstepOptions options;
   options.finger = sim::FingerPath::constant(0, 0, 0);
@@ -120,11 +165,21 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"bridge_nan",
               [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = std::numeric_limits<double>::quiet_NaN(); },
               Lack::bridge_invalid, 0.4},
+        Fault{"bridge_at_its_converters_end", [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = 7.77; },
+              Lack::bridge_invalid, 0.4},
+        Fault{"bridge_beyond_its_cell", [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = -3.0; },
+              Lack::bridge_invalid, 0.4},
         Fault{"camera_unplugged", [](pipeline::Inputs& in) { freeze(in.finger); }, Lack::camera_stale, 0.4},
         Fault{"camera_black",
               [](pipeline::Inputs& in) {
                 in.finger.value = {};
                 in.finger.value.reason = sensing::FingerReason::black_picture;
+              },
+              Lack::camera_blind, 0.6},
+        Fault{"camera_flat",
+              [](pipeline::Inputs& in) {
+                in.finger.value = {};
+                in.finger.value.reason = sensing::FingerReason::flat_picture;
               },
               Lack::camera_blind, 0.6},
         Fault{"robot_lost", [](pipeline::Inputs& in) { in.robot.phase = pipeline::LinkPhase::lost; }, Lack::robot_lost,
