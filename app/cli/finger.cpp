@@ -2,27 +2,14 @@
 #include <cmath>
 #include <iostream>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "app/cli/command.h"
 #include "app/cli/profile_options.h"
 #include "core/device/camera.h"
+#include "core/device/picture_decoder.h"
 #include "core/sensing/finger_detector.h"
 
 namespace fyd::cli {
 namespace {
-
-/// Empty when the file is no picture; the reason then stands in `problem`.
-cv::Mat read(const std::string& path, std::string& problem) {
-  try {
-    cv::Mat picture = cv::imread(path, cv::IMREAD_ANYCOLOR);  // 8 bit, as many channels as the file has
-    if (picture.empty()) problem = fmt::format("{}: not a picture that can be read (PNG, JPEG, PGM …)", path);
-    return picture;
-  } catch (const cv::Exception& error) {
-    problem = fmt::format("{}: cannot be decoded: {}", path, error.what());
-    return {};
-  }
-}
 
 nlohmann::ordered_json detectionJson(const std::string& path, const sensing::FingerDetection& found) {
   const auto onlyInContact = [&](double value) { return jsonNumber(found.contact ? value : std::nan("")); };
@@ -69,9 +56,9 @@ void add_finger(CLI::App& app) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     std::string problem;
     for (const std::string& path : options->images) {
-      std::string unread;
-      const cv::Mat picture = read(path, unread);
-      if (!unread.empty()) problem += (problem.empty() ? "" : "\n") + unread;
+      const auto read = device::readPicture(path);
+      if (!read) problem += (problem.empty() ? "" : "\n") + read.error().message;
+      const cv::Mat picture = read ? *read : cv::Mat();
       const sensing::FingerDetection found = sensing::FingerDetector(parameters).detect(device::viewOf(picture));
       if (options->json) {
         all.push_back(detectionJson(path, found));

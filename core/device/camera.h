@@ -43,6 +43,9 @@ class Camera {
   /// Whether it shows the present world through a sensor, so that noise makes two equal pictures impossible.
   [[nodiscard]] virtual bool live() const { return false; }
 
+  /// Pictures that were refused as damaged or cut short since the start.
+  [[nodiscard]] virtual std::uint64_t damaged() const { return 0; }
+
   /// Waits for the next picture, at most about a second.
   /// @return an error when the source ended, vanished or is silent; the caller may try again later
   [[nodiscard]] virtual Result<CameraFrame> next() = 0;

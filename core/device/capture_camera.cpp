@@ -1,5 +1,6 @@
 #include "core/device/capture_camera.h"
 
+#include <cctype>
 #include <cstdlib>
 #include <mutex>
 #include <thread>
@@ -10,6 +11,7 @@ namespace fyd::device {
 namespace {
 
 constexpr Duration kRetryAfter = std::chrono::seconds(1);
+constexpr Duration kLongestDamage = std::chrono::seconds(1);
 constexpr int kOpenTimeout_ms = 3000;
 constexpr int kReadTimeout_ms = 1000;
 
@@ -26,6 +28,15 @@ void prepareOpenCv() {
   });
 }
 
+/// OpenCV's word for a codec, four characters.
+bool meansJpeg(double fourcc) {
+  const auto code = static_cast<std::uint32_t>(fourcc);
+  std::string word;
+  for (const unsigned shift : {0U, 8U, 16U, 24U})
+    word += static_cast<char>(std::tolower(static_cast<int>((code >> shift) & 0xFFU)));
+  return word == "mjpg" || word == "jpeg" || word == "mjpe";  // the last: FFmpeg's "mjpeg", where a stream has no word
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Camera>> CaptureCamera::open(const CaptureChoice& choice, const DeviceParameters& parameters) {
@@ -33,7 +44,7 @@ Result<std::unique_ptr<Camera>> CaptureCamera::open(const CaptureChoice& choice,
   std::unique_ptr<CaptureCamera> camera(new CaptureCamera(choice, parameters));
   if (const auto opened = camera->openCapture(); !opened) return tl::unexpected(opened.error());
   if (choice.kind == CaptureKind::video) {
-    if (cv::Mat first; !camera->read(first)) return fail("{}: holds no picture", camera->name());
+    if (cv::Mat first; camera->read(first) == Got::nothing) return fail("{}: holds no picture", camera->name());
     if (const auto rewound = camera->openCapture(); !rewound) return tl::unexpected(rewound.error());
   }
   return camera;
@@ -107,6 +118,7 @@ Result<void> CaptureCamera::openCapture() {
     size_ = {static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH)),
              static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT))};
     if (kind_ == CaptureKind::video && frames_ == 0) pacer_ = Pacer(capture_.get(cv::CAP_PROP_FPS));
+    takeJpegsUndecoded();
   } catch (const cv::Exception& problem) {
     capture_.release();
     return fail("{}: does not open: {}", name(), problem.err);
@@ -114,12 +126,48 @@ Result<void> CaptureCamera::openCapture() {
   return {};
 }
 
-bool CaptureCamera::read(cv::Mat& picture) {
+/// Decoded by OpenCV or FFmpeg, a damaged JPEG would pass for a picture.
+void CaptureCamera::takeJpegsUndecoded() {
+  jpegs_ = meansJpeg(capture_.get(cv::CAP_PROP_FOURCC)) &&
+           (kind_ == CaptureKind::device ? capture_.set(cv::CAP_PROP_CONVERT_RGB, 0)
+                                         : capture_.set(cv::CAP_PROP_FORMAT, -1));
+}
+
+bool CaptureCamera::grab(cv::Mat& out) {
   try {
-    return capture_.read(picture) && !picture.empty();
+    return capture_.read(out) && !out.empty();
   } catch (const cv::Exception&) {
     return false;
   }
+}
+
+CaptureCamera::Got CaptureCamera::read(cv::Mat& picture) {
+  cv::Mat bytes;
+  if (!grab(jpegs_ ? bytes : picture)) return Got::nothing;
+  if (!jpegs_) return Got::picture;
+  auto decoded = decodeJpeg({bytes.data, bytes.total() * bytes.elemSize()});
+  if (decoded && !size_.empty() && decoded->size() != size_) {
+    decoded = fail("{} × {} pixels, expected {} × {}", decoded->cols, decoded->rows, size_.width, size_.height);
+  }
+  watch_.saw(!decoded);
+  if (!decoded) {
+    damage_ = decoded.error().message;
+    ++damaged_;
+  }
+  if (!watch_.believed() || !decoded) return Got::damaged;
+  picture = std::move(*decoded);
+  return Got::picture;
+}
+
+Result<void> CaptureCamera::rewind() {
+  capture_.release();
+  return openCapture();
+}
+
+tl::unexpected<Error> CaptureCamera::ended() {
+  capture_.release();
+  last_attempt_ = Clock::now();
+  return fail("{}: {}", name(), kind_ == CaptureKind::video ? "holds no picture" : "gives no picture any more");
 }
 
 Result<CameraFrame> CaptureCamera::next() {
@@ -127,18 +175,20 @@ Result<CameraFrame> CaptureCamera::next() {
     std::this_thread::sleep_until(last_attempt_ + kRetryAfter);
     if (const auto opened = openCapture(); !opened) return tl::unexpected(opened.error());
   }
-  if (kind_ == CaptureKind::video) pacer_.wait();
+  const Instant began = Clock::now();
   CameraFrame frame;
-  bool got = read(frame.picture);
-  if (!got && kind_ == CaptureKind::video) {  // its end: again from the start
-    capture_.release();
-    if (const auto opened = openCapture(); !opened) return tl::unexpected(opened.error());
-    got = read(frame.picture);
-  }
-  if (!got) {
-    capture_.release();
-    last_attempt_ = Clock::now();
-    return fail("{}: {}", name(), kind_ == CaptureKind::video ? "holds no picture" : "gives no picture any more");
+  bool rewound = false;
+  for (;;) {
+    if (kind_ == CaptureKind::video && !rewound) pacer_.wait();
+    const Got got = read(frame.picture);
+    if (got == Got::picture) break;
+    if (got == Got::damaged) {
+      if (Clock::now() - began > kLongestDamage) return fail("{}: sends damaged pictures: {}", name(), damage_);
+      continue;
+    }
+    if (kind_ != CaptureKind::video || rewound) return ended();
+    if (const auto opened = rewind(); !opened) return tl::unexpected(opened.error());  // its end: again from the start
+    rewound = true;
   }
   frame.taken = Clock::now();
   frame.number = ++frames_;

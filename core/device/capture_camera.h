@@ -9,6 +9,7 @@
 #include "core/device/camera.h"
 #include "core/device/camera_controls.h"
 #include "core/device/pacer.h"
+#include "core/device/picture_decoder.h"
 #include "core/device/stable_name.h"
 
 namespace fyd::device {
@@ -31,8 +32,10 @@ class CaptureCamera final : public Camera {
   [[nodiscard]] std::string kind() const override;
   [[nodiscard]] std::vector<CameraControl> controls() const override { return controls_; }
   [[nodiscard]] bool live() const override { return kind_ != CaptureKind::video; }
+  [[nodiscard]] std::uint64_t damaged() const override { return damaged_; }
   /// After an error each call waits until a second has passed since the last attempt and opens the source again.
-  /// A video is played again from its start when it ends.
+  /// A video is played again from its start when it ends. Damaged pictures are passed over; a second without one that
+  /// is believed is an error.
   [[nodiscard]] Result<CameraFrame> next() override;
 
  private:
@@ -46,7 +49,12 @@ class CaptureCamera final : public Camera {
   [[nodiscard]] Result<void> openCapture();
   void openDevice(const std::string& path);
   void setUpDevice();
-  [[nodiscard]] bool read(cv::Mat& picture);
+  void takeJpegsUndecoded();
+  enum class Got : std::uint8_t { picture, damaged, nothing };
+  [[nodiscard]] Got read(cv::Mat& picture);
+  [[nodiscard]] bool grab(cv::Mat& out);
+  [[nodiscard]] Result<void> rewind();
+  [[nodiscard]] tl::unexpected<Error> ended();
   [[nodiscard]] std::string name() const;
 
   CaptureKind kind_;
@@ -58,6 +66,10 @@ class CaptureCamera final : public Camera {
   Pacer pacer_;
   cv::VideoCapture capture_;
   cv::Size size_;
+  bool jpegs_ = false;  // the source delivers them undecoded
+  DamageWatch watch_;
+  std::string damage_;  // of the newest damaged picture
+  std::uint64_t damaged_ = 0;
   Instant last_attempt_{};
   std::uint64_t frames_ = 0;
 };

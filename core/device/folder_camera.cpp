@@ -4,7 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
-#include <opencv2/imgcodecs.hpp>
+#include "core/device/picture_decoder.h"
 
 namespace fyd::device {
 namespace {
@@ -49,16 +49,9 @@ Result<CameraFrame> FolderCamera::next() {
     if (const auto listed = list(); !listed) return tl::unexpected(listed.error());
   }
   const std::string& file = files_[position_++];
-  CameraFrame frame;
-  try {
-    frame.picture = cv::imread(file, cv::IMREAD_ANYCOLOR);
-  } catch (const cv::Exception&) {  // larger than OpenCV dares to read
-    frame.picture.release();
-  }
-  if (frame.picture.empty()) return fail("camera folder: '{}' is not a picture that can be read", file);
-  frame.taken = Clock::now();
-  frame.number = ++number_;
-  return frame;
+  auto picture = readPicture(file);
+  if (!picture) return fail("camera folder: {}", picture.error().message);
+  return CameraFrame{.picture = std::move(*picture), .taken = Clock::now(), .number = ++number_};
 }
 
 }  // namespace fyd::device

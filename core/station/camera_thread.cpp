@@ -66,6 +66,7 @@ void CameraThread::run(const std::stop_token& stop) {
       describe(*camera);
     }
     auto frame = camera->next();
+    countDamaged(*camera);
     if (frame) {
       process(std::move(*frame));
     } else {
@@ -94,7 +95,7 @@ device::DeviceReport CameraThread::report(Instant now) const {
   {
     const std::lock_guard lock(mutex_);
     out = report_;
-    out.counters = {{"repeated pictures", repeated_}};
+    out.counters = {{"repeated pictures", repeated_}, {"damaged pictures", damaged_}};
     if (!view_.picture.empty()) {
       out.values = {{.name = "width", .number = static_cast<double>(view_.picture.cols), .unit = "px"},
                     {.name = "height", .number = static_cast<double>(view_.picture.rows), .unit = "px"},
@@ -104,6 +105,11 @@ device::DeviceReport CameraThread::report(Instant now) const {
   }
   fillIn(out, monitor_.status(now));
   return out;
+}
+
+void CameraThread::countDamaged(const device::Camera& camera) {
+  const std::lock_guard lock(mutex_);
+  damaged_ = camera.damaged();
 }
 
 void CameraThread::fail(const std::string& problem) {

@@ -43,6 +43,7 @@ class CameraThread {
   void process(device::CameraFrame frame);
   void detect(device::CameraFrame frame);
   void describe(const device::Camera& camera);
+  void countDamaged(const device::Camera& camera);
   void fail(const std::string& problem);
 
   Opener opener_;
@@ -56,6 +57,7 @@ class CameraThread {
   CameraView view_;
   device::DeviceReport report_;
   std::uint64_t repeated_ = 0;  // pictures equal to the one before
+  std::uint64_t damaged_ = 0;
   sensing::FingerParameters parameters_;
   bool parameters_changed_ = false;
   std::jthread thread_;

@@ -1,15 +1,22 @@
 #include "core/device/camera_source.h"
 
+#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <random>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "core/device/pacer.h"
+#include "core/device/picture_decoder.h"
 
 namespace fyd::device {
 namespace {
@@ -95,6 +102,224 @@ TEST_F(CameraSource, AnUnreadablePictureIsNamedAndTheNextOneFollows) {
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->picture.depth(), CV_8U) << "16-bit pictures come as 8 bit";
   EXPECT_EQ(frame->number, 1U);
+}
+
+/// A noisy grey picture as a JPEG, and what happens to it on its way.
+std::vector<std::uint8_t> jpegOf(int seed, int quality = 92) {
+  cv::Mat picture(240, 320, CV_8UC1);
+  cv::RNG random(static_cast<std::uint64_t>(seed));
+  random.fill(picture, cv::RNG::NORMAL, 200, 3);
+  std::vector<std::uint8_t> out;
+  cv::imencode(".jpg", picture, out, {cv::IMWRITE_JPEG_QUALITY, quality});
+  return out;
+}
+void write(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+std::vector<std::uint8_t> cut(std::vector<std::uint8_t> bytes, double share) {
+  bytes.resize(static_cast<std::size_t>(share * static_cast<double>(bytes.size())));
+  return bytes;
+}
+
+TEST_F(CameraSource, AThirdOfAPictureIsRefusedWhateverItsKind) {
+  for (const char* ending : {".png", ".jpg", ".bmp", ".pgm", ".tif"}) {
+    std::vector<std::uint8_t> whole;
+    ASSERT_TRUE(cv::imencode(ending, cv::imdecode(jpegOf(1), cv::IMREAD_GRAYSCALE), whole));
+    write(path(std::string("a") + ending), whole);
+    ASSERT_TRUE(readPicture(path(std::string("a") + ending))) << ending;
+    for (const double share : {0.0, 0.01, 0.34, 0.9, 0.999}) {
+      write(path(std::string("a") + ending), cut(whole, share));
+      const auto read = readPicture(path(std::string("a") + ending));
+      EXPECT_FALSE(read) << share << " of a " << ending;
+    }
+    fs::remove(path(std::string("a") + ending));
+  }
+  write(path("a.jpg"), cut(jpegOf(1), 0.34));
+  auto camera = openCamera(folder_.string());
+  ASSERT_TRUE(camera);
+  const auto frame = (*camera)->next();
+  ASSERT_FALSE(frame);
+  EXPECT_THAT(frame.error().message, HasSubstr("a.jpg' is not a picture that can be read: Premature end of JPEG"));
+}
+
+TEST(PictureDecoder, WholeJpegsOfEveryUsualKindAreRead) {
+  cv::Mat colour(240, 320, CV_8UC3);
+  cv::RNG(7).fill(colour, cv::RNG::NORMAL, 200, 3);
+  for (const int quality : {10, 50, 75, 92, 100}) {
+    for (const int progressive : {0, 1}) {
+      for (const int restart : {0, 20}) {
+        for (const int channels : {1, 3}) {
+          cv::Mat picture = colour;
+          if (channels == 1) cv::extractChannel(colour, picture, 0);
+          std::vector<std::uint8_t> bytes;
+          ASSERT_TRUE(cv::imencode(".jpg", picture, bytes,
+                                   {cv::IMWRITE_JPEG_QUALITY, quality, cv::IMWRITE_JPEG_PROGRESSIVE, progressive,
+                                    cv::IMWRITE_JPEG_RST_INTERVAL, restart}));
+          for (const std::size_t padding : {0U, 1U, 100U}) {  // as drivers and containers add
+            bytes.resize(bytes.size() + padding);
+            const auto read = decodeJpeg(bytes);
+            ASSERT_TRUE(read) << quality << progressive << restart << channels << ": " << read.error().message;
+            EXPECT_EQ(read->channels(), channels);
+            EXPECT_LT(cv::norm(*read, cv::imdecode(bytes, cv::IMREAD_ANYCOLOR), cv::NORM_INF), 3.0);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(PictureDecoder, HostileSizesAndNoJpegAreRefused) {
+  std::vector<std::uint8_t> bytes = jpegOf(1);
+  for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
+    if (bytes[i] != 0xFF || bytes[i + 1] != 0xC0) continue;
+    std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(i) + 5, 4, std::uint8_t{0xFE});  // height and width
+    break;
+  }
+  EXPECT_THAT(decodeJpeg(bytes).error().message, HasSubstr("65278 × 65278 pixels, expected at most"));
+  EXPECT_FALSE(decodeJpeg({}));
+  const std::array<std::uint8_t, 4> start = {0xFF, 0xD8, 0xFF, 0xE0};
+  EXPECT_FALSE(decodeJpeg(start));
+}
+
+TEST(DamageWatch, AFewDamagedPicturesAreBorneAndMoreMakeTheSourceUnbelievable) {
+  DamageWatch watch;
+  watch.saw(true);
+  watch.saw(true);
+  EXPECT_TRUE(watch.believed());
+  watch.saw(true);
+  EXPECT_FALSE(watch.believed());
+  for (int i = 0; i < 29; ++i) watch.saw(false);
+  EXPECT_FALSE(watch.believed());
+  watch.saw(false);
+  EXPECT_TRUE(watch.believed()) << "the first of the three is 32 pictures ago";
+  for (int i = 0; i < 320; ++i) {
+    watch.saw(i % 16 == 0);
+    EXPECT_TRUE(watch.believed()) << "two in 32";
+  }
+}
+
+/// A stream over HTTP in which each picture is treated by the test; framing by hand, none of the project's server.
+class Stream {
+ public:
+  using Treat = std::function<std::vector<std::uint8_t>(std::vector<std::uint8_t>, int number)>;
+  explicit Stream(Treat treat) : treat_(std::move(treat)), listener_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    ::bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address);
+    ::listen(listener_, 4);
+    socklen_t size = sizeof address;
+    ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
+    port_ = ntohs(address.sin_port);
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  }
+  ~Stream() {
+    thread_.request_stop();
+    ::shutdown(listener_, SHUT_RDWR);
+    thread_.join();
+    ::close(listener_);
+  }
+  [[nodiscard]] std::string url() const { return fmt::format("http://127.0.0.1:{}/", port_); }
+
+ private:
+  void run(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      const int reader = ::accept(listener_, nullptr, nullptr);
+      if (reader < 0) return;
+      std::array<char, 2000> request{};
+      (void)::recv(reader, request.data(), request.size(), 0);
+      std::string out = "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=picture\r\n\r\n";
+      while (!stop.stop_requested()) {
+        const int number = ++pictures_;
+        const auto jpeg = treat_(jpegOf(number), number);
+        out += fmt::format("--picture\r\nContent-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n", jpeg.size());
+        out.append(jpeg.begin(), jpeg.end());
+        out += "\r\n";
+        if (::send(reader, out.data(), out.size(), MSG_NOSIGNAL) < 0) break;
+        out.clear();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      ::close(reader);
+    }
+  }
+  Treat treat_;
+  int listener_;
+  std::uint16_t port_ = 0;
+  int pictures_ = 0;
+  std::jthread thread_;
+};
+
+TEST(CameraStream, ADamagedPictureIsPassedOverAndCounted) {
+  Stream stream([](std::vector<std::uint8_t> jpeg, int n) { return n % 20 == 10 ? cut(jpeg, 0.34) : jpeg; });
+  auto camera = openCamera(stream.url());
+  ASSERT_TRUE(camera) << camera.error().message;
+  for (int i = 0; i < 60; ++i) {
+    const auto frame = (*camera)->next();
+    ASSERT_TRUE(frame) << frame.error().message;
+    cv::Scalar mean, deviation;
+    cv::meanStdDev(frame->picture, mean, deviation);
+    EXPECT_NEAR(deviation[0], 3.0, 1.0) << "no grey filling";
+  }
+  EXPECT_GE((*camera)->damaged(), 2U);
+  EXPECT_LE((*camera)->damaged(), 4U);
+}
+
+TEST(CameraStream, ASourceOfDamagedPicturesIsNotBelievedAndBelievedAgainWhenItIsWhole) {
+  std::atomic<bool> damaged{false};
+  std::mt19937 random{5};
+  Stream stream([&](std::vector<std::uint8_t> jpeg, int) {
+    for (int i = 0; i < 8 && damaged; ++i) jpeg[random() % jpeg.size()] = static_cast<std::uint8_t>(random());
+    return jpeg;
+  });
+  auto camera = openCamera(stream.url());
+  ASSERT_TRUE(camera) << camera.error().message;
+  ASSERT_TRUE((*camera)->next());
+  damaged = true;
+  int believed = 0;  // of those sent before, and of the damaged ones before three were found
+  Result<CameraFrame> frame = (*camera)->next();
+  for (; frame; frame = (*camera)->next()) ASSERT_LT(++believed, 60);
+  EXPECT_THAT(frame.error().message, HasSubstr("sends damaged pictures: "));
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE((*camera)->next()) << "some of them decode without a warning";
+  damaged = false;
+  const Instant end = Clock::now() + std::chrono::seconds(20);
+  do frame = (*camera)->next();
+  while (!frame && Clock::now() < end);
+  EXPECT_TRUE(frame) << frame.error().message;
+}
+
+TEST_F(CameraSource, DamagedPicturesOfAVideoArePassedOver) {
+  writeVideo("film.avi", 40, 400.0);
+  std::vector<std::uint8_t> bytes;
+  {
+    std::ifstream file(path("film.avi"), std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  int wiped = 0;  // the middle of two pictures
+  for (std::size_t i = 0, found = 0; i + 300 < bytes.size(); ++i) {
+    if (bytes[i] != 0xFF || bytes[i + 1] != 0xD8 || bytes[i + 2] != 0xFF) continue;
+    ++found;
+    if (found % 20 == 10) {
+      std::size_t end = i + 2;
+      while (bytes[end] != 0xFF || bytes[end + 1] != 0xD9) ++end;
+      std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(end) - 100, 60, std::uint8_t{0x55});
+      ++wiped;
+    }
+  }
+  ASSERT_EQ(wiped, 2);
+  write(path("film.avi"), bytes);
+  auto camera = openCamera(path("film.avi"));
+  ASSERT_TRUE(camera) << camera.error().message;
+  for (int i = 0; i < 38; ++i) {
+    const auto frame = (*camera)->next();
+    ASSERT_TRUE(frame) << i << ": " << frame.error().message;
+    double least = 0.0, most = 0.0;
+    cv::Mat grey;
+    cv::extractChannel(frame->picture, grey, 0);
+    cv::minMaxLoc(grey, &least, &most);
+    EXPECT_LT(most - least, 6.0) << "picture " << i;
+  }
+  EXPECT_EQ((*camera)->damaged(), 2U);
 }
 
 TEST_F(CameraSource, AnEmptiedFolderIsAnErrorAndItsReturnIsSeen) {
