@@ -14,6 +14,9 @@ inline constexpr double kTicksPerDegree = 4200.0 / 90.0;
 inline constexpr int kEncoderCountsPerTurn = 4096;
 inline constexpr double kEncoderCountsPerDegree = kEncoderCountsPerTurn / 360.0;
 
+/// No board for motors of this size (1.5 A at standstill) carries more: a larger reading is not a current.
+inline constexpr double kLargestCurrent_mA = 10'000.0;
+
 /// Turning in opposite senses stretches the cloth, in the same sense moves it sideways.
 struct MotorCommand {
   std::array<std::int16_t, kMotorCount> reference_ticks{};

@@ -14,6 +14,8 @@ using protocol::DriveState;
 constexpr int kAttempts = 4;            // at a block that is torn
 constexpr int kSwitchingOnCycles = 50;  // a healthy drive needs five
 constexpr std::uint16_t kLoopRate_Hz = 1000;
+constexpr Duration kLongestStandstill = std::chrono::milliseconds(250);
+constexpr std::string_view kDisobeys = "the touchpad does not obey what is written to it (bit 9 of its status word)";
 
 ModbusAddress within(ModbusAddress address, const DeviceParameters& parameters) {
   if (!parameters.serial_by_id.empty()) address.by_id = parameters.serial_by_id;
@@ -136,6 +138,14 @@ void ModbusTouchpad::followDrive(DriveState state) {
   }
 }
 
+/// A device that answers but obeys somebody else, or nobody: whatever its motors do, this program does not drive them.
+void ModbusTouchpad::followObedience() {
+  obeys_ = (state_.status_word & protocol::status_bit::kRemote) != 0;
+  if (obeys_ || arming_ == Arming::off || arming_ == Arming::refused) return;
+  arming_ = Arming::refused;
+  refusal_ = kDisobeys;
+}
+
 void ModbusTouchpad::queueVibration(std::span<const VibrationDuty> duties) {
   for (const VibrationDuty& duty : duties) {
     if (command_.duties.full()) {  // late: the newest matter
@@ -181,14 +191,20 @@ Result<void> ModbusTouchpad::transact() {
           link_.name(), parameters_.response_timeout_ms);
     }
     if (problem == protocol::StateProblem::none) return {};
-    if (problem != protocol::StateProblem::torn) return fail("{}: {}", link_.name(), toString(problem));
+    if (problem != protocol::StateProblem::torn) return fail("{}: {}", link_.name(), describe(problem, state_));
     ++counters_.torn_blocks;
   }
-  return fail("{}: {}, {} times in a row", link_.name(), toString(protocol::StateProblem::torn), kAttempts);
+  return fail("{}: {}, {} times in a row", link_.name(), describe(protocol::StateProblem::torn, state_), kAttempts);
 }
 
 void ModbusTouchpad::take(Instant now) {
   const bool first = !last_uptime_us_.has_value();
+  // Encoders, currents and duties have no count of their own: they are as old as the set of values they came with.
+  const bool new_set =
+      !last_set_ || (state_.sequence != last_set_->sequence && state_.uptime_us != last_set_->uptime_us);
+  last_set_ = {.sequence = state_.sequence, .uptime_us = state_.uptime_us};
+  if (new_set) last_new_set_ = now;
+  stands_still_ = now - last_new_set_ > kLongestStandstill;
   if (!first && deviceRestarted(*last_uptime_us_, state_.uptime_us, now - last_answer_)) {
     ++counters_.restarts;
     if (arming_ != Arming::off) {
@@ -211,7 +227,7 @@ void ModbusTouchpad::take(Instant now) {
   if (bridge_news && std::isfinite(state_.bridge_mV_per_V)) {
     readings_.bridge.set({.value_mV_per_V = state_.bridge_mV_per_V}, now - fromSeconds(state_.bridge_age_ms / 1e3));
   }
-  if (arming_ != Arming::refused) readings_.motors.set(state_.motors, now);
+  if (arming_ != Arming::refused && obeys_ && new_set) readings_.motors.set(state_.motors, now);
 }
 
 Result<TouchpadReadings> ModbusTouchpad::exchange(const control::MotorCommand& command, Instant now) {
@@ -224,6 +240,7 @@ Result<TouchpadReadings> ModbusTouchpad::exchange(const control::MotorCommand& c
   command_.duties.clear();
   if (!done) return lost(done.error());
   followDrive(protocol::driveStateOf(state_.status_word).value_or(DriveState::not_ready_to_switch_on));
+  followObedience();
   take(now);
   return readings_;
 }
@@ -261,6 +278,9 @@ std::vector<DeviceReport> ModbusTouchpad::reports() const {
 
 std::string ModbusTouchpad::complaint() const {
   if (arming_ == Arming::refused) return refusal_ + ": stop, then arm again";
+  if (!obeys_) return std::string(kDisobeys) + ": set it to remote, and close what else drives it";
+  if (stands_still_)
+    return "the touchpad answers, but its clock or its count of value sets stands still: switch it off and on";
   if ((state_.status_word & protocol::status_bit::kWarning) != 0) {
     return fmt::format("motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool",
                        state_.temperature_degC[0], state_.temperature_degC[1], parameters_.thermal_limit_degC);

@@ -2,7 +2,8 @@
 //
 // Freshness: each cycle writes a new nonce and takes only an answer that echoes it. Arming: the motors are switched on
 // only by a command that turns active; when the device switches them off by itself, restarts or vanishes, they stay
-// off until the command has been inactive. Until then their readings are withheld, so that the step holds.
+// off until the command has been inactive. Until then their readings are withheld, so that the step holds. So they are
+// while the device says that it does not obey (bit 9 of the status word), and while its set of values stands still.
 #pragma once
 
 #include <optional>
@@ -54,6 +55,7 @@ class ModbusTouchpad final : public Touchpad {
   [[nodiscard]] Result<void> checkIdentity();
   void followCommand(bool active);
   void followDrive(protocol::DriveState state);
+  void followObedience();
   void prepare(const control::MotorCommand& command);
   [[nodiscard]] Result<void> transact();
   [[nodiscard]] tl::unexpected<Error> lost(Error error);
@@ -74,6 +76,14 @@ class ModbusTouchpad final : public Touchpad {
   int cycles_switching_on_ = 0;
   std::string refusal_;  // why the motors are off while the command wants them on
   protocol::DriveState drive_ = protocol::DriveState::not_ready_to_switch_on;  // as it last said
+  bool obeys_ = true;
+  bool stands_still_ = false;
+  struct ValueSet {
+    std::uint16_t sequence = 0;
+    std::uint32_t uptime_us = 0;
+  };
+  std::optional<ValueSet> last_set_;  // kept over a new connection: an old set is no news there either
+  Instant last_new_set_{};
   std::optional<std::uint32_t> last_uptime_us_;
   std::uint16_t last_ir_count_ = 0;
   std::uint16_t last_bridge_count_ = 0;

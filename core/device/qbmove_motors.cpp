@@ -135,6 +135,10 @@ Result<control::MotorFeedback> QbmoveMotors::measure() {
   for (std::size_t i = 0; i < control::kMotorCount; ++i) {
     out.encoder_counts[i] = encoderCountsOf(positions->at(i).value_or(0), parameters_);
     out.current_mA[i] = currents->at(i).value_or(0);
+    if (std::abs(out.current_mA[i]) > control::kLargestCurrent_mA) {
+      return fail("motor board {} at {}: current {} is {} mA, expected -{} to {}", parameters_.qbmove_id, path_, i + 1,
+                  out.current_mA[i], control::kLargestCurrent_mA, control::kLargestCurrent_mA);
+    }
   }
   return out;
 }

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/protocol/drive_state.h"
 
 namespace fyd::protocol {
@@ -105,13 +107,25 @@ StateRegisters encode(const DeviceState& from) {
   return out;
 }
 
-std::string_view toString(StateProblem problem) {
+std::string describe(StateProblem problem, const DeviceState& state) {
+  const auto& motors = state.motors;
   switch (problem) {
     case StateProblem::none: return "no problem";
     case StateProblem::torn: return "the block changed while it was read (its two sequence numbers differ)";
-    case StateProblem::bad_status: return "the status word names no state";
-    case StateProblem::bad_ir: return "an IR code above 4095";
-    case StateProblem::bad_encoder: return "an encoder count above 4095";
+    case StateProblem::bad_status: return fmt::format("the status word 0x{:04X} names no state", state.status_word);
+    case StateProblem::bad_ir:
+      return fmt::format("IR codes {}, expected 0 to {}", fmt::join(state.ir, ", "), kLargestCode);
+    case StateProblem::bad_encoder:
+      return fmt::format("encoder counts {}, expected 0 to {}", fmt::join(motors.encoder_counts, ", "), kLargestCode);
+    case StateProblem::bad_current:
+      return fmt::format("motor currents {} mA, expected -{} to {}", fmt::join(motors.current_mA, ", "),
+                         control::kLargestCurrent_mA, control::kLargestCurrent_mA);
+    case StateProblem::bad_duty:
+      return fmt::format("position duties {:.2f} %, expected -100 to 100",
+                         fmt::join(motors.position_duty_percent, ", "));
+    case StateProblem::bad_temperature:
+      return fmt::format("motor temperatures {:.1f} °C, expected {} to {}", fmt::join(state.temperature_degC, ", "),
+                         kColdestMotor_degC, kHottestMotor_degC);
   }
   return "unknown problem";
 }
@@ -134,7 +148,7 @@ StateProblem decode(const StateRegisters& in, DeviceState& out) {
     if (duty == kDutyUnknown) out.motors.position_duty_known = false;
     out.motors.encoder_counts[i] = in[state("encoder_1") + i];
     out.motors.current_mA[i] = signedOf(in[state("current_1") + i]);
-    out.motors.position_duty_percent[i] = duty == kDutyUnknown ? 0.0 : std::clamp(duty * 0.01, -100.0, 100.0);
+    out.motors.position_duty_percent[i] = duty == kDutyUnknown ? 0.0 : duty * 0.01;
     out.temperature_degC[i] = signedOf(in[state("temperature_1") + i]) * 0.1;
   }
   out.vibration_waiting = in[state("vibration_waiting")];
@@ -145,6 +159,11 @@ StateProblem decode(const StateRegisters& in, DeviceState& out) {
   const auto beyond = [](std::uint16_t code) { return code > kLargestCode; };
   if (std::ranges::any_of(out.ir, beyond)) return StateProblem::bad_ir;
   if (std::ranges::any_of(out.motors.encoder_counts, beyond)) return StateProblem::bad_encoder;
+  const auto larger = [](double limit) { return [limit](double value) { return std::abs(value) > limit; }; };
+  if (std::ranges::any_of(out.motors.current_mA, larger(control::kLargestCurrent_mA))) return StateProblem::bad_current;
+  if (std::ranges::any_of(out.motors.position_duty_percent, larger(100.0))) return StateProblem::bad_duty;
+  const auto noTemperature = [](double degC) { return degC < kColdestMotor_degC || degC > kHottestMotor_degC; };
+  if (std::ranges::any_of(out.temperature_degC, noTemperature)) return StateProblem::bad_temperature;
   return StateProblem::none;
 }
 

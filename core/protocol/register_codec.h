@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/base/batch.h"
@@ -52,9 +53,23 @@ struct DeviceState {
 using StateRegisters = std::array<std::uint16_t, kStateRegisters>;
 [[nodiscard]] StateRegisters encode(const DeviceState& state);
 
-enum class StateProblem : std::uint8_t { none, torn, bad_status, bad_ir, bad_encoder };
-[[nodiscard]] std::string_view toString(StateProblem problem);
-/// @param state filled whatever the problem
+/// Estimates outside are no temperature of a motor's winding: it freezes no laboratory and burns before the upper end.
+inline constexpr double kColdestMotor_degC = -40.0;
+inline constexpr double kHottestMotor_degC = 200.0;
+
+enum class StateProblem : std::uint8_t {
+  none,
+  torn,
+  bad_status,
+  bad_ir,
+  bad_encoder,
+  bad_current,
+  bad_duty,
+  bad_temperature,
+};
+/// What is wrong, with the values and what was expected.
+[[nodiscard]] std::string describe(StateProblem problem, const DeviceState& state);
+/// @param state filled whatever the problem; a duty that is not known as 0
 [[nodiscard]] StateProblem decode(const StateRegisters& registers, DeviceState& state);
 
 /// One moment's duties in whole percent.

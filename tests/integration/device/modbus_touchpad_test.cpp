@@ -104,6 +104,70 @@ TEST(ModbusTouchpad, ValuesOutOfTheirRangeAreRefused) {
   EXPECT_TRUE(ask());
 }
 
+TEST(ModbusTouchpad, ATemperatureThatNoMotorHasIsRefusedWithItsValue) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
+    d.state.temperature_degC[0] = n == 2 ? 3276.7 : 30.0;
+    return 0;
+  });
+  Client ask(device);
+  ASSERT_TRUE(ask());
+  EXPECT_THAT(ask().error().message, HasSubstr("motor temperatures 3276.7, 0.0 °C, expected -40 to 200"));
+  EXPECT_TRUE(ask());
+}
+
+TEST(ModbusTouchpad, ADeviceThatDoesNotObeyIsNeverDrivenAndItsMotorsAreWithheld) {
+  bool obeys = true;
+  ScriptedModbusDevice device([&](ScriptedModbusDevice& d, int) {
+    if (!obeys) d.state.status_word &= static_cast<std::uint16_t>(~protocol::status_bit::kRemote);
+    return 0;
+  });
+  Client ask(device);
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(ask(true));
+  ASSERT_EQ(device.drive.state(), protocol::DriveState::operation_enabled);
+  const std::uint64_t before = ask(true)->motors.count;
+  obeys = false;
+  EXPECT_EQ(ask(true)->motors.count, before);
+  EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("does not obey"));
+  obeys = true;
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(ask(true)->motors.count, before) << "until the command has been inactive";
+  EXPECT_NE(device.drive.state(), protocol::DriveState::operation_enabled);
+  EXPECT_GT(ask(false)->motors.count, before);
+  EXPECT_EQ(ask.touchpad.complaint(), "");
+  obeys = false;  // while the motors are off: not ready, and said
+  const std::uint64_t idle = ask(false)->motors.count;
+  EXPECT_EQ(ask(false)->motors.count, idle);
+  EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("set it to remote"));
+}
+
+TEST(ModbusTouchpad, ASetOfValuesThatStandsStillMakesTheMotorsOldThoughEveryAnswerIsFresh) {
+  for (const bool clock : {true, false}) {
+    bool frozen = false;
+    protocol::DeviceState held;
+    ScriptedModbusDevice device([&](ScriptedModbusDevice& d, int) {
+      if (!frozen) held = d.state;
+      if (clock) d.state.uptime_us = held.uptime_us;
+      if (!clock) d.state.sequence = held.sequence;
+      return 0;
+    });
+    Client ask(device);
+    ASSERT_TRUE(ask());
+    const std::uint64_t before = ask()->motors.count;
+    EXPECT_GT(before, 1U);
+    frozen = true;
+    Instant now = Clock::now();
+    for (int i = 0; i < 100; ++i) {
+      const auto readings = ask.touchpad.exchange({}, now += std::chrono::milliseconds(4));
+      ASSERT_TRUE(readings);
+      ASSERT_EQ(readings->motors.count, before);
+      ASSERT_EQ(readings->ir.taken, now) << "what has a count of its own goes by that";
+    }
+    EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("stands still"));
+    frozen = false;
+    EXPECT_GT(ask()->motors.count, before);
+    EXPECT_EQ(ask.touchpad.complaint(), "");
+  }
+}
+
 TEST(ModbusTouchpad, EveryExceptionIsNamedAndTheNextCycleGoesOn) {
   const std::vector<std::pair<int, std::string>> kExceptions = {{1, "exception 1"},     {2, "exception 2"},
                                                                 {3, "exception 3"},     {4, "exception 4"},
@@ -183,7 +247,7 @@ TEST(ModbusTouchpad, MotorsAreSwitchedOnByARisingCommandOnly) {
 TEST(ModbusTouchpad, ADriveThatSwitchedItselfOffStaysOffUntilTheCommandHasBeenInactive) {
   ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
     if (n == 8) d.drive.fail(protocol::DriveFault::over_temperature);
-    if (n == 8) d.state.status_word = statusBits(d.drive.state());
+    if (n == 8) d.state.status_word = statusBits(d.drive.state()) | protocol::status_bit::kRemote;
     d.state.fault_code = static_cast<std::uint16_t>(d.drive.fault());
     return 0;
   });

@@ -82,8 +82,10 @@ class ScriptedModbusDevice {
         return static_cast<std::uint16_t>((values[at] << 8) | values[at + 1]);
       };
       drive.control(word(protocol::addressOf("control_word")));
-      state.status_word = statusBits(drive.state());
+      state.status_word = statusBits(drive.state()) | protocol::status_bit::kRemote;
       if (echo_nonce) state.nonce_echo = word(protocol::addressOf("nonce"));
+      ++state.sequence;
+      state.uptime_us += 1000;
       ++state.ir_count;
       ++state.bridge_count;
       outcome = script_(*this, ++transactions_);

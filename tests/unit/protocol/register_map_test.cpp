@@ -94,6 +94,23 @@ TEST(RegisterCodec, NamesWhatIsWrongWithABlock) {
   EXPECT_EQ(with("status_word", 0x000B), StateProblem::bad_status);
   EXPECT_EQ(with("ir_2", 4096), StateProblem::bad_ir);
   EXPECT_EQ(with("encoder_1", 0x8000), StateProblem::bad_encoder);
+  EXPECT_EQ(with("current_2", 10'000), StateProblem::none);
+  EXPECT_EQ(with("current_2", 10'001), StateProblem::bad_current);
+  EXPECT_EQ(with("current_1", 0x8000), StateProblem::bad_current);
+  EXPECT_EQ(with("position_duty_1", 10'000), StateProblem::none);
+  EXPECT_EQ(with("position_duty_1", 10'001), StateProblem::bad_duty);
+  EXPECT_EQ(with("position_duty_2", 0x8000), StateProblem::none) << "not known";
+  EXPECT_EQ(with("temperature_1", 2000), StateProblem::none);
+  EXPECT_EQ(with("temperature_1", 0x7FFF), StateProblem::bad_temperature);
+  EXPECT_EQ(with("temperature_2", 0x8000), StateProblem::bad_temperature);
+}
+
+TEST(RegisterCodec, WhatIsWrongIsSaidWithItsValue) {
+  DeviceState state;
+  state.temperature_degC = {3276.7, 23.0};
+  EXPECT_EQ(describe(StateProblem::bad_temperature, state), "motor temperatures 3276.7, 23.0 °C, expected -40 to 200");
+  state.motors.current_mA = {32767.0, -5.0};
+  EXPECT_EQ(describe(StateProblem::bad_current, state), "motor currents 32767, -5 mA, expected -10000 to 10000");
 }
 
 TEST(RegisterCodec, SaturatesWhatDoesNotFit) {
@@ -104,7 +121,7 @@ TEST(RegisterCodec, SaturatesWhatDoesNotFit) {
   state.motors.current_mA = {1e9, kNan};
   state.motors.position_duty_known = false;
   DeviceState back;
-  ASSERT_EQ(decode(encode(state), back), StateProblem::none);
+  ASSERT_EQ(decode(encode(state), back), StateProblem::bad_current);
   EXPECT_DOUBLE_EQ(back.bridge_age_ms, 6553.5);
   EXPECT_DOUBLE_EQ(back.ir_age_ms, 0.0);
   EXPECT_EQ(back.motors.current_mA[0], 32767.0);
