@@ -33,6 +33,7 @@ struct DeviceParameters {
 
   // plausibility of what a device says
   double stuck_sensor_s = 2.0;
+  double frozen_reading_ms = 500.0;
 
   // Where the names are that belong to a device; not for the profile: tests have their own. Empty: stable_name.h's.
   // What they point to outlives these parameters.
@@ -120,6 +121,12 @@ struct DeviceParameters {
          .maximum = 60,
          .help = "A distance sensor that repeats one code for longer than this while the others change is reported as "
                  "stuck; 0: never."});
+    v.real("device.frozen_reading_ms", frozen_reading_ms,
+           {.unit = "ms",
+            .minimum = 0,
+            .maximum = 10'000,
+            .help = "Equal readings of all distance sensors, or of the load cell, for longer than this count as frozen "
+                    "and are no longer believed; 0: never, for sensors without noise."});
   }
 };
 

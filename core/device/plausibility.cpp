@@ -9,6 +9,8 @@ namespace {
 constexpr int kChangesOfTheOthers = 10;
 constexpr double kFastestMotor_deg_s = 1000.0;
 constexpr double kSlack_deg = 5.0;
+constexpr double kSentFurther_deg = 10.0;
+constexpr Duration kLongestStandstill = std::chrono::seconds(1);
 constexpr Duration kComparable = std::chrono::milliseconds(500);
 constexpr Duration kWithheldWhileInactive = std::chrono::seconds(1);
 
@@ -50,40 +52,84 @@ void Plausibility::checkSensors(const Timed<sensing::IrCounts>& ir) {
   }
 }
 
-void Plausibility::checkEncoders(const Timed<control::MotorFeedback>& motors, bool active, Instant now) {
-  if (jumped_ && !active && now - jumped_at_ > kWithheldWhileInactive) {
-    jumped_ = false;
+void Plausibility::disbelieve(std::string why, Instant now) {
+  disbelieved_ = true;
+  disbelieved_at_ = now;
+  why_ = std::move(why);
+}
+
+void Plausibility::checkTravel(const Timed<control::MotorFeedback>& motors, Instant now) {
+  if (!believed_ || motors.taken - believed_->taken > kComparable) return;
+  const double allowed_deg =
+      kSlack_deg + kFastestMotor_deg_s * std::max(0.0, toSeconds(motors.taken - believed_->taken));
+  for (std::size_t i = 0; i < control::kMotorCount; ++i) {
+    const double moved = travel_deg(believed_->value.encoder_counts[i], motors.value.encoder_counts[i]);
+    if (moved <= allowed_deg) continue;
+    disbelieve(
+        fmt::format("encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again",
+                    i + 1, moved, toMilliseconds(motors.taken - believed_->taken)),
+        now);
+  }
+}
+
+void Plausibility::checkFollowing(const Timed<control::MotorFeedback>& motors, const control::MotorCommand& command,
+                                  Instant now) {
+  if (!command.active) {
+    standstill_.reset();
+    return;
+  }
+  const bool first = !standstill_;
+  if (first) standstill_.emplace();
+  for (std::size_t i = 0; i < control::kMotorCount; ++i) {
+    Standstill& still = (*standstill_)[i];
+    const double reference_deg = command.reference_ticks[i] / control::kTicksPerDegree;
+    if (first || motors.value.encoder_counts[i] != still.counts) {
+      still = {.counts = motors.value.encoder_counts[i], .reference_deg = reference_deg, .sent_further = {}};
+      continue;
+    }
+    const double further_deg = std::abs(reference_deg - still.reference_deg);
+    if (further_deg <= kSentFurther_deg) {
+      still.sent_further.reset();
+    } else if (!still.sent_further) {
+      still.sent_further = motors.taken;
+    } else if (motors.taken - *still.sent_further > kLongestStandstill) {
+      disbelieve(fmt::format("encoder {} stands still although its motor was sent {:.0f}° further: check the motors' "
+                             "supply and the encoder's cable; stop, then arm again",
+                             i + 1, further_deg),
+                 now);
+    }
+  }
+}
+
+void Plausibility::checkEncoders(const Timed<control::MotorFeedback>& motors, const control::MotorCommand& command,
+                                 Instant now) {
+  if (disbelieved_ && !command.active && now - disbelieved_at_ > kWithheldWhileInactive) {
+    disbelieved_ = false;
     believed_.reset();
   }
   if (motors.count == last_motors_) return;
   last_motors_ = motors.count;
-  if (believed_ && !jumped_ && motors.taken - believed_->taken <= kComparable) {
-    const double allowed_deg =
-        kSlack_deg + kFastestMotor_deg_s * std::max(0.0, toSeconds(motors.taken - believed_->taken));
-    for (std::size_t i = 0; i < control::kMotorCount; ++i) {
-      const double moved = travel_deg(believed_->value.encoder_counts[i], motors.value.encoder_counts[i]);
-      if (moved <= allowed_deg) continue;
-      jumped_ = true;
-      jumped_at_ = now;
-      jump_ = fmt::format("encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again",
-                          i + 1, moved, toMilliseconds(motors.taken - believed_->taken));
-    }
+  if (!disbelieved_) checkTravel(motors, now);
+  if (!disbelieved_) checkFollowing(motors, command, now);
+  if (disbelieved_) {
+    standstill_.reset();
+    return;
   }
-  if (jumped_) return;
   believed_ = motors;
   handed_on_.set(motors.value, motors.taken);
 }
 
-TouchpadReadings Plausibility::check(const TouchpadReadings& readings, bool active, Instant now) {
+TouchpadReadings Plausibility::check(const TouchpadReadings& readings, const control::MotorCommand& command,
+                                     Instant now) {
   checkSensors(readings.ir);
-  checkEncoders(readings.motors, active, now);
+  checkEncoders(readings.motors, command, now);
   TouchpadReadings out = readings;
   out.motors = handed_on_;
   return out;
 }
 
 std::string Plausibility::complaint() const {
-  if (jumped_) return jump_;
+  if (disbelieved_) return why_;
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     if (!sensors_[i].stuck) continue;
     return fmt::format("IR sensor {} is stuck at code {} while the others change: check its cable", i + 1,

@@ -1,11 +1,17 @@
-// Readings that a sensor cannot mean: a stuck distance sensor is told of, an encoder that jumps is withheld. Pure.
+// Readings that a sensor cannot mean: a stuck distance sensor is told of, an encoder that jumps or does not follow its
+// motor is withheld. Pure.
 //
 //   stuck   a code repeated for longer than device.stuck_sensor_s while each other sensor changed its own at least ten
 //           times. A real sensor's noise (25 mV are 31 codes) never does that. The codes go on as they are: the step
 //           leaves a stuck sensor out by itself (core/sensing) and may have enough others.
-//   jump    an encoder further from its last reading than 1000 °/s and 5° allow: no geared motor does that. The motors'
-//           readings are withheld until the command has been inactive, or for a second while it is; the new angle is
-//           believed then. After half a second without readings there is nothing to compare with.
+//   jump    an encoder further from its last reading than 1000 °/s and 5° allow: no geared motor does that. After half
+//   a
+//           second without readings there is nothing to compare with.
+//   still   an encoder that has not changed by a single count for a second while its motor's reference is more than 10°
+//           from where it was at the last change: a frozen register, a torn cable, a motor without supply or held fast.
+//
+// After a jump or a standstill the motors' readings are withheld until the command has been inactive, or for a second
+// while it is; the new angle is believed then.
 #pragma once
 
 #include <array>
@@ -21,8 +27,9 @@ class Plausibility {
  public:
   explicit Plausibility(const DeviceParameters& parameters = {});
 
-  /// @param active whether the command of this exchange wants the motors on
-  [[nodiscard]] TouchpadReadings check(const TouchpadReadings& readings, bool active, Instant now);
+  /// @param command of this exchange, as sent to the motors; inactive for those that do not follow it (a recording's)
+  [[nodiscard]] TouchpadReadings check(const TouchpadReadings& readings, const control::MotorCommand& command,
+                                       Instant now);
   /// What is not believed and why; empty: nothing.
   [[nodiscard]] std::string complaint() const;
 
@@ -35,7 +42,10 @@ class Plausibility {
     bool stuck = false;
   };
   void checkSensors(const Timed<sensing::IrCounts>& ir);
-  void checkEncoders(const Timed<control::MotorFeedback>& motors, bool active, Instant now);
+  void checkEncoders(const Timed<control::MotorFeedback>& motors, const control::MotorCommand& command, Instant now);
+  void checkTravel(const Timed<control::MotorFeedback>& motors, Instant now);
+  void checkFollowing(const Timed<control::MotorFeedback>& motors, const control::MotorCommand& command, Instant now);
+  void disbelieve(std::string why, Instant now);
 
   Duration stuck_after_;
   std::array<Sensor, sensing::kMaximumIrSensors> sensors_{};
@@ -44,9 +54,16 @@ class Plausibility {
   std::optional<Timed<control::MotorFeedback>> believed_;  // what the next one is compared with
   Timed<control::MotorFeedback> handed_on_;
   std::uint64_t last_motors_ = 0;
-  bool jumped_ = false;
-  Instant jumped_at_{};
-  std::string jump_;
+  /// Where a motor was sent when its encoder last changed, and since when it has been sent further.
+  struct Standstill {
+    std::uint16_t counts = 0;
+    double reference_deg = 0.0;
+    std::optional<Instant> sent_further;
+  };
+  std::optional<std::array<Standstill, control::kMotorCount>> standstill_;  // while the motors are on
+  bool disbelieved_ = false;
+  Instant disbelieved_at_{};
+  std::string why_;
 };
 
 }  // namespace fyd::device

@@ -41,6 +41,9 @@ class Touchpad {
   /// devices that play batches. Others take the duty in the command and need not know.
   virtual void queueVibration(std::span<const VibrationDuty> duties) { static_cast<void>(duties); }
 
+  /// Whether its motors follow the command; those of a recording do not.
+  [[nodiscard]] virtual bool driven() const { return true; }
+
   /// What the device complains of although it answers (motors switched off by itself, …), and the remedy; or empty.
   [[nodiscard]] virtual std::string complaint() const { return {}; }
 

@@ -16,6 +16,7 @@ class RecordedTouchpad final : public device::Touchpad {
   [[nodiscard]] std::string description() const override;
   /// Instants are moved to the present. @return an error once the recording has ended: the touchpad is then silent
   [[nodiscard]] Result<device::TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
+  [[nodiscard]] bool driven() const override { return false; }
   [[nodiscard]] Duration period() const override { return std::chrono::milliseconds(1); }
 
  private:

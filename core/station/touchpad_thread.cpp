@@ -22,6 +22,7 @@ control::MotorCommand guardedCommand(const StampedMotorCommand& stamped, Instant
 TouchpadThread::TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const device::DeviceParameters& parameters)
     : touchpad_(std::move(touchpad)),
       plausibility_(parameters),
+      frozen_(parameters),
       monitor_("Touchpad", touchpad_->description(), PartMonitor::kSilence) {}
 
 TouchpadThread::~TouchpadThread() { shutDown(); }
@@ -49,6 +50,7 @@ void TouchpadThread::report(Instant now) {
   answering_ = true;
   std::string complaint = touchpad_->complaint();
   if (complaint.empty()) complaint = plausibility_.complaint();
+  if (complaint.empty()) complaint = frozen_.complaint();
   if (complaint.empty()) {
     monitor_.succeeded(now);
   } else if (monitor_.complained(complaint, now)) {
@@ -85,7 +87,9 @@ void TouchpadThread::run(const std::stop_token& stop) {
     takeDuties();
     const auto exchanged = touchpad_->exchange(last, now);
     if (exchanged) {
-      readings.write(plausibility_.check(*exchanged, last.active, now));
+      control::MotorCommand followed = last;
+      followed.active = last.active && touchpad_->driven();
+      readings.write(plausibility_.check(frozen_.check(*exchanged), followed, now));
       report(now);
       retry = kFirstRetry;
       due = std::max(due + touchpad_->period(), Clock::now());

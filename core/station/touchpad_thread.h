@@ -10,6 +10,7 @@
 #include "core/base/latest_value.h"
 #include "core/base/ring.h"
 #include "core/control/motor_types.h"
+#include "core/device/frozen_readings.h"
 #include "core/device/plausibility.h"
 #include "core/device/touchpad.h"
 #include "core/station/part_monitor.h"
@@ -51,6 +52,7 @@ class TouchpadThread {
 
   std::unique_ptr<device::Touchpad> touchpad_;
   device::Plausibility plausibility_;
+  device::FrozenReadings frozen_;
   PartMonitor monitor_;
   bool answering_ = false;
   Instant reports_due_{};

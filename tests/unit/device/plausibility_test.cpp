@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/device/frozen_picture.h"
+#include "core/device/frozen_readings.h"
 
 namespace fyd::device {
 namespace {
@@ -26,7 +27,7 @@ struct Source {
     }
     readings.ir.set(counts, now);
     readings.motors.set({.encoder_counts = encoder}, now);
-    return watch.check(readings, active, now);
+    return watch.check(readings, {.reference_ticks = reference, .active = active}, now);
   }
   TouchpadReadings run(double seconds, bool active = true) {
     TouchpadReadings out;
@@ -37,6 +38,7 @@ struct Source {
   TouchpadReadings readings;
   std::array<std::uint16_t, 3> code{};
   std::array<std::uint16_t, 2> encoder = {10, 4000};
+  std::array<std::int16_t, 2> reference{};
   int held = -1;
   Instant now = instantAt(100);
   std::mt19937 random{3};
@@ -77,7 +79,7 @@ TEST(Plausibility, WhereNothingMovesNothingIsStuck) {
   for (int i = 0; i < 500; ++i) {
     source.now += std::chrono::milliseconds(16);
     source.readings.ir.set(still, source.now);
-    ASSERT_EQ(source.watch.check(source.readings, true, source.now).ir.value[0], codes[0]);
+    ASSERT_EQ(source.watch.check(source.readings, {.active = true}, source.now).ir.value[0], codes[0]);
   }
   EXPECT_EQ(source.watch.complaint(), "");
 }
@@ -120,6 +122,123 @@ TEST(Plausibility, AfterASilenceThereIsNothingToCompareWith) {
   source.now += std::chrono::seconds(1);
   source.encoder[0] = 2000;
   source.step();
+  EXPECT_EQ(source.watch.complaint(), "");
+}
+
+std::int16_t ticks(double degrees) { return static_cast<std::int16_t>(degrees * 4200.0 / 90.0); }
+
+TEST(Plausibility, AnEncoderThatDoesNotFollowItsMotorIsWithheldUntilTheOperatorStops) {
+  Source source;
+  source.run(0.5);
+  source.reference = {ticks(9.0), ticks(-9.0)};
+  source.run(5.0);
+  EXPECT_EQ(source.watch.complaint(), "") << "friction or a finger may hold a motor back so far";
+  source.reference[1] = ticks(-12.0);
+  source.run(0.9);
+  EXPECT_EQ(source.watch.complaint(), "") << "a second to begin with";
+  const TouchpadReadings last = source.step();
+  const TouchpadReadings out = source.run(2.0);
+  EXPECT_LE(out.motors.taken - last.motors.taken, std::chrono::milliseconds(200));
+  EXPECT_THAT(source.watch.complaint(), HasSubstr("encoder 2 stands still although its motor was sent 12° further"));
+  source.encoder[1] = 3990;
+  EXPECT_EQ(source.run(1.0).motors.taken, out.motors.taken) << "its return does not make it credible";
+  EXPECT_EQ(source.run(0.1, false).motors.taken, source.now);
+  EXPECT_EQ(source.watch.complaint(), "");
+}
+
+TEST(Plausibility, AnEncoderMayStandStillWhileItsMotorIsOffOrNotSentElsewhere) {
+  Source source;
+  source.reference = {ticks(20.0), ticks(-20.0)};
+  source.run(5.0);
+  EXPECT_EQ(source.watch.complaint(), "") << "it stands where it was when the motors went on";
+  source.reference = {ticks(80.0), ticks(-80.0)};
+  source.run(5.0, false);
+  EXPECT_EQ(source.watch.complaint(), "");
+}
+
+TEST(Plausibility, AnEncoderThatFollowsSlowlyIsBelieved) {
+  Source source;
+  source.run(0.1);
+  source.reference = {ticks(90.0), ticks(-90.0)};
+  for (int i = 0; i < 20; ++i) {  // a count every 0.9 s
+    source.run(0.9);
+    ++source.encoder[0];
+    --source.encoder[1];
+    source.step();
+    ASSERT_EQ(source.watch.complaint(), "");
+  }
+}
+
+/// The same readings again and again, each with a new count, or with noise.
+struct Sampling {
+  explicit Sampling(double frozen_ms = 500.0) : watch(DeviceParameters{.frozen_reading_ms = frozen_ms}) {}
+  TouchpadReadings run(double seconds) {
+    TouchpadReadings out;
+    for (const Instant end = now + fromSeconds(seconds); now < end;) {
+      now += std::chrono::milliseconds(8);
+      if (ir_noise != 0) codes[static_cast<std::size_t>(now.time_since_epoch().count() % 3)] ^= ir_noise;
+      sensing::IrCounts counts;
+      for (const std::uint16_t code : codes) static_cast<void>(counts.push(code));
+      readings.ir.set(counts, now);
+      readings.bridge.set({.value_mV_per_V = bridge += bridge_noise}, now);
+      readings.motors.set({}, now);
+      out = watch.check(readings);
+    }
+    return out;
+  }
+  FrozenReadings watch;
+  TouchpadReadings readings;
+  std::array<std::uint16_t, 3> codes = {1700, 1650, 1720};
+  std::uint16_t ir_noise = 1;
+  double bridge = 0.25;
+  double bridge_noise = 1e-9;
+  Instant now = instantAt(100);
+};
+
+TEST(FrozenReadings, SensorsThatRepeatThemselvesGrowOldThoughTheirCountGoesOn) {
+  Sampling source;
+  EXPECT_EQ(source.run(2.0).ir.taken, source.now);
+  source.ir_noise = 0;
+  TouchpadReadings out = source.run(0.4);
+  EXPECT_EQ(out.ir.taken, source.now) << "chance may repeat a reading";
+  EXPECT_EQ(source.watch.complaint(), "");
+  out = source.run(1.0);
+  EXPECT_GT(source.now - out.ir.taken, std::chrono::milliseconds(800));
+  EXPECT_EQ(out.bridge.taken, source.now) << "the others go on";
+  EXPECT_EQ(out.motors.taken, source.now);
+  EXPECT_THAT(source.watch.complaint(), HasSubstr("the distance sensors repeat the codes"));
+  source.ir_noise = 1;
+  EXPECT_EQ(source.run(0.1).ir.taken, source.now);
+  EXPECT_EQ(source.watch.complaint(), "");
+}
+
+TEST(FrozenReadings, SoDoesALoadCell) {
+  Sampling source;
+  source.run(1.0);
+  source.bridge_noise = 0.0;
+  const TouchpadReadings out = source.run(1.0);
+  EXPECT_GT(source.now - out.bridge.taken, std::chrono::milliseconds(400));
+  EXPECT_EQ(out.ir.taken, source.now);
+  EXPECT_THAT(source.watch.complaint(), HasSubstr("the load cell repeats 0.25"));
+}
+
+TEST(FrozenReadings, AtTheEndsOfAConverterThereIsNoNoiseAndTheStepCallsItInvalid) {
+  Sampling source;
+  source.ir_noise = 0;
+  source.codes = {4095, 0, 4095};
+  source.bridge_noise = 0.0;
+  source.bridge = -7.77;
+  const TouchpadReadings out = source.run(3.0);
+  EXPECT_EQ(out.ir.taken, source.now);
+  EXPECT_EQ(out.bridge.taken, source.now);
+  EXPECT_EQ(source.watch.complaint(), "");
+}
+
+TEST(FrozenReadings, ZeroMillisecondsSwitchTheWatchOff) {
+  Sampling source(0.0);
+  source.ir_noise = 0;
+  source.bridge_noise = 0.0;
+  EXPECT_EQ(source.run(3.0).ir.taken, source.now);
   EXPECT_EQ(source.watch.complaint(), "");
 }
 
