@@ -12,6 +12,8 @@ using Tcp = asio::ip::tcp;
 
 constexpr std::size_t kLongestRequest = 4096;
 constexpr std::size_t kMaximumReaders = 8;
+constexpr double kFlatGrey = 200.0;
+constexpr int kWrongBytes = 8;
 constexpr std::string_view kStreamHead =
     "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=picture\r\n"
     "Cache-Control: no-store\r\nConnection: close\r\n\r\n";
@@ -124,8 +126,15 @@ bool MjpegServer::encodeNext() {
     for (char& byte : part_) byte = static_cast<char>(random_());
     return true;
   }
+  const cv::Mat picture = faults_.active(TouchpadFault::camera_flat, now)
+                              ? cv::Mat(frame->picture.size(), frame->picture.type(), cv::Scalar::all(kFlatGrey))
+                              : frame->picture;
   std::vector<std::uint8_t> jpeg;
-  if (!cv::imencode(".jpg", frame->picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92})) return false;
+  if (!cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92})) return false;
+  if (faults_.active(TouchpadFault::camera_cut, now)) jpeg.resize(jpeg.size() / 3);
+  for (int i = 0; i < kWrongBytes && faults_.active(TouchpadFault::camera_damage, now); ++i) {
+    jpeg[random_() % jpeg.size()] = static_cast<std::uint8_t>(random_());
+  }
   part_ = fmt::format("--picture\r\nContent-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n", jpeg.size());
   part_.append(jpeg.begin(), jpeg.end());
   part_ += "\r\n";

@@ -67,14 +67,15 @@ void RegisterBank::forget(int master) {
   if (owner_ == master) owner_.reset();
 }
 
-ModbusException RegisterBank::write(int master, int address, std::span<const std::uint16_t> values, Instant now) {
+ModbusException RegisterBank::write(int master, int address, std::span<const std::uint16_t> values, Instant now,
+                                    bool obeys) {
   const auto count = static_cast<int>(values.size());
   const bool settings = within({protocol::kSettingsAddress, protocol::kSettingsRegisters}, address, count);
   const bool command = within({protocol::kCommandAddress, protocol::kCommandRegisters}, address, count);
   if (!settings && !command) return ModbusException::illegal_address;
   if (!mayWrite(master, now)) return ModbusException::busy;
   return settings ? writeSettings(static_cast<std::size_t>(address - protocol::kSettingsAddress), values)
-                  : writeCommand(static_cast<std::size_t>(address - protocol::kCommandAddress), values, now);
+                  : writeCommand(static_cast<std::size_t>(address - protocol::kCommandAddress), values, now, obeys);
 }
 
 ModbusException RegisterBank::writeSettings(std::size_t at, std::span<const std::uint16_t> values) {
@@ -86,16 +87,23 @@ ModbusException RegisterBank::writeSettings(std::size_t at, std::span<const std:
   return ModbusException::none;
 }
 
-ModbusException RegisterBank::writeCommand(std::size_t at, std::span<const std::uint16_t> values, Instant now) {
+ModbusException RegisterBank::writeCommand(std::size_t at, std::span<const std::uint16_t> values, Instant now,
+                                           bool obeys) {
   auto wanted = command_image_;
   std::ranges::copy(values, wanted.begin() + static_cast<std::ptrdiff_t>(at));
   protocol::DeviceCommand command;
   if (!protocol::decode(wanted, command)) return ModbusException::illegal_value;
+  obeys_ = obeys;
+  command_image_ = wanted;
   if (command.heartbeat != command_.heartbeat) last_heartbeat_ = now;
+  if (!obeys) {  // the motors do what they did
+    command_.heartbeat = command.heartbeat;
+    command_.nonce = command.nonce;
+    return ModbusException::none;
+  }
   if (command.vibration_batch != command_.vibration_batch) {
     vibration_.push(command.duties.view(), command.vibration_rate_Hz, now);
   }
-  command_image_ = wanted;
   command_ = command;
   drive_.control(command.control_word);
   if (!drive_.energised()) vibration_.clear();
@@ -126,7 +134,7 @@ protocol::DeviceState RegisterBank::stateFor(int master, const device::TouchpadR
   out.uptime_us = static_cast<std::uint32_t>(
       static_cast<std::uint64_t>(toMilliseconds(now - powered_since_) * kUnitsPerMillisecond));
   out.status_word = statusBits(drive_.state()) | protocol::status_bit::kVoltageEnabled;
-  if (owner_ == master) out.status_word |= protocol::status_bit::kRemote;
+  if (owner_ == master && obeys_) out.status_word |= protocol::status_bit::kRemote;
   if (std::ranges::max(temperature_degC_) >= thermalLimit(settings_) - kWarningBelowLimit_degC) {
     out.status_word |= protocol::status_bit::kWarning;
   }

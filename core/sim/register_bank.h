@@ -35,7 +35,9 @@ class RegisterBank {
 
   /// Whether all of these may be read in one request: they lie in one block of the map.
   [[nodiscard]] static bool readable(int address, int count);
-  [[nodiscard]] ModbusException write(int master, int address, std::span<const std::uint16_t> values, Instant now);
+  /// @param obeys false: the values are taken as read back, and nothing is done
+  [[nodiscard]] ModbusException write(int master, int address, std::span<const std::uint16_t> values, Instant now,
+                                      bool obeys = true);
   /// The connection ended.
   void forget(int master);
 
@@ -54,7 +56,8 @@ class RegisterBank {
  private:
   [[nodiscard]] bool mayWrite(int master, Instant now);
   [[nodiscard]] ModbusException writeSettings(std::size_t at, std::span<const std::uint16_t> values);
-  [[nodiscard]] ModbusException writeCommand(std::size_t at, std::span<const std::uint16_t> values, Instant now);
+  [[nodiscard]] ModbusException writeCommand(std::size_t at, std::span<const std::uint16_t> values, Instant now,
+                                             bool obeys);
   [[nodiscard]] protocol::DeviceState stateFor(int master, const device::TouchpadReadings& readings, Instant now);
 
   protocol::Drive drive_;
@@ -67,6 +70,7 @@ class RegisterBank {
   Instant owner_wrote_{};
   Instant last_heartbeat_{};
   Instant powered_since_{};
+  bool obeys_ = true;  // as of the last write
   std::uint16_t sequence_ = 0;
   std::uint64_t transactions_ = 0;
   std::uint64_t refused_writes_ = 0;

@@ -9,6 +9,8 @@ namespace {
 constexpr Duration kStep = std::chrono::milliseconds(1);
 constexpr std::uint16_t kEncoderJump_counts = 512;
 constexpr std::uint16_t kEncoderMask = 0x0FFF;
+constexpr double kBridgeEnd_mV_per_V = 7.77;
+constexpr double kNoTemperature_degC = 3276.7;  // 0x7FFF
 
 // A small brushed motor's winding, one thermal mass: C dT/dt = I²R − (T − T₀)/Rth.
 constexpr double kAmbient_degC = 23.0;
@@ -75,6 +77,15 @@ device::TouchpadReadings TouchpadElectronics::sensed(Instant now) {
     std::uint16_t& counts = out.motors.value.encoder_counts[0];
     counts = static_cast<std::uint16_t>((counts + kEncoderJump_counts) & kEncoderMask);
   }
+  if (faults_.active(TouchpadFault::bridge_end, now)) out.bridge.value.value_mV_per_V = kBridgeEnd_mV_per_V;
+  if (!faults_.active(TouchpadFault::frozen_values, now)) {
+    frozen_.reset();
+  } else {
+    if (!frozen_) frozen_ = out;
+    out.ir.value = frozen_->ir.value;
+    out.bridge.value = frozen_->bridge.value;
+    out.motors.value = frozen_->motors.value;
+  }
   return out;
 }
 
@@ -89,12 +100,15 @@ bool TouchpadElectronics::answersLate(Instant now) {
 ModbusException TouchpadElectronics::write(int master, int address, std::span<const std::uint16_t> values,
                                            Instant now) {
   const std::scoped_lock lock(mutex_);
-  return bank_.write(master, address, values, now);
+  return bank_.write(master, address, values, now, !faults_.active(TouchpadFault::disobedience, now));
 }
 
 void TouchpadElectronics::fill(RegisterBank::Image& image, int master, Instant now) {
   const std::scoped_lock lock(mutex_);
   bank_.fill(image, master, sensed(now), now);
+  if (faults_.active(TouchpadFault::hot_reading, now)) {
+    image[protocol::addressOf("temperature_1")] = static_cast<std::uint16_t>(std::lround(kNoTemperature_degC * 10.0));
+  }
   ++figures_.modbus_requests;
 }
 

@@ -65,6 +65,7 @@ class TouchpadElectronics {
   int late_replies_ = 0;
   Figures figures_;
   std::optional<std::uint16_t> stuck_code_;
+  std::optional<device::TouchpadReadings> frozen_;
 };
 
 }  // namespace fyd::sim

@@ -21,9 +21,17 @@ enum class TouchpadFault : std::uint8_t {
   encoder_jump,   ///< encoder 1 counts 512 too many
   camera_freeze,  ///< the camera's stream goes on with the same picture
   garbage,        ///< random bytes in place of answers and pictures
+  frozen_values,  ///< all sensors and encoders repeat what they last said, their counts go on
+  bridge_end,     ///< the load cell's bridge is at the end of its converter
+  hot_reading,    ///< motor 1 reads 3276.7 °C
+  disobedience,   ///< writes are answered and not obeyed, as bit 9 of the status word says
+  camera_flat,    ///< pictures of one grey
+  camera_damage,  ///< eight bytes of each picture are wrong
+  camera_cut,     ///< only a third of each picture
 };
-inline constexpr std::array<std::string_view, 7> kTouchpadFaultNames = {
-    "late-reply", "silence", "stuck-sensor", "brown-out", "encoder-jump", "camera-freeze", "garbage"};
+inline constexpr std::array<std::string_view, 14> kTouchpadFaultNames = {
+    "late-reply",    "silence",    "stuck-sensor", "brown-out",    "encoder-jump", "camera-freeze", "garbage",
+    "frozen-values", "bridge-end", "hot-reading",  "disobedience", "camera-flat",  "camera-damage", "camera-cut"};
 
 inline constexpr Duration kLateBy = std::chrono::milliseconds(250);
 
