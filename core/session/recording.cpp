@@ -37,16 +37,17 @@ cv::Mat decoded(const std::vector<std::uint8_t>& bytes, const char* what) {
 
 class Hdf5Recording final : public Recording {
  public:
-  Hdf5Recording(std::string path, bool damaged_header) : path_(std::move(path)), source_(path_) {
-    info_.header = damaged_header ? readDamagedHeader(source_.file()) : readHeader(source_.file());
+  Hdf5Recording(std::string path, bool damaged_header)
+      : path_(std::move(path)), source_(std::make_unique<RecordingSource>(path_)) {
+    info_.header = damaged_header ? readDamagedHeader(source_->file()) : readHeader(source_->file());
     indices_.emplace(info_.header);
-    tables_.emplace(source_.file());
+    tables_.emplace(source_->file());
     look();
   }
   ~Hdf5Recording() override {
     const auto lock = hdf5Lock();
     tables_.reset();
-    source_.close();
+    source_->close();
   }
 
   const RecordingInfo& info() const override { return info_; }
@@ -54,21 +55,16 @@ class Hdf5Recording final : public Recording {
   Result<bool> refresh() override {
     return guarded(path_, [&] {
       const Wholeness before = info_.wholeness;
-      bool news = tables_->refresh();
-      if (source_.outlivedRecorder()) {
-        const std::uint64_t before_commits = tables_->commits();
-        tables_.reset();
-        source_.reopen();
-        tables_.emplace(source_.file());
-        news = news || tables_->commits() != before_commits;
-      }
+      const std::uint64_t commits = commits_;
+      // What cannot be read is being written at this moment, or its writer died in the middle of it.
+      if (source_->outlivedRecorder() || !takenIn() || source_->outlivedRecorder()) openAnew();
       look();
-      return news || before != info_.wholeness;
+      return commits_ != commits || info_.wholeness != before;
     });
   }
 
   Result<void> telemetry(std::uint64_t first, std::span<pipeline::TelemetrySample> out) const override {
-    return guarded(path_, [&] {
+    return reading([&] {
       eachRow(first, out.size(), [&](std::size_t i, const TelemetryRow& row) {
         const auto sample = sampleOf(row);
         if (!sample) throw RecordingFailure(sample.error().message);
@@ -78,14 +74,14 @@ class Hdf5Recording final : public Recording {
   }
 
   Result<void> field(std::size_t field, std::uint64_t first, std::span<double> out) const override {
-    return guarded(path_, [&] {
+    return reading([&] {
       checkField(field);
       eachRow(first, out.size(), [&](std::size_t i, const TelemetryRow& row) { out[i] = fieldOf(row, field); });
     });
   }
 
   Result<StepRecord> step(std::uint64_t row) const override {
-    return guarded(path_, [&] {
+    return reading([&] {
       StepRecord record;
       const auto at = tables_->row<StepRow>(Table::steps, row);
       pipeline::Inputs& in = record.inputs;
@@ -117,11 +113,11 @@ class Hdf5Recording final : public Recording {
   }
 
   Result<std::uint64_t> rowAt(double time_s) const override {
-    return guarded(path_, [&] { return firstRowAt(*tables_, instantAtSecond(time_s)); });
+    return reading([&] { return firstRowAt(*tables_, instantAtSecond(time_s)); });
   }
 
   Result<Overview> overview(std::size_t field, double from_s, double to_s, std::size_t buckets) const override {
-    return guarded(path_, [&] {
+    return reading([&] {
       checkField(field);
       const std::uint64_t first = firstRowAt(*tables_, instantAtSecond(from_s));
       const std::int64_t last_ns = instantAtSecond(to_s);
@@ -132,7 +128,7 @@ class Hdf5Recording final : public Recording {
   }
 
   Result<RecordedPicture> pictureAt(double time_s) const override {
-    return guarded(path_, [&] {
+    return reading([&] {
       const std::int64_t when_ns = instantAtSecond(time_s);
       std::uint64_t low = 0;
       std::uint64_t high = tables_->rows(Table::pictures);
@@ -149,11 +145,11 @@ class Hdf5Recording final : public Recording {
   }
 
   Result<RecordedPicture> picture(std::uint64_t index) const override {
-    return guarded(path_, [&] { return pictureOf(index); });
+    return reading([&] { return pictureOf(index); });
   }
 
   [[nodiscard]] Result<EncodedPicture> encoded(std::uint64_t index) const {
-    return guarded(path_, [&] {
+    return reading([&] {
       const auto row = tables_->row<PictureRow>(Table::pictures, index);
       EncodedPicture picture;
       picture.taken = instantOf(row.taken_ns);
@@ -173,7 +169,7 @@ class Hdf5Recording final : public Recording {
   Result<std::vector<LinkRow>> linkRows() const override { return all<LinkTableRow, LinkRow>(Table::link); }
 
   Result<std::vector<Note>> notes() const override {
-    return guarded(path_, [&] {
+    return reading([&] {
       std::vector<Note> notes;
       for (std::uint64_t i = 0; i < tables_->rows(Table::notes); ++i) {
         const auto row = tables_->row<NoteRow>(Table::notes, i);
@@ -186,8 +182,36 @@ class Hdf5Recording final : public Recording {
   }
 
  private:
+  /// Runs `work`, which reads. When it fails because the recorder died in the middle of a write, once more: what is
+  /// torn in its place is whole in the journal.
+  template <class Work>
+  auto reading(Work&& work) const -> Result<decltype(work())> {
+    auto result = guarded(path_, work);
+    if (result || !source_->outlivedRecorder()) return result;
+    if (const auto anew = guarded(path_, [&] { openAnew(); }); !anew) return tl::unexpected(anew.error());
+    return guarded(path_, work);
+  }
+
+  /// @return whether what was committed since could be read
+  [[nodiscard]] bool takenIn() const {
+    try {
+      (void)tables_->refresh();
+      return true;
+    } catch (const RecordingFailure&) {
+      return false;
+    }
+  }
+
+  /// With the journal of a recorder that is gone. What was open stays so when this fails.
+  void openAnew() const {
+    auto source = source_->again();
+    tables_ = RecordingTables(source->file());
+    source_ = std::move(source);
+  }
+
   void look() {
     const CommitRow& last = tables_->last();
+    commits_ = tables_->commits();
     info_.committed_samples = tables_->rows(Table::telemetry);
     info_.samples = tables_->present(Table::telemetry);
     info_.frames = tables_->rows(Table::pictures);
@@ -195,10 +219,10 @@ class Hdf5Recording final : public Recording {
     info_.gaps = std::max(last.jumped, last.lost);  // what the ring lost shows as a jump once a step follows
     info_.duration_s =
         info_.committed_samples == 0 ? 0.0 : secondsFrom(nanoseconds(info_.header.started), last.latest_ns);
-    info_.wholeness = last.closed != 0          ? Wholeness::whole
-                      : source_.recorderLives() ? Wholeness::growing
-                                                : Wholeness::crashed;
-    info_.bytes = source_.bytes();
+    info_.wholeness = last.closed != 0           ? Wholeness::whole
+                      : source_->recorderLives() ? Wholeness::growing
+                                                 : Wholeness::crashed;
+    info_.bytes = source_->bytes();
   }
 
   static double secondsFrom(std::int64_t from_ns, std::int64_t to_ns) {
@@ -253,7 +277,7 @@ class Hdf5Recording final : public Recording {
 
   template <class Row, class Value>
   Result<std::vector<Value>> all(Table table) const {
-    return guarded(path_, [&] {
+    return reading([&] {
       std::vector<Value> values(tables_->rows(table));
       for (std::uint64_t i = 0; i < values.size(); ++i) take<Row>(table, i, values[i]);
       return values;
@@ -289,16 +313,18 @@ class Hdf5Recording final : public Recording {
 
   std::string path_;
   RecordingInfo info_;
-  RecordingSource source_;
-  std::optional<RecordingTables> tables_;
+  std::uint64_t commits_ = 0;  // that info_ tells of
+  mutable std::unique_ptr<RecordingSource> source_;
+  mutable std::optional<RecordingTables> tables_;
   std::optional<RecordedIndices> indices_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<Recording>> Recording::open(const std::string& path) {
-  const std::string found = existingName(path);
-  return guarded(found, [&]() -> std::unique_ptr<Recording> { return std::make_unique<Hdf5Recording>(found, false); });
+  return openedAsItIs(path, [](const std::string& found) -> std::unique_ptr<Recording> {
+    return std::make_unique<Hdf5Recording>(found, false);
+  });
 }
 
 Result<std::unique_ptr<Recording>> openDamaged(const std::string& path) {

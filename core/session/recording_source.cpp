@@ -22,6 +22,12 @@ int opened(const std::string& path) {
   failHard("not a file");
 }
 
+int duplicate(int descriptor) {
+  const int again = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (again < 0) failHard("{}", std::generic_category().message(errno));
+  return again;
+}
+
 }  // namespace
 
 std::string existingName(const std::string& path) {
@@ -32,21 +38,24 @@ std::string existingName(const std::string& path) {
 
 bool isBeingRecorded(const std::string& path) { return recorderLives(Descriptor(opened(path)).number()); }
 
-RecordingSource::RecordingSource(const std::string& path) : descriptor_(opened(path)), path_(path) { reopen(); }
+RecordingSource::RecordingSource(const std::string& path) : RecordingSource(opened(path), path) {}
 
-void RecordingSource::reopen() {
-  file_.reset();
+RecordingSource::RecordingSource(int descriptor, std::string path) : descriptor_(descriptor), path_(std::move(path)) {
   growing_ = recorderLives();
   // A living recorder's journal is its own affair: it applies it while we look.
   disk_ = std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::read, !growing_);
   const Handle access = accessThrough(disk_);
-  // HDF5 waits twice as long before each new attempt at a block whose checksum is wrong: some milliseconds in all are
-  // plenty for a recorder that is just writing it, and where nobody writes, nothing will change.
-  check(H5Pset_metadata_read_attempts(access.id(), growing_ ? 22 : 1), "access");
+  // HDF5 waits twice as long before each new attempt at a block whose checksum is wrong: a tenth of a second in all is
+  // enough for a recorder that the machine interrupted while writing it, and where nobody writes, nothing will change.
+  check(H5Pset_metadata_read_attempts(access.id(), growing_ ? 26 : 1), "access");
   // A living recorder, and one that was killed, leave a mark in the file: HDF5 then opens it in this way only.
   hid_t id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.id());
   if (id < 0) id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access.id());
   file_ = Handle(id, H5Fclose, "not a recording, or too damaged to open");
+}
+
+std::unique_ptr<RecordingSource> RecordingSource::again() const {
+  return std::unique_ptr<RecordingSource>(new RecordingSource(duplicate(descriptor_.number()), path_));
 }
 
 bool RecordingSource::recorderLives() const { return session::recorderLives(descriptor_.number()); }

@@ -150,6 +150,94 @@ TEST(CrashRecording, AKilledRecorderLosesNothingItAcknowledged) {
   }
 }
 
+/// Its process is killed in the middle of one write: half of it is there, and nothing after it.
+class MortalDisk final : public DiskCalls {
+ public:
+  explicit MortalDisk(std::size_t whole_writes) : whole_writes_(whole_writes) {}
+  int write(int file, std::span<const std::byte> bytes, std::uint64_t at) override {
+    if (writes++ < whole_writes_) return DiskCalls::write(file, bytes, at);
+    if (writes == whole_writes_ + 1) (void)DiskCalls::write(file, bytes.first(bytes.size() / 2), at);
+    return EIO;
+  }
+  int sync(int) override { return 0; }
+  int resize(int file, std::uint64_t bytes) override {
+    return writes > whole_writes_ ? EIO : DiskCalls::resize(file, bytes);
+  }
+  std::size_t writes = 0;
+
+ private:
+  std::size_t whole_writes_;
+};
+
+/// Records plain steps and pictures until the disk ends, or until `steps`; `look` after each commit.
+template <class Look>
+std::uint64_t recordUntilItsEnd(RecordingWriter& writer, std::uint64_t steps, Look&& look) {
+  std::uint64_t committed = 0;
+  for (std::uint64_t row = 0; row < steps; ++row) {
+    if (row % kStepsPerPicture == 0 && !writer.append(plainEncoded(row / kStepsPerPicture))) break;
+    if (!writer.append(plainStep(row))) break;
+    if (writer.committedSteps() == committed) continue;
+    committed = writer.committedSteps();
+    look();
+  }
+  return writer.committedSteps();
+}
+
+TEST(CrashRecording, AReaderThatWasThereHasTheJournalOfARecorderKilledInTheMiddleOfAnyWrite) {
+  constexpr std::uint64_t kSteps = 1300;  // more than one overview row of 1000, and chunks of an index of their own
+  const auto counting = std::make_shared<MortalDisk>(std::numeric_limits<std::size_t>::max());
+  std::size_t begun = 0;
+  {
+    const Folder folder;
+    auto writer = createRecording(folder.file(), header(), counting);
+    ASSERT_TRUE(writer);
+    begun = counting->writes;
+    recordUntilItsEnd(**writer, kSteps, [] {});
+  }
+  const std::size_t kills = countFrom("FYD_CRASHES", 30);
+  const std::size_t step = std::max<std::size_t>(1, (counting->writes - begun) / kills);
+  std::size_t checked_to_the_end = 0;
+  for (std::size_t whole = begun; whole < counting->writes; whole += step) {
+    SCOPED_TRACE(fmt::format("killed in write {} of {}", whole, counting->writes));
+    const Folder folder;
+    auto writer = createRecording(folder.file(), header(), std::make_shared<MortalDisk>(whole));
+    ASSERT_TRUE(writer) << writer.error().message;
+    // One reader looks again after the end, one reads on without a look, one is in the middle, one comes only then.
+    const auto looks = Recording::open(folder.file());
+    const auto reads = Recording::open(folder.file());
+    ASSERT_TRUE(looks && reads);
+    const std::uint64_t acknowledged = recordUntilItsEnd(**writer, kSteps, [&] {
+      EXPECT_TRUE((*looks)->refresh());
+      EXPECT_TRUE((*reads)->refresh());
+    });
+    const std::uint64_t known = (*reads)->info().committed_samples;
+    const auto checked = verify(folder.file(), [&](double) {
+      writer->reset();
+      return true;
+    });
+    if (checked) {  // not at its beginning: what is torn there is being written, for all that can be known
+      EXPECT_TRUE(checked->intact()) << checked->first_damage;
+      ++checked_to_the_end;
+    }
+    writer->reset();
+    const auto news = (*looks)->refresh();
+    ASSERT_TRUE(news) << news.error().message;
+    EXPECT_TRUE(*news);
+    EXPECT_EQ((*looks)->info().wholeness, Wholeness::crashed);
+    const std::uint64_t rows = expectPlain(**looks, acknowledged);
+    expectPlainPictures(**looks);
+    EXPECT_EQ(expectPlain(**reads, known), known);
+    const auto again = (*reads)->refresh();
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_TRUE(*again);
+    EXPECT_EQ((*reads)->info().wholeness, Wholeness::crashed);
+    EXPECT_EQ((*reads)->info().committed_samples, rows);
+    EXPECT_EQ(expectCrashedAndWhole(folder.file(), acknowledged), rows);
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(checked_to_the_end, 0U);
+}
+
 /// Keeps what was asked of the disk, in order.
 class RememberingDisk final : public DiskCalls {
  public:
