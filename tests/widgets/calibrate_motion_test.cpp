@@ -88,7 +88,7 @@ class CalibrateMotionTest : public QObject {
       QCOMPARE(c.session->tests.back(), device::DeviceTest::stretch);
       QCOMPARE(c.session->stretches.back(), deg);
       const int keeps = c.session->keeps;
-      QTRY_VERIFY_WITH_TIMEOUT(c.session->keeps > keeps, kPatience_ms);
+      WAIT_FOR(c.session->keeps > keeps);
       c.press(deg, 0.1, 0.0);
       QVERIFY2(c.page->hint().startsWith(QLatin1String("Press the cloth now")), qPrintable(c.page->hint()));
       for (const double depth_mm : {2.0, 4.0, 6.0}) c.press(deg, depth_mm, stiffnessAt(deg) * depth_mm + 0.05);
@@ -304,7 +304,7 @@ class CalibrateMotionTest : public QObject {
     console::Session* session = opened->get();
     console::MainWindow window(std::move(*opened), path);
     window.show();
-    (void)QTest::qWaitForWindowActive(&window);
+    (void)QTest::qWaitForWindowActive(&window, kPatience_ms);
     window.start();
     QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
     auto* page = qobject_cast<console::CalibratePage*>(window.frame()->page(QStringLiteral("calibrate")));
@@ -313,6 +313,7 @@ class CalibrateMotionTest : public QObject {
          {"encoders", "load-cell", "ir-1", "ir-2", "ir-3", "camera-region", "camera", "stiffness", "rest"}) {
       page->choose(QLatin1String(part));
       takeSimulated(page);
+      hearTheStation(window);
       if (QTest::currentTestFailed()) return;
       QTest::mouseClick(page->acceptButton(), Qt::LeftButton);
       QVERIFY2(page->hint().startsWith(QLatin1String("Accepted")), qPrintable(page->hint()));
@@ -322,7 +323,7 @@ class CalibrateMotionTest : public QObject {
     page->choose(QStringLiteral("stiffness"));
     measureOneStretch(page);
     if (QTest::currentTestFailed()) return;
-    QTRY_VERIFY_WITH_TIMEOUT(!session->deviceTestStatus().running, kPatience_ms);
+    WAIT_FOR(!session->deviceTestStatus().running);
     const console::CalibrationPoint& point = page->points().front();
     QVERIFY2(std::abs(point[0] - 20.0) < 2.0 && point[1] > 1.0 && point[2] > 0.2,
              qPrintable(QStringLiteral("%1 %2 %3").arg(point[0]).arg(point[1]).arg(point[2])));

@@ -170,9 +170,9 @@ class CalibrateTest : public QObject {
       c.window->feed().pump();
       return c.window->operate()->readiness()->title();
     };
-    QTRY_COMPARE(before_arming(), QStringLiteral("Ready? 1/2"));
+    WAIT_EQUAL(before_arming(), QStringLiteral("Ready? 1/2"));
     c.session->profile.step.sensing.indentation.ir_offset_mm[1] = 98.5;  // a tare
-    QTRY_COMPARE(before_arming(), QStringLiteral("Ready? 1/1"));
+    WAIT_EQUAL(before_arming(), QStringLiteral("Ready? 1/1"));
     QVERIFY(c.partText("sensor 1").contains(QLatin1String("never calibrated")));
   }
 
@@ -218,7 +218,7 @@ class CalibrateTest : public QObject {
     c.page->choose(QStringLiteral("no-touch"));
     c.click(c.page->simulateButton());
     QCOMPARE(c.session->finger, (std::vector<double>{0.0, 0.0, 0.0}));
-    QTRY_VERIFY_WITH_TIMEOUT(!c.page->points().empty(), 30000);
+    WAIT_FOR(!c.page->points().empty());
     QVERIFY(c.session->finger.empty());
   }
 

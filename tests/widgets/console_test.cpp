@@ -73,11 +73,11 @@ class ConsoleTest : public QObject {
       const QString id = action->objectName();
       if (id != QLatin1String("session.quit") && id != QLatin1String("view.palette")) action->trigger();
     }
-    QTest::qWait(widgets::HoldButton::kHold_ms + 100);
+    passTimers(widgets::HoldButton::kHold_ms + 100);
     QCOMPARE(f.session->count(OperatorAction::arm), 0);
     arm->setFocus();
     QTest::keyPress(arm, Qt::Key_Space);  // the window's own use of the space bar stands back
-    QTRY_COMPARE(f.session->count(OperatorAction::arm), 1);
+    WAIT_EQUAL(f.session->count(OperatorAction::arm), 1);
     QTest::keyRelease(arm, Qt::Key_Space);
   }
 
@@ -191,7 +191,7 @@ class ConsoleTest : public QObject {
     QCOMPARE(f.window->notices()->count(), 1);
     QCOMPARE(f.window->log()->lines(), 1);
     f.window->start();
-    QTRY_COMPARE(f.window->stateBar()->stateWord(), QStringLiteral("Unknown"));
+    WAIT_EQUAL(f.window->stateBar()->stateWord(), QStringLiteral("Unknown"));
   }
 
   void missingCameraTeaches() {

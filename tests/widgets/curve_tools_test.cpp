@@ -228,23 +228,23 @@ class CurveToolsTest : public QObject {
   void picturesAndValuesAreWrittenAndNothingIsWrittenOver() {
     CurveFixture f;
     f.key(Qt::Key_G, Qt::ControlModifier);
-    QTRY_VERIFY(f.told().contains(QStringLiteral(".png is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral(".png is written")));
     QVERIFY(QImage(f.saved("png")).width() > 400);
     const QString first = f.saved("png");
     QVERIFY(f.tools->saver().pathFor(QStringLiteral("png")) != first);
     f.window->commands().action(QStringLiteral("curves.save_svg"))->trigger();
-    QTRY_VERIFY(f.told().contains(QStringLiteral(".svg is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral(".svg is written")));
     QFile svg(f.saved("svg"));
     QVERIFY(svg.open(QIODevice::ReadOnly));
     QVERIFY(svg.readAll().contains("<polyline"));
     f.window->commands().action(QStringLiteral("curves.save_pdf"))->trigger();
-    QTRY_VERIFY(f.told().contains(QStringLiteral(".pdf is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral(".pdf is written")));
     QFile pdf(f.saved("pdf"));
     QVERIFY(pdf.open(QIODevice::ReadOnly));
     QVERIFY(pdf.readAll().startsWith("%PDF"));
     f.curves->chooseSpan(1);
     f.key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_VERIFY(f.told().contains(QStringLiteral(".csv is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral(".csv is written")));
     QFile csv(f.saved("csv"));
     QVERIFY(csv.open(QIODevice::ReadOnly));
     const QList<QByteArray> lines = csv.readAll().split('\n');
@@ -292,7 +292,7 @@ class CurveToolsTest : public QObject {
     CurveFixture f;
     f.tools->saver().setFolder(QStringLiteral("/proc/nothing"));
     f.key(Qt::Key_G, Qt::ControlModifier);
-    QTRY_VERIFY(f.told().contains(QStringLiteral("/proc/nothing")));
+    WAIT_FOR(f.told().contains(QStringLiteral("/proc/nothing")));
     // A full disk, as the system tells it: no file may grow beyond a kilobyte.
     f.tools->saver().setFolder(f.folder.filePath(QStringLiteral("full")));
     rlimit before{};
@@ -301,7 +301,8 @@ class CurveToolsTest : public QObject {
     const rlimit small{1024, before.rlim_max};
     QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
     f.key(Qt::Key_G, Qt::ControlModifier);
-    const bool told = QTest::qWaitFor([&] { return f.told().contains(QStringLiteral("is not written")); });
+    const bool told =
+        QTest::qWaitFor([&] { return f.told().contains(QStringLiteral("is not written")); }, kPatience_ms);
     setrlimit(RLIMIT_FSIZE, &before);
     QVERIFY(told);
     QVERIFY(f.saved("png").isEmpty());  // and half a picture is not left behind
@@ -313,7 +314,7 @@ class CurveToolsTest : public QObject {
     widgets::SpectrumView* spectrum = f.tools->spectrum();
     QVERIFY(spectrum->isVisible());
     // 0.5 g at 125 Hz.
-    QTRY_COMPARE(spectrum->words(), QStringLiteral("largest 4.903 m/s² at 125 Hz"));
+    WAIT_EQUAL(spectrum->words(), QStringLiteral("largest 4.903 m/s² at 125 Hz"));
     QCOMPARE(spectrum->shown().resolution_Hz * static_cast<double>(spectrum->shown().bins - 1), 500.0);
     spectrum->scaleBox()->setCurrentIndex(1);
     QCOMPARE(spectrum->words(), QStringLiteral("largest 4.903 m/s² at 125 Hz"));
@@ -343,7 +344,7 @@ class CurveToolsTest : public QObject {
                               {{.channel = 0, .quantity = widgets::Quantity::force}}, true);
     strip.resize(640, 160);
     strip.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&strip));
+    QVERIFY(QTest::qWaitForWindowExposed(&strip, kPatience_ms));
     std::uniform_real_distribution<double> anywhere(0.0, 1.0);
     std::vector<widgets::CurveColumn> columns;
     for (double span_s = 0.02; span_s <= 10'000.0; span_s *= 2.6) {
@@ -369,7 +370,7 @@ class CurveToolsTest : public QObject {
     view.resize(600, 400);
     view.chooseSpan(60);
     view.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QVERIFY(QTest::qWaitForWindowExposed(&view, kPatience_ms));
     const auto resident_pages = [] {
       QFile file(QStringLiteral("/proc/self/statm"));
       return file.open(QIODevice::ReadOnly) ? file.readAll().split(' ').value(1).toLongLong() : 0;

@@ -61,14 +61,14 @@ class FrameTest : public QObject {
 
   void theWindowSaysThatItAnswersAndNotWhileItIsBusy() {
     Fixture f;
-    QTest::qWait(100);
+    passTimers(100);
     QCOMPARE(f.session->beats, 0);  // not started
     f.window->start();
-    QTRY_VERIFY(f.session->beats > 5);
+    WAIT_FOR(f.session->beats > 5);
     const int before = f.session->beats;
     QThread::msleep(300);  // the window's own thread is busy
     QCOMPARE(f.session->beats, before);
-    QTRY_VERIFY(f.session->beats > before);
+    WAIT_FOR(f.session->beats > before);
   }
 
   void stopWorksFromEveryPlace() {
@@ -147,20 +147,20 @@ class FrameTest : public QObject {
     QCOMPARE(page->card(1)->stateWord(), QStringLiteral("Problem"));
     f.session->reports[1].ok = true;
     f.session->reports[1].problem.clear();
-    QTRY_COMPARE(page->card(1)->stateWord(), QStringLiteral("Well"));  // by itself
+    WAIT_EQUAL(page->card(1)->stateWord(), QStringLiteral("Well"));  // by itself
     f.session->reports.resize(1);
-    QTRY_COMPARE(page->cardCount(), std::size_t{1});
+    WAIT_EQUAL(page->cardCount(), std::size_t{1});
     QVERIFY(!page->card(1)->isVisible());
     f.session->reports.clear();
-    QTRY_COMPARE(page->cardCount(), std::size_t{0});
+    WAIT_EQUAL(page->cardCount(), std::size_t{0});
     f.session->reports = {touchpad(), camera(), camera()};
-    QTRY_COMPARE(page->cardCount(), std::size_t{3});
+    WAIT_EQUAL(page->cardCount(), std::size_t{3});
     QVERIFY(page->card(2)->isVisible());
     QVERIFY2(f.window->minimumSizeHint().width() <= 1280,
              qPrintable(QString::number(f.window->minimumSizeHint().width())));
     f.window->frame()->go(QStringLiteral("operate"));
     f.session->reports.clear();
-    QTest::qWait(500);
+    passTimers(500);
     QCOMPARE(page->cardCount(), std::size_t{3});  // a hidden page asks nothing
   }
 
@@ -184,10 +184,10 @@ class FrameTest : public QObject {
     QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(f.session->tests.empty());
     QTest::mousePress(button, Qt::LeftButton);
-    QTRY_COMPARE(f.session->tests.size(), std::size_t{1});
+    WAIT_EQUAL(f.session->tests.size(), std::size_t{1});
     QCOMPARE(f.session->tests[0], device::DeviceTest::motor_2);
     const int keeps = f.session->keeps;
-    QTRY_VERIFY(f.session->keeps > keeps + 2);
+    WAIT_FOR(f.session->keeps > keeps + 2);
     f.session->test_status.progress = 0.4;
     page->refresh();
     QVERIFY2(page->card(0)->testText().contains(QStringLiteral("40 %")), qPrintable(page->card(0)->testText()));
@@ -195,14 +195,14 @@ class FrameTest : public QObject {
     QVERIFY(f.session->test_stops >= 1);
     QVERIFY(page->card(0)->testText().contains(QStringLiteral("released")));
     const int after = f.session->keeps;
-    QTest::qWait(400);
+    passTimers(400);
     QCOMPARE(f.session->keeps, after);
     QCOMPARE(f.session->tests.size(), std::size_t{1});
 
     // By key; and another place, or the state, takes it back as letting go does.
     button->setFocus();
     QTest::keyPress(button, Qt::Key_Space);
-    QTRY_COMPARE(f.session->tests.size(), std::size_t{2});
+    WAIT_EQUAL(f.session->tests.size(), std::size_t{2});
     int stops = f.session->test_stops;
     f.window->frame()->go(QStringLiteral("operate"));
     QVERIFY(f.session->test_stops > stops);
@@ -210,7 +210,7 @@ class FrameTest : public QObject {
     QTest::keyRelease(button, Qt::Key_Space);
     f.window->frame()->go(QStringLiteral("devices"));
     QTest::mousePress(button, Qt::LeftButton);
-    QTRY_COMPARE(f.session->tests.size(), std::size_t{3});
+    WAIT_EQUAL(f.session->tests.size(), std::size_t{3});
     stops = f.session->test_stops;
     f.session->say(SafetyState::active);
     f.window->feed().pump();
@@ -228,7 +228,7 @@ class FrameTest : public QObject {
     f.session->refuses = true;
     widgets::HoldButton* button = devicesOf(f)->card(0)->testButton(0);
     QTest::mousePress(button, Qt::LeftButton);
-    QTRY_VERIFY(f.window->notices()->count() == 1);
+    WAIT_FOR(f.window->notices()->count() == 1);
     QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("refused by the script")));
     QTest::mouseRelease(button, Qt::LeftButton);
   }
@@ -241,12 +241,12 @@ class FrameTest : public QObject {
     f.window->frame()->go(QStringLiteral("devices"));
     widgets::HoldButton* button = devicesOf(f)->card(0)->testButton(0);
     QTest::mousePress(button, Qt::LeftButton);
-    QTRY_COMPARE(f.session->tests.size(), std::size_t{1});
+    WAIT_EQUAL(f.session->tests.size(), std::size_t{1});
     const int stops = f.session->test_stops;
     QTest::keyClick(button, Qt::Key_Escape);
     QVERIFY(f.session->stops >= 1);
     QVERIFY(f.session->test_stops > stops);
-    QTest::qWait(800);  // still pressed
+    passTimers(800);  // still pressed
     QCOMPARE(f.session->tests.size(), std::size_t{1});
     QTest::mouseRelease(button, Qt::LeftButton);
   }
@@ -267,14 +267,14 @@ class FrameTest : public QObject {
             return {{.path = "/dev/video0", .problem = "permission denied; join the group video"}};
           }}});
     f.window->frame()->go(QStringLiteral("devices"));  // looks by itself the first time
-    QTRY_COMPARE(looks.load(), 1);
+    WAIT_EQUAL(looks.load(), 1);
     QVERIFY(!page->found()->lookButton()->isEnabled());
     QVERIFY(page->found()->summary().contains(QStringLiteral("serial ports")));
     QTest::keyClick(f.window.get(), Qt::Key_F5);  // one at a time
     QTest::keyClick(page, Qt::Key_Escape);        // and the window answers meanwhile
     QVERIFY(f.session->stops >= 1);
     go = true;
-    QTRY_COMPARE(page->found()->count(), 2);
+    WAIT_EQUAL(page->found()->count(), 2);
     QCOMPARE(looks.load(), 1);
     bool remedy = false;
     for (const QLabel* label : page->found()->findChildren<QLabel*>()) {
@@ -282,11 +282,11 @@ class FrameTest : public QObject {
     }
     QVERIFY(remedy);
     QTest::mouseClick(page->found()->lookButton(), Qt::LeftButton);
-    QTRY_COMPARE(looks.load(), 2);
-    QTRY_VERIFY(page->found()->lookButton()->isEnabled());
+    WAIT_EQUAL(looks.load(), 2);
+    WAIT_FOR(page->found()->lookButton()->isEnabled());
     page->setSearch({});
     QTest::keyClick(f.window.get(), Qt::Key_F5);
-    QTRY_COMPARE(page->found()->count(), 0);
+    WAIT_EQUAL(page->found()->count(), 0);
     QVERIFY(page->found()->summary().contains(QStringLiteral("No serial port and no camera")));
   }
 };

@@ -52,7 +52,7 @@ struct Day {
     window = std::make_unique<console::MainWindow>(std::move(session), home.profile(), QString(), memory);
     window->show();
     window->activateWindow();
-    (void)QTest::qWaitForWindowActive(window.get());
+    (void)QTest::qWaitForWindowActive(window.get(), kPatience_ms);
     window->start();
   }
   template <class T>
@@ -79,11 +79,11 @@ struct Day {
   /// By the command palette.
   void command(const QString& words) const {
     key(Qt::Key_K, Qt::ControlModifier);
-    (void)QTest::qWaitFor([this] { return window->palette()->field()->hasFocus(); });
+    (void)QTest::qWaitFor([this] { return window->palette()->field()->hasFocus(); }, kPatience_ms);
     type(words);
     key(Qt::Key_Return);
     window->activateWindow();
-    (void)QTest::qWaitForWindowActive(window.get());
+    (void)QTest::qWaitForWindowActive(window.get(), kPatience_ms);
   }
   [[nodiscard]] bool told(const QString& words) const {
     for (int i = 0; i < window->notices()->count(); ++i) {
@@ -108,11 +108,10 @@ QString contentOf(const QString& path) {
 
 void firstStart(const Day& day) {
   QCOMPARE(day.window->frame()->place(), QStringLiteral("operate"));
-  QTRY_COMPARE_WITH_TIMEOUT(day.state(), QStringLiteral("Ready"), kPatience_ms);
+  WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
   static const QRegularExpression kAllOfThem(QStringLiteral("^Ready\\? ([0-9]+)/\\1$"));
   const widgets::ReadinessList* list = day.window->operate()->readiness();
-  (void)QTest::qWaitFor([&] { return kAllOfThem.match(list->title()).hasMatch(); }, kPatience_ms);
-  QVERIFY2(kAllOfThem.match(list->title()).hasMatch(), qPrintable(list->title()));
+  WAIT_FOR(kAllOfThem.match(list->title()).hasMatch());
 }
 
 void calibrateEverything(const Day& day) {
@@ -135,6 +134,7 @@ void calibrateEverything(const Day& day) {
       QTest::mouseClick(page->discardButton(), Qt::LeftButton);  // the map needs more stretches than there is time for
     }
     GO(takeSimulated(page));
+    GO(hearTheStation(*day.window));
     day.key(Qt::Key_Return, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY2(page->hint().startsWith(QLatin1String("Accepted")), qPrintable(before + page->hint()));
     const QString after = page->parts()->currentItem()->text();
@@ -158,25 +158,27 @@ void tune(const Day& day) {
   day.overtype(QStringLiteral("2"));
   day.key(Qt::Key_Return);
   // "•": differs from what is saved, and the step has said that it uses it.
-  QTRY_COMPARE_WITH_TIMEOUT(row->mark()->text(), QStringLiteral("•"), kPatience_ms);
+  WAIT_EQUAL(row->mark()->text(), QStringLiteral("•"));
   day.key(Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(row->field()->text(), QStringLiteral("1"));
   day.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   QCOMPARE(row->field()->text(), QStringLiteral("2"));
-  QTRY_COMPARE_WITH_TIMEOUT(row->mark()->text(), QStringLiteral("•"), kPatience_ms);
+  WAIT_EQUAL(row->mark()->text(), QStringLiteral("•"));
   day.key(Qt::Key_S, Qt::ControlModifier);
   QVERIFY(day.told(QStringLiteral("Profile saved to")));
   QVERIFY(row->mark()->text().isEmpty());
 }
 
-/// A finger on the camera's picture, for a second after its force is seen.
+/// A finger on the camera's picture, for a second of what is drawn after its force is seen.
 void touch(const Day& day) {
   const console::OperatePage* page = day.window->operate();
   QWidget* picture = page->camera()->image();
   const widgets::Readout* force = page->curves()->readout(0);
   QTest::mousePress(picture, Qt::LeftButton, {}, picture->rect().center());
-  QTRY_VERIFY_WITH_TIMEOUT(force->valueText(0).toDouble() > 0.5, kPatience_ms);
-  QTest::qWait(1000);
+  WAIT_FOR(force->valueText(0).toDouble() > 0.5);
+  const widgets::CurveBuffer& drawn = page->curves()->buffer();
+  const double seen_s = drawn.lastTime_s();
+  WAIT_FOR(drawn.lastTime_s() > seen_s + 1.0);
   QTest::mouseRelease(picture, Qt::LeftButton, {}, picture->rect().center());
 }
 
@@ -191,8 +193,10 @@ void runAndRecord(const Day& day) {
   GO(day.tabTo(form->subjectField()));
   day.overtype(kSubject);
   day.key(Qt::Key_Return);
-  QTRY_VERIFY_WITH_TIMEOUT(form->stopButton()->isVisible(), kPatience_ms);
-  QVERIFY(day.window->stateBar()->recordButton()->text().startsWith(QLatin1String("REC 00:00:0")));
+  WAIT_FOR(form->stopButton()->isVisible());
+  static const QRegularExpression kSinceTheStart(QStringLiteral("^REC 00:0[0-9]:[0-5][0-9]"));
+  const QString recording = day.window->stateBar()->recordButton()->text();
+  QVERIFY2(kSinceTheStart.match(recording).hasMatch(), qPrintable(recording));
   GO(makeActive(*day.window));
   GO(touch(day));
   GO(day.tabTo(form->noteField()));
@@ -204,18 +208,18 @@ void runAndRecord(const Day& day) {
   // The one key, while something is being typed.
   day.type(QStringLiteral("half a no"));
   day.key(Qt::Key_Escape);
-  QTRY_COMPARE_WITH_TIMEOUT(day.state(), QStringLiteral("Stopped"), kPatience_ms);
+  WAIT_EQUAL(day.state(), QStringLiteral("Stopped"));
   QVERIFY(form->stopButton()->isVisible());  // the recording goes on
   day.key(Qt::Key_R, Qt::ControlModifier);
   QVERIFY(form->stopButton()->hasFocus());
   day.key(Qt::Key_Return);
   QVERIFY(day.told(QStringLiteral("Recording closed:")));
-  QCOMPARE(day.state(), QStringLiteral("Stopped"));
+  WAIT_EQUAL(day.state(), QStringLiteral("Stopped"));
 }
 
 void openTheRecording(const Day& day, const console::ReviewPage& page) {
   const QTableWidget* list = page.list()->table();
-  QTRY_COMPARE_WITH_TIMEOUT(list->rowCount(), 1, kPatience_ms);
+  WAIT_EQUAL(list->rowCount(), 1);
   QCOMPARE(list->item(0, 2)->text(), kOperator);
   QCOMPARE(list->item(0, 3)->text(), kSubject);
   GO(day.tabTo(list));
@@ -225,32 +229,47 @@ void openTheRecording(const Day& day, const console::ReviewPage& page) {
   QVERIFY2(page.title().contains(QStringLiteral("subject S07")), qPrintable(page.title()));
 }
 
+/// What the curves say of two marks, by the clock of what was recorded: each cycle that the machine missed between two
+/// rows lengthens the way from one to the other.
+QString timeBetween(const session::Recording& recording, std::uint64_t first_row, std::size_t rows) {
+  std::vector<pipeline::TelemetrySample> read(rows + 1);
+  const auto done = recording.telemetry(first_row, read);
+  if (!done) return QString::fromStdString(done.error().message);
+  const std::chrono::duration<double> between = read.back().now - read.front().now;
+  return QStringLiteral("Δt %1 s").arg(between.count(), 0, 'f', 3);
+}
+
 void review(const Day& day) {
   auto* page = day.place<console::ReviewPage>("review", Qt::Key_3);
   QVERIFY(page != nullptr);
   GO(openTheRecording(day, *page));
-  QTRY_VERIFY_WITH_TIMEOUT(page->touches()->rowCount() >= 1, kPatience_ms);
+  WAIT_FOR(page->touches()->rowCount() >= 1);
   bool noted = false;
   for (int row = 0; row < page->notes()->rowCount(); ++row) noted |= page->notes()->item(row, 2)->text() == kNote;
   QVERIFY(noted);
-  // A where a touch begins, B a tenth of a second later.
+  // A where a touch begins, B a hundred rows later.
   GO(day.tabTo(page->touches()));
   day.key(Qt::Key_Down);
   day.key(Qt::Key_BracketLeft);
   page->curves()->setFocus();
-  for (int i = 0; i < 100; ++i) day.key(Qt::Key_Right);
+  constexpr std::size_t kRowsBetween = 100;
+  const double half_a_row_s = 0.0005;
+  const auto first_row = page->recording()->rowAt(page->player()->time_s() - half_a_row_s);
+  QVERIFY2(first_row, first_row ? "" : first_row.error().message.c_str());
+  for (std::size_t i = 0; i < kRowsBetween; ++i) day.key(Qt::Key_Right);
   day.key(Qt::Key_BracketRight);
   page->curves()->redraw();
   const QString marks = page->curves()->stack()->markText();
-  QVERIFY2(marks.contains(QStringLiteral("Δt 0.100 s")), qPrintable(marks));
-  QTRY_COMPARE_WITH_TIMEOUT(page->figures()->rowCount(), 5, kPatience_ms);
+  const QString expected = timeBetween(*page->recording(), *first_row, kRowsBetween);
+  QVERIFY2(marks.contains(expected), qPrintable(marks + QStringLiteral(", expected ") + expected));
+  WAIT_EQUAL(page->figures()->rowCount(), 5);
 }
 
 void exportIt(const Day& day, const NewHome& home) {
   day.command(QStringLiteral("export as csv"));
-  QTRY_VERIFY_WITH_TIMEOUT(day.told(QStringLiteral("S07.csv is written")), kPatience_ms);
+  WAIT_FOR(day.told(QStringLiteral("S07.csv is written")));
   day.key(Qt::Key_P, Qt::ControlModifier);
-  QTRY_VERIFY_WITH_TIMEOUT(day.told(QStringLiteral("S07.html is written")), kPatience_ms);
+  WAIT_FOR(day.told(QStringLiteral("S07.html is written")));
   const QString table = contentOf(home.session(QStringLiteral(".csv")));
   QVERIFY(table.startsWith(QLatin1String("time_s [s],")));
   QVERIFY2(table.count(QLatin1Char('\n')) > 1000, "more than a second");
@@ -279,7 +298,7 @@ void nextMorning(const Day& day) {
   const widgets::RecordingForm* form = day.window->recording()->form();
   QCOMPARE(form->operatorField()->text(), kOperator);
   QCOMPARE(form->subjectField()->text(), kSubject);
-  QTRY_COMPARE_WITH_TIMEOUT(day.state(), QStringLiteral("Ready"), kPatience_ms);  // and not Active
+  WAIT_EQUAL(day.state(), QStringLiteral("Ready"));  // and not Active
 }
 
 }  // namespace
@@ -298,7 +317,7 @@ class JourneyTest : public QObject {
       GO(review(day));
       GO(exportIt(day, home));
       day.key(Qt::Key_Q, Qt::ControlModifier);
-      QTRY_VERIFY(!day.window->isVisible());
+      WAIT_FOR(!day.window->isVisible());
     }
     const Day next(home);
     GO(nextMorning(next));

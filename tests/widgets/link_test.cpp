@@ -300,7 +300,7 @@ class LinkTest : public QObject {
     QVERIFY(session.status().link.secured);
     std::vector<pipeline::TelemetrySample> samples(64);
     std::size_t heard = 0;
-    QTRY_VERIFY((heard += session.takeTelemetry(samples)) > 0);  // its loop runs
+    WAIT_FOR((heard += session.takeTelemetry(samples)) > 0);  // its loop runs
     QCOMPARE(session.currentProfile().step.texture.k_vib, 1.75);
     session.shutDown();
   }

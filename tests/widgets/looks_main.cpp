@@ -71,7 +71,7 @@ class LooksTest : public QObject {
     widgets::WorkBar* bar = review->work()->add();
     bar->begin(QStringLiteral("session.h5"));
     bar->setDone(1.0);
-    QTRY_VERIFY(bar->isVisible());
+    WAIT_FOR(bar->isVisible());
     look(f, "review-working");
     bar->end();
     go(f, "operate");
@@ -109,14 +109,15 @@ class LooksTest : public QObject {
     QCOMPARE(f.window->size(), QSize(1280, 720));  // no panel pushes it apart
   }
   static void lookAt(QWidget& window, const char* page) {
-    QTest::qWait(20);  // what is laid out when the event loop comes round
+    passTimers(20);  // what is laid out when the event loop comes round
     const QString name = QLatin1String(QTest::currentDataTag()) + QLatin1Char('-') + QLatin1String(page);
     // What comes later, as found devices, needs a moment to be laid out.
-    QStringList faults = lookFaults(window);
-    for (int i = 0; i < 40 && !faults.isEmpty(); ++i) {
-      QTest::qWait(25);
+    QStringList faults;
+    const auto faultless = [&] {
       faults = lookFaults(window);
-    }
+      return faults.isEmpty();
+    };
+    (void)QTest::qWaitFor(faultless, kPatience_ms);
     if (const QString folder = qEnvironmentVariable("FYD_LOOKS_FOLDER"); !folder.isEmpty()) {
       window.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
     }

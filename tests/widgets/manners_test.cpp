@@ -190,7 +190,7 @@ class MannersTest : public QObject {
     window->show();
     QCOMPARE(window->width(), 1111);
     QCOMPARE(window->frame()->place(), QStringLiteral("devices"));
-    QTRY_VERIFY(window->log()->isVisible());
+    WAIT_FOR(window->log()->isVisible());
     QVERIFY(window->commands().action(QStringLiteral("view.log"))->isChecked());
     widgets::Look::instance().apply(*qApp, widgets::ThemeChoice::dark);
   }
@@ -239,10 +239,10 @@ class MannersTest : public QObject {
     QTest::keyClick(dialog->field(), Qt::Key_Return);
     QCOMPARE(dialog->list()->count(), 1);
     QTest::mouseClick(dialog->standardButton(), Qt::LeftButton);
-    QTRY_VERIFY(window->operate()->camera()->isVisible());
+    WAIT_FOR(window->operate()->camera()->isVisible());
     dialog->list()->setCurrentRow(0);
     QTest::mouseClick(dialog->useButton(), Qt::LeftButton);
-    QTRY_VERIFY(!window->operate()->camera()->isVisible());
+    WAIT_FOR(!window->operate()->camera()->isVisible());
     QVERIFY(!camera->isChecked());
     dialog->list()->setCurrentRow(0);
     QTest::mouseClick(dialog->deleteButton(), Qt::LeftButton);
@@ -415,7 +415,7 @@ class MannersTest : public QObject {
     QTest::keyClick(in_the_curves, Qt::Key_F1);
     QCOMPARE(help->topic(), QStringLiteral("operate.md#curves"));
     QCOMPARE(heading(), QStringLiteral("Curve"));
-    QTRY_VERIFY(help->page()->verticalScrollBar()->value() > 0 && help->page()->cursorRect().top() == 0);
+    WAIT_FOR(help->page()->verticalScrollBar()->value() > 0 && help->page()->cursorRect().top() == 0);
     QVERIFY(!help->page()->toPlainText().contains(QLatin1String("translated from")));
     QVERIFY(help->page()->loadResource(QTextDocument::ImageResource, QUrl("../images/operate-dark.png")).isValid());
     // Links name the English heading.
@@ -462,7 +462,7 @@ class MannersTest : public QObject {
         }
         f.window->commands().action(QStringLiteral("session.record"))->trigger();
       }
-      QTest::qWait(30);
+      passTimers(30);
       const QList<QWidget*> controls = controlsOf(*f.window);
       QSet<QWidget*> reached;
       QWidget* focus = f.window->frame();

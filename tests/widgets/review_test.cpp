@@ -14,7 +14,7 @@ class ReviewTest : public QObject {
   void anEmptyCatalogueTeachesAndAWrongFileIsToldInWords() {
     ReviewFixture f;
     QVERIFY(f.page->showsList());
-    QTRY_VERIFY(!f.page->list()->looking());
+    WAIT_FOR(!f.page->list()->looking());
     QVERIFY(f.page->list()->words().contains(QStringLiteral("Ctrl+R")));
     f.page->list()->path()->setText(f.folder.filePath(QStringLiteral("nothing.h5")));
     QTest::keyClick(f.page->list()->path(), Qt::Key_Return);
@@ -31,7 +31,7 @@ class ReviewTest : public QObject {
     QVERIFY(!f.page->showsList());
     QVERIFY(f.page->title().contains(QStringLiteral("S07")));
     QVERIFY(f.page->title().contains(QStringLiteral("M. Muster")));
-    QTRY_COMPARE(f.page->touches()->rowCount(), 1);
+    WAIT_EQUAL(f.page->touches()->rowCount(), 1);
     QCOMPARE(f.page->touches()->item(0, 0)->text(), QStringLiteral("2.00"));
     QCOMPARE(f.page->touches()->item(0, 2)->text(), QStringLiteral("2.00"));
     f.page->touches()->setCurrentCell(0, 0);
@@ -63,8 +63,8 @@ class ReviewTest : public QObject {
     f.page->player()->setSpeed(16.0);
     f.key(Qt::Key_Space);
     QVERIFY(f.page->player()->playing());
-    QTRY_VERIFY(f.page->player()->time_s() > 5.9);
-    QTRY_VERIFY(!f.page->player()->playing());  // it stops at the end
+    WAIT_FOR(f.page->player()->time_s() > 5.9);
+    WAIT_FOR(!f.page->player()->playing());  // it stops at the end
     QCOMPARE(f.page->player()->time_s(), f.page->recording()->info().duration_s);
   }
 
@@ -78,7 +78,7 @@ class ReviewTest : public QObject {
     f.page->curves()->redraw();
     QCOMPARE(f.page->curves()->strip(0)->markWords(), QStringLiteral("Δ 1.00 N"));
     QVERIFY(f.page->curves()->stack()->markText().contains(QStringLiteral("Δt 1.000 s")));
-    QTRY_COMPARE(f.page->figures()->rowCount(), 5);
+    WAIT_EQUAL(f.page->figures()->rowCount(), 5);
     QCOMPARE(f.page->figures()->item(0, 3)->text(), QStringLiteral("1.000"));     // B − A, N
     QCOMPARE(f.page->figures()->item(0, 4)->text(), QStringLiteral("1.000"));     // N/s
     QCOMPARE(f.page->figures()->item(0, 5)->text(), QStringLiteral("1.000"));     // mean
@@ -120,14 +120,14 @@ class ReviewTest : public QObject {
     ReviewFixture f;
     const QString other = makeRecording(f.folder, QStringLiteral("other.h5"), 3000);
     f.openByPath();
-    QTRY_COMPARE(f.page->touches()->rowCount(), 1);
+    WAIT_EQUAL(f.page->touches()->rowCount(), 1);
     f.page->comparison()->compare(other);
     QComboBox* their = nullptr;
     for (QComboBox* box : f.page->findChildren<QComboBox*>()) {
       if (box->accessibleName() == QStringLiteral("Align the other session at")) their = box;
     }
     QVERIFY(their != nullptr);
-    QTRY_COMPARE(their->count(), 2);
+    WAIT_EQUAL(their->count(), 2);
     f.page->comparison()->alignAt(0, 0);
     // Its touch began a second later: laid on this one's, it is drawn a second earlier.
     const std::size_t force = console::ReviewSource::channel(console::ReviewLayer::other, 0);
@@ -174,7 +174,7 @@ class ReviewTest : public QObject {
     QTest::mouseClick(panel->addButton(), Qt::LeftButton);
     QCOMPARE(panel->settings()->count(), 1);
     QTest::mouseClick(panel->runButton(), Qt::LeftButton);
-    QTRY_VERIFY(!panel->words().startsWith(QStringLiteral("Running")));
+    WAIT_FOR(!panel->words().startsWith(QStringLiteral("Running")));
     QVERIFY(!panel->words().isEmpty());  // these rows hold no state of the step: it says so
   }
 
@@ -182,11 +182,11 @@ class ReviewTest : public QObject {
     ReviewFixture f;
     f.openByPath();
     f.page->exports()->exportAs(QStringLiteral("csv"));
-    QTRY_VERIFY(f.told().contains(QStringLiteral("session.csv is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral("session.csv is written")));
     f.page->exports()->exportAs(QStringLiteral("csv"));
-    QTRY_VERIFY(f.told().contains(QStringLiteral("exists")));
+    WAIT_FOR(f.told().contains(QStringLiteral("exists")));
     f.page->exports()->exportAs(QStringLiteral("html"));
-    QTRY_VERIFY(f.told().contains(QStringLiteral("session.html is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral("session.html is written")));
   }
 
   void whatIsShownIsSavedBesideTheFile() {
@@ -194,7 +194,7 @@ class ReviewTest : public QObject {
     f.openByPath();
     f.page->curves()->show(1.0, 2.0);
     f.key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-    QTRY_VERIFY(f.told().contains(QStringLiteral(".csv is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral(".csv is written")));
     const QStringList found =
         QDir(f.folder.path()).entryList({QStringLiteral("session curves*.csv")}, QDir::Files, QDir::Size);
     QVERIFY(!found.isEmpty());
@@ -205,7 +205,7 @@ class ReviewTest : public QObject {
     QVERIFY(!lines.front().contains("robot_x_mm"));
     QVERIFY(lines.size() >= 1001 && lines.size() <= 1003);  // 1 s with or without its ends, the names, the end
     f.key(Qt::Key_G, Qt::ControlModifier);
-    QTRY_VERIFY(f.told().contains(QStringLiteral(".png is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral(".png is written")));
   }
 
   void theSpectrumLooksAtTheRecording() {
@@ -213,7 +213,7 @@ class ReviewTest : public QObject {
     f.openByPath();
     f.key(Qt::Key_S);
     QVERIFY(f.page->curveTools()->spectrum()->isVisible());
-    QTRY_VERIFY(f.page->curveTools()->spectrum()->words().contains(QStringLiteral("m/s²")));
+    WAIT_FOR(f.page->curveTools()->spectrum()->words().contains(QStringLiteral("m/s²")));
     f.key(Qt::Key_S);
   }
 };

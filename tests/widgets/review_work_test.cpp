@@ -24,8 +24,8 @@ struct WorkFixture : ReviewFixture {
     waitForTouches();
   }
   void waitForTouches() const {
-    QTRY_COMPARE(page->touches()->rowCount(), 1);
-    QTRY_VERIFY(page->work()->running().empty());
+    WAIT_EQUAL(page->touches()->rowCount(), 1);
+    WAIT_FOR(page->work()->running().empty());
   }
   [[nodiscard]] QStringList files() const {
     return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
@@ -34,7 +34,7 @@ struct WorkFixture : ReviewFixture {
   [[nodiscard]] WorkBar* bar() const {
     if (page->work()->running().empty()) return nullptr;
     WorkBar* newest = page->work()->running().back();
-    return QTest::qWaitFor([newest] { return newest->isVisible(); }) ? newest : nullptr;
+    return QTest::qWaitFor([newest] { return newest->isVisible(); }, kPatience_ms) ? newest : nullptr;
   }
   /// As an operator does it; what ran may go on then, and ends.
   void cancelByClick(Halt& halt) {
@@ -47,7 +47,7 @@ struct WorkFixture : ReviewFixture {
   }
   void letGo(Halt& halt) const {
     halt.unlock();
-    QTRY_VERIFY(page->work()->running().empty());
+    WAIT_FOR(page->work()->running().empty());
     QVERIFY(!page->work()->isVisible());
   }
   void cancelByKey() { key(Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier); }
@@ -81,7 +81,7 @@ class ReviewWorkTest : public QObject {
              QStringLiteral("Cancel: Writing session.csv"));
     QCOMPARE(progress->accessibleName(), QStringLiteral("Writing session.csv"));
     const QSignalSpy moved(progress, &QProgressBar::valueChanged);
-    QTRY_VERIFY(f.told().contains(QStringLiteral("session.csv is written")));
+    WAIT_FOR(f.told().contains(QStringLiteral("session.csv is written")));
     QVERIFY(moved.count() >= 3);
     for (qsizetype i = 1; i < moved.count(); ++i) QVERIFY(moved[i][0].toInt() > moved[i - 1][0].toInt());
     QVERIFY(f.page->work()->running().empty());
@@ -104,7 +104,7 @@ class ReviewWorkTest : public QObject {
       QVERIFY(f.told().contains(QStringLiteral("cancelled; no file is left")));
       QCOMPARE(f.files(), before);
       f.page->exports()->exportAs(ending);
-      QTRY_VERIFY(f.told().contains(QStringLiteral(" is written")));
+      WAIT_FOR(f.told().contains(QStringLiteral(" is written")));
       QVERIFY(f.files().contains(QStringLiteral("session.") + ending));
     }
   }
@@ -146,7 +146,7 @@ class ReviewWorkTest : public QObject {
     f.cancelByClick(halt);
     QCOMPARE(f.page->figures()->rowCount(), 0);
     f.key(Qt::Key_BracketRight);
-    QTRY_COMPARE(f.page->figures()->rowCount(), 5);
+    WAIT_EQUAL(f.page->figures()->rowCount(), 5);
 
     halt.lock();
     f.page->comparison()->compare(f.path);
@@ -175,7 +175,7 @@ class ReviewWorkTest : public QObject {
     };
     const auto lookAgain = [&](int rows) {
       list->look();
-      QTRY_VERIFY(!list->looking());
+      WAIT_FOR(!list->looking());
       QCOMPARE(list->table()->rowCount(), rows);
     };
     QVERIFY(record("first", "2026-11-20T10:00:00.000Z") && record("second", "2026-11-21T10:00:00.000Z"));
@@ -209,20 +209,20 @@ class ReviewWorkTest : public QObject {
       QVERIFY(catalogue->addFolder(f.folder.filePath(QStringLiteral("crashed")).toStdString()));
     }
     f.page->list()->look();
-    QTRY_COMPARE(f.page->list()->table()->rowCount(), 1);
-    QTRY_COMPARE(f.page->list()->table()->item(0, 5)->text(), QStringLiteral("recorder crashed"));
+    WAIT_EQUAL(f.page->list()->table()->rowCount(), 1);
+    WAIT_EQUAL(f.page->list()->table()->item(0, 5)->text(), QStringLiteral("recorder crashed"));
     f.page->list()->table()->setCurrentCell(0, 0);
     QVERIFY(f.page->list()->words().contains(QStringLiteral("Recover makes it whole")));
     QCOMPARE(f.page->list()->path()->text(), file);
     QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
-    QTRY_VERIFY(f.told().contains(QStringLiteral("killed.h5 is whole: 6000 samples")));
+    WAIT_FOR(f.told().contains(QStringLiteral("killed.h5 is whole: 6000 samples")));
     QVERIFY(!QFile::exists(file));
-    QTRY_COMPARE(f.page->list()->table()->item(0, 5)->text(), QStringLiteral("whole"));
+    WAIT_EQUAL(f.page->list()->table()->item(0, 5)->text(), QStringLiteral("whole"));
     QCOMPARE(f.page->list()->table()->currentRow(), 0);
     QCOMPARE(f.page->list()->path()->text(), file.chopped(8));  // where it is now
     QVERIFY(f.page->showsList());
     f.openByPath(file.chopped(8));
-    QTRY_COMPARE(f.page->touches()->rowCount(), 1);
+    WAIT_EQUAL(f.page->touches()->rowCount(), 1);
     QVERIFY(f.page->title().contains(QStringLiteral("· whole")));
     QVERIFY(!f.page->recoverButton()->isVisible());
   }
@@ -247,8 +247,8 @@ class ReviewWorkTest : public QObject {
     QVERIFY(f.page->recoverButton()->isVisible());
 
     f.window->commands().action(QStringLiteral("review.recover"))->trigger();
-    QTRY_VERIFY(f.told().contains(QStringLiteral("killed.h5 is whole")));
-    QTRY_VERIFY(f.page->title().contains(QStringLiteral("· whole")));  // shown again, as it is now
+    WAIT_FOR(f.told().contains(QStringLiteral("killed.h5 is whole")));
+    WAIT_FOR(f.page->title().contains(QStringLiteral("· whole")));  // shown again, as it is now
     QVERIFY(!f.page->recoverButton()->isVisible());
     QCOMPARE(f.page->recording()->info().committed_samples, kRows);
   }
@@ -259,7 +259,7 @@ class ReviewWorkTest : public QObject {
     const QByteArray bytes = contentOf(f.path);
     f.page->list()->path()->setText(f.path);
     QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
-    QTRY_VERIFY(f.told().contains(QStringLiteral("could not be read")));
+    WAIT_FOR(f.told().contains(QStringLiteral("could not be read")));
     QVERIFY(f.told().contains(QStringLiteral("session.h5.damaged")));
     QVERIFY(contentOf(f.path + QStringLiteral(".damaged")) == bytes);
     const auto saved = session::Recording::open(f.path.toStdString());
@@ -272,7 +272,7 @@ class ReviewWorkTest : public QObject {
     letter.close();
     f.page->list()->path()->setText(nothing);
     QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
-    QTRY_VERIFY(f.told().contains(QStringLiteral("left as it is")));
+    WAIT_FOR(f.told().contains(QStringLiteral("left as it is")));
     QCOMPARE(contentOf(nothing), QByteArray("Dear Sir"));
     f.page->list()->path()->clear();
     QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
@@ -286,24 +286,33 @@ class ReviewWorkTest : public QObject {
     QStringList files = f.files();
     f.page->showList();
     f.page->list()->path()->setText(file);
-    // The window's thread is going to wait for the work, so another one holds that up, and lets it go.
+    // The window's thread is going to wait for the work, so another one holds that up, and lets it go once all of it
+    // was told to end.
     std::atomic<bool> held = false;
-    std::atomic<bool> closing = false;
-    const std::jthread other([&] {
+    std::atomic<bool> ended = false;
+    const std::jthread other([&](const std::stop_token& stop) {
       const Halt halt = session::hdf5Lock();
       held = true;
-      while (!closing) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      const Instant end = Clock::now() + std::chrono::milliseconds(kPatience_ms);
+      while (!ended && !stop.stop_requested() && Clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
     });
     while (!held) std::this_thread::yield();
     for (const char* ending : {"csv", "mat", "mcap", "html", "pdf"}) {
       f.page->exports()->exportAs(QString::fromLatin1(ending));
     }
     QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
-    const std::size_t running = f.page->work()->running().size();
-    closing = true;
+    const auto bars = f.page->work()->running();
+    QCOMPARE(bars.size(), std::size_t{6});
+    std::size_t still_running = bars.size();
+    for (const WorkBar* bar : bars) {
+      QObject::connect(bar, &WorkBar::shownChanged, [&, bar] {
+        if (!bar->running() && --still_running == 0) ended = true;
+      });
+    }
     f.window.reset();
-    QCOMPARE(running, std::size_t{6});
+    QVERIFY2(ended, "all work is told to end before any of it is waited for");
     QVERIFY(contentOf(file) == crashed);
     files.removeOne(QStringLiteral("profile.toml"));
     QStringList left = f.files();

@@ -3,6 +3,7 @@
 
 #include "app/console/devices_page.h"
 #include "app/console/main_window.h"
+#include "tests/widgets/wait.h"
 
 namespace fyd::tests {
 
@@ -138,7 +139,7 @@ struct Fixture {
     window = std::make_unique<console::MainWindow>(std::move(made), folder.filePath(QStringLiteral("profile.toml")));
     window->show();
     window->activateWindow();
-    (void)QTest::qWaitForWindowActive(window.get());
+    (void)QTest::qWaitForWindowActive(window.get(), kPatience_ms);
   }
   widgets::TuningRow* row(const char* id) const { return window->operate()->tuning()->row(QLatin1String(id)); }
   QTemporaryDir folder;

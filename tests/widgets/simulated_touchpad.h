@@ -7,14 +7,13 @@
 
 namespace fyd::tests {
 
-inline constexpr int kPatience_ms = 30000;
-inline constexpr int kAttempt_ms = 10000;
-inline constexpr int kAttempts = 5;
+inline constexpr int kAttempt_ms = 10'000;
+inline constexpr int kAttempts = 20;
 
 /// By mouse, until it acts or may not any more. @return whether it acted
 inline bool pressAndHold(widgets::HoldButton* button) {
   QTest::mousePress(button, Qt::LeftButton);
-  (void)QTest::qWaitFor([&] { return button->engaged() || !button->isEnabled(); });
+  (void)QTest::qWaitFor([&] { return button->engaged() || !button->isEnabled(); }, kPatience_ms);
   return button->engaged();
 }
 
@@ -23,7 +22,7 @@ inline void takeSimulated(console::CalibratePage* page) {
   const auto good = [page] { return page->acceptButton()->isEnabled(); };
   // A part that is measured on the simulation itself may find the finger not away yet.
   for (int attempt = 0; attempt < kAttempts && !good(); ++attempt) {
-    QTRY_VERIFY_WITH_TIMEOUT(page->simulateButton()->isEnabled(), kPatience_ms);
+    WAIT_FOR(page->simulateButton()->isEnabled());
     QTest::mouseClick(page->simulateButton(), Qt::LeftButton);
     const auto over = [&] { return good() || page->hint().startsWith(QLatin1String("Not taken")); };
     (void)QTest::qWaitFor(over, kAttempt_ms);
@@ -34,7 +33,7 @@ inline void takeSimulated(console::CalibratePage* page) {
 /// One point of the stiffness map for real: the simulated motors go there, the simulated finger presses.
 inline void measureOneStretch(console::CalibratePage* page) {
   for (int attempt = 0; attempt < kAttempts && page->points().empty(); ++attempt) {
-    QTRY_VERIFY_WITH_TIMEOUT(page->moveButton()->isEnabled(), kPatience_ms);
+    WAIT_FOR(page->moveButton()->isEnabled());
     (void)pressAndHold(page->moveButton());
     const auto over = [&] {
       return !page->points().empty() || page->hint().startsWith(QLatin1String("The motors are off"));
@@ -45,15 +44,20 @@ inline void measureOneStretch(console::CalibratePage* page) {
   QVERIFY2(!page->points().empty(), qPrintable(page->hint() + page->live()));
 }
 
+/// A window whose thread or station was held up says "Unknown" and refuses what needs a state, until it hears more.
+inline void hearTheStation(const console::MainWindow& window) {
+  WAIT_FOR(window.stateBar()->stateWord() != QLatin1String("Unknown"));
+}
+
 /// Arms until the motion goes on: from Ready, and from Held once what was missing is back.
 inline void makeActive(console::MainWindow& window) {
   const widgets::StateBar* bar = window.stateBar();
   const auto active = [bar] { return bar->stateWord() == QLatin1String("Active"); };
   for (int attempt = 0; attempt < kAttempts && !active(); ++attempt) {
-    QTRY_VERIFY_WITH_TIMEOUT(active() || bar->armButton()->isEnabled(), kPatience_ms);
+    WAIT_FOR(active() || bar->armButton()->isEnabled());
     if (active()) return;
     (void)pressAndHold(bar->armButton());
-    (void)QTest::qWaitFor(active);
+    (void)QTest::qWaitFor(active, kAttempt_ms);
     QTest::mouseRelease(bar->armButton(), Qt::LeftButton);
   }
   QVERIFY2(active(), qPrintable(bar->stateWord() + bar->stateReason()));

@@ -139,7 +139,7 @@ class TuneTest : public QObject {
     QVERIFY(f.page->list()->row(QStringLiteral("control.ki"))->facts().contains(QStringLiteral("by the script")));
     f.session->refuses = false;
     f.type("texture.k_vib", QStringLiteral("3"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.mark("texture.k_vib"), QStringLiteral("!"), 15'000);
+    WAIT_EQUAL(f.mark("texture.k_vib"), QStringLiteral("!"));
     QVERIFY(f.page->list()->row(QStringLiteral("texture.k_vib"))->facts().contains(QStringLiteral("did not answer")));
     f.answer("texture.k_vib", 3.0);  // late, but there
     QCOMPARE(f.mark("texture.k_vib"), QStringLiteral("•"));
@@ -279,16 +279,16 @@ class TuneTest : public QObject {
 
   void theStepResponseFollowsTheGains() {
     TuneFixture f;
-    QTRY_VERIFY(f.page->response()->has(TuningResponse::current));
+    WAIT_FOR(f.page->response()->has(TuningResponse::current));
     QVERIFY(f.page->response()->response(TuningResponse::current).stable);
     const double before = f.page->response()->response(TuningResponse::current).settling_s;
     QCOMPARE(f.page->response()->response(TuningResponse::saved).settling_s, before);
     f.type("control.ki", QStringLiteral("0.5"));
-    QTRY_VERIFY(f.page->response()->response(TuningResponse::current).settling_s != before);
+    WAIT_FOR(f.page->response()->response(TuningResponse::current).settling_s != before);
     QCOMPARE(f.page->response()->response(TuningResponse::saved).settling_s, before);
     f.type("control.ki", QStringLiteral("0"));
     f.type("control.kp", QStringLiteral("0"));
-    QTRY_VERIFY(!f.page->response()->response(TuningResponse::current).stable);
+    WAIT_FOR(!f.page->response()->response(TuningResponse::current).stable);
     QCOMPARE(f.page->response()->figure(TuningResponse::proposed, 0), QStringLiteral("—"));
   }
 
@@ -299,7 +299,7 @@ class TuneTest : public QObject {
     QTest::keyClick(f.page, Qt::Key_U, Qt::ControlModifier);
     QVERIFY(f.page->proposal()->cancelButton()->isEnabled());
     QVERIFY(!f.page->proposal()->acceptButton()->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(f.page->proposal()->hasProposal(), 30'000);
+    WAIT_FOR(f.page->proposal()->hasProposal());
     QVERIFY(f.session->changes.empty());
     QCOMPARE(f.page->proposal()->table()->rowCount(), 6);
     QVERIFY(f.page->response()->has(TuningResponse::proposed));
@@ -317,21 +317,22 @@ class TuneTest : public QObject {
 
   void autoTuneCancelledOrDiscardedChangesNothing() {
     TuneFixture f;
+    const QSignalSpy proposed(&f.page->study(), &console::LoopStudy::proposed);
     f.page->tabs()->setCurrentWidget(f.page->proposal());
     click(f.page->proposal()->startButton());
     click(f.page->proposal()->cancelButton());
     QVERIFY(f.page->proposal()->startButton()->isEnabled());
-    QTest::qWait(300);
     QVERIFY(!f.page->proposal()->hasProposal());
     QVERIFY(f.page->proposal()->words().contains(QStringLiteral("Cancelled")));
     click(f.page->proposal()->startButton());
-    QTRY_VERIFY_WITH_TIMEOUT(f.page->proposal()->hasProposal(), 30'000);
+    WAIT_FOR(f.page->proposal()->hasProposal());
+    QCOMPARE(proposed.count(), 1);  // the first would have come before the second, for it began before it
     click(f.page->proposal()->discardButton());
     QVERIFY(!f.page->study().proposal().has_value());
     // A session in which nothing has moved says too little, and is told so.
     f.page->proposal()->sources()->setCurrentIndex(1);
     click(f.page->proposal()->startButton());
-    QTRY_VERIFY_WITH_TIMEOUT(f.page->proposal()->words().contains(QStringLiteral("expected")), 30'000);
+    WAIT_FOR(f.page->proposal()->words().contains(QStringLiteral("expected")));
     QVERIFY(f.session->changes.empty());
   }
 
@@ -353,7 +354,7 @@ class TuneTest : public QObject {
     f.page->tabs()->setCurrentWidget(f.page->proposal());
     f.page->proposal()->sources()->setCurrentIndex(1);
     click(f.page->proposal()->startButton());
-    QTRY_VERIFY_WITH_TIMEOUT(f.page->proposal()->hasProposal(), 30'000);
+    WAIT_FOR(f.page->proposal()->hasProposal());
     QVERIFY(std::abs(f.page->study().proposal()->fabric.scale - 1.1) < 0.02);
     f.page->study().listen(std::span(samples).first(10));  // time goes back: another session
     QCOMPARE(f.page->study().heard(), std::size_t{1});
@@ -384,7 +385,7 @@ class TuneTest : public QObject {
     QCOMPARE(said(4), QStringLiteral("cannot be read back"));
     QCOMPARE(said(5), QStringLiteral("cannot be read back"));
     f.answer("control.kp", 0.3);
-    QTRY_COMPARE(said(0), QStringLiteral("confirmed"));
+    WAIT_EQUAL(said(0), QStringLiteral("confirmed"));
   }
 
   void readinessSaysWhyAndHowAndLeadsToWhereItIsMended() {

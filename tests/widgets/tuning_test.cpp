@@ -1,5 +1,6 @@
 // The tuning panel: slider, field and parameter are one; bad entries change nothing; every change can be undone.
 #include "tests/widgets/suite.h"
+#include "tests/widgets/wait.h"
 #include "widgets/tuning_panel.h"
 
 namespace fyd::tests {
@@ -43,7 +44,7 @@ struct Fixture {
     panel = std::make_unique<widgets::TuningPanel>(model, sections, QStringLiteral("a.target"));
     panel->resize(270, 600);
     panel->show();
-    (void)QTest::qWaitForWindowActive(panel.get());
+    (void)QTest::qWaitForWindowActive(panel.get(), kPatience_ms);
   }
   double value(const char* id) const { return model.find(id)->value; }
   void type(const char* id, const QString& text) const {
