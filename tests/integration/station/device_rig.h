@@ -6,17 +6,41 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/sinks/base_sink.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/sim/picture.h"
 #include "core/sim/touchpad_process.h"
 #include "core/station/station.h"
+#include "tests/wait.h"
 
 namespace fyd::station {
 
 enum class Backend : std::uint8_t { modbus_tcp, modbus_rtu, qbmove, mjpeg };
 inline constexpr std::array<const char*, 4> kBackendNames = {"modbus_tcp", "modbus_rtu", "qbmove", "mjpeg"};
+
+/// What was warned of, to be searched.
+class LogKeeper final : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  [[nodiscard]] bool has(std::string_view words) {
+    const std::lock_guard lock(mutex_);
+    return std::ranges::any_of(lines_, [&](const auto& line) { return line.find(words) != std::string::npos; });
+  }
+  void forget() {
+    const std::lock_guard lock(mutex_);
+    lines_.clear();
+  }
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    if (message.level < spdlog::level::warn) return;
+    lines_.emplace_back(message.payload.begin(), message.payload.end());
+  }
+  void flush_() override {}
+  std::vector<std::string> lines_;
+};
 
 class DeviceRig {
  public:
@@ -25,6 +49,7 @@ class DeviceRig {
     folder_ = std::filesystem::path(testing::TempDir()) / fmt::format("fyd-rig-{}-{}", ::getpid(), ++number);
     std::filesystem::create_directories(folder_ / "by-id");
     by_id_ = (folder_ / "by-id").string();
+    spdlog::default_logger()->sinks().push_back(log_);
     startPeer();
     StationOptions options;
     options.robot = "none";
@@ -32,7 +57,10 @@ class DeviceRig {
     options.profile.step.step.motors_maximum_age_ms = 400.0;
     options.profile.step.step.ir_maximum_age_ms = 500.0;
     options.profile.step.step.bridge_maximum_age_ms = 500.0;
-    options.profile.device.qbmove_timeout_ms = 30.0;
+    options.profile.device.response_timeout_ms = 250.0;
+    options.profile.device.watchdog_ms = 1000.0;
+    options.profile.device.qbmove_timeout_ms = 100.0;
+    options.profile.device.qbmove_watchdog_ms = 1000.0;
     options.profile.device.stuck_sensor_s = 1.0;
     options.profile.device.serial_by_id = by_id_;
     choose(options);
@@ -42,6 +70,7 @@ class DeviceRig {
   ~DeviceRig() {
     station.reset();
     process.reset();
+    std::erase(spdlog::default_logger()->sinks(), log_);
     std::filesystem::remove_all(folder_);
   }
   DeviceRig(const DeviceRig&) = delete;
@@ -83,6 +112,15 @@ class DeviceRig {
   }
 
   [[nodiscard]] PartStatus part() const { return station->status().parts[backend_ == Backend::mjpeg ? 1 : 0]; }
+  /// Whether a problem with these words is shown, or was since `inject`: many last for a few milliseconds only.
+  [[nodiscard]] bool told(std::string_view words) const {
+    const PartStatus now = part();
+    return (!now.ok && now.problem.find(words) != std::string::npos) || log_->has(words);
+  }
+  void inject(sim::TouchpadFault fault, double seconds) {
+    log_->forget();
+    process->inject(fault, seconds);
+  }
   [[nodiscard]] bool lineOk(std::string_view what) const {
     for (const ReadinessLine& line : station->readiness()) {
       if (line.what == what) return line.ok;
@@ -96,51 +134,79 @@ class DeviceRig {
     return part().ok;
   }
 
-  /// Takes the telemetry there is. Counts Active samples, and encoders' angles that no motor can have had.
+  /// Takes the telemetry there is. Counts samples, the Active ones, and encoders' angles that no motor can have had.
   void drain() {
     std::vector<pipeline::TelemetrySample> batch(2000);
     const std::size_t taken = station->takeTelemetry(batch);
     for (std::size_t i = 0; i < taken; ++i) {
       const auto& sample = batch[i];
+      ++samples;
       active_samples += sample.state == pipeline::SafetyState::active ? 1 : 0;
-      if (std::abs(sample.stretch_measured_deg - stretch_deg_) > 20.0) ++impossible_angles;
-      if (std::isfinite(sample.stretch_measured_deg)) stretch_deg_ = sample.stretch_measured_deg;
+      lookAtAngle(sample);
       state = sample.state;
     }
   }
   template <class Condition>
-  bool wait(Condition&& condition, double seconds = 20.0) {
-    for (const Instant end = Clock::now() + fromSeconds(seconds); Clock::now() < end;) {
-      drain();
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
+  [[nodiscard]] testing::AssertionResult wait(std::string_view what, Condition&& condition,
+                                              Duration patience = kPatience) {
+    auto came = comesTrue(
+        what,
+        [&] {
+          drain();
+          return condition();
+        },
+        patience);
+    if (!came) came << "; state " << toString(state) << ", " << part().problem;
+    return came;
   }
-  void pass(double seconds) {
-    (void)wait([] { return false; }, seconds);
+  /// Until that many steps later: what they could do, they have done.
+  [[nodiscard]] testing::AssertionResult pass(std::uint64_t steps) {
+    const std::uint64_t end = samples + steps;
+    return wait(fmt::format("{} steps", steps), [&] { return samples >= end; });
   }
-  /// Arms, again when a pause of the machine held the session at once.
-  bool armed() {
-    return wait([this] {
-      if (state == pipeline::SafetyState::active) return true;
-      if (allOk()) (void)station->command({.action = pipeline::OperatorAction::arm});
-      pass(0.05);
-      return state == pipeline::SafetyState::active;
+  /// Everything answers; switched-off motors are given free as their device says: "stop, then arm again".
+  [[nodiscard]] testing::AssertionResult well() {
+    return wait("every device and line of the readiness list", [this] {
+      if (part().problem.find("stop, then arm again") != std::string::npos) station->requestStop();
+      return allOk();
     });
   }
-  bool stopped() {
+  /// Arms, again when a pause of the machine held the session at once.
+  [[nodiscard]] testing::AssertionResult armed() {
+    const Instant end = Clock::now() + kPatience;
+    testing::AssertionResult active = testing::AssertionFailure();
+    while (!active && Clock::now() < end) {
+      if (auto ready = well(); !ready) return ready;
+      (void)station->command({.action = pipeline::OperatorAction::arm});
+      active = wait(
+          "the state Active", [this] { return state == pipeline::SafetyState::active; },
+          std::chrono::milliseconds(200));
+    }
+    return active;
+  }
+  [[nodiscard]] testing::AssertionResult stopped() {
     station->requestStop();
-    return wait([this] { return state == pipeline::SafetyState::stopped; });
+    return wait("the state Stopped", [this] { return state == pipeline::SafetyState::stopped; });
   }
 
   std::unique_ptr<sim::TouchpadProcess> process;
   std::unique_ptr<Station> station;
   pipeline::SafetyState state = pipeline::SafetyState::disconnected;
+  std::uint64_t samples = 0;
   int active_samples = 0;
   int impossible_angles = 0;
 
  private:
+  /// By the device room's own bound: no motor is faster than 1000 °/s, however long nothing was read of it.
+  void lookAtAngle(const pipeline::TelemetrySample& sample) {
+    if (!std::isfinite(sample.stretch_measured_deg)) return;
+    const double read_s = toSeconds(sample.now.time_since_epoch()) - 1e-3 * sample.motors_age_ms;
+    const double allowed_deg = 5.0 + 1000.0 * std::max(0.0, read_s - stretch_read_s_);
+    if (std::abs(sample.stretch_measured_deg - stretch_deg_) > allowed_deg) ++impossible_angles;
+    stretch_deg_ = sample.stretch_measured_deg;
+    stretch_read_s_ = read_s;
+  }
+
   void choose(StationOptions& options) {
     if (backend_ == Backend::mjpeg) {
       options.camera = fmt::format("http://127.0.0.1:{}/", camera_port_);
@@ -158,12 +224,14 @@ class DeviceRig {
   }
 
   Backend backend_;
+  std::shared_ptr<LogKeeper> log_ = std::make_shared<LogKeeper>();
   std::filesystem::path folder_;
   std::string by_id_;
   int starts_ = 0;
   std::uint16_t modbus_port_ = 0;
   std::uint16_t camera_port_ = 0;
   double stretch_deg_ = pipeline::kNone;
+  double stretch_read_s_ = 0.0;
 };
 
 }  // namespace fyd::station

@@ -2,25 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <functional>
 #include <thread>
 
 #include "core/protocol/link_key_file.h"
 #include "core/sim/robot_arm.h"
 #include "core/sim/simulated_robot.h"
 #include "core/station/station.h"
+#include "tests/wait.h"
 
 namespace fyd::station {
 namespace {
-
-bool waitUntil(const std::function<bool()>& done) {
-  const Instant deadline = Clock::now() + std::chrono::seconds(30);
-  while (Clock::now() < deadline) {
-    if (done()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return done();
-}
 
 class LinkStation : public ::testing::Test {
  protected:
@@ -47,16 +38,17 @@ TEST_F(LinkStation, RunsWithARobotThatHasTheKeyAndHearsItsGoodbye) {
   station->start();
   auto arm = robot(*station, key_);
   std::jthread thread([&](const std::stop_token& stop) { arm->run(stop); });
-  EXPECT_TRUE(waitUntil([&] { return station->status().link.phase == pipeline::LinkPhase::running; }));
-  EXPECT_TRUE(waitUntil([&] { return arm->status().counters.touches > 20; }));
-  EXPECT_TRUE(waitUntil([&] { return station->status().link.states_received > 20; }));
+  EXPECT_TRUE(
+      comesTrue("the link to run", [&] { return station->status().link.phase == pipeline::LinkPhase::running; }));
+  EXPECT_TRUE(comesTrue("20 touches", [&] { return arm->status().counters.touches > 20; }));
+  EXPECT_TRUE(comesTrue("20 states", [&] { return station->status().link.states_received > 20; }));
   const LinkStatus link = station->status().link;
   EXPECT_TRUE(link.secured);
   EXPECT_THAT(link.protocol, ::testing::HasSubstr("FYD Link"));
   EXPECT_EQ(link.peer, protocol::toString(arm->local()));
   EXPECT_GE(link.figures.round_trip_ms, 0.0);
   // The texture waits for the link's batches of 10 ms: its delay is raised, and the operator is told.
-  EXPECT_TRUE(waitUntil([&] {
+  EXPECT_TRUE(comesTrue("the notice of a raised texture.input_delay_ms", [&] {
     for (const Notice& notice : station->takeNotices()) {
       if (notice.text.starts_with("texture.input_delay_ms is now")) return true;
     }
@@ -64,7 +56,8 @@ TEST_F(LinkStation, RunsWithARobotThatHasTheKeyAndHearsItsGoodbye) {
   }));
   thread.request_stop();
   thread.join();
-  EXPECT_TRUE(waitUntil([&] { return station->status().link.phase == pipeline::LinkPhase::closed; }));
+  EXPECT_TRUE(
+      comesTrue("the robot's goodbye", [&] { return station->status().link.phase == pipeline::LinkPhase::closed; }));
 }
 
 TEST_F(LinkStation, RobotWithAnotherKeyIsNotAnswered) {
@@ -72,7 +65,7 @@ TEST_F(LinkStation, RobotWithAnotherKeyIsNotAnswered) {
   station->start();
   auto arm = robot(*station, protocol::LinkKey::generate());
   std::jthread thread([&](const std::stop_token& stop) { arm->run(stop); });
-  EXPECT_TRUE(waitUntil([&] { return station->status().link.refused > 2; }));
+  EXPECT_TRUE(comesTrue("refused calls", [&] { return station->status().link.refused > 2; }));
   EXPECT_EQ(station->status().link.phase, pipeline::LinkPhase::waiting);
   EXPECT_TRUE(station->status().link.peer.empty());
   ASSERT_FALSE(station->status().link.figures.refusals.empty());
@@ -88,9 +81,10 @@ TEST_F(LinkStation, StationThatStopsTellsTheRobot) {
   station->start();
   auto arm = robot(*station, key_);
   std::jthread thread([&](const std::stop_token& stop) { arm->run(stop); });
-  EXPECT_TRUE(waitUntil([&] { return arm->status().counters.touches > 5; }));
+  EXPECT_TRUE(comesTrue("5 touches", [&] { return arm->status().counters.touches > 5; }));
   station->shutDown();
-  EXPECT_TRUE(waitUntil([&] { return arm->status().phase == protocol::RobotPhase::handshake; }));
+  EXPECT_TRUE(
+      comesTrue("the station's goodbye", [&] { return arm->status().phase == protocol::RobotPhase::handshake; }));
   thread.request_stop();
 }
 
