@@ -29,7 +29,7 @@ def thesis_adc(distance_mm):
 
 
 def peer(*arguments):
-    done = subprocess.run([SYSTEM_PYTHON, PEER, *arguments], capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run([SYSTEM_PYTHON, PEER, *arguments], capture_output=True, text=True, timeout=fyd.PATIENCE, check=False)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
     return json.loads(done.stdout)

@@ -1,5 +1,6 @@
 """An independent reader for the tests of recordings. h5py_peer.py FILE prints what it finds as JSON;
-h5py_peer.py --shared FILE opens it as HDF5's readers open a file with a writer, and looks a second time a second later."""
+h5py_peer.py --shared FILE opens it as HDF5's readers open a file with a writer, and looks twice; --growing FILE looks
+until there is more than at first, for a minute."""
 import json
 import sys
 import time
@@ -38,14 +39,22 @@ def look(file):
     return {"rows": committed, "steps_in_order": bool(numpy.all(numpy.diff(rows["step"].astype("int64")) == 1))}
 
 
-def shared(path):
+def shared(path, seconds):
     with h5py.File(path, "r", swmr=True) as file:
-        first = look(file)
-        time.sleep(1.0)
-        print(json.dumps([first, look(file)]))
+        first = second = look(file)
+        end = time.monotonic() + seconds
+        while True:
+            late = time.monotonic() >= end
+            second = look(file)
+            if late or second["rows"] > first["rows"]:
+                break
+            time.sleep(0.1)
+        print(json.dumps([first, second]))
 
 
 if sys.argv[1] == "--shared":
-    shared(sys.argv[2])
+    shared(sys.argv[2], 0)
+elif sys.argv[1] == "--growing":
+    shared(sys.argv[2], 60)
 else:
     whole(sys.argv[1])

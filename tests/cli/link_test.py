@@ -1,8 +1,6 @@
 """fyd budget and fyd link; a session over FYD Link in two processes."""
 import os
 import stat
-import subprocess
-import time
 import unittest
 
 import fyd
@@ -37,19 +35,18 @@ class Keys(fyd.Case):
         good, bad = self.path("good.key"), self.path("bad.key")
         self.json("link", "keygen", good, "--json")
         self.json("link", "keygen", bad, "--json")
-        station = subprocess.Popen([fyd.PROGRAM, "station", "--headless", "--simulate", "--robot", "link:127.0.0.1:34921",
-                                    "--key", good, "--duration", "7", "--json"], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True)
-        self.addCleanup(station.kill)
-        time.sleep(0.5)
-        robot = ("sim", "robot", "--link", "--connect", "127.0.0.1:34921", "--bind", "127.0.0.2:0", "--json", "--duration")
+        port = fyd.free_port()
+        station = fyd.Running(self, "station", "--headless", "--simulate", "--robot", f"link:127.0.0.1:{port}", "--key", good,
+                              "--json")
+        fyd.wait_for_udp("127.0.0.1", port)
+        robot = ("sim", "robot", "--link", "--connect", f"127.0.0.1:{port}", "--bind", "127.0.0.2:0", "--json", "--duration")
         self.assertIn("no touchpad with this key", fyd.run(*robot, 1, "--key", bad).stderr)
         self.assertGreater(self.json(*robot, 3, "--key", good)["touches_received"], 50)
-        out, log = station.communicate(timeout=30)
-        self.assertGreater(fyd.json.loads(out)["state_messages_received"], 50)
+        session = station.stop()
+        self.assertGreater(session["state_messages_received"], 50)
         with open(good, encoding="utf-8") as file:
             secret = max(file.read().split(), key=len)
-        self.assertNotIn(secret, out + log)
+        self.assertNotIn(secret, fyd.json.dumps(session) + station.log())
 
 
 if __name__ == "__main__":

@@ -1,42 +1,28 @@
 """fyd robot, fyd sim krc and fyd sim network: processes that meet over real sockets, and every wrong option named."""
-import json
 import socket
-import subprocess
 import time
 import unittest
 
 import fyd
 
 
-def free_port(host="127.0.0.1"):
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind((host, 0))
-        return probe.getsockname()[1]
-
-
 class Processes(fyd.Case):
     def start(self, *arguments):
-        process = subprocess.Popen([fyd.PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        return process
+        return fyd.Running(self, *arguments)
 
-    def result(self, process, timeout=60):
-        out, err = process.communicate(timeout=timeout)
-        self.assertEqual(process.returncode, 0, err)
-        return json.loads(out)
-
-    def touchpad(self, duration, touch=b"?0'00010:0'00005:1'00001:0'05000.\n"):
-        """A touchpad of few lines: answers every ACK with the info and every state with one touch."""
+    def touchpad(self, touch=b"?0'00010:0'00005:1'00001:0'05000.\n"):
+        """A touchpad of few lines: answers every ACK with the info and every state with one touch.
+        Returns its address, and what serves as long as a robot runs and returns the states it sent."""
         answering = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         answering.bind(("127.0.0.1", 0))
         answering.settimeout(0.05)
         self.addCleanup(answering.close)
 
-        def serve():
+        def serve(robot):
             states = []
-            until = time.monotonic() + duration
-            while time.monotonic() < until:
+            until = time.monotonic() + fyd.PATIENCE
+            while robot.runs():
+                self.assertLess(time.monotonic(), until, f"waited {fyd.PATIENCE} s for the robot's end in vain: {robot.log()}")
                 try:
                     packet, caller = answering.recvfrom(2000)
                 except TimeoutError:
@@ -54,10 +40,10 @@ class Processes(fyd.Case):
 
 class Arm(Processes):
     def test_a_simulated_arm_follows_the_touch_within_its_limits(self):
-        address, serve = self.touchpad(2.5)
+        address, serve = self.touchpad()
         robot = self.start("robot", "--connect", address, "--bind", "127.0.0.2:0", "--stiffness", 0.6, "--duration", 2, "--scale", "2,1", "--workspace", "15,25,70", "--json")
-        states = serve()
-        result = self.result(robot)
+        states = serve(robot)
+        result = robot.result()
         self.assertGreater(len(states), 50)
         self.assertEqual(result["probe"], "measured")
         self.assertAlmostEqual(result["stiffness_N_per_mm"], 0.6, delta=0.02)
@@ -66,24 +52,24 @@ class Arm(Processes):
         self.assertEqual(result["robot_errors"], 0)
 
     def test_without_a_probe_the_known_stiffness_is_told(self):
-        address, serve = self.touchpad(1.5)
+        address, serve = self.touchpad()
         robot = self.start("robot", "--connect", address, "--bind", "127.0.0.2:0", "--no-probe", "--known-stiffness", 0.4321, "--duration", 1, "--json")
-        states = serve()
-        self.assertEqual(self.result(robot)["probe"], "skipped")
+        states = serve(robot)
+        self.assertEqual(robot.result()["probe"], "skipped")
         self.assertIn(b":0'04321.\n", states[-1])
 
 
 class Kuka(Processes):
+    @fyd.some_tries
     def test_robot_end_and_controller_hold_a_session_as_two_processes(self):
-        fri = f"127.0.0.1:{free_port()}"
-        for _ in range(3):  # a machine that stands still loses the link quality, rightly; such a trial is repeated
-            address, serve = self.touchpad(9)
-            krc = self.start("sim", "krc", "--remote", fri, "--period", 8, "--monitor-for", 0.2, "--stiffness", 0.6, "--duration", 8.5, "--json")
-            robot = self.start("robot", "--connect", address, "--bind", "127.0.0.2:0", "--arm", "kuka:" + fri, "--probe-dwell", 0.25, "--duration", 8, "--json")
-            states = serve()
-            arm, controller = self.result(robot), self.result(krc)
-            if controller["command_losses"] <= 1:  # the one at the end, when the robot end has left
-                break
+        fri = f"127.0.0.1:{fyd.free_port()}"
+        address, serve = self.touchpad()
+        krc = self.start("sim", "krc", "--remote", fri, "--period", 8, "--monitor-for", 0.2, "--stiffness", 0.6, "--json")
+        robot = self.start("robot", "--connect", address, "--bind", "127.0.0.2:0", "--arm", "kuka:" + fri, "--probe-dwell", 0.25, "--duration", 8, "--json")
+        states = serve(robot)
+        arm, controller = robot.result(), krc.stop()
+        if controller["command_losses"] > 1:  # the one at the end, when the robot end has left
+            raise fyd.BusyMachine("a machine that stands still loses the link quality, rightly")
         self.assertEqual(arm["probe"], "measured")
         self.assertAlmostEqual(arm["stiffness_N_per_mm"], 0.6, delta=0.03)
         self.assertGreater(len(states), 100)
@@ -96,33 +82,33 @@ class Kuka(Processes):
         self.assertAlmostEqual(controller["position_mm"][0], 10, delta=0.5)
 
     def test_a_controller_that_stays_in_monitor_mode_is_said_in_words(self):
-        fri = f"127.0.0.1:{free_port()}"
-        krc = self.start("sim", "krc", "--remote", fri, "--monitor-for", 1000, "--duration", 2, "--json")
+        fri = f"127.0.0.1:{fyd.free_port()}"
+        krc = self.start("sim", "krc", "--remote", fri, "--monitor-for", 1000, "--json")
         robot = fyd.run("robot", "--connect", "127.0.0.1:9", "--bind", "127.0.0.2:0", "--arm", "kuka:" + fri, "--duration", 1.5)
         self.assertEqual(robot.returncode, 1)
         self.assertIn("KRC in monitor mode", robot.stderr)
-        self.assertEqual(self.result(krc)["command_entries"], 0)
+        self.assertEqual(krc.stop()["command_entries"], 0)
 
     def test_without_a_controller_the_arm_is_not_ready(self):
-        robot = fyd.run("robot", "--connect", "127.0.0.1:9", "--bind", "127.0.0.2:0", "--arm", f"kuka:127.0.0.1:{free_port()}", "--duration", 0.5)
+        robot = fyd.run("robot", "--connect", "127.0.0.1:9", "--bind", "127.0.0.2:0", "--arm", f"kuka:127.0.0.1:{fyd.free_port()}", "--duration", 0.5)
         self.assertEqual(robot.returncode, 1)
         self.assertIn("KRC: nothing heard", robot.stderr)
 
     def test_a_controller_without_a_robot_end_fails(self):
-        krc = fyd.run("sim", "krc", "--remote", f"127.0.0.1:{free_port()}", "--duration", 0.3)
+        krc = fyd.run("sim", "krc", "--remote", f"127.0.0.1:{fyd.free_port()}", "--duration", 0.3)
         self.assertEqual(krc.returncode, 1)
         self.assertIn("no answer", krc.stderr)
 
 
 class Network(Processes):
     def test_a_classic_session_runs_through_the_relay(self):
-        address, serve = self.touchpad(4)
-        relayed = f"127.0.0.1:{free_port()}"
-        relay = self.start("sim", "network", "--listen", relayed, "--forward", address, "--delay", 10, "--jitter", 1, "--loss", 2, "--seed", 7, "--duration", 4.5, "--json")
-        time.sleep(0.2)
+        address, serve = self.touchpad()
+        relayed = f"127.0.0.1:{fyd.free_port()}"
+        relay = self.start("sim", "network", "--listen", relayed, "--forward", address, "--delay", 10, "--jitter", 1, "--loss", 2, "--seed", 7, "--json")
+        fyd.wait_for_udp("127.0.0.1", int(relayed.split(":")[1]))
         robot = self.start("sim", "robot", "--connect", relayed, "--bind", "127.0.0.2:0", "--duration", 3, "--json")
-        states = serve()
-        end, path = self.result(robot), self.result(relay)
+        states = serve(robot)
+        end, path = robot.result(), relay.stop()
         self.assertEqual(end["connections"], 1)
         self.assertGreater(len(states), 15)
         self.assertGreaterEqual(path["forward"]["delay_ms_min"], 7)
@@ -136,14 +122,17 @@ class Network(Processes):
         receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.addCleanup(receiver.close)
         receiver.bind(("127.0.0.1", 0))
-        listen = free_port()
-        relay = self.start("sim", "network", "--listen", f"127.0.0.1:{listen}", "--forward", f"127.0.0.1:{receiver.getsockname()[1]}", "--profile", trace, "--duration", 1.5, "--json")
-        time.sleep(0.5)
+        receiver.settimeout(fyd.PATIENCE)
+        listen = fyd.free_port()
+        relay = self.start("sim", "network", "--listen", f"127.0.0.1:{listen}", "--forward", f"127.0.0.1:{receiver.getsockname()[1]}", "--profile", trace, "--json")
+        fyd.wait_for_udp("127.0.0.1", listen)
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as caller:
-            for _ in range(10):
+            for _ in range(11):
                 caller.sendto(b"x", ("127.0.0.1", listen))
-        forward = self.result(relay)["forward"]
-        self.assertEqual((forward["received"], forward["lost"], forward["delivered"]), (10, 5, 5))
+        for _ in range(6):  # the eleventh arrives as the last: all the others have been decided on
+            self.assertEqual(receiver.recv(10), b"x")
+        forward = relay.stop()["forward"]
+        self.assertEqual((forward["received"], forward["lost"], forward["delivered"]), (11, 5, 6))
         self.assertGreaterEqual(forward["delay_ms_min"], 5)
 
 

@@ -5,6 +5,7 @@ import datetime
 import os
 import resource
 import signal
+import statistics
 import subprocess
 import unittest
 
@@ -71,7 +72,7 @@ class Exports(fyd.Case):
         self.export("a.csv", "--from", 1, "--to", 3)
         self.export("a.mat", "--from", 1, "--to", 3)
         done = subprocess.run([SYSTEM_PYTHON, "-c", READ_MAT, self.path("a.mat")], capture_output=True, text=True,
-                              check=False, timeout=120)
+                              check=False, timeout=fyd.PATIENCE)
         self.assertEqual(done.returncode, 0, done.stderr)
         mat = fyd.json.loads(done.stdout)
         rows = self.rows("a.csv")
@@ -138,10 +139,13 @@ class Exports(fyd.Case):
                 mcap_peer.File(self.path("b.mcap"))
 
     def test_video_says_when_each_picture_was_taken(self):
+        self.export("pictures.mcap")
+        taken = [time for time, _ in mcap_peer.File(self.path("pictures.mcap")).json("/camera")]
+        rate_hz = 1 / statistics.median(b - a for a, b in zip(taken, taken[1:]))  # a busy machine's camera is slower
         for name, region in (("a.mkv", ()), ("b.avi", ("--region",))):
             result = self.export(name, *region)
             self.assertEqual(result["pictures"] + result["left_out"], self.info["frames"])
-            self.assertAlmostEqual(result["rate_hz"], 30, delta=3)
+            self.assertAlmostEqual(result["rate_hz"], rate_hz, delta=0.05 * rate_hz)
             times = self.rows(name[:-4] + ".times.csv")
             self.assertEqual(len(times), result["pictures"] + result["repeated"])
             self.assertGreater(os.path.getsize(self.path(name)), 10_000)
@@ -180,7 +184,7 @@ class Exports(fyd.Case):
         for name in ("a.csv", "a.mat", "a.mcap", "a.mkv", "a.avi", "r.html", "r.pdf"):
             kind = "report" if name.startswith("r.") else "export"
             done = subprocess.run([fyd.PROGRAM, "session", kind, self.file, self.path(name)], capture_output=True,
-                                  text=True, check=False, timeout=120, preexec_fn=full_disk)
+                                  text=True, check=False, timeout=fyd.PATIENCE, preexec_fn=full_disk)
             self.assertEqual(os.listdir(self.folder), [], name)
             self.assertEqual(done.returncode, 1, name + done.stdout + done.stderr)
             self.assertIn(name, done.stderr)

@@ -2,7 +2,6 @@
 import json
 import os
 import subprocess
-import time
 import unittest
 
 import fyd
@@ -12,7 +11,7 @@ SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's own, which has Debian's h5py
 
 
 def look(*arguments):
-    peer = subprocess.run([SYSTEM_PYTHON, PEER, *arguments], capture_output=True, text=True, check=False, timeout=120)
+    peer = subprocess.run([SYSTEM_PYTHON, PEER, *arguments], capture_output=True, text=True, check=False, timeout=fyd.PATIENCE)
     assert peer.returncode == 0, peer.stderr
     return json.loads(peer.stdout)
 
@@ -54,23 +53,18 @@ class OpenedByH5py(fyd.Case):
 class OpenedByH5pyBeforeItIsWhole(fyd.Case):
     def test_while_it_grows_and_after_its_recorder_was_killed(self):
         path = self.path("growing.h5")
-        recorder = subprocess.Popen([fyd.PROGRAM, "station", "--headless", "--simulate", "--record", path,
-                                     "--operator", "Ada"],
-                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(recorder.wait)
-        self.addCleanup(recorder.kill)
-        start = time.monotonic()
-        while time.monotonic() - start < 60:
-            time.sleep(0.3)
+        recorder = fyd.Running(self, "station", "--headless", "--simulate", "--record", path, "--operator", "Ada")
+
+        def grown():
             info = fyd.run("session", "info", path, "--json")
-            if info.returncode == 0 and json.loads(info.stdout)["committed_samples"] >= 500:
-                break
-        first, second = look("--shared", path + ".partial")
+            return info.returncode == 0 and json.loads(info.stdout)["committed_samples"] >= 500
+        fyd.wait_for("500 committed samples", grown)
+        first, second = look("--growing", path + ".partial")
         self.assertGreaterEqual(first["rows"], 500)
         self.assertGreater(second["rows"], first["rows"])
         self.assertTrue(second["steps_in_order"])
-        recorder.kill()
-        recorder.wait()
+        recorder.process.kill()
+        recorder.process.wait()
         left, again = look("--shared", path + ".partial")
         self.assertGreaterEqual(left["rows"], second["rows"])
         self.assertEqual(again, left)

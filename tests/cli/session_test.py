@@ -1,14 +1,23 @@
 """fyd station --record and fyd session: a recording from beginning to end, and what breaks it."""
 import csv
 import os
-import signal
-import subprocess
-import time
+import resource
 import unittest
 
 import fyd
 
 SESSION = ("station", "--headless", "--simulate")
+
+
+def recorded(case, path, samples):
+    """A session that is being recorded, once so many samples are committed."""
+    recorder = fyd.Running(case, *SESSION, "--record", path, "--json")
+
+    def committed():
+        info = fyd.run("session", "info", path, "--json")
+        return info.returncode == 0 and fyd.json.loads(info.stdout)["committed_samples"] >= samples
+    fyd.wait_for(f"{samples} committed samples", committed)
+    return recorder
 
 
 class Recorded(fyd.Case):
@@ -30,10 +39,16 @@ class Recorded(fyd.Case):
         self.assertTrue(recording["whole"])
         self.assertEqual(recording["lost"], 0)
         self.assertEqual(recording["differences"], 0)
-        self.assertAlmostEqual(recording["samples"], self.session["steps"], delta=200)
+        self.assertLessEqual(recording["samples"], self.session["steps"], "the loop goes on while the file is closed")
         self.assertGreater(recording["pictures"], 30)
         self.assertGreater(recording["bytes"], 100_000)
         self.assertEqual(os.listdir(self.kept.name), ["session.h5"])
+
+    def test_every_step_is_there_from_the_first_on(self):
+        self.json("session", "export", self.file, self.path("steps.csv"), "--fields", "step", "--json")
+        with open(self.path("steps.csv"), encoding="utf-8") as file:
+            steps = [int(row["step [1]"]) for row in csv.DictReader(file)]
+        self.assertEqual(steps, list(range(1, self.session["recording"]["samples"] + 1)))
 
     def test_info_tells_duration_samples_and_who(self):
         info = self.json("session", "info", self.file, "--json")
@@ -50,12 +65,17 @@ class Recorded(fyd.Case):
         self.assertTrue(info["replayable"])
 
     def test_a_replay_is_identical_and_many_times_faster(self):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         replay = self.json("session", "replay", self.file, "--json")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.assertTrue(replay["identical"], replay)
         self.assertEqual(replay["samples"], self.session["recording"]["samples"])
         self.assertEqual(replay["different"], 0)
         self.assertIsNone(replay["first_difference_s"])
-        self.assertGreater(replay["speed_x"], 5, "far less than it does, for a busy machine")
+        self.assertGreater(replay["speed_x"], 0)
+        # By the processor's time, which other programs do not use up; far less than it does, for a slow machine.
+        work_s = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+        self.assertGreater(1e-3 * replay["samples"] / work_s, 5)
 
     def test_what_if_differs_and_says_which_loop(self):
         out = self.path("what_if.csv")
@@ -86,25 +106,19 @@ class Recorded(fyd.Case):
 
 
 class Recording(fyd.Case):
-    def test_it_is_writing_within_a_second(self):
+    def test_it_is_there_while_it_grows_and_whole_after_an_interrupt(self):
         path = self.path("quick.h5")
-        process = subprocess.Popen([fyd.PROGRAM, *SESSION, "--record", path], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        start = time.monotonic()
-        while not os.path.exists(path + ".partial") and time.monotonic() - start < 10:
-            time.sleep(0.02)
+        recorder = recorded(self, path, 500)
         self.assertTrue(os.path.exists(path + ".partial"))
-        time.sleep(2.0)
-        process.send_signal(signal.SIGINT)
-        process.wait(timeout=30)
+        recorder.stop()
         self.assertFalse(os.path.exists(path + ".partial"))
-        self.assertGreater(self.json("session", "info", path, "--json")["samples"], 500)
+        info = self.json("session", "info", path, "--json")
+        self.assertGreaterEqual(info["samples"], 500)
+        self.assertEqual(info["wholeness"], "whole")
 
     def test_a_folder_that_is_not_there_is_an_error_at_once(self):
-        start = time.monotonic()
-        self.assertIn("/nowhere", self.refused(1, *SESSION, "--duration", 60, "--record", "/nowhere/a.h5"))
-        self.assertLess(time.monotonic() - start, 30)
+        # At once: nobody would see the end of this session.
+        self.assertIn("/nowhere", self.refused(1, *SESSION, "--duration", 1e6, "--record", "/nowhere/a.h5"))
 
     def test_words_for_a_recording_need_one(self):
         self.assertIn("--record", self.refused(2, *SESSION, "--duration", 1, "--operator", "Ada"))
@@ -113,17 +127,9 @@ class Recording(fyd.Case):
 class Crashes(fyd.Case):
     def killed(self):
         path = self.path("killed.h5")
-        process = subprocess.Popen([fyd.PROGRAM, *SESSION, "--record", path], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
-        start = time.monotonic()
-        while time.monotonic() - start < 60:
-            time.sleep(0.5)
-            info = fyd.run("session", "info", path, "--json")
-            if info.returncode == 0 and fyd.json.loads(info.stdout)["committed_samples"] >= 1000:
-                break
-        process.kill()
-        process.wait()
+        recorder = recorded(self, path, 1000)
+        recorder.process.kill()
+        recorder.process.wait()
         return path
 
     def test_a_killed_recorder_leaves_what_was_committed(self):
