@@ -47,6 +47,7 @@ struct RecorderStatus {
   double minutes_left = pipeline::kNone;  ///< until the disk is full at this rate
   std::uint64_t samples = 0;              ///< steps written, with those from before the start
   std::uint64_t lost = 0;                 ///< steps the ring could not take: an error, shown as such
+  std::uint64_t taken = 0;                ///< steps taken from the ring since the recorder runs, recorded or not
   std::uint64_t pictures = 0;
   std::uint64_t pictures_lost = 0;
   std::uint64_t differences = 0;  ///< steps that the second Pipeline gave otherwise; anything but 0 is a fault of

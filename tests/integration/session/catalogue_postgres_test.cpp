@@ -4,6 +4,7 @@
 #include "core/session/catalogue_database.h"
 #include "tests/integration/session/catalogue_behaviour.h"
 #include "tests/integration/session/catalogue_postgres_server.h"
+#include "tests/wait.h"
 
 namespace fyd::session {
 namespace {
@@ -77,12 +78,14 @@ TEST_F(PostgresCatalogue, AnOpenCatalogueFindsARestartedServerAgain) {
 /// A station records and records; its server is killed in the middle of a write, and comes back.
 TEST_F(PostgresCatalogue, AServerKilledInTheMiddleOfWritingLosesNothing) {
   ASSERT_TRUE(Catalogue::open(word_));
-  constexpr int kSessions = 120;
+  constexpr int kSessions = 120;  // at least: until one of them found no server
   constexpr int kKillAfter = 30;
   const auto idOf = [](int i) { return fmt::format("s-{:04}", i); };
   const pid_t station = inProcess([&] {
     int waiting = 0;
-    for (int i = 0; i < kSessions; ++i) {
+    int i = 0;
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    for (; (i < kSessions || waiting == 0) && std::chrono::steady_clock::now() < end; ++i) {
       const auto delivered = deliverEntry(word_, entryOf(idOf(i)));
       if (delivered) continue;
       ++waiting;
@@ -90,11 +93,12 @@ TEST_F(PostgresCatalogue, AServerKilledInTheMiddleOfWritingLosesNothing) {
         return fprintf(stderr, "%s\n", delivered.error().message.c_str()), false;
       }
     }
+    std::ofstream(path("recorded")) << i;
     return waiting > 0;
   });
   {
     auto watcher = Catalogue::open(word_);
-    while (watcher->count({}).value_or(0) < kKillAfter) usleep(1000);
+    EXPECT_TRUE(comesTrue("30 sessions", [&] { return watcher->count({}).value_or(0) >= kKillAfter; }));
   }
   server->stop(SIGQUIT);
   EXPECT_TRUE(succeeded(station)) << "each entry that did not arrive was kept, and said so";
@@ -105,7 +109,7 @@ TEST_F(PostgresCatalogue, AServerKilledInTheMiddleOfWritingLosesNothing) {
   EXPECT_EQ(catalogue->pending().waiting, 0U) << catalogue->pending().problem;
   const auto entries = catalogue->search({});
   ASSERT_TRUE(entries);
-  EXPECT_EQ(entries->size(), std::size_t{kSessions});
+  EXPECT_EQ(entries->size(), std::stoul(readText(path("recorded"))));
   for (const CatalogueEntry& entry : *entries) EXPECT_EQ(entry.tags.size(), 2U) << entry.id << ": half written";
 }
 

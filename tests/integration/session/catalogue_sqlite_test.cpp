@@ -7,6 +7,7 @@
 
 #include "core/session/catalogue_pending.h"
 #include "tests/integration/session/catalogue_behaviour.h"
+#include "tests/wait.h"
 
 namespace fyd::session {
 namespace {
@@ -213,7 +214,7 @@ TEST_F(SqliteCatalogue, AKilledWriterLeavesWholeEntries) {
     }
   });
   auto catalogue = Catalogue::open(word());
-  while (catalogue->count({}).value_or(0) < 20) usleep(2000);
+  EXPECT_TRUE(comesTrue("20 entries", [&] { return catalogue->count({}).value_or(0) >= 20; }));
   end(writer);
   auto again = Catalogue::open(word());
   ASSERT_TRUE(again) << again.error().message;

@@ -4,6 +4,7 @@
 
 #include "core/session/recover.h"
 #include "tests/integration/session/recorder_replay_fixture.h"
+#include "tests/wait.h"
 
 namespace fyd::session {
 namespace {
@@ -35,13 +36,11 @@ class RecorderOnATroubledDisk : public Recorded {
     run(0.5);
     ASSERT_TRUE(recorder->begin({.path = file("a.h5")}));
     run(1.5);
-    committed = 0;
-    for (int i = 0; i < 1000 && committed < 1000; ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(comesTrue("1000 committed steps", [this] {
       const auto growing = Recording::open(file("a.h5"));
       committed = growing ? (*growing)->info().committed_samples : 0;
-    }
-    ASSERT_GE(committed, 1000U);
+      return committed >= 1000;
+    }));
   }
 
   /// Once the recorder has met the trouble.

@@ -15,6 +15,7 @@
 #include "core/session/recording_disk.h"
 #include "core/session/replay.h"
 #include "core/sim/lockstep.h"
+#include "tests/wait.h"
 
 namespace fyd::session {
 
@@ -44,6 +45,7 @@ class Recorded : public testing::Test {
                             return formatProfile(bindParameters(copy));
                           },
                       .link = {}});
+    pushed = 0;
     if (disk) recorder->writeThrough(disk);
     recorder->start();
     lockstep = std::make_unique<sim::Lockstep>(options);
@@ -56,16 +58,18 @@ class Recorded : public testing::Test {
     };
   }
 
-  /// Time for the recorder's thread after every second, so that its ring never fills.
+  /// The recorder's thread keeps up, however late the machine or its disk is: the ring never fills.
   void run(double seconds) {
-    int since = 0;
     lockstep->run(seconds, [&](const pipeline::Outputs& outputs) {
       if (drop && drop(outputs.telemetry.step)) return;
       recorder->push({.inputs = inputs, .outputs = outputs});
       samples.push_back(outputs.telemetry);
-      if (++since % 1000 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(60));
+      if (++pushed % 1000 == 0) letRecorderFollow();
     });
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    letRecorderFollow();
+  }
+  void letRecorderFollow() const {
+    ASSERT_TRUE(comesTrue("the recorder to take its steps", [this] { return recorder->status().taken >= pushed; }));
   }
 
   [[nodiscard]] std::unique_ptr<Recording> open(const std::string& name) const {
@@ -88,6 +92,7 @@ class Recorded : public testing::Test {
   std::unique_ptr<sim::Lockstep> lockstep;
   pipeline::Inputs inputs;
   std::size_t steps = 0;
+  std::uint64_t pushed = 0;
   std::function<void(pipeline::Inputs&)> before_step;
   std::function<bool(std::uint64_t)> drop;
   std::vector<pipeline::TelemetrySample> samples;

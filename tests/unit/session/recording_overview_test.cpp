@@ -1,6 +1,9 @@
 // Overviews lose no spike, times find their rows, and a recording that grows in another process can be followed.
 #include <sys/wait.h>
 
+#include <unistd.h>
+
+#include <array>
 #include <chrono>
 #include <csignal>
 
@@ -9,6 +12,7 @@
 #include "core/session/recording_place.h"
 #include "core/session/recording_writer_on_disk.h"
 #include "recording_samples.h"
+#include "tests/wait.h"
 
 namespace fyd::session {
 namespace {
@@ -145,16 +149,22 @@ TEST(RecordingOverview, AClockSetBackAndTheCountersOfAnOldLoopAreNoTrouble) {
 
 TEST(RecordingOverview, AGrowingRecordingIsFollowedFromAnotherProcess) {
   const Folder folder;
+  std::array<int, 2> seen_half{};
+  ASSERT_EQ(::pipe(seen_half.data()), 0);
   const pid_t child = ::fork();
   if (child == 0) {
+    ::close(seen_half[1]);
     auto writer = createRecording(folder.file(), header(), std::make_shared<QuickDisk>());
     if (!writer) ::_exit(1);
-    for (std::uint64_t row = 0; row < 20'000; ++row)
+    for (std::uint64_t row = 0; row < 20'000; ++row) {
+      char word = 0;  // half of it is looked at before the rest is written, however late the reader is
+      if (row == 10'000 && ::read(seen_half[0], &word, 1) != 1) ::_exit(4);
       if (!(*writer)->append(plainStep(row))) ::_exit(2);
+    }
     ::_exit((*writer)->close() ? 0 : 3);
   }
   std::unique_ptr<Recording> recording;
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!recording && std::chrono::steady_clock::now() < deadline)
     if (auto opened = Recording::open(folder.file()); opened) recording = std::move(*opened);
   ASSERT_TRUE(recording);
@@ -170,9 +180,14 @@ TEST(RecordingOverview, AGrowingRecordingIsFollowedFromAnotherProcess) {
       if (const auto step = recording->step(row); step) {
         ASSERT_TRUE(sameRecord(*step, plainStep(row))) << row;
       }
+    if (seen == 0) {
+      ASSERT_EQ(::write(seen_half[1], "", 1), 1);
+    }
     seen = rows;
     ++looks;
   }
+  ::close(seen_half[1]);
+  ::close(seen_half[0]);
   int status = -1;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
