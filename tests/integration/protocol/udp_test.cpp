@@ -12,6 +12,7 @@
 #include "core/protocol/classic_robot_end.h"
 #include "core/protocol/classic_touchpad_end.h"
 #include "core/protocol/udp_socket.h"
+#include "tests/wait.h"
 
 namespace fyd::protocol {
 namespace {
@@ -69,7 +70,7 @@ TEST(UdpSocket, CarriesDatagramsOfEverySizeIncludingNone) {
   for (const std::size_t size : {0U, 1U, 62U, 1'400U, 57'599U, 65'507U}) {
     const std::vector<std::uint8_t> payload(size, 0x5a);
     ASSERT_EQ(a.send(payload, b.local()), SendOutcome::sent) << size;
-    const auto received = b.receive(buffer, milliseconds(1'000));
+    const auto received = b.receive(buffer, kPatience);
     ASSERT_TRUE(received) << size;
     EXPECT_EQ(received->size, size);
     EXPECT_EQ(received->from, a.local());
@@ -98,7 +99,7 @@ TEST(UdpSocket, PortNobodyListensOnIsNoFailureOfTheReceiver) {
   }
   UdpSocket peer = opened("127.0.0.1:0");
   ASSERT_EQ(peer.send(payload, socket.local()), SendOutcome::sent);
-  EXPECT_TRUE(socket.receive(buffer, milliseconds(1'000)));
+  EXPECT_TRUE(socket.receive(buffer, kPatience));
 }
 
 TEST(UdpSocket, WorksOverIpv6) {
@@ -107,7 +108,7 @@ TEST(UdpSocket, WorksOverIpv6) {
   UdpSocket b = opened("[::1]:0");
   std::vector<std::uint8_t> buffer(100);
   ASSERT_EQ(a->send(std::array<std::uint8_t, 1>{7}, b.local()), SendOutcome::sent);
-  const auto received = b.receive(buffer, milliseconds(1'000));
+  const auto received = b.receive(buffer, kPatience);
   ASSERT_TRUE(received);
   EXPECT_EQ(received->from, a->local());
 }
@@ -128,7 +129,7 @@ TEST(ClassicOverUdp, SessionStaysInStepAmongThousandsOfGarbageDatagrams) {
   LinkParameters parameters;
   parameters.takeover_silence_s = 600;  // a busy machine must not lend the enemy the robot's place
   ClassicTouchpadEnd end(parameters);
-  ClassicRobotEnd self({.reply_timeout = std::chrono::seconds(10)}, touchpad.local());
+  ClassicRobotEnd self({.reply_timeout = kPatience}, touchpad.local());
   TouchpadAnswer answer;
   answer.touch = {.position_mm = {3, 4, -5}, .in_contact = true, .force_N = 1.0};
   answer.board_text = "test board";
@@ -157,7 +158,7 @@ TEST(ClassicOverUdp, SessionStaysInStepAmongThousandsOfGarbageDatagrams) {
       return !self.replyDue() && self.counters().wrong_peer == 3 * (i + 1) &&
              end.counters().wrong_peer + end.counters().second_robot == 6 * i;
     };
-    const Instant give_up = Clock::now() + std::chrono::seconds(10);
+    const Instant give_up = Clock::now() + kPatience;
     do {
       answerAll(touchpad, end, answer, buffer);
       while (const auto got = robot.receive(buffer, Duration::zero())) {
@@ -180,7 +181,7 @@ TEST(ClassicOverUdp, ExchangeDoesNotAllocate) {
   UdpSocket touchpad = opened("127.0.0.1:0");
   UdpSocket robot = opened("127.0.0.2:0");
   ClassicTouchpadEnd end{LinkParameters{}};
-  ClassicRobotEnd self({.reply_timeout = std::chrono::seconds(10)}, touchpad.local());
+  ClassicRobotEnd self({.reply_timeout = kPatience}, touchpad.local());
   std::vector<std::uint8_t> buffer(kMaximumDatagram);
   std::optional<bench::AllocationCount> counted;
   for (int i = 0; i < 200; ++i) {
@@ -188,7 +189,7 @@ TEST(ClassicOverUdp, ExchangeDoesNotAllocate) {
     for (const Datagram& datagram : self.tick(Clock::now(), {})) {
       static_cast<void>(robot.send(datagram.bytes, datagram.to));
     }
-    const Instant give_up = Clock::now() + std::chrono::seconds(10);
+    const Instant give_up = Clock::now() + kPatience;
     while (self.replyDue() && Clock::now() < give_up) {
       answerAll(touchpad, end, {}, buffer);
       while (const auto got = robot.receive(buffer, Duration::zero())) {

@@ -13,6 +13,7 @@
 #include "core/device/combined_touchpad.h"
 #include "core/device/modbus_touchpad.h"
 #include "core/device/touchpad_source.h"
+#include "tests/wait.h"
 
 namespace fyd::sim {
 namespace {
@@ -22,47 +23,84 @@ using testing::HasSubstr;
 
 enum class Line : std::uint8_t { tcp, rtu };
 
-device::DeviceParameters quick() {
+/// Patient with a machine that stands still; what a fault must break takes longer.
+device::DeviceParameters patient() {
   device::DeviceParameters parameters;
-  parameters.response_timeout_ms = 80.0;
-  parameters.qbmove_timeout_ms = 30.0;  // a loaded test machine
+  parameters.response_timeout_ms = 1500.0;
+  parameters.qbmove_timeout_ms = 200.0;
+  parameters.watchdog_ms = 1000.0;
   return parameters;
 }
+
+/// Gives a late or missing answer up before it comes.
+device::DeviceParameters quick() {
+  device::DeviceParameters parameters = patient();
+  parameters.response_timeout_ms = 100.0;
+  parameters.watchdog_ms = 400.0;
+  return parameters;
+}
+
+// A port that comes back: as a source address nobody else uses this one, so that nobody is given the port meanwhile.
+constexpr const char* kOwnAddress = "127.0.0.77:0";
 
 std::string scratch(const char* name) { return fmt::format("{}fyd-{}-{}", testing::TempDir(), name, ::getpid()); }
 
 struct Rig {
-  explicit Rig(Line line, std::vector<std::string> faults = {}) {
+  explicit Rig(Line line, const device::DeviceParameters& parameters = patient()) {
     TouchpadProcessOptions options;
-    for (const std::string& text : faults) options.faults.push_back(*parseTimedFault(text));
     if (line == Line::tcp)
       options.modbus_tcp = *protocol::parseEndpoint("127.0.0.1:0");
     else
       options.modbus_rtu = scratch("rtu");
     process = std::move(*TouchpadProcess::start(std::move(options)));
     address = process->addresses().front();
-    touchpad = std::make_unique<ModbusTouchpad>(*device::parseModbusAddress(address), quick());
+    touchpad = std::make_unique<ModbusTouchpad>(*device::parseModbusAddress(address), parameters);
   }
   Result<device::TouchpadReadings> exchange(bool active = false) {
-    return touchpad->exchange({.reference_ticks = {2000, -2000}, .active = active}, Clock::now());
+    auto done = touchpad->exchange({.reference_ticks = {2000, -2000}, .active = active}, Clock::now());
+    failed += done ? 0 : 1;
+    if (!done) problem = done.error().message;
+    return done;
   }
-  /// Exchanges every 4 ms. @return how many failed
-  int run(double seconds, bool active = false) {
-    int failed = 0;
-    for (const Instant end = Clock::now() + fromSeconds(seconds); Clock::now() < end;) {
-      const auto done = exchange(active);
-      if (!done) {
-        ++failed;
-        problem = done.error().message;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(4));
+  /// Exchanges every few milliseconds.
+  template <class Holds>
+  testing::AssertionResult exchangeUntil(std::string_view what, bool active, Holds&& holds) {
+    auto came = comesTrue(what, [&] {
+      (void)exchange(active);
+      return holds();
+    });
+    if (!came) came << "; last: " << problem << "; complaint: " << touchpad->complaint();
+    return came;
+  }
+  testing::AssertionResult exchangeTimes(int count, bool active) {
+    for (int i = 0; i < count; ++i) {
+      if (const auto done = exchange(active); !done) return testing::AssertionFailure() << done.error().message;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
-    return failed;
+    return testing::AssertionSuccess();
+  }
+  [[nodiscard]] bool motorsOn() const { return process->electronics().figures().motors_on; }
+  /// As by an operator: motors that a standstill of the machine switched off are given free first.
+  testing::AssertionResult switchOn() {
+    return comesTrue("motors that are on", [&] {
+      (void)exchange(touchpad->complaint().empty());
+      return motorsOn();
+    });
+  }
+  /// A fault breaks an exchange, and its end heals the next.
+  testing::AssertionResult meets(TouchpadFault fault, double seconds, bool active) {
+    process->inject(fault, seconds);
+    const int before = failed;
+    if (auto broken = exchangeUntil("a failed exchange", active, [&] { return failed > before; }); !broken)
+      return broken;
+    return exchangeUntil("the next good exchange", active,
+                         [&, last = failed]() mutable { return std::exchange(last, failed) == failed; });
   }
   std::unique_ptr<TouchpadProcess> process;
   std::string address;
   std::unique_ptr<ModbusTouchpad> touchpad;
   std::string problem;
+  int failed = 0;
 };
 
 class BothLines : public testing::TestWithParam<Line> {};
@@ -71,89 +109,94 @@ INSTANTIATE_TEST_SUITE_P(Lines, BothLines, testing::Values(Line::tcp, Line::rtu)
 
 TEST_P(BothLines, TheMotorsFollowAndTheSensorsTell) {
   Rig rig(GetParam());
-  EXPECT_EQ(rig.run(0.4, true), 0);
-  const auto readings = rig.exchange(true);
-  ASSERT_TRUE(readings) << readings.error().message;
   const double target_deg = 2000 / control::kTicksPerDegree;
-  EXPECT_NEAR(readings->motors.value.encoder_counts[0] / control::kEncoderCountsPerDegree, target_deg, 8.0);
+  Result<device::TouchpadReadings> readings = fail("none yet");
+  Instant asked{};
+  ASSERT_TRUE(comesTrue("the motor at its reference", [&] {
+    asked = Clock::now();
+    readings = rig.exchange(true);
+    return readings && readings->ir.count > 5U && readings->bridge.count > 10U &&
+           std::abs(readings->motors.value.encoder_counts[0] / control::kEncoderCountsPerDegree - target_deg) < 8.0;
+  })) << rig.problem;
+  EXPECT_EQ(rig.failed, 0) << rig.problem;
   EXPECT_EQ(readings->ir.value.size(), 3U);
-  EXPECT_GT(readings->ir.count, 5U);
-  EXPECT_GT(readings->bridge.count, 10U);
-  EXPECT_LT(toMilliseconds(Clock::now() - readings->ir.taken), 200.0);
-  EXPECT_TRUE(rig.process->electronics().figures().motors_on);
+  EXPECT_LT(toMilliseconds(asked - readings->ir.taken), 200.0);
+  EXPECT_TRUE(rig.motorsOn());
 }
 
 TEST_P(BothLines, ALateReplyIsNeverTakenForAFreshOne) {
-  Rig rig(GetParam(), {"late-reply@0.1"});
-  const int failed = rig.run(0.8);
-  EXPECT_GT(failed, 0) << "the late one at least";
-  EXPECT_LT(failed, 40);
-  EXPECT_TRUE(rig.exchange()) << "and then it goes on: " << rig.problem;
+  Rig rig(GetParam(), quick());
+  ASSERT_TRUE(rig.meets(TouchpadFault::late_reply, 0.0, false)) << "the late one at least fails, and then it goes on";
   // What is taken after the trap belongs to its own question: the uptime is today's.
   const std::uint32_t uptime_us = rig.touchpad->state().uptime_us;
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  ASSERT_TRUE(rig.exchange());
+  ASSERT_TRUE(comesTrue("an exchange", [&] { return rig.exchange().has_value(); })) << rig.problem;
   EXPECT_GE(rig.touchpad->state().uptime_us - uptime_us, 49'000U);
 }
 
 TEST_P(BothLines, SilenceSwitchesTheMotorsOffAtTheDeviceAndTheyStayOff) {
-  Rig rig(GetParam(), {"silence@0.3+0.25"});
-  EXPECT_EQ(rig.run(0.2, true), 0);
-  EXPECT_TRUE(rig.process->electronics().figures().motors_on);
-  EXPECT_GT(rig.run(0.6, true), 0);
-  EXPECT_FALSE(rig.process->electronics().figures().motors_on);
-  EXPECT_THAT(rig.touchpad->complaint(), HasSubstr("stop, then arm again"));
-  EXPECT_EQ(rig.run(0.1, false), 0);
-  EXPECT_EQ(rig.run(0.2, true), 0);
-  EXPECT_TRUE(rig.process->electronics().figures().motors_on);
+  Rig rig(GetParam(), quick());
+  ASSERT_TRUE(rig.switchOn());
+  rig.process->inject(TouchpadFault::silence, 1.0);
+  ASSERT_TRUE(rig.exchangeUntil("the device's watchdog", true, [&] { return !rig.motorsOn(); }));
+  ASSERT_TRUE(rig.exchangeUntil("a complaint of the motors", true, [&] {
+    return rig.touchpad->complaint().find("stop, then arm again") != std::string::npos;
+  }));
+  for (int i = 0; i < 50; ++i) {
+    (void)rig.exchange(true);
+    ASSERT_FALSE(rig.motorsOn()) << "by themselves";
+  }
+  EXPECT_TRUE(rig.switchOn()) << "by the operator's act";
 }
 
 TEST_P(BothLines, GarbageIsRefusedAndTheEndOfItHeals) {
-  Rig rig(GetParam(), {"garbage@0.1+0.2"});
-  EXPECT_GT(rig.run(0.5), 0);
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  EXPECT_EQ(rig.run(0.1), 0) << rig.problem;
+  Rig rig(GetParam(), quick());
+  ASSERT_TRUE(comesTrue("an exchange", [&] { return rig.exchange().has_value(); })) << rig.problem;
+  EXPECT_TRUE(rig.meets(TouchpadFault::garbage, 0.2, false));
+  EXPECT_TRUE(comesTrue("ten good exchanges", [&] { return rig.exchangeTimes(10, false); })) << rig.problem;
 }
 
 TEST_P(BothLines, ABrownOutIsComplainedOf) {
-  Rig rig(GetParam(), {"brown-out@0.25+0.15"});
-  EXPECT_EQ(rig.run(0.2, true), 0);
-  EXPECT_GT(rig.run(0.6, true), 0);
-  EXPECT_THAT(rig.touchpad->complaint(), HasSubstr("arm again"));
-  EXPECT_FALSE(rig.process->electronics().figures().motors_on);
+  Rig rig(GetParam(), quick());
+  ASSERT_TRUE(rig.switchOn());
+  EXPECT_TRUE(rig.meets(TouchpadFault::brown_out, 0.15, true));
+  EXPECT_TRUE(rig.exchangeUntil("a complaint of the motors", true,
+                                [&] { return rig.touchpad->complaint().find("arm again") != std::string::npos; }));
+  EXPECT_FALSE(rig.motorsOn());
 }
 
 TEST_P(BothLines, AStuckSensorAndAJumpingEncoderShowWhatTheySay) {
   Rig rig(GetParam());
   ASSERT_TRUE(rig.exchange());
   const int before = rig.touchpad->state().motors.encoder_counts[0];
-  rig.process->inject(TouchpadFault::stuck_sensor, 60.0);
-  rig.process->inject(TouchpadFault::encoder_jump, 60.0);
-  rig.run(0.2);
+  rig.process->inject(TouchpadFault::stuck_sensor, 600.0);
+  rig.process->inject(TouchpadFault::encoder_jump, 600.0);
+  ASSERT_TRUE(rig.exchangeTimes(5, false));
   const std::uint16_t stuck = rig.touchpad->state().ir[0];
   const std::uint16_t count = rig.touchpad->state().ir_count;
-  rig.run(0.1);
+  ASSERT_TRUE(rig.exchangeUntil("more samples to be counted", false,
+                                [&] { return rig.touchpad->state().ir_count - count > 3; }));
   EXPECT_EQ(rig.touchpad->state().ir[0], stuck);
-  EXPECT_NE(rig.touchpad->state().ir_count, count) << "its samples go on being counted";
   EXPECT_NEAR((rig.touchpad->state().motors.encoder_counts[0] - before + 4096) % 4096, 512, 2);
 }
 
 TEST_P(BothLines, BatchesOfDutiesArrive) {
   Rig rig(GetParam());
-  rig.run(0.1, true);
-  for (int i = 0; i < 20; ++i) {
+  ASSERT_TRUE(rig.switchOn());
+  const auto arrived = [&] { return rig.process->electronics().figures().vibration_peak_percent >= 60.0; };
+  EXPECT_TRUE(comesTrue("a batch", [&] {
     const std::array<device::VibrationDuty, 5> duties = {{{0, 0}, {20, 20}, {40, -40}, {60, 60}, {0, 0}}};
     rig.touchpad->queueVibration(duties);
-    ASSERT_TRUE(rig.exchange(true));
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+    (void)rig.exchange(rig.touchpad->complaint().empty());
+    return arrived();
+  })) << rig.problem;
   EXPECT_EQ(rig.process->electronics().figures().vibration_peak_percent, 60.0);
 }
 
 TEST(TouchpadProcess, ASecondMasterIsRefusedWithAReasonAndTheFirstNotices) {
   Rig rig(Line::tcp);
   ASSERT_TRUE(rig.exchange());
-  ModbusTouchpad second(*device::parseModbusAddress(rig.address), quick());
+  ModbusTouchpad second(*device::parseModbusAddress(rig.address), patient());
   const auto refused = second.exchange({}, Clock::now());
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("another program drives its motors"));
@@ -163,7 +206,7 @@ TEST(TouchpadProcess, ASecondMasterIsRefusedWithAReasonAndTheFirstNotices) {
 
 TEST(TouchpadProcess, ComesBackEachTimeTheServerIsKilledInTheMiddle) {
   TouchpadProcessOptions options;
-  options.modbus_tcp = *protocol::parseEndpoint("127.0.0.1:0");
+  options.modbus_tcp = *protocol::parseEndpoint(kOwnAddress);
   auto process = *TouchpadProcess::start(options);
   options.modbus_tcp->port = process->modbusPort();
   ModbusTouchpad touchpad(*device::parseModbusAddress(process->addresses().front()), quick());
@@ -179,9 +222,7 @@ TEST(TouchpadProcess, ComesBackEachTimeTheServerIsKilledInTheMiddle) {
     auto next = TouchpadProcess::start(options);
     ASSERT_TRUE(next) << next.error().message;
     process = std::move(*next);
-    bool back = false;
-    for (int attempt = 0; attempt < 20 && !back; ++attempt) back = touchpad.exchange({}, Clock::now()).has_value();
-    ASSERT_TRUE(back) << kill;
+    ASSERT_TRUE(comesTrue("an exchange", [&] { return touchpad.exchange({}, Clock::now()).has_value(); })) << kill;
   }
 }
 
@@ -191,21 +232,19 @@ TEST(TouchpadProcess, TheMotorBoardTakesTheMotorsAndTheSensorsStayOnModbus) {
   options.qbmove = scratch("qbmove");
   options.board.vibration_opcode = 145;
   const auto process = *TouchpadProcess::start(options);
-  device::DeviceParameters parameters = quick();
+  device::DeviceParameters parameters = patient();
   parameters.qbmove_vibration_opcode = 145;
   auto sensors = device::openTouchpad(process->addresses().front(), parameters);
   auto touchpad = *device::withMotors(std::move(*sensors), "qbmove:" + options.qbmove, parameters);
-  Result<device::TouchpadReadings> readings = fail("none yet");
-  for (const Instant end = Clock::now() + std::chrono::milliseconds(500); Clock::now() < end;) {
-    readings = touchpad->exchange(
-        {.reference_ticks = {2000, -2000}, .vibration_duty_percent = {30, 30}, .active = true}, Clock::now());
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  ASSERT_TRUE(readings) << readings.error().message;
-  EXPECT_EQ(touchpad->complaint(), "");
-  EXPECT_NEAR(readings->motors.value.encoder_counts[0] / control::kEncoderCountsPerDegree,
-              2000 / control::kTicksPerDegree, 8.0);
-  EXPECT_GT(readings->ir.count, 5U);
+  ASSERT_TRUE(comesTrue("motors at their reference, samples and the vibration", [&] {
+    const auto readings = touchpad->exchange(
+        {.reference_ticks = {2000, -2000}, .vibration_duty_percent = {30, 30}, .active = touchpad->complaint().empty()},
+        Clock::now());
+    const double target_deg = 2000 / control::kTicksPerDegree;
+    return readings && readings->ir.count > 5U && touchpad->complaint().empty() &&
+           std::abs(readings->motors.value.encoder_counts[0] / control::kEncoderCountsPerDegree - target_deg) < 8.0 &&
+           process->electronics().figures().vibration_peak_percent > 0.0 && process->electronics().figures().motors_on;
+  })) << touchpad->complaint();
   const auto figures = process->electronics().figures();
   EXPECT_EQ(figures.vibration_peak_percent, 30.0);
   EXPECT_TRUE(figures.motors_on);
@@ -216,10 +255,10 @@ TEST(TouchpadProcess, TheMotorBoardTakesTheMotorsAndTheSensorsStayOnModbus) {
 /// The halves of a combined touchpad answer on their own threads: not at once.
 Result<device::TouchpadReadings> firstReadings(device::Touchpad& touchpad) {
   Result<device::TouchpadReadings> readings = fail("none yet");
-  for (int i = 0; i < 5000 && !(readings && readings->ir.count > 0); ++i) {
+  EXPECT_TRUE(comesTrue("the first readings", [&] {
     readings = touchpad.exchange({}, Clock::now());
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+    return readings && readings->ir.count > 0;
+  }));
   return readings;
 }
 
@@ -233,9 +272,9 @@ TEST(TouchpadProcess, ASilentMotorBoardIsComplainedOfWhileTheSensorsGoOn) {
   ASSERT_TRUE(readings);
   EXPECT_EQ(readings->ir.value.size(), 3U);
   EXPECT_EQ(readings->motors.count, 0U);
-  const auto named = [&] { return touchpad->complaint().find("plugged in") != std::string::npos; };
-  for (int i = 0; i < 5000 && !named(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_THAT(touchpad->complaint(), HasSubstr("plugged in"));
+  EXPECT_TRUE(comesTrue("a complaint of the motor board", [&] {
+    return touchpad->complaint().find("plugged in") != std::string::npos;
+  })) << touchpad->complaint();
 }
 
 /// Samples of the distance sensors that arrive in `seconds`.
@@ -256,17 +295,24 @@ TEST(TouchpadProcess, AMotorBoardThatIsSilentForItsLongestTimeOutDoesNotAgeTheSe
   const auto line = SerialEnd::open(scratch("mute"), 115'200);  // a port behind which nobody answers
   ASSERT_TRUE(line);
   device::DeviceParameters parameters = quick();
-  auto alone = *device::openTouchpad(process->addresses().front(), parameters);
-  const std::uint64_t healthy = samplesIn(*alone, 1.0);
-  alone.reset();  // one master at a time
   parameters.qbmove_timeout_ms = 200.0;
-  auto touchpad = *device::withMotors(*device::openTouchpad(process->addresses().front(), parameters),
-                                      "qbmove:" + scratch("mute"), parameters);
-  const std::uint64_t beside_silence = samplesIn(*touchpad, 1.0);
-  RecordProperty("healthy", static_cast<int>(healthy));
-  RecordProperty("beside_silence", static_cast<int>(beside_silence));
-  EXPECT_GT(static_cast<double>(beside_silence), 0.6 * static_cast<double>(healthy));
-  EXPECT_THAT(touchpad->complaint(), HasSubstr("no answer to command"));
+  // Two seconds of a busy machine are not alike: one pair of five must be. A board that held the sensors up would leave
+  // a tenth of their samples in each.
+  double share = 0.0;
+  for (int pair = 0; pair < 5 && share <= 0.6; ++pair) {
+    auto alone = *device::openTouchpad(process->addresses().front(), parameters);
+    const std::uint64_t healthy = samplesIn(*alone, 1.0);
+    alone.reset();  // one master at a time
+    auto touchpad = *device::withMotors(*device::openTouchpad(process->addresses().front(), parameters),
+                                        "qbmove:" + scratch("mute"), parameters);
+    const std::uint64_t beside_silence = samplesIn(*touchpad, 1.0);
+    share = static_cast<double>(beside_silence) / static_cast<double>(healthy);
+    EXPECT_TRUE(comesTrue("a complaint of the motor board", [&] {
+      return touchpad->complaint().find("no answer to command") != std::string::npos;
+    })) << touchpad->complaint();
+  }
+  RecordProperty("share_percent", static_cast<int>(100 * share));
+  EXPECT_GT(share, 0.6);
 }
 
 TEST(TouchpadProcess, AMotorBoardIsSwitchedOffWhenItsTouchpadGoes) {
@@ -276,19 +322,18 @@ TEST(TouchpadProcess, AMotorBoardIsSwitchedOffWhenItsTouchpadGoes) {
   const auto process = *TouchpadProcess::start(options);
   device::DeviceParameters parameters = quick();
   parameters.qbmove_watchdog_ms = 5000.0;  // not what switches it off here
+  parameters.watchdog_ms = 1000.0;
   {
     auto touchpad = *device::withMotors(*device::openTouchpad(process->addresses().front(), parameters),
                                         "qbmove:" + options.qbmove, parameters);
-    for (int i = 0; i < 2000 && !process->electronics().figures().motors_on; ++i) {
-      (void)touchpad->exchange({.active = true}, Clock::now());
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    EXPECT_TRUE(process->electronics().figures().motors_on);
+    EXPECT_TRUE(comesTrue("motors that are on", [&] {
+      (void)touchpad->exchange({.active = touchpad->complaint().empty()}, Clock::now());
+      return process->electronics().figures().motors_on;
+    })) << touchpad->complaint();
   }
-  for (int i = 0; i < 500 && process->electronics().figures().motors_on; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  EXPECT_FALSE(process->electronics().figures().motors_on);
+  // Long before its own watchdog would have done it.
+  EXPECT_TRUE(comesTrue(
+      "motors that are off", [&] { return !process->electronics().figures().motors_on; }, std::chrono::seconds(4)));
 }
 
 TEST(TouchpadProcess, ASerialPortBelongsToOneProgramAtATime) {
@@ -304,7 +349,6 @@ TEST(TouchpadProcess, TheStreamIsACameraAndFreezesOnDemand) {
   TouchpadProcessOptions options;
   options.camera_mjpeg = *protocol::parseEndpoint("127.0.0.1:0");
   options.parameters.camera_noise = 8.0;
-  options.faults = {*parseTimedFault("camera-freeze@1.5")};
   const auto process = *TouchpadProcess::start(options);
   auto camera = device::openCamera(process->addresses().front());
   ASSERT_TRUE(camera) << camera.error().message;
@@ -312,6 +356,7 @@ TEST(TouchpadProcess, TheStreamIsACameraAndFreezesOnDemand) {
   int equal = 0;
   int different = 0;
   for (int i = 0; i < 150 && equal < 5; ++i) {
+    if (different == 10) process->inject(TouchpadFault::camera_freeze, 600.0);
     const auto frame = (*camera)->next();
     ASSERT_TRUE(frame) << frame.error().message;
     ASSERT_EQ(frame->picture.size(), cv::Size(320, 240));

@@ -57,7 +57,7 @@ class DeviceRig {
     options.profile.step.step.motors_maximum_age_ms = 400.0;
     options.profile.step.step.ir_maximum_age_ms = 500.0;
     options.profile.step.step.bridge_maximum_age_ms = 500.0;
-    options.profile.device.response_timeout_ms = 250.0;
+    options.profile.device.response_timeout_ms = 150.0;  // a late reply is 250 ms late
     options.profile.device.watchdog_ms = 1000.0;
     options.profile.device.qbmove_timeout_ms = 100.0;
     options.profile.device.qbmove_watchdog_ms = 1000.0;

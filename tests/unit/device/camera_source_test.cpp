@@ -372,10 +372,10 @@ TEST_F(CameraSource, AStreamThatEndsFailsAndIsOpenedAgainLater) {
   ASSERT_TRUE(camera) << camera.error().message;
   ASSERT_TRUE((*camera)->next());
   ASSERT_TRUE((*camera)->next());
+  const Instant before = Clock::now();
   const auto ended = (*camera)->next();
   ASSERT_FALSE(ended) << "a stream does not repeat";
   EXPECT_THAT(ended.error().message, HasSubstr("stream.avi': gives no picture any more"));
-  const Instant before = Clock::now();
   const auto again = (*camera)->next();
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(again->number, 3U);
