@@ -1,26 +1,16 @@
 // fyd session info FILE: what a recording is and holds.
 #include "app/cli/session_cli.h"
 #include "core/session/catalogue_types.h"
+#include "core/session/recording_health.h"
 
 namespace fyd::cli {
 namespace {
 
-/// In a word, and why: what an operator wants to know of a file before trusting it.
-std::pair<std::string, std::string> healthOf(const session::RecordingInfo& info) {
-  if (info.wholeness == session::Wholeness::crashed) {
-    return {"damaged", "its recorder is gone; make it whole with: fyd session recover"};
-  }
-  if (info.gaps > 0) return {"gaps", fmt::format("{} steps were lost while recording", info.gaps)};
-  if (info.samples != info.committed_samples) {
-    return {"growing", fmt::format("{} steps are not committed yet", info.samples - info.committed_samples)};
-  }
-  return {info.wholeness == session::Wholeness::growing ? "growing" : "good", ""};
-}
-
 nlohmann::ordered_json describe(const std::string& path, const session::Recording& recording) {
   const session::RecordingInfo& info = recording.info();
-  const auto [health, why] = healthOf(info);
-  const auto notes = valueOrFail(recording.notes());
+  auto [health, why] = session::healthOf(info);
+  const auto notes = recording.notes();
+  if (!notes) std::tie(health, why) = std::pair("damaged", notes.error().message);
   nlohmann::ordered_json out;
   out["path"] = path;
   out["duration_s"] = info.duration_s;
@@ -32,6 +22,13 @@ nlohmann::ordered_json describe(const std::string& path, const session::Recordin
   out["health"] = health;
   out["health_reason"] = why;
   out["wholeness"] = session::toString(info.wholeness);
+  out["missing"] = nlohmann::ordered_json::array();
+  for (const session::MissingRows& rows : info.header.missing)
+    out["missing"].push_back({{"table", rows.table},
+                              {"first", rows.first},
+                              {"count", rows.count},
+                              {"why", rows.why},
+                              {"words", session::wordsOf(rows)}});
   out["bytes"] = info.bytes;
   out["id"] = info.header.id;
   out["started_utc"] = info.header.started_utc;
@@ -44,8 +41,9 @@ nlohmann::ordered_json describe(const std::string& path, const session::Recordin
   out["robot"] = info.header.robot;
   out["version"] = info.header.version;
   out["replayable"] = !info.header.step_state.empty();
+  out["why_no_exact_replay"] = session::whyNoExactReplay(info);
   out["log"] = nlohmann::ordered_json::array();
-  for (const session::Note& note : notes) {
+  for (const session::Note& note : notes.value_or(std::vector<session::Note>())) {
     static constexpr std::array<std::string_view, 5> kKinds{"note", "bookmark", "trial start", "trial end", "alarm"};
     const auto kind = static_cast<std::size_t>(note.kind);
     out["log"].push_back({{"time_s", secondsInto(info, note.when)},

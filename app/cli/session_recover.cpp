@@ -2,6 +2,7 @@
 #include "app/cli/exit_code.h"
 #include "app/cli/session_cli.h"
 #include "core/session/catalogue_types.h"
+#include "core/session/recording_health.h"
 #include "core/session/recover.h"
 #include "core/session/verify.h"
 
@@ -22,21 +23,26 @@ std::string_view toString(session::RecoverResult result) {
 void addSessionVerify(CLI::App& parent) {
   auto options = std::make_shared<SessionOptions>();
   CLI::App* command =
-      parent.add_subcommand("verify", "Check every block of a recording; exit code 1 when one is damaged");
+      parent.add_subcommand("verify", "Check every commit and block of a recording; exit code 1 when one is damaged");
   addSessionOptions(*command, *options);
   command->callback([options] {
     const auto checked = valueOrFail(session::verify(options->file));
     printSession({{"intact", checked.intact()},
                   {"wholeness", session::toString(checked.wholeness)},
+                  {"health", checked.health.word},
+                  {"health_reason", checked.health.reason},
                   {"commits", checked.commits},
+                  {"damaged_commits", checked.damaged_commits},
+                  {"unproven_rows", checked.unproven_rows},
                   {"blocks", checked.blocks},
                   {"bytes", checked.bytes},
                   {"damaged", checked.damaged},
                   {"first_damage", checked.first_damage}},
                  options->json);
     if (!checked.intact()) {
-      throw Failure(fmt::format("{}: {} of {} blocks are damaged, the first: {}", options->file, checked.damaged,
-                                checked.blocks, checked.first_damage));
+      throw Failure(fmt::format("{}: damaged: {} of {} commits, {} of {} blocks, {} rows are unproven; the first: {}",
+                                options->file, checked.damaged_commits, checked.commits, checked.damaged,
+                                checked.blocks, checked.unproven_rows, checked.first_damage));
     }
   });
 }
@@ -52,17 +58,22 @@ void addSessionRecover(CLI::App& parent) {
       throw Failure(
           fmt::format("{}: nothing can be read; the file was left as it is: {}", options->file, outcome.first_damage));
     }
+    auto missing = nlohmann::ordered_json::array();
+    for (const session::MissingRows& rows : outcome.missing) missing.push_back(session::wordsOf(rows));
     printSession({{"result", toString(outcome.result)},
                   {"file", outcome.file},
                   {"kept", outcome.kept},
                   {"samples", outcome.steps},
                   {"lost_samples", outcome.lost_steps},
+                  {"missing", missing},
                   {"first_damage", outcome.first_damage}},
                  options->json);
     if (outcome.result == session::RecoverResult::part_lost) {
       throw ExitCode(
           3, fmt::format("{}: a part is lost ({} steps; {}); what can be read is saved in {}, the original is {}",
-                         options->file, outcome.lost_steps, outcome.first_damage, outcome.file, outcome.kept));
+                         options->file, outcome.lost_steps,
+                         outcome.missing.empty() ? outcome.first_damage : session::wordsOf(outcome.missing.front()),
+                         outcome.file, outcome.kept));
     }
   });
 }

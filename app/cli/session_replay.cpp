@@ -21,6 +21,7 @@ nlohmann::ordered_json toJson(const session::ReplayResult& result) {
   out["samples"] = result.samples;
   out["of"] = result.of;
   out["gaps"] = result.gaps;
+  out["why_not_exact"] = result.why_not_exact;
   out["different"] = result.different;
   out["arithmetic_recorded"] = result.arithmetic_recorded;
   out["arithmetic_replayed"] = pipeline::kArithmetic;
@@ -66,6 +67,14 @@ void sayArithmetic(const std::string& file, const session::ReplayResult& result)
              result.max_abs_difference, result.max_difference_field, judged);
 }
 
+std::string whyNotIdentical(const session::ReplayResult& result) {
+  if (!result.why_not_exact.empty()) return "cannot be proven bit for bit: " + result.why_not_exact;
+  if (result.different > 0)
+    return fmt::format("{} of {} steps came out otherwise, the first at {:.3f} s in {}", result.different,
+                       result.samples, result.first_difference_s, result.first_difference_field);
+  return fmt::format("only {} of {} steps could be replayed: after them steps were lost", result.samples, result.of);
+}
+
 }  // namespace
 
 void addSessionReplay(CLI::App& parent) {
@@ -93,15 +102,10 @@ void addSessionReplay(CLI::App& parent) {
     const bool proves = !result.what_if && !result.closed_loop;
     if (proves && result.different > 0 && result.arithmetic_recorded != pipeline::kArithmetic) {
       sayArithmetic(options->session.file, result);
-      if (result.samples == result.of) return;
+      if (result.samples == result.of && result.why_not_exact.empty()) return;
     }
     if (proves && !result.identical) {
-      throw Failure(result.different > 0
-                        ? fmt::format("{}: {} of {} steps came out otherwise, the first at {:.3f} s in {}",
-                                      options->session.file, result.different, result.samples,
-                                      result.first_difference_s, result.first_difference_field)
-                        : fmt::format("{}: only {} of {} steps could be replayed: after them steps were lost",
-                                      options->session.file, result.samples, result.of));
+      throw Failure(fmt::format("{}: {}", options->session.file, whyNotIdentical(result)));
     }
   });
 }

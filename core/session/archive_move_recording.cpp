@@ -14,6 +14,9 @@ Result<StoredFile> storeClosed(const std::string& file, const std::string& folde
   if (entry->wholeness == Wholeness::crashed) {
     return fail("{}: was left behind by a crash; `fyd session recover` makes it whole first", file);
   }
+  if (entry->wholeness == Wholeness::damaged) {
+    return fail("{}: is damaged; `fyd session recover` keeps what can be proven of it first", file);
+  }
   if (word->kind == CatalogueWord::Kind::none) {
     return moveFile(entry->path, folder, [](const std::string&) -> Result<void> { return {}; });
   }

@@ -11,7 +11,8 @@ namespace fyd::session {
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Wholeness, {{Wholeness::whole, "whole"},
                                          {Wholeness::growing, "growing"},
-                                         {Wholeness::crashed, "crashed"}})
+                                         {Wholeness::crashed, "crashed"},
+                                         {Wholeness::damaged, "damaged"}})
 // The file's state is not kept: it was there when the entry was made.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(CatalogueEntry, id, path, station, started_utc, duration_s,
                                                 operator_name, subject, tags, notes, touchpad, robot, samples, gaps,

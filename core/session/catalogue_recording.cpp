@@ -6,7 +6,7 @@
 #include "core/session/catalogue.h"
 #include "core/session/catalogue_text.h"
 #include "core/session/catalogue_word.h"
-#include "core/session/recording.h"
+#include "core/session/recording_health.h"
 
 namespace fyd::session {
 
@@ -36,7 +36,7 @@ Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
                        .gaps = info.gaps,
                        .events = info.events,
                        .wholeness = info.wholeness,
-                       .health = healthWord(info.wholeness, info.gaps),
+                       .health = healthOf(info).word,
                        .bytes = static_cast<std::uint64_t>(status.st_size),
                        .file_modified_ns = status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec};
   for (const std::string& tag : header.tags) {

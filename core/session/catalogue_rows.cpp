@@ -74,7 +74,7 @@ CatalogueEntry EntryRow::toEntry() const {
   out.events = static_cast<std::uint64_t>(events);
   out.bytes = static_cast<std::uint64_t>(bytes);
   out.file_modified_ns = file_modified_ns;
-  for (const Wholeness word : {Wholeness::growing, Wholeness::crashed}) {
+  for (const Wholeness word : {Wholeness::growing, Wholeness::crashed, Wholeness::damaged}) {
     if (wholeness == toString(word)) out.wholeness = word;
   }
   for (const FileState word : {FileState::missing, FileState::replaced}) {

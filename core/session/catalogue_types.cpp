@@ -7,6 +7,7 @@ const char* toString(Wholeness wholeness) {
     case Wholeness::whole: return "whole";
     case Wholeness::growing: return "growing";
     case Wholeness::crashed: return "crashed";
+    case Wholeness::damaged: return "damaged";
   }
   return "?";
 }
@@ -18,12 +19,6 @@ const char* toString(FileState state) {
     case FileState::replaced: return "replaced";
   }
   return "?";
-}
-
-std::string healthWord(Wholeness wholeness, std::uint64_t gaps) {
-  if (wholeness == Wholeness::crashed) return "damaged";
-  if (gaps > 0) return "gaps";
-  return wholeness == Wholeness::growing ? "growing" : "good";
 }
 
 }  // namespace fyd::session

@@ -34,7 +34,7 @@ struct CatalogueEntry {
   std::uint64_t gaps = 0;  ///< samples lost
   std::uint64_t events = 0;
   Wholeness wholeness = Wholeness::whole;
-  std::string health;                 ///< one word, see healthWord
+  std::string health;                 ///< one word, see healthOf
   std::uint64_t bytes = 0;            ///< of the file
   std::int64_t file_modified_ns = 0;  ///< since 1970; with `bytes` it tells whether the file changed
   FileState file_state = FileState::present;
@@ -61,8 +61,5 @@ struct SessionFilter {
 
 [[nodiscard]] const char* toString(Wholeness wholeness);
 [[nodiscard]] const char* toString(FileState state);
-
-/// good, gaps (samples lost), growing, or damaged (left by a crash, to be recovered).
-[[nodiscard]] std::string healthWord(Wholeness wholeness, std::uint64_t gaps);
 
 }  // namespace fyd::session

@@ -42,6 +42,13 @@ Result<ExportSelection> selectRows(const Recording& recording, const ExportOptio
   if (!end) return tl::unexpected(end.error());
   selection.end = std::isinf(options.to_s) ? recording.info().committed_samples : *end;
   selection.first = std::min(*first, selection.end);
+  const RecordingInfo& info = recording.info();
+  if (info.unproven_rows > 0 && selection.end == info.committed_samples) {
+    return fail(
+        "{}: an export would end before the recording does; `fyd session recover` makes what can be proven "
+        "whole first, or export up to an earlier second than {:.3f}",
+        info.damage, info.duration_s);
+  }
   return selection;
 }
 

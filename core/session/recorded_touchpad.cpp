@@ -1,5 +1,7 @@
 #include "core/session/recorded_touchpad.h"
 
+#include "core/session/recording_format.h"
+
 namespace fyd::session {
 namespace {
 
@@ -40,11 +42,15 @@ Result<void> RecordedTouchpad::read(std::uint64_t row) {
 Result<device::TouchpadReadings> RecordedTouchpad::exchange(const control::MotorCommand& /*command*/, Instant now) {
   const RecordingInfo& info = recording_->info();
   const Duration shift = start_->at(now) - info.header.started;
+  const auto take = [&](Table table, const auto& recorded, auto& reading) {
+    if ((next_.missing & bitOf(table)) != 0) return;  // lost of the recording: nothing new came
+    reading = recorded;
+    move(reading, shift);
+  };
   while (next_row_ < info.committed_samples && next_.inputs.now + shift <= now) {
-    readings_ = {.ir = next_.inputs.ir, .bridge = next_.inputs.bridge, .motors = next_.inputs.motors};
-    move(readings_.ir, shift);
-    move(readings_.bridge, shift);
-    move(readings_.motors, shift);
+    take(Table::ir, next_.inputs.ir, readings_.ir);
+    take(Table::bridge, next_.inputs.bridge, readings_.bridge);
+    take(Table::motor_feedback, next_.inputs.motors, readings_.motors);
     if (next_row_ + 1 == info.committed_samples) {
       ++next_row_;
     } else if (auto row = read(next_row_ + 1); !row) {

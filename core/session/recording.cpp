@@ -9,8 +9,10 @@
 #include "core/session/recording_salvage.h"
 #include "core/session/recording_source.h"
 #include "core/session/recording_span.h"
+#include "core/session/recording_steps.h"
 #include "core/session/recording_tables.h"
 #include "core/session/recording_telemetry_row.h"
+#include "core/session/recording_wholeness.h"
 
 namespace fyd::session {
 namespace {
@@ -39,9 +41,10 @@ class Hdf5Recording final : public Recording {
  public:
   Hdf5Recording(std::string path, bool damaged_header)
       : path_(std::move(path)), source_(std::make_unique<RecordingSource>(path_)) {
-    info_.header = damaged_header ? readDamagedHeader(source_->file()) : readHeader(source_->file());
+    info_.header = damaged_header ? salvageHeader(source_->file()) : readHeader(source_->file());
+    missing_.emplace(info_.header.missing);
     indices_.emplace(info_.header);
-    tables_.emplace(source_->file());
+    tables_.emplace(source_->file(), source_->growing());
     look();
   }
   ~Hdf5Recording() override {
@@ -82,34 +85,17 @@ class Hdf5Recording final : public Recording {
 
   Result<StepRecord> step(std::uint64_t row) const override {
     return reading([&] {
-      StepRecord record;
-      const auto at = tables_->row<StepRow>(Table::steps, row);
-      pipeline::Inputs& in = record.inputs;
-      in.now = instantOf(at.now_ns);
-      in.missed_cycles = at.missed_cycles;
-      take<FingerRow>(Table::finger, at.finger_row, in.finger);
-      take<IrRow>(Table::ir, at.ir_row, in.ir);
-      take<BridgeRow>(Table::bridge, at.bridge_row, in.bridge);
-      take<MotorFeedbackRow>(Table::motor_feedback, at.motor_feedback_row, in.motors);
-      take<RobotStateRow>(Table::robot_state, at.robot_state_row, in.robot.state);
-      take<MotorReferenceRow>(Table::motor_reference, at.motor_reference_row, in.robot.motor_reference);
-      takeAll<AccelerationRow>(Table::accelerations, at.accelerations_row, at.accelerations, in.robot.accelerations);
-      takeAll<CommandRow>(Table::commands, at.commands_row, at.commands, in.commands);
-      takeAll<RobotCommandRow>(Table::robot_commands, at.robot_commands_row, at.robot_commands, in.robot.commands);
-      takeAll<ChangeRow>(Table::changes, at.changes_row, at.changes, in.changes);
-      if (at.phase > static_cast<std::uint8_t>(pipeline::LinkPhase::lost)) failHard("row {}: phase {}", row, at.phase);
-      in.robot.phase = static_cast<pipeline::LinkPhase>(at.phase);
-      take<MotorRow>(Table::motors, row, record.motors);
-      const auto sample = sampleOf(tables_->row<TelemetryRow>(Table::telemetry, row));
-      if (!sample) throw RecordingFailure(sample.error().message);
-      record.telemetry = *sample;
-      for (std::uint64_t i = 0; i < at.events; ++i) {
-        EventRow event;
-        take<EventTableRow>(Table::events, at.events_row + i, event);
-        if (!record.events.push(event.event)) failHard("row {}: {} events", row, at.events);
+      StepRecord record = readStep(*tables_, *missing_, row);
+      for (pipeline::ParameterChange& change : record.inputs.changes.view()) {
+        indices_->translate(change.index, change.value);
       }
+      for (pipeline::Event& event : record.events.view()) translate(event);
       return record;
     });
+  }
+
+  [[nodiscard]] Result<StepRecord> damagedStep(std::uint64_t row, KnownDamage& known) const {
+    return reading([&] { return readDamagedStep(*tables_, *missing_, row, known); });
   }
 
   Result<std::uint64_t> rowAt(double time_s) const override {
@@ -165,21 +151,27 @@ class Hdf5Recording final : public Recording {
     });
   }
 
-  Result<std::vector<EventRow>> events() const override { return all<EventTableRow, EventRow>(Table::events); }
-  Result<std::vector<LinkRow>> linkRows() const override { return all<LinkTableRow, LinkRow>(Table::link); }
-
-  Result<std::vector<Note>> notes() const override {
-    return reading([&] {
-      std::vector<Note> notes;
-      for (std::uint64_t i = 0; i < tables_->rows(Table::notes); ++i) {
-        const auto row = tables_->row<NoteRow>(Table::notes, i);
-        if (row.kind > static_cast<std::uint8_t>(NoteKind::alarm)) failHard("note {}: kind {}", i, row.kind);
-        notes.push_back({instantOf(row.when_ns), static_cast<NoteKind>(row.kind),
-                         tables_->bytes(Table::note_text, row.text_start, row.text_bytes)});
-      }
-      return notes;
+  Result<std::vector<EventRow>> events() const override {
+    return all<EventRow>(Table::events, [&](std::uint64_t i) {
+      auto row = value<EventTableRow, EventRow>(Table::events, i);
+      translate(row.event);
+      return row;
     });
   }
+  Result<std::vector<LinkRow>> linkRows() const override {
+    return all<LinkRow>(Table::link, [&](std::uint64_t i) { return value<LinkTableRow, LinkRow>(Table::link, i); });
+  }
+  Result<std::vector<Note>> notes() const override {
+    return all<Note>(Table::notes, [&](std::uint64_t i) { return noteOf(i); });
+  }
+
+  [[nodiscard]] Result<Note> note(std::uint64_t index) const {
+    return reading([&] { return noteOf(index); });
+  }
+  [[nodiscard]] Result<LinkRow> linkRow(std::uint64_t index) const {
+    return reading([&] { return value<LinkTableRow, LinkRow>(Table::link, index); });
+  }
+  [[nodiscard]] TableRows rowsOf(Table table) const { return {tables_->rows(table), tables_->present(table)}; }
 
  private:
   /// Runs `work`, which reads. When it fails because the recorder died in the middle of a write, once more: what is
@@ -205,23 +197,22 @@ class Hdf5Recording final : public Recording {
   /// With the journal of a recorder that is gone. What was open stays so when this fails.
   void openAnew() const {
     auto source = source_->again();
-    tables_ = RecordingTables(source->file());
+    tables_ = RecordingTables(source->file(), source->growing());
     source_ = std::move(source);
   }
 
+  /// Of an event that names a parameter, as this program counts them.
+  void translate(pipeline::Event& event) const {
+    if (event.kind == pipeline::EventKind::parameter_changed || event.kind == pipeline::EventKind::parameter_refused) {
+      indices_->translate(event.index, event.value);
+    }
+  }
+
   void look() {
-    const CommitRow& last = tables_->last();
     commits_ = tables_->commits();
-    info_.committed_samples = tables_->rows(Table::telemetry);
-    info_.samples = tables_->present(Table::telemetry);
-    info_.frames = tables_->rows(Table::pictures);
-    info_.events = tables_->rows(Table::events);
-    info_.gaps = std::max(last.jumped, last.lost);  // what the ring lost shows as a jump once a step follows
+    judge(*source_, *tables_, info_);
     info_.duration_s =
-        info_.committed_samples == 0 ? 0.0 : secondsFrom(nanoseconds(info_.header.started), last.latest_ns);
-    info_.wholeness = last.closed != 0           ? Wholeness::whole
-                      : source_->recorderLives() ? Wholeness::growing
-                                                 : Wholeness::crashed;
+        info_.committed_samples == 0 ? 0.0 : secondsFrom(nanoseconds(info_.header.started), tables_->last().latest_ns);
     info_.bytes = source_->bytes();
   }
 
@@ -258,28 +249,24 @@ class Hdf5Recording final : public Recording {
   }
 
   template <class Row, class Value>
-  void take(Table table, std::uint64_t index, Value& value) const {
+  [[nodiscard]] Value value(Table table, std::uint64_t index) const {
+    Value value;
     expect(valueOf(tables_->row<Row>(table, index), value));
-    if constexpr (std::is_same_v<Value, pipeline::ParameterChange>) indices_->translate(value.index, value.value);
-    if constexpr (std::is_same_v<Value, EventRow>) {
-      const bool names_parameter = value.event.kind == pipeline::EventKind::parameter_changed ||
-                                   value.event.kind == pipeline::EventKind::parameter_refused;
-      if (names_parameter) indices_->translate(value.event.index, value.event.value);
-    }
+    return value;
   }
 
-  template <class Row, class Items>
-  void takeAll(Table table, std::uint64_t first, std::uint64_t count, Items& items) const {
-    if (count > Items::capacity()) failHard("{}: {} in one step", layoutOf(table).path, count);
-    for (std::uint64_t i = 0; i < count; ++i) take<Row>(table, first + i, items.items[i]);
-    items.count = static_cast<std::uint32_t>(count);
+  [[nodiscard]] Note noteOf(std::uint64_t index) const {
+    const auto row = tables_->row<NoteRow>(Table::notes, index);
+    if (row.kind > static_cast<std::uint8_t>(NoteKind::alarm)) failHard("note {}: kind {}", index, row.kind);
+    return {instantOf(row.when_ns), static_cast<NoteKind>(row.kind),
+            tables_->bytes(Table::note_text, row.text_start, row.text_bytes)};
   }
 
-  template <class Row, class Value>
-  Result<std::vector<Value>> all(Table table) const {
+  template <class Value, class Read>
+  Result<std::vector<Value>> all(Table table, Read&& read) const {
     return reading([&] {
       std::vector<Value> values(tables_->rows(table));
-      for (std::uint64_t i = 0; i < values.size(); ++i) take<Row>(table, i, values[i]);
+      for (std::uint64_t i = 0; i < values.size(); ++i) values[i] = read(i);
       return values;
     });
   }
@@ -315,8 +302,9 @@ class Hdf5Recording final : public Recording {
   RecordingInfo info_;
   std::uint64_t commits_ = 0;  // that info_ tells of
   mutable std::unique_ptr<RecordingSource> source_;
-  mutable std::optional<RecordingTables> tables_;
+  std::optional<MissingParts> missing_;
   std::optional<RecordedIndices> indices_;
+  mutable std::optional<RecordingTables> tables_;
 };
 
 }  // namespace
@@ -331,10 +319,21 @@ Result<std::unique_ptr<Recording>> openDamaged(const std::string& path) {
   return guarded(path, [&]() -> std::unique_ptr<Recording> { return std::make_unique<Hdf5Recording>(path, true); });
 }
 
+// What `openDamaged` gave is of this kind.
+Result<StepRecord> damagedStep(const Recording& recording, std::uint64_t row, KnownDamage& known) {
+  return dynamic_cast<const Hdf5Recording&>(recording).damagedStep(row, known);
+}
+Result<Note> note(const Recording& recording, std::uint64_t index) {
+  return dynamic_cast<const Hdf5Recording&>(recording).note(index);
+}
+Result<LinkRow> linkRow(const Recording& recording, std::uint64_t index) {
+  return dynamic_cast<const Hdf5Recording&>(recording).linkRow(index);
+}
 Result<EncodedPicture> encodedPicture(const Recording& recording, std::uint64_t index) {
-  const auto* stored = dynamic_cast<const Hdf5Recording*>(&recording);
-  if (stored == nullptr) return fail("picture {}: not in a file", index);
-  return stored->encoded(index);
+  return dynamic_cast<const Hdf5Recording&>(recording).encoded(index);
+}
+TableRows rowsOf(const Recording& recording, Table table) {
+  return dynamic_cast<const Hdf5Recording&>(recording).rowsOf(table);
 }
 
 }  // namespace fyd::session

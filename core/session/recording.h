@@ -18,7 +18,8 @@ namespace fyd::session {
 enum class Wholeness : std::uint8_t {
   whole,    ///< closed as it should be
   growing,  ///< another process is recording it
-  crashed   ///< its recorder is gone; `recover` makes it whole
+  crashed,  ///< its recorder is gone; `recover` makes it whole
+  damaged   ///< what was promised of it cannot all be proven; `recover` keeps what can
 };
 
 struct RecordingInfo {
@@ -30,7 +31,9 @@ struct RecordingInfo {
   std::uint64_t frames = 0;
   std::uint64_t gaps = 0;  ///< samples lost, not missed cycles
   std::uint64_t events = 0;
-  std::uint64_t bytes = 0;  ///< of the file
+  std::uint64_t bytes = 0;          ///< of the file
+  std::string damage;               ///< wholeness damaged: what is
+  std::uint64_t unproven_rows = 0;  ///< of all tables, at their ends, which no sound commit proves: they are not read
 };
 
 /// Smallest and largest of one telemetry field over a stretch of rows; NaN both when it holds no number.

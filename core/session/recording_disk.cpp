@@ -97,7 +97,7 @@ void JournaledFile::readJournal() {
     size_ = std::max(size_, piece.at + piece.bytes);
     rest = rest.subspan(piece.bytes);
   }
-  replayed_ = waiting_.size();
+  found_journal_ = true;
 }
 
 int JournaledFile::read(std::uint64_t at, std::span<std::byte> out) const {
@@ -170,6 +170,14 @@ int JournaledFile::persist() {
   if (const int error = calls_->sync(file_); error != 0) return error;
   for (const Write& write : waiting_)
     if (const int error = calls_->write(file_, write.bytes, write.at); error != 0) return error;
+  waiting_.clear();
+  committed_end_ = size_;
+  return 0;
+}
+
+int JournaledFile::applyJournal() {
+  for (const Write& write : waiting_)
+    if (const int error = calls_->write(file_, write.bytes, write.at); error != 0) return error_ = error;
   waiting_.clear();
   committed_end_ = size_;
   return 0;

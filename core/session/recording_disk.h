@@ -6,7 +6,9 @@
 //                                   sync → journal with its CRC32C, at the file's start → sync → the places themselves
 //
 // The places themselves are synced by the next commit, before its journal replaces this one. So either the journal is
-// whole, and applying it (again) gives the newest commit, or it is torn, and the file is the commit before.
+// whole, and applying it (again) gives the newest commit, or it is torn, and the file is the commit before. A journal
+// that is sound may be all there is of a commit: it is applied before anything else is written, and it stays until
+// then.
 #pragma once
 
 #include <sys/types.h>
@@ -46,6 +48,9 @@ class JournaledFile {
   void reach(std::uint64_t bytes);
   /// @return an errno, from the first thing the disk refused on; nothing is committed from then on
   [[nodiscard]] int commit();
+  /// What a gone recorder's journal holds goes to its places; the journal itself stays as it is until the next commit
+  /// has synced them. @return an errno
+  [[nodiscard]] int applyJournal();
   /// For a file that is finished: nothing is left to apply.
   [[nodiscard]] int dropJournal();
   /// From now on nothing reaches the disk any more: HDF5 can put its things away.
@@ -53,8 +58,8 @@ class JournaledFile {
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
   [[nodiscard]] std::size_t largestJournal() const { return largest_journal_; }
-  /// Writes that were waiting in the journal when it was opened.
-  [[nodiscard]] std::size_t replayed() const { return replayed_; }
+  /// A sound journal was there when it was opened: other programs do not see what it holds.
+  [[nodiscard]] bool foundJournal() const { return found_journal_; }
 
  private:
   struct Write {
@@ -73,7 +78,7 @@ class JournaledFile {
   std::uint64_t committed_end_ = 0;
   std::uint64_t sequence_ = 0;
   std::size_t largest_journal_ = 0;
-  std::size_t replayed_ = 0;
+  bool found_journal_ = false;
   bool abandoned_ = false;
   int error_ = 0;  // the first
 };

@@ -49,6 +49,7 @@ enum class Table : std::uint8_t {
   overview_64000
 };
 inline constexpr std::size_t kTableCount = 24;
+inline constexpr std::uint64_t kNoRow = ~std::uint64_t{0};  ///< in StepRow: what stood there is lost
 inline constexpr std::array<std::uint32_t, 5> kOverviewRows{25, kBlockSteps, 1'000, 4'000, 64'000};
 
 struct StepRow {
@@ -250,5 +251,13 @@ static_assert(sizeof(CommitRow) == 5 * 8 + kTableCount * 12 + 8, "no unnamed gap
 inline constexpr std::array<Table, kOverviewRows.size()> kOverviewTables{
     Table::overview_25, Table::overview_250, Table::overview_1000, Table::overview_4000, Table::overview_64000};
 [[nodiscard]] constexpr std::size_t indexOf(Table table) { return static_cast<std::size_t>(table); }
+/// As in StepRecord::missing.
+[[nodiscard]] constexpr std::uint32_t bitOf(Table table) { return std::uint32_t{1} << indexOf(table); }
+[[nodiscard]] constexpr std::uint32_t bitsOf(Table first, Table last) {
+  return (bitOf(last) - bitOf(first)) | bitOf(last);
+}
+inline constexpr std::uint32_t kInputsOfStep = bitsOf(Table::finger, Table::changes);
+/// What a step can be without; without its telemetry it is gone.
+inline constexpr std::uint32_t kPartsOfStep = bitsOf(Table::steps, Table::events);
 
 }  // namespace fyd::session

@@ -1,5 +1,7 @@
 #include "core/session/recording_header.h"
 
+#include <sstream>
+
 #include "core/session/recording_crc.h"
 #include "core/session/recording_format.h"
 #include "core/session/recording_hdf5.h"
@@ -43,6 +45,31 @@ std::vector<std::string> parted(const std::string& text) {
   return tags;
 }
 
+constexpr const char* kMissingPath = "/header/missing";  // only where something is missing
+
+/// A line for each: table, first, count, why.
+std::string linesOf(const std::vector<MissingRows>& missing) {
+  std::string text;
+  for (const MissingRows& rows : missing) {
+    text += fmt::format("{} {} {} ", rows.table, rows.first, rows.count);
+    for (const char c : rows.why) text += c == '\n' ? ' ' : c;
+    text += '\n';
+  }
+  return text;
+}
+
+std::vector<MissingRows> missingOf(const std::string& text) {
+  std::vector<MissingRows> missing;
+  for (const std::string& line : parted(text)) {
+    MissingRows rows;
+    std::istringstream words(line);
+    if (!(words >> rows.table >> rows.first >> rows.count)) failHard("{}: \"{}\"", kMissingPath, line);
+    std::getline(words >> std::ws, rows.why);
+    missing.push_back(rows);
+  }
+  return missing;
+}
+
 std::int64_t checksum(const RecordingHeader& header) {
   std::string all = fmt::format("{};{};", kFormatVersion, header.started.time_since_epoch().count());
   const auto add = [&](const char* path, const std::string& text) {
@@ -52,6 +79,7 @@ std::int64_t checksum(const RecordingHeader& header) {
   add("/header/tags", joined(header.tags));
   add("/header/step_state", header.step_state);
   if (header.arithmetic != kUnnamedArithmetic) all += fmt::format("arithmetic:{};", header.arithmetic);
+  if (!header.missing.empty()) add(kMissingPath, linesOf(header.missing));
   return crc32c(std::as_bytes(std::span(all)));
 }
 
@@ -78,6 +106,7 @@ void writeHeader(hid_t file, const RecordingHeader& header) {
   writeText(file, "/header/tags", joined(header.tags));
   writeBytes(file, "/header/step_state", header.step_state);
   writeNumber(file, "arithmetic", header.arithmetic);
+  if (!header.missing.empty()) writeText(file, kMissingPath, linesOf(header.missing));
   writeNumber(file, "header_crc32c", checksum(header));
 }
 
@@ -89,13 +118,19 @@ RecordingHeader readHeader(hid_t file) {
   header.tags = parted(readText(file, "/header/tags"));
   header.step_state = readBytes(file, "/header/step_state");
   header.arithmetic = readArithmetic(file);
+  if (H5Lexists(file, kMissingPath, H5P_DEFAULT) > 0) header.missing = missingOf(readText(file, kMissingPath));
   if (readNumber(file, "header_crc32c") != checksum(header)) failHard("its header is damaged: the checksum differs");
   return header;
 }
 
-RecordingHeader readDamagedHeader(hid_t file) {
+RecordingHeader salvageHeader(hid_t file) {
   checkVersion(file);
   RecordingHeader header;
+  try {
+    return readHeader(file);
+  } catch (const RecordingFailure& failure) {
+    header.missing = {{.table = kHeaderTable, .count = 1, .why = failure.what()}};
+  }
   const auto attempt = [](auto&& read) {
     try {
       read();

@@ -6,14 +6,11 @@
 
 namespace fyd::session {
 
-Result<void> finishRecording(const std::string& path) {
+Result<void> finishRecording(const std::string& path, std::shared_ptr<DiskCalls> calls) {
   return guarded(path, [&] {
-    RecordingStorage storage(path);
-    {
-      CommitRow row = RecordingTables(storage.file()).last();
+    RecordingStorage storage(LeftBehind{path}, std::move(calls));
+    if (CommitRow row = RecordingTables(storage.file(), false).last(); row.closed == 0) {
       Hdf5Table commits = Hdf5Table::open(storage.file(), commitLayout());
-      if (commits.rows() != row.number + 1)
-        failHard("/commits: its last {} rows are torn", commits.rows() - row.number - 1);
       ++row.number;
       row.crc = {};  // no new rows
       row.closed = 1;

@@ -38,6 +38,10 @@ class RecordingSource {
   [[nodiscard]] hid_t file() const { return file_.id(); }
   void close() { file_.reset(); }
   [[nodiscard]] bool recorderLives() const;
+  /// A recorder lived when it was opened.
+  [[nodiscard]] bool growing() const { return growing_; }
+  /// What a gone recorder's journal holds is seen here, but not by other programs: it has yet to be applied.
+  [[nodiscard]] bool journalWaits() const { return disk_->foundJournal(); }
   [[nodiscard]] std::uint64_t bytes() const;
   /// Its recorder lived when it was opened and is gone now: what it left in the journal has not been seen.
   [[nodiscard]] bool outlivedRecorder() const { return growing_ && !recorderLives(); }

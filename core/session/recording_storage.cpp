@@ -44,14 +44,14 @@ RecordingStorage::RecordingStorage(const std::string& partial, std::shared_ptr<D
   take(H5Fcreate(partial.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()));
 }
 
-RecordingStorage::RecordingStorage(const std::string& left_behind)
-    : descriptor_(opened(left_behind, 0)),
-      disk_(std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, true)) {
-  expectDone(disk_->commit());  // what the journal holds goes to its places first
+RecordingStorage::RecordingStorage(const LeftBehind& left_behind, std::shared_ptr<DiskCalls> calls)
+    : descriptor_(opened(left_behind.path, 0)),
+      disk_(std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, true, std::move(calls))) {
+  expectDone(disk_->applyJournal());
   const Handle access = accessThrough(disk_, true);
   const hbool_t clear = true;  // the gone recorder's mark, as HDF5's own tool h5clear does it
   check(H5Pset(access.id(), "clear_status_flags", &clear), "the file");
-  take(H5Fopen(left_behind.c_str(), H5F_ACC_RDWR, access.id()));
+  take(H5Fopen(left_behind.path.c_str(), H5F_ACC_RDWR, access.id()));
 }
 
 RecordingStorage::~RecordingStorage() {

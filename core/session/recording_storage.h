@@ -23,12 +23,16 @@ class Descriptor {
   int number_;
 };
 
+struct LeftBehind {
+  std::string path;
+};
+
 class RecordingStorage {
  public:
   /// Makes FILE.partial, which must not exist. @throws RecordingFailure, as all of these do
   RecordingStorage(const std::string& partial, std::shared_ptr<DiskCalls> calls);
-  /// Opens a file a gone recorder left, to mend it.
-  explicit RecordingStorage(const std::string& left_behind);
+  /// Opens a file a gone recorder left, to mend it, and applies its journal.
+  RecordingStorage(const LeftBehind& left_behind, std::shared_ptr<DiskCalls> calls);
   RecordingStorage(const RecordingStorage&) = delete;
   RecordingStorage& operator=(const RecordingStorage&) = delete;
   /// Without `close`: leaves the file as the last commit made it.

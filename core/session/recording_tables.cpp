@@ -1,6 +1,7 @@
 #include "core/session/recording_tables.h"
 
 #include "core/session/recording_crc.h"
+#include "core/session/recording_mend.h"
 
 namespace fyd::session {
 namespace {
@@ -21,19 +22,51 @@ std::uint64_t commitsPerBlock(Table table) {
   }
 }
 
-bool intact(const CommitRow& row, std::uint64_t number) {
-  return row.number == number &&
-         row.own_crc == crc32c(std::as_bytes(std::span(&row, 1)).first(offsetof(CommitRow, own_crc)));
-}
-
 std::uint64_t keyOf(std::size_t table, std::uint64_t first_commit) { return first_commit * (kTableCount + 1) + table; }
 
 }  // namespace
 
-RecordingTables::RecordingTables(hid_t file) {
+RecordingTables::RecordingTables(hid_t file, bool growing) : growing_(growing) {
   for (std::size_t i = 0; i < kTableCount; ++i) tables_[i] = Hdf5Table::open(file, layoutOf(static_cast<Table>(i)));
   commit_table_ = Hdf5Table::open(file, commitLayout());
-  if (!findLast()) failHard("no commit in it can be trusted: nothing was ever completely written");
+  if (growing_ && findLast()) return;
+  if (commit_table_.rows() == 0 || growing_)
+    failHard("no commit in it can be trusted: nothing was ever completely written");
+  lookAtCommits();
+}
+
+void RecordingTables::lookAtCommits() {
+  commit_count_ = commit_table_.rows();
+  std::array<std::uint64_t, kTableCount> in_file{};
+  for (std::size_t i = 0; i < kTableCount; ++i) in_file[i] = tables_[i].rows();
+  CommitMender mender([this](Table table, std::uint64_t first, std::uint64_t count, std::span<std::byte> out) {
+    tables_[indexOf(table)].read(first, count, out);
+  });
+  last_.latest_ns = std::numeric_limits<std::int64_t>::min();
+  const auto sound = [&](std::uint64_t number) -> std::optional<CommitRow> {
+    auto row = soundCommit(number);
+    for (std::size_t i = 0; row && i < kTableCount; ++i)
+      if (row->rows[i] < last_.rows[i] || row->rows[i] > in_file[i]) row.reset();
+    return row;
+  };
+  for (std::uint64_t number = 0; number < commit_count_;) {
+    if (const auto row = sound(number)) {
+      last_ = *row;
+      ++number;
+      continue;
+    }
+    std::uint64_t next = number + 1;
+    std::optional<CommitRow> next_sound;
+    while (next < commit_count_ && !(next_sound = sound(next))) ++next;
+    const auto most = next_sound ? next_sound->rows : in_file;
+    for (; number < next; ++number) {
+      last_ = mender.mended(storedCommit(number), number, last_, most);
+      damaged_.push_back(number);
+      mended_.emplace(number, last_);
+    }
+  }
+  if (damaged_.size() == commit_count_ && last_.rows == decltype(last_.rows){})
+    failHard("no commit in it can be trusted: all {} are damaged", commit_count_);
 }
 
 bool RecordingTables::findLast() {
@@ -56,7 +89,7 @@ bool RecordingTables::findLast() {
 }
 
 bool RecordingTables::refresh() {
-  if (last_.closed != 0) return false;
+  if (!growing_ || last_.closed != 0) return false;
   commit_table_.refresh();
   if (commit_table_.rows() == commit_count_) return false;
   for (Hdf5Table& table : tables_) table.refresh();
@@ -65,10 +98,16 @@ bool RecordingTables::refresh() {
   return commit_count_ != before;
 }
 
-std::optional<CommitRow> RecordingTables::soundCommit(std::uint64_t number) const {
+CommitRow RecordingTables::storedCommit(std::uint64_t number) const {
   const auto block = commitBlock(number);
   CommitRow row;
   std::memcpy(&row, block->bytes.data() + (number - block->first) * sizeof row, sizeof row);
+  return row;
+}
+
+std::optional<CommitRow> RecordingTables::soundCommit(std::uint64_t number) const {
+  if (const auto mended = mended_.find(number); mended != mended_.end()) return mended->second;
+  const CommitRow row = storedCommit(number);
   if (!intact(row, number)) return std::nullopt;
   return row;
 }
@@ -91,9 +130,26 @@ std::shared_ptr<const RecordingBlock> RecordingTables::commitBlock(std::uint64_t
   block->first = first;
   block->count = std::min(kCommitsPerRead, commit_count_ - first);
   block->bytes.resize(block->count * sizeof(CommitRow));
-  commit_table_.read(first, block->count, block->bytes);
+  try {
+    commit_table_.read(first, block->count, block->bytes);
+  } catch (const RecordingFailure&) {
+    if (growing_) throw;
+    readEachCommit(*block);
+  }
   remember(key, block);
   return block;
+}
+
+/// Those that cannot be read are left as zeros, which is no sound row.
+void RecordingTables::readEachCommit(RecordingBlock& block) const {
+  std::fill(block.bytes.begin(), block.bytes.end(), std::byte{0});
+  for (std::uint64_t i = 0; i < block.count; ++i) {
+    try {
+      commit_table_.read(block.first + i, 1, std::span(block.bytes).subspan(i * sizeof(CommitRow), sizeof(CommitRow)));
+    } catch (const RecordingFailure&) {
+      continue;
+    }
+  }
 }
 
 std::uint64_t RecordingTables::commitOf(Table table, std::uint64_t row) const {

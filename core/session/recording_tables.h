@@ -1,5 +1,8 @@
 // The committed rows of a recording, block by block: found through the commits, checked against their CRC32C when
 // first read, kept in a cache of bounded size. Failures are RecordingFailure; the caller holds the HDF5 lock.
+//
+// Where nobody records, every commit row is looked at once: damaged ones are replaced, in memory, by what can be proven
+// of them (recording_mend.h), so that one bad row hides nothing behind it.
 #pragma once
 
 #include <cstring>
@@ -24,7 +27,8 @@ struct RecordingBlock {
 
 class RecordingTables {
  public:
-  explicit RecordingTables(hid_t file);
+  /// @param growing a recorder lives: what it has not committed yet is no damage
+  RecordingTables(hid_t file, bool growing);
 
   /// Takes in what was committed since. @return whether there was news
   bool refresh();
@@ -35,8 +39,9 @@ class RecordingTables {
   [[nodiscard]] std::uint64_t rows(Table table) const { return last_.rows[indexOf(table)]; }
   /// Rows in the file, committed or not.
   [[nodiscard]] std::uint64_t present(Table table) const { return tables_[indexOf(table)].rows(); }
-  /// @throws when the row is damaged
   [[nodiscard]] CommitRow commit(std::uint64_t number) const;
+  /// Numbers of the commit rows that are damaged, rising; none while it grows.
+  [[nodiscard]] const std::vector<std::uint64_t>& damagedCommits() const { return damaged_; }
   /// The first commit at which the table has more than `row` rows.
   [[nodiscard]] std::uint64_t commitOf(Table table, std::uint64_t row) const;
 
@@ -61,15 +66,21 @@ class RecordingTables {
 
   const RecordingBlock& blockAt(Table table, std::uint64_t row) const;
   std::shared_ptr<const RecordingBlock> load(Table table, std::uint64_t first_commit, std::uint64_t end_commit) const;
+  CommitRow storedCommit(std::uint64_t number) const;
   std::optional<CommitRow> soundCommit(std::uint64_t number) const;
+  void readEachCommit(RecordingBlock& block) const;
   std::shared_ptr<const RecordingBlock> commitBlock(std::uint64_t number) const;
   void remember(Key key, std::shared_ptr<const RecordingBlock> block) const;
   bool findLast();
+  void lookAtCommits();
 
   std::array<Hdf5Table, kTableCount> tables_;
   Hdf5Table commit_table_;
   std::uint64_t commit_count_ = 0;
   CommitRow last_;
+  bool growing_;
+  std::vector<std::uint64_t> damaged_;
+  std::unordered_map<std::uint64_t, CommitRow> mended_;
 
   mutable std::list<Cached> newest_first_;
   mutable std::unordered_map<Key, std::list<Cached>::iterator> cache_;

@@ -14,6 +14,17 @@
 
 namespace fyd::session {
 
+/// What `recover` could not read of the original, and did not invent.
+struct MissingRows {
+  std::string table;        ///< its path; "/header": the header's texts, of which any may be wrong
+  std::uint64_t first = 0;  ///< row of /telemetry; of notes, link and pictures: row of the table itself
+  /// Of /telemetry, notes, link and pictures: rows that are gone just before `first`. Of other tables: steps from
+  /// `first` on that are there, but without what the table held for them.
+  std::uint64_t count = 0;
+  std::string why;
+  bool operator==(const MissingRows&) const = default;
+};
+
 /// What is known when a recording starts.
 struct RecordingHeader {
   std::string id;           ///< random, unique in the world: 32 hexadecimal digits
@@ -30,6 +41,7 @@ struct RecordingHeader {
   std::string surface;                     ///< TOML of the stored surface; empty: none
   std::string step_state;                  ///< Pipeline::saveState before the first row
   std::string version;                     ///< of the program that records
+  std::vector<MissingRows> missing;        ///< of a recovered recording only
   int arithmetic = pipeline::kArithmetic;  ///< of the step that was recorded
 };
 

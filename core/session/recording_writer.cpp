@@ -156,12 +156,17 @@ class Hdf5RecordingWriter final : public RecordingWriter {
 
   /// @return the row that holds the value, a new one only when any bit of it changed
   template <class Row>
-  std::uint64_t follow(Table table, const Row& row, LastRow<Row>& last) {
+  std::uint64_t follow(Table table, std::uint32_t lost, const Row& row, LastRow<Row>& last) {
+    if ((lost & bitOf(table)) != 0) return kNoRow;
     if (!last || std::memcmp(&*last, &row, sizeof row) != 0) {
       put(table, row);
       last = row;
     }
     return rowsOf(table) - 1;
+  }
+
+  [[nodiscard]] std::uint64_t nextRow(Table table, std::uint32_t lost) const {
+    return (lost & bitOf(table)) != 0 ? kNoRow : rowsOf(table);
   }
 
   template <class Items>
@@ -180,17 +185,18 @@ class Hdf5RecordingWriter final : public RecordingWriter {
     StepRow row;
     row.now_ns = nanoseconds(in.now);
     row.missed_cycles = in.missed_cycles;
-    row.finger_row = follow(Table::finger, rowOf(in.finger), finger_);
-    row.ir_row = follow(Table::ir, rowOf(in.ir), ir_);
-    row.bridge_row = follow(Table::bridge, rowOf(in.bridge), bridge_);
-    row.motor_feedback_row = follow(Table::motor_feedback, rowOf(in.motors), motor_feedback_);
-    row.robot_state_row = follow(Table::robot_state, rowOf(in.robot.state), robot_state_);
-    row.motor_reference_row = follow(Table::motor_reference, rowOf(in.robot.motor_reference), motor_reference_);
-    row.accelerations_row = rowsOf(Table::accelerations);
-    row.commands_row = rowsOf(Table::commands);
-    row.robot_commands_row = rowsOf(Table::robot_commands);
-    row.changes_row = rowsOf(Table::changes);
-    row.events_row = rowsOf(Table::events);
+    const std::uint32_t lost = record.missing;
+    row.finger_row = follow(Table::finger, lost, rowOf(in.finger), finger_);
+    row.ir_row = follow(Table::ir, lost, rowOf(in.ir), ir_);
+    row.bridge_row = follow(Table::bridge, lost, rowOf(in.bridge), bridge_);
+    row.motor_feedback_row = follow(Table::motor_feedback, lost, rowOf(in.motors), motor_feedback_);
+    row.robot_state_row = follow(Table::robot_state, lost, rowOf(in.robot.state), robot_state_);
+    row.motor_reference_row = follow(Table::motor_reference, lost, rowOf(in.robot.motor_reference), motor_reference_);
+    row.accelerations_row = nextRow(Table::accelerations, lost);
+    row.commands_row = nextRow(Table::commands, lost);
+    row.robot_commands_row = nextRow(Table::robot_commands, lost);
+    row.changes_row = nextRow(Table::changes, lost);
+    row.events_row = nextRow(Table::events, lost);
     row.accelerations = putAll(Table::accelerations, in.robot.accelerations);
     row.commands = putAll(Table::commands, in.commands);
     row.robot_commands = putAll(Table::robot_commands, in.robot.commands);

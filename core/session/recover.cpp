@@ -3,15 +3,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/session/recording_copy.h"
 #include "core/session/recording_place.h"
 #include "core/session/recording_repair.h"
-#include "core/session/recording_salvage.h"
 #include "core/session/recording_source.h"
-#include "core/session/recording_writer.h"
 #include "core/session/verify.h"
 
 namespace fyd::session {
 namespace {
+
+constexpr const char* kCopyEnding = ".recovered";
+constexpr const char* kKeptEnding = ".damaged";
 
 bool exists(const std::string& path) {
   struct stat status {};
@@ -39,8 +41,8 @@ Result<void> giveName(const std::string& found, const std::string& target) {
 }
 
 /// Shares of the time. Copying takes twenty times as long as checking; but most often there is nothing to copy.
-constexpr double kChecked = 0.3;
-constexpr double kStepsCopied = 0.75;
+constexpr double kChecked = 0.25;
+constexpr double kLooked = 0.35;
 
 /// A file made here goes again unless it was finished.
 struct Unfinished {
@@ -53,63 +55,75 @@ struct Unfinished {
   }
 };
 
-/// What of the recording's other lists can be read goes along; they are too few to be counted one by one.
-Result<void> copyLists(const Recording& from, RecordingWriter& to, const Progress& progress) {
-  if (const auto notes = from.notes(); notes)
-    for (const Note& note : *notes) (void)to.append(note);  // a refusing disk refuses the next step too
-  if (const auto links = from.linkRows(); links)
-    for (const LinkRow& link : *links) (void)to.append(link);
-  const std::uint64_t pictures = from.info().frames;
-  for (std::uint64_t i = 0; i < pictures; ++i) {
-    if (auto told = tellProgress(progress, static_cast<double>(i) / static_cast<double>(pictures)); !told) return told;
-    const auto picture = encodedPicture(from, i);
-    if (!picture) continue;
-    (void)to.append(*picture);
-    if (i % 100 == 99) (void)to.commit();
-  }
-  return {};
+/// A copy that an earlier recovery of the same recording was killed over.
+void dropLeftCopy(const std::string& copy, const std::string& id) {
+  const std::string left = partialOf(copy);
+  const auto recorded = guarded(left, [&] { return exists(left) && isBeingRecorded(left); });
+  if (!recorded || *recorded) return;
+  const auto recording = openDamaged(left);
+  const bool ours = recording && !id.empty() && (*recording)->info().header.id == id;
+  if (ours) ::unlink(left.c_str());
 }
 
-Result<void> copySteps(const Recording& from, RecordingWriter& to, const Progress& progress, RecoverOutcome& outcome) {
-  const std::uint64_t rows = from.info().committed_samples;
-  for (std::uint64_t row = 0; row < rows; ++row) {
-    const double done = static_cast<double>(row) / static_cast<double>(rows);
-    if (auto told = row % kBlockSteps == 0 ? tellProgress(progress, done) : Result<void>(); !told) return told;
-    const auto record = from.step(row);
-    if (!record) {
-      ++outcome.lost_steps;
-      if (outcome.first_damage.empty()) outcome.first_damage = record.error().message;
-      continue;
-    }
-    if (auto put = to.append(*record); !put) return put;
-    ++outcome.steps;
-  }
-  return {};
+/// Copies twice: first without a file, for the header that says what is missing is written before the rows.
+Result<CopyOutcome> copyTo(const std::string& copy, const std::string& found, const Recording& from,
+                           Unfinished& unfinished, const Progress& progress) {
+  auto looked = copyReadable(found, from, nullptr, partOf(progress, kChecked, kLooked));
+  if (!looked) return looked;
+  RecordingHeader header = from.info().header;
+  header.missing = looked->missing;
+  if (looked->first_lost) header.step_state.clear();
+  auto writer = RecordingWriter::create(copy, header);
+  if (!writer) return tl::unexpected(writer.error());
+  unfinished.file = partialOf(copy);
+  auto copied = copyReadable(found, from, writer->get(), partOf(progress, kLooked, 1.0));
+  if (!copied) return copied;
+  if (*copied != *looked) return fail("{}: reads differently each time; copy it to another disk first", found);
+  if (auto told = tellProgress(progress, 1.0); !told) return tl::unexpected(told.error());
+  if (auto closed = (*writer)->close(); !closed) return tl::unexpected(closed.error());
+  unfinished.file = copy;
+  return copied;
 }
 
 Result<RecoverOutcome> copyWhatIsLeft(const Recording& from, const std::string& found, const std::string& target,
                                       const Progress& progress) {
-  RecoverOutcome outcome;
   Unfinished unfinished;
-  const auto copy = freeName(target + ".recovered");
+  dropLeftCopy(target + kCopyEnding, from.info().header.id);
+  const auto copy = freeName(target + kCopyEnding);
   if (!copy) return tl::unexpected(copy.error());
-  auto writer = RecordingWriter::create(*copy, from.info().header);
-  if (!writer) return tl::unexpected(writer.error());
-  unfinished.file = partialOf(*copy);
-  auto done = copySteps(from, **writer, partOf(progress, kChecked, kStepsCopied), outcome);
-  if (done) done = copyLists(from, **writer, partOf(progress, kStepsCopied, 1.0));
-  if (done) done = tellProgress(progress, 1.0);
-  if (done) done = (*writer)->close();
-  if (!done) return tl::unexpected(done.error());
-  unfinished.file = *copy;
-  const auto kept = freeName(target + ".damaged");
+  auto copied = copyTo(*copy, found, from, unfinished, progress);
+  if (!copied) return tl::unexpected(copied.error());
+  const auto kept = freeName(target + kKeptEnding);
   if (!kept) return tl::unexpected(kept.error());
   if (auto named = giveName(found, *kept); !named) return tl::unexpected(named.error());
   unfinished.file.clear();  // from here on it is all there is under this name
   if (auto named = giveName(*copy, target); !named) return tl::unexpected(named.error());
-  outcome.result = RecoverResult::part_lost;
-  outcome.file = target;
-  outcome.kept = *kept;
+  const bool all = copied->lost_steps == 0 && copied->missing.empty();
+  return RecoverOutcome{.result = all ? RecoverResult::whole : RecoverResult::part_lost,
+                        .file = target,
+                        .kept = *kept,
+                        .steps = copied->steps,
+                        .lost_steps = copied->lost_steps,
+                        .missing = std::move(copied->missing),
+                        .first_damage = {}};
+}
+
+/// An earlier recovery was killed between its two renamings: the copy is whole, but not yet under its name.
+Result<RecoverOutcome> nameLeftCopy(const std::string& target) {
+  const std::string copy = target + kCopyEnding;
+  if (!exists(copy) || !exists(target + kKeptEnding)) return fail("{}: there is no such file", target);
+  RecoverOutcome outcome{.result = RecoverResult::whole, .file = target, .kept = target + kKeptEnding};
+  {
+    const auto recording = Recording::open(copy);
+    if (!recording) return tl::unexpected(recording.error());
+    const RecordingInfo& info = (*recording)->info();
+    if (info.wholeness != Wholeness::whole) return fail("{}: there is no such file", target);
+    outcome.steps = info.committed_samples;
+    outcome.lost_steps = info.gaps;
+    outcome.missing = info.header.missing;
+  }
+  if (outcome.lost_steps > 0 || !outcome.missing.empty()) outcome.result = RecoverResult::part_lost;
+  if (auto named = giveName(copy, target); !named) return tl::unexpected(named.error());
   return outcome;
 }
 
@@ -123,8 +137,8 @@ RecoverOutcome nothing(const Error& why) {
 
 Result<RecoverOutcome> recover(const std::string& path, const Progress& progress) {
   const std::string found = existingName(path);
-  if (!exists(found)) return fail("{}: there is no such file", path);
   const std::string target = targetOf(found);
+  if (!exists(found)) return nameLeftCopy(target);
   if (target != found && exists(target)) return fail("{}: exists; move one of the two away first", target);
   const auto recorded = guarded(found, [&] { return isBeingRecorded(found); });
   if (!recorded) return tl::unexpected(recorded.error());

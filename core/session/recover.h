@@ -1,15 +1,18 @@
 // Makes a recording whole whose recorder was killed or lost its power; never deletes anything.
 //
 // Nothing damaged    the file itself is finished and gets its name: FILE.partial becomes FILE
-// Blocks damaged     every step that can be read goes into a new FILE; the old one is kept beside it as FILE.damaged
+// Something damaged  every step whose telemetry can be read goes into a new FILE, which says what is missing; the old
+//                    one is kept beside it as FILE.damaged
 // Nothing readable   the file is left as it is
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/session/progress.h"
+#include "core/session/recording_types.h"
 
 namespace fyd::session {
 
@@ -21,11 +24,13 @@ struct RecoverOutcome {
   std::string file;  ///< whole now; empty: nothing
   std::string kept;  ///< the damaged original, when there is one
   std::uint64_t steps = 0;
-  std::uint64_t lost_steps = 0;  ///< committed once and not readable any more
+  std::uint64_t lost_steps = 0;      ///< not readable any more, or proven by nothing
+  std::vector<MissingRows> missing;  ///< of `file`: what else is not there, and these steps
   std::string first_damage;
 };
 
-/// A step is kept with all its inputs or not at all; missing ones show as a gap.
+/// Steps that are gone show as a gap. Of a step that is kept, what cannot be read is named as missing and never
+/// replaced by a guess; a replay of it is never called identical.
 /// @param path FILE or FILE.partial
 /// @return an error when it is missing, is being recorded at this moment, the disk refuses, or `progress` ended it; the
 /// file is then as it was, and there is none beside it

@@ -5,6 +5,8 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/session/recorded_profile.h"
+#include "core/session/recording_format.h"
+#include "core/session/recording_health.h"
 #include "core/session/replay_plant.h"
 #include "core/session/step_compare.h"
 
@@ -89,6 +91,8 @@ class Run {
       const double elapsed_s = row == 0 ? 0.0 : std::clamp(toSeconds(record->inputs.now - before), 0.0, 0.02);
       before = record->inputs.now;
       last_step_ = record->telemetry.step;
+      if (record->missing != 0) hold(*record);
+      before_ = record->inputs;
       step(*record, row == 0, elapsed_s, out);
       out.duration_s = secondsInto(recording_.info(), record->inputs.now);
     }
@@ -105,13 +109,28 @@ class Run {
     for (const pipeline::ParameterChange& change : inputs_.changes) mark(change, out);
     if (plant_) plant_->answer(inputs_, pipeline_.parameters());
     const pipeline::Outputs& outputs = pipeline_.step(inputs_);
-    if (plant_) plant_->follow(record.motors, outputs.motors, elapsed_s);
     ++out.samples;
     recorded_error_.add(record.telemetry);
     replayed_error_.add(outputs.telemetry);
-    if (!sameStep(record.telemetry, record.motors, outputs.telemetry, outputs.motors)) note(record, outputs, out);
+    const bool motors_lost = (record.missing & bitOf(Table::motors)) != 0;
+    const control::MotorCommand& motors = motors_lost ? outputs.motors : record.motors;
+    if (plant_) plant_->follow(motors, outputs.motors, elapsed_s);
+    if (!sameStep(record.telemetry, motors, outputs.telemetry, outputs.motors)) note(record, motors, outputs, out);
     state_ = outputs.telemetry.state;
     if (observer_) observer_(outputs.telemetry, record.telemetry);
+  }
+
+  /// What is lost of the step: nothing new came, and the commands are those that come out.
+  void hold(StepRecord& record) const {
+    const auto lost = [&](Table table) { return (record.missing & bitOf(table)) != 0; };
+    pipeline::Inputs& in = record.inputs;
+    if (lost(Table::steps)) in.missed_cycles = before_.missed_cycles;
+    if (lost(Table::finger)) in.finger = before_.finger;
+    if (lost(Table::ir)) in.ir = before_.ir;
+    if (lost(Table::bridge)) in.bridge = before_.bridge;
+    if (lost(Table::motor_feedback)) in.motors = before_.motors;
+    if (lost(Table::robot_state)) in.robot.state = before_.robot.state;
+    if (lost(Table::motor_reference)) in.robot.motor_reference = before_.robot.motor_reference;
   }
 
   /// What was refused when it was recorded is refused again, whatever the ranges are today.
@@ -153,11 +172,12 @@ class Run {
     }
   }
 
-  void note(const StepRecord& record, const pipeline::Outputs& outputs, ReplayResult& out) const {
-    const auto difference = compareSteps(record.telemetry, record.motors, outputs.telemetry, outputs.motors);
+  void note(const StepRecord& record, const control::MotorCommand& motors, const pipeline::Outputs& outputs,
+            ReplayResult& out) const {
+    const auto difference = compareSteps(record.telemetry, motors, outputs.telemetry, outputs.motors);
     if (!difference) return;
     if (out.tolerance &&
-        !withinTolerance(*out.tolerance, record.telemetry, record.motors, outputs.telemetry, outputs.motors)) {
+        !withinTolerance(*out.tolerance, record.telemetry, motors, outputs.telemetry, outputs.motors)) {
       ++out.beyond_tolerance;
     }
     if (out.different++ == 0) {
@@ -178,6 +198,7 @@ class Run {
   const ReplayObserver& observer_;
   std::optional<ReplayPlant> plant_;
   pipeline::Inputs inputs_;
+  pipeline::Inputs before_;  // as recorded, of the step before
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
   std::uint64_t last_step_ = 0;
   StiffnessError recorded_error_;
@@ -199,8 +220,9 @@ Result<ReplayResult> replay(const Recording& recording, const ReplayOptions& opt
   ReplayResult out{.what_if = !options.settings.empty(),
                    .closed_loop = options.closed_loop,
                    .from_rest = wanted->from_rest,
-                   .of = info.committed_samples,
+                   .of = info.wholeness == Wholeness::damaged ? info.samples : info.committed_samples,
                    .gaps = info.gaps,
+                   .why_not_exact = whyNoExactReplay(info),
                    .arithmetic_recorded = info.header.arithmetic,
                    .tolerance = pipeline::arithmeticTolerance(info.header.arithmetic)};
   pipeline::Parameters checked = wanted->parameters;
@@ -227,7 +249,7 @@ Result<ReplayResult> replay(const Recording& recording, const ReplayOptions& opt
   const Instant start = Clock::now();
   if (auto ran = run.all(out); !ran) return tl::unexpected(ran.error());
   out.speed_x = out.duration_s / std::max(1e-9, toSeconds(Clock::now() - start));
-  out.identical = out.different == 0 && out.samples == out.of;
+  out.identical = out.different == 0 && out.samples == out.of && out.why_not_exact.empty();
   return out;
 }
 

@@ -4,6 +4,7 @@
 //   open loop    the recorded inputs go in as they are: the step's own filters, laws and texture change, the cloth
 //   under
 //                the finger does not answer
+//   lost inputs  what `recover` could not read of a step is taken as "nothing new came"; no such replay is identical
 //   closed loop  motors and load cell answer to the new commands: both the recorded and the new commands drive a
 //                simulated motor, and the difference of the two goes into the recorded encoder counts; the force
 //                follows the cloth's stiffness at the new stretch, as identified from the recording. The finger presses
@@ -33,6 +34,7 @@ struct ReplayResult {
   std::uint64_t samples = 0;    ///< steps run
   std::uint64_t of = 0;         ///< steps recorded
   std::uint64_t gaps = 0;       ///< steps the recording lost; the replay ends at the first gap
+  std::string why_not_exact;    ///< what of the recording is lost, so that it cannot be proven; empty: nothing
   std::uint64_t different = 0;  ///< steps
   int arithmetic_recorded = pipeline::kArithmetic;
   /// Set when the recording was made with an older arithmetic, whose bits cannot come out again; see step_compare.h.

@@ -7,6 +7,8 @@
 namespace fyd::session {
 
 struct StepRecord {
+  /// Tables (bit indexOf(Table)) whose rows for this step are lost; the members they fill are as if nothing had come.
+  std::uint32_t missing = 0;
   pipeline::Inputs inputs;
   control::MotorCommand motors;
   pipeline::TelemetrySample telemetry;

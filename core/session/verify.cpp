@@ -1,20 +1,20 @@
 #include "core/session/verify.h"
 
 #include "core/session/recording_header.h"
+#include "core/session/recording_health.h"
 #include "core/session/recording_source.h"
 #include "core/session/recording_tables.h"
+#include "core/session/recording_wholeness.h"
 
 namespace fyd::session {
 namespace {
 
 struct Opened {
   RecordingSource source;
+  RecordingHeader header;  // read first: it throws when the file is no recording
   RecordingTables tables;
-  explicit Opened(const std::string& path) : source(path), tables(headed(source.file())) {}
-  static hid_t headed(hid_t file) {
-    (void)readHeader(file);  // throws when it is damaged
-    return file;
-  }
+  explicit Opened(const std::string& path)
+      : source(path), header(readHeader(source.file())), tables(source.file(), source.growing()) {}
 };
 
 /// However the reading ends.
@@ -57,10 +57,13 @@ Result<Verification> verify(const std::string& path, const Progress& progress) {
   if (!opened) return tl::unexpected(opened.error());
   const RecordingTables& tables = (*opened)->tables;
   Verification result;
+  RecordingInfo judged{.header = (*opened)->header};
+  judge((*opened)->source, tables, judged);
+  result.wholeness = judged.wholeness;
   result.commits = tables.commits();
-  result.wholeness = tables.last().closed != 0           ? Wholeness::whole
-                     : (*opened)->source.recorderLives() ? Wholeness::growing
-                                                         : Wholeness::crashed;
+  result.damaged_commits = tables.damagedCommits().size();
+  result.unproven_rows = judged.unproven_rows;
+  result.first_damage = judged.damage;
   const double all = bytesOf(tables);
   double before = 0.0;  // of the tables done
   for (std::size_t i = 0; i < kTableCount; ++i) {
@@ -78,6 +81,11 @@ Result<Verification> verify(const std::string& path, const Progress& progress) {
   }
   // When its recorder was killed meanwhile, half of a write may look like damage: the journal has it whole.
   if (result.damaged > 0 && (*opened)->source.outlivedRecorder()) return verify(path, progress);
+  if (!result.intact() && result.wholeness != Wholeness::growing) {
+    judged.wholeness = result.wholeness = Wholeness::damaged;
+    judged.damage = result.first_damage;
+  }
+  result.health = healthOf(judged);
   return result;
 }
 

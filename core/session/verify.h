@@ -1,4 +1,4 @@
-// Reads a whole recording and checks every block against the CRC32C it was committed with.
+// Reads a whole recording: judges its commits, and checks every block against the CRC32C it was committed with.
 #pragma once
 
 #include <cstdint>
@@ -6,19 +6,23 @@
 
 #include "core/base/error.h"
 #include "core/session/progress.h"
-#include "core/session/recording.h"
+#include "core/session/recording_health.h"
 
 namespace fyd::session {
 
 struct Verification {
   Wholeness wholeness = Wholeness::whole;
   std::uint64_t commits = 0;
-  std::uint64_t blocks = 0;  ///< checked: one table's rows over one or some commits
-  std::uint64_t bytes = 0;   ///< of rows
-  std::uint64_t damaged = 0;
-  std::string first_damage;  ///< which table and rows, both checksums; empty when nothing is damaged
+  std::uint64_t damaged_commits = 0;
+  std::uint64_t unproven_rows = 0;  ///< of all tables, at their ends, which no sound commit proves
+  std::uint64_t blocks = 0;         ///< checked: one table's rows over one or some commits
+  std::uint64_t bytes = 0;          ///< of rows
+  std::uint64_t damaged = 0;        ///< blocks
+  /// Which commits and rows, or which table and rows and both checksums; empty when nothing is damaged.
+  std::string first_damage;
+  Health health;  ///< as of `info`, with what was found here
 
-  [[nodiscard]] bool intact() const { return damaged == 0; }
+  [[nodiscard]] bool intact() const { return damaged == 0 && damaged_commits == 0 && unproven_rows == 0; }
 };
 
 /// @return an error when the file cannot be opened as a recording at all, or `progress` ended it

@@ -17,12 +17,16 @@
 #include "core/session/recording_writer_on_disk.h"
 #include "core/session/recover.h"
 #include "core/session/verify.h"
+#include "remembering_disk.h"
+#include "tests/unit/session/recording_damage.h"
 #include "tests/unit/session/recording_samples.h"
 
 namespace fyd::session {
 namespace {
 
 using namespace samples;
+
+constexpr std::size_t kSector_bytes = 512;
 
 std::size_t countFrom(const char* variable, std::size_t otherwise) {
   const char* text = std::getenv(variable);
@@ -238,58 +242,6 @@ TEST(CrashRecording, AReaderThatWasThereHasTheJournalOfARecorderKilledInTheMiddl
   EXPECT_GT(checked_to_the_end, 0U);
 }
 
-/// Keeps what was asked of the disk, in order.
-class RememberingDisk final : public DiskCalls {
- public:
-  struct Call {
-    bool sync = false;
-    std::uint64_t at = 0;
-    std::vector<std::byte> bytes;  // empty: resize to `at`
-  };
-  int write(int file, std::span<const std::byte> bytes, std::uint64_t at) override {
-    calls.push_back({false, at, {bytes.begin(), bytes.end()}});
-    return DiskCalls::write(file, bytes, at);
-  }
-  int sync(int) override {
-    calls.push_back({true, 0, {}});
-    return 0;
-  }
-  int resize(int file, std::uint64_t bytes) override {
-    calls.push_back({false, bytes, {}});
-    return DiskCalls::resize(file, bytes);
-  }
-  std::vector<Call> calls;
-};
-
-/// The disk after power went at call `end`: what was synced, and any mixture of sectors of what was not.
-std::vector<std::byte> diskAfterCut(const std::vector<RememberingDisk::Call>& calls, std::size_t end,
-                                    std::mt19937& random) {
-  std::size_t synced = 0;
-  for (std::size_t i = 0; i < end; ++i)
-    if (calls[i].sync) synced = i;
-  std::vector<std::byte> disk;
-  std::bernoulli_distribution keep(std::array{0.0, 0.1, 0.5, 0.9, 1.0}[random() % 5]);
-  const bool whole_calls = random() % 2 == 0;  // else sector by sector
-  for (std::size_t i = 0; i < end; ++i) {
-    const auto& call = calls[i];
-    if (call.sync) continue;
-    if (whole_calls && i >= synced && random() % 2 == 0) continue;
-    if (call.bytes.empty()) {
-      if (i < synced || keep(random)) disk.resize(std::max<std::size_t>(disk.size(), call.at));
-      continue;
-    }
-    for (std::size_t from = 0; from < call.bytes.size();) {
-      const std::size_t length = std::min(call.bytes.size() - from, 512 - (call.at + from) % 512);
-      if (i < synced || whole_calls || keep(random)) {
-        disk.resize(std::max(disk.size(), call.at + from + length));
-        std::memcpy(disk.data() + call.at + from, call.bytes.data() + from, length);
-      }
-      from += length;
-    }
-  }
-  return disk;
-}
-
 TEST(CrashRecording, APowerCutLosesNothingAcknowledged) {
   const Folder folder;
   const auto disk = std::make_shared<RememberingDisk>();
@@ -321,7 +273,7 @@ TEST(CrashRecording, APowerCutLosesNothingAcknowledged) {
       if (a.calls <= end) rows = std::max(rows, a.rows);
     const std::string after = folder.file("after.h5");
     {
-      const auto bytes = diskAfterCut(disk->calls, end, random);
+      const auto bytes = diskAfterCut(disk->calls, end, kSector_bytes, random);
       std::ofstream(partialOf(after), std::ios::binary)
           .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     }
@@ -330,6 +282,7 @@ TEST(CrashRecording, APowerCutLosesNothingAcknowledged) {
     ASSERT_TRUE(recovered) << recovered.error().message;
     EXPECT_EQ(recovered->result, RecoverResult::whole) << recovered->first_damage;
     EXPECT_EQ(expectCrashedAndWhole(after, rows), found);
+    EXPECT_TRUE(othersOpen(after));
     std::filesystem::remove(after);
     ASSERT_FALSE(HasFailure()) << "cut " << i << " after call " << end << " of " << disk->calls.size();
   }
@@ -341,7 +294,7 @@ TEST(CrashRecording, APowerCutWhileItBeginsNeverCrashesTheReader) {
   ASSERT_TRUE(createRecording(folder.file(), header(), disk));
   std::mt19937 random(6);
   for (std::size_t end = 0; end < disk->calls.size(); end += 1 + disk->calls.size() / 25) {
-    const auto bytes = diskAfterCut(disk->calls, end, random);
+    const auto bytes = diskAfterCut(disk->calls, end, kSector_bytes, random);
     const std::string after = folder.file("b.h5");
     std::ofstream(after, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/session/recording_disk.h"
+#include "core/session/recording_format.h"
 
 namespace fyd::session::samples {
 
@@ -42,6 +43,34 @@ inline void damageChunk(const std::string& file, const char* table, hsize_t numb
   std::string bytes = contentOf(file);
   bytes[at + size / 2] = static_cast<char>(bytes[at + size / 2] ^ 0x10);
   write(file, bytes);
+}
+
+/// Where a commit's row begins in the file. @param file closed as it should be
+inline std::size_t commitAt(const std::string& file, std::uint64_t number) {
+  constexpr std::size_t kRowsInChunk = 4096 / sizeof(CommitRow);
+  return chunkOf(file, "/commits", number / kRowsInChunk).first + number % kRowsInChunk * sizeof(CommitRow);
+}
+
+/// Turns one bit of the file.
+inline void turnBit(const std::string& file, std::size_t byte, unsigned bit) {
+  std::fstream disk(file, std::ios::binary | std::ios::in | std::ios::out);
+  char c = 0;
+  disk.seekg(static_cast<std::streamoff>(byte)).get(c);
+  disk.seekp(static_cast<std::streamoff>(byte)).put(static_cast<char>(c ^ (1 << bit)));
+}
+
+/// Overwrites bytes of the file with zeros, as a disk gives a lost sector.
+inline void loseBytes(const std::string& file, std::size_t first, std::size_t count) {
+  std::fstream disk(file, std::ios::binary | std::ios::in | std::ios::out);
+  disk.seekp(static_cast<std::streamoff>(first));
+  disk.write(std::string(count, '\0').data(), static_cast<std::streamsize>(count));
+}
+
+/// Whether HDF5's own programs open it: neither too damaged nor marked as being written.
+inline bool othersOpen(const std::string& file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  return id >= 0 && H5Fclose(id) >= 0;
 }
 
 }  // namespace fyd::session::samples

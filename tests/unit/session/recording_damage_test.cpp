@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/recording_disk.h"
+#include "core/session/recording_health.h"
 #include "core/session/recording_place.h"
 #include "core/session/recover.h"
 #include "core/session/verify.h"
@@ -116,26 +117,32 @@ TEST(RecordingDamage, OneBadBlockCostsItselfAndRecoverSavesTheRest) {
   const Folder folder;
   record(folder.file("good.h5"), 5000);
   const std::string good = contentOf(folder.file("good.h5"));
-  for (const char* table : {"/telemetry", "/inputs/steps", "/inputs/bridge", "/commits"}) {
+  for (const auto& [table, block, lost] :
+       {std::tuple{"/telemetry", 7, 250U}, {"/inputs/steps", 7, 0U}, {"/motors", 3, 0U}, {"/inputs/bridge", 0, 0U}}) {
     write(folder.file(), good);
-    const bool many = std::string_view(table) == "/telemetry" || std::string_view(table) == "/inputs/steps";
-    damageChunk(folder.file(), table, many ? 7 : 0);
+    damageChunk(folder.file(), table, static_cast<hsize_t>(block));
     const std::string bad = contentOf(folder.file());
     const auto checked = verify(folder.file());
     ASSERT_TRUE(checked);
     EXPECT_FALSE(checked->intact()) << table;
-    EXPECT_FALSE(checked->first_damage.empty());
+    EXPECT_EQ(checked->wholeness, Wholeness::damaged) << table;
+    EXPECT_NE(checked->health.reason.find(table), std::string::npos) << checked->health.reason;
     const auto outcome = recover(folder.file());
     ASSERT_TRUE(outcome) << outcome.error().message;
     EXPECT_EQ(outcome->result, RecoverResult::part_lost) << table;
     EXPECT_EQ(outcome->steps + outcome->lost_steps, 5000U) << table;
-    EXPECT_GT(outcome->lost_steps, 0U) << table;
-    EXPECT_LE(outcome->lost_steps, 750U) << table;  // of values that hold for more than a block, some more
+    EXPECT_EQ(outcome->lost_steps, lost) << table;
+    ASSERT_EQ(outcome->missing.size(), 1U) << table;
+    EXPECT_EQ(outcome->missing[0].table, table);
+    EXPECT_LE(outcome->missing[0].count, 750U) << table;  // of values that hold for more than a block, some more
+    EXPECT_NE(outcome->missing[0].why.find("damaged"), std::string::npos) << outcome->missing[0].why;
     EXPECT_TRUE(contentOf(outcome->kept) == bad);
     const auto saved = Recording::open(folder.file());
     ASSERT_TRUE(saved) << saved.error().message;
     EXPECT_EQ((*saved)->info().committed_samples, outcome->steps);
-    EXPECT_EQ((*saved)->info().gaps, outcome->lost_steps) << table;
+    EXPECT_EQ((*saved)->info().gaps, lost) << table;
+    EXPECT_EQ((*saved)->info().header.missing, outcome->missing) << table;
+    EXPECT_EQ(healthOf((*saved)->info()).word, "gaps") << table;
     const auto again = verify(folder.file());
     ASSERT_TRUE(again);
     EXPECT_TRUE(again->intact());

@@ -1,0 +1,72 @@
+#include "core/session/recording_health.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/session/recording_format.h"
+#include "core/session/recording_header.h"
+
+namespace fyd::session {
+namespace {
+
+constexpr std::size_t kMostLacksTold = 5;  // one line of words; `info --json` lists all
+
+/// What a replay needs of a step, or compares with.
+constexpr auto kReplayed = std::to_array(
+    {Table::steps, Table::motors, Table::finger, Table::ir, Table::bridge, Table::motor_feedback, Table::robot_state,
+     Table::motor_reference, Table::accelerations, Table::commands, Table::robot_commands, Table::changes});
+
+/// Tables whose lost rows leave nothing behind: those of the others are steps that are there.
+constexpr auto kLists = std::to_array({Table::telemetry, Table::notes, Table::link, Table::pictures});
+
+template <class Tables>
+bool isOneOf(const Tables& tables, const std::string& path) {
+  return std::ranges::any_of(tables, [&](Table table) { return path == layoutOf(table).path; });
+}
+
+std::string lacksOf(const RecordingInfo& info) {
+  std::vector<std::string> lacks;
+  if (info.gaps > 0) lacks.push_back(fmt::format("{} steps were lost", info.gaps));
+  for (const MissingRows& missing : info.header.missing) lacks.push_back(wordsOf(missing));
+  if (lacks.size() > kMostLacksTold) {
+    lacks[kMostLacksTold] = fmt::format("and {} more", lacks.size() - kMostLacksTold);
+    lacks.resize(kMostLacksTold + 1);
+  }
+  return fmt::format("{}", fmt::join(lacks, "; "));
+}
+
+}  // namespace
+
+Health healthOf(const RecordingInfo& info) {
+  switch (info.wholeness) {
+    case Wholeness::crashed: return {"damaged", "its recorder is gone; make it whole with: fyd session recover"};
+    case Wholeness::damaged:
+      return {"damaged", info.damage + "; make what can be proven whole with: fyd session recover"};
+    case Wholeness::whole:
+    case Wholeness::growing: break;
+  }
+  if (const std::string lacks = lacksOf(info); !lacks.empty()) return {"gaps", lacks};
+  if (info.wholeness == Wholeness::whole) return {"good", ""};
+  return {"growing", info.samples == info.committed_samples
+                         ? ""
+                         : fmt::format("{} steps are not committed yet", info.samples - info.committed_samples)};
+}
+
+std::string wordsOf(const MissingRows& missing) {
+  if (missing.table == kHeaderTable) return "any text of the header may be wrong: " + missing.why;
+  if (isOneOf(kLists, missing.table))
+    return fmt::format("{} rows of {} are gone before step row {} ({})", missing.count, missing.table, missing.first,
+                       missing.why);
+  return fmt::format("{} is lost for {} steps from row {} on ({})", missing.table, missing.count, missing.first,
+                     missing.why);
+}
+
+std::string whyNoExactReplay(const RecordingInfo& info) {
+  if (info.wholeness == Wholeness::damaged && info.unproven_rows > 0) return info.damage;
+  for (const MissingRows& missing : info.header.missing)
+    if (missing.table == kHeaderTable || isOneOf(kReplayed, missing.table)) return wordsOf(missing);
+  return {};
+}
+
+}  // namespace fyd::session

@@ -1,0 +1,40 @@
+// Commit rows whose own checksum is wrong: what of them can be proven all the same.
+//
+//   one bit was turned        turning it back, and no other bit, makes the row's own CRC32C right: all of it is known
+//   more is wrong with it     what it says of one table is taken when the table's rows have the CRC32C it names; of
+//                             the other tables those rows are lost
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "core/session/recording_format.h"
+
+namespace fyd::session {
+
+/// Whether the row is commit `number`, as it was written.
+[[nodiscard]] bool intact(const CommitRow& row, std::uint64_t number);
+
+/// @throws RecordingFailure
+using ReadRows = std::function<void(Table table, std::uint64_t first, std::uint64_t count, std::span<std::byte> out)>;
+
+class CommitMender {
+ public:
+  explicit CommitMender(ReadRows read) : read_(std::move(read)) {}
+
+  /// @param found the row as it stands in the file, not intact. @param before the commit before, sound or mended
+  /// @param most rows of each table it can have reached
+  /// @return its number; row counts from those of `before` to `most`. A block it cannot prove is either left out or
+  ///         has a checksum that its rows do not have
+  [[nodiscard]] CommitRow mended(const CommitRow& found, std::uint64_t number, const CommitRow& before,
+                                 const std::array<std::uint64_t, kTableCount>& most);
+
+ private:
+  [[nodiscard]] bool proven(Table table, std::uint64_t first, std::uint64_t end, std::uint32_t crc,
+                            std::vector<std::byte>& rows);
+
+  ReadRows read_;
+  std::uint64_t budget_bytes_ = 256U << 20U;  // opening a hostile file must end: what would be more is not proven
+};
+
+}  // namespace fyd::session

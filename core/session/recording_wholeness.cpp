@@ -1,0 +1,58 @@
+#include "core/session/recording_wholeness.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace fyd::session {
+namespace {
+
+/// Rows in the file behind those of the last commit, of which nothing is known.
+std::vector<std::string> unprovenRows(const RecordingTables& tables, std::uint64_t& sum) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < kTableCount; ++i) {
+    const auto table = static_cast<Table>(i);
+    const std::uint64_t present = tables.present(table);
+    const std::uint64_t proven = tables.rows(table);
+    if (present <= proven) continue;
+    sum += present - proven;
+    words.push_back(fmt::format("{} {}", present - proven, layoutOf(table).path));
+  }
+  return words;
+}
+
+std::string damageOf(const RecordingTables& tables, std::uint64_t& unproven_rows) {
+  std::string words;
+  if (const auto& damaged = tables.damagedCommits(); !damaged.empty())
+    words = fmt::format("/commits: {} of {} rows are damaged, the first: row {}", damaged.size(), tables.commits(),
+                        damaged.front());
+  if (const auto rows = unprovenRows(tables, unproven_rows); !rows.empty())
+    words += fmt::format("{}rows at its end that no sound commit proves: {}", words.empty() ? "" : "; ",
+                         fmt::join(rows, ", "));
+  return words;
+}
+
+}  // namespace
+
+void judge(const RecordingSource& source, const RecordingTables& tables, RecordingInfo& info) {
+  const CommitRow& last = tables.last();
+  info.committed_samples = tables.rows(Table::telemetry);
+  info.samples = tables.present(Table::telemetry);
+  info.frames = tables.rows(Table::pictures);
+  info.events = tables.rows(Table::events);
+  info.gaps = std::max(last.jumped, last.lost);  // what the ring lost shows as a jump once a step follows
+  info.unproven_rows = 0;
+  info.damage.clear();
+  if (source.growing()) {
+    info.wholeness = last.closed != 0         ? Wholeness::whole
+                     : source.recorderLives() ? Wholeness::growing
+                                              : Wholeness::crashed;
+    return;
+  }
+  info.damage = damageOf(tables, info.unproven_rows);
+  info.wholeness = !info.damage.empty()                        ? Wholeness::damaged
+                   : last.closed == 0 || source.journalWaits() ? Wholeness::crashed
+                                                               : Wholeness::whole;
+}
+
+}  // namespace fyd::session
