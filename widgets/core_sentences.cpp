@@ -299,6 +299,13 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "%1; %2 is whole up to here. Make room or choose another disk"),
     QT_TRANSLATE_NOOP("Core", "%1: is being recorded at this moment"),
     QT_TRANSLATE_NOOP("Core", "%1: exists; move one of the two away first"),
+    QT_TRANSLATE_NOOP("Core", "%1: reads differently each time; copy it to another disk first"),
+    QT_TRANSLATE_NOOP("Core", "/commits: %1 of %2 rows are damaged, the first: row %3"),
+    QT_TRANSLATE_NOOP("Core", "%1 is lost for %2 steps from row %3 on (%4)"),
+    QT_TRANSLATE_NOOP("Core", "any text of the header may be wrong: %1"),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1: an export would end before the recording does; `fyd session recover` makes what can be "
+                      "proven whole first, or export up to an earlier second than %2"),
     QT_TRANSLATE_NOOP("Core", "the recording holds no step"),
     QT_TRANSLATE_NOOP("Core", "the recording holds no picture"),
     QT_TRANSLATE_NOOP("Core", "%1: a report ends in .html or .pdf"),

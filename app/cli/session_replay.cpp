@@ -1,6 +1,7 @@
 // fyd session replay FILE: through the step again, as it was or with other parameters.
 #include "app/cli/session_cli.h"
 #include "app/cli/telemetry_csv.h"
+#include "core/session/catalogue_types.h"
 #include "core/session/replay.h"
 
 namespace fyd::cli {
@@ -12,8 +13,9 @@ struct SessionReplayOptions {
   std::string telemetry;
 };
 
-nlohmann::ordered_json toJson(const session::ReplayResult& result) {
+nlohmann::ordered_json toJson(const session::ReplayResult& result, const session::RecordingInfo& info) {
   nlohmann::ordered_json out;
+  out["wholeness"] = session::toString(info.wholeness);
   out["identical"] = result.identical;
   out["what_if"] = result.what_if;
   out["loop"] = result.closed_loop ? "closed" : "open";
@@ -98,7 +100,7 @@ void addSessionReplay(CLI::App& parent) {
     }
     const auto result = valueOrFail(session::replay(*recording, options->replay, observer));
     if (csv) csv->close();
-    printSession(toJson(result), options->session.json);
+    printSession(toJson(result, recording->info()), options->session.json);
     const bool proves = !result.what_if && !result.closed_loop;
     if (proves && result.different > 0 && result.arithmetic_recorded != pipeline::kArithmetic) {
       sayArithmetic(options->session.file, result);

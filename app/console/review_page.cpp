@@ -23,9 +23,14 @@ QString wholenessWords(const session::RecordingInfo& info) {
     case session::Wholeness::whole: break;
     case session::Wholeness::growing: return ReviewPage::tr("still being recorded");
     case session::Wholeness::crashed: return ReviewPage::tr("recorder crashed");
+    case session::Wholeness::damaged: return ReviewPage::tr("damaged");
   }
-  return info.gaps > 0 ? ReviewPage::tr("%n sample(s) lost", nullptr, static_cast<int>(info.gaps))
-                       : ReviewPage::tr("whole");
+  if (info.gaps > 0) return ReviewPage::tr("%n sample(s) lost", nullptr, static_cast<int>(info.gaps));
+  return info.header.missing.empty() ? ReviewPage::tr("whole") : ReviewPage::tr("parts missing");
+}
+
+bool canBeRecovered(const session::RecordingInfo& info) {
+  return info.wholeness == session::Wholeness::crashed || info.wholeness == session::Wholeness::damaged;
 }
 
 }  // namespace
@@ -108,7 +113,7 @@ void ReviewPage::describe() {
       widgets::durationText(info.duration_s)};
   if (!info.header.subject.empty()) words << tr("subject %1").arg(QString::fromStdString(info.header.subject));
   if (!info.header.operator_name.empty()) words << tr("by %1").arg(QString::fromStdString(info.header.operator_name));
-  recover_->setVisible(info.wholeness == session::Wholeness::crashed);
+  recover_->setVisible(canBeRecovered(info));
   title_->setText(words.join(QStringLiteral(" · ")));
   title_->setToolTip(title_->text());
   overview_->setDuration(info.duration_s);

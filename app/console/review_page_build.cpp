@@ -125,8 +125,9 @@ QWidget* ReviewPage::buildBar() {
   recover_ = new QToolButton(bar);
   recover_->setObjectName(QStringLiteral("recover_button"));
   recover_->setText(tr("Recover"));
-  recover_->setToolTip(tr(
-      "Its recorder crashed; everything it committed is shown. This makes the recording whole. Nothing is deleted."));
+  recover_->setToolTip(
+      tr("Its recorder crashed, or it is damaged; what can be proven is shown. This makes the recording whole. Nothing "
+         "is deleted."));
   recover_->setProperty("role", "warning");
   recover_->hide();
   layout->addWidget(recover_);

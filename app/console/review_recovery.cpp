@@ -12,6 +12,14 @@ using widgets::Severity;
 
 QString nameOf(const std::string& path) { return QFileInfo(QString::fromStdString(path)).fileName(); }
 
+/// Names as in the manual's page on the recording's file, each once.
+QString tablesOf(const std::vector<session::MissingRows>& missing) {
+  QStringList names;
+  for (const session::MissingRows& rows : missing) names << QString::fromStdString(rows.table);
+  names.removeDuplicates();
+  return names.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 ReviewRecovery::ReviewRecovery(widgets::WorkBars* bars, QString catalogue, Tell tell, QObject* parent)
@@ -52,14 +60,26 @@ void ReviewRecovery::finish(const QString& asked, const Result<session::RecoverO
                                    .arg(QFileInfo(asked).fileName(), widgets::coreText(outcome->first_damage)));
       return;
     case session::RecoverResult::whole:
-      tell_(Severity::information, tr("%1 is whole: %2 samples.").arg(nameOf(outcome->file)).arg(outcome->steps));
+      tell_(Severity::information,
+            outcome->kept.empty() ? tr("%1 is whole: %2 samples.").arg(nameOf(outcome->file)).arg(outcome->steps)
+                                  : tr("%1 is whole: %2 samples. Nothing was lost; the damaged original is kept as %3.")
+                                        .arg(nameOf(outcome->file))
+                                        .arg(outcome->steps)
+                                        .arg(nameOf(outcome->kept)));
       break;
     case session::RecoverResult::part_lost:
-      tell_(Severity::warning, tr("%1: %2 samples are saved, %3 could not be read. The damaged original is kept as %4.")
-                                   .arg(nameOf(outcome->file))
-                                   .arg(outcome->steps)
-                                   .arg(outcome->lost_steps)
-                                   .arg(nameOf(outcome->kept)));
+      tell_(Severity::warning,
+            (outcome->lost_steps > 0 ? tr("%1: %2 samples are saved, %3 could not be read. The damaged original is "
+                                          "kept as %4.")
+                                           .arg(nameOf(outcome->file))
+                                           .arg(outcome->steps)
+                                           .arg(outcome->lost_steps)
+                                     : tr("%1: all %2 samples are saved, but not all that belongs to them: %3 could "
+                                          "not be read. The damaged original is kept as %4.")
+                                           .arg(nameOf(outcome->file))
+                                           .arg(outcome->steps)
+                                           .arg(tablesOf(outcome->missing)))
+                .arg(nameOf(outcome->kept)));
       break;
   }
   emit recovered(asked, QString::fromStdString(outcome->file));

@@ -36,10 +36,11 @@ QString stateWord(const session::CatalogueEntry& entry) {
   switch (entry.wholeness) {
     case session::Wholeness::growing: return SessionList::tr("being recorded");
     case session::Wholeness::crashed: return SessionList::tr("recorder crashed");
+    case session::Wholeness::damaged: return SessionList::tr("damaged");
     case session::Wholeness::whole: break;
   }
-  return entry.gaps == 0 ? SessionList::tr("whole")
-                         : SessionList::tr("%n sample(s) lost", nullptr, static_cast<int>(entry.gaps));
+  if (entry.gaps > 0) return SessionList::tr("%n sample(s) lost", nullptr, static_cast<int>(entry.gaps));
+  return entry.health == "gaps" ? SessionList::tr("parts missing") : SessionList::tr("whole");
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ void SessionList::build() {
       tr("Path of a recording, such as %1").arg(QDir::homePath() + QStringLiteral("/session.h5")));
   path_->setAccessibleName(tr("Path of a recording"));
   recover_->setObjectName(QStringLiteral("list_recover_button"));
-  recover_->setToolTip(tr("Makes a recording whole whose recorder crashed. Nothing is deleted."));
+  recover_->setToolTip(tr("Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted."));
   auto* files = new QFileSystemModel(path_);
   files->setRootPath(QString());
   path_->setCompleter(new QCompleter(files, path_));
@@ -172,10 +173,14 @@ void SessionList::chooseAgain(int column) {
 }
 
 void SessionList::explain(const session::CatalogueEntry& entry) {
-  const bool crashed =
-      entry.file_state == session::FileState::present && entry.wholeness == session::Wholeness::crashed;
-  words_->setText(crashed ? tr("Its recorder crashed. Recover makes it whole; it can be opened as it is, too.")
-                          : tr("Enter or a double click opens a session."));
+  const bool present = entry.file_state == session::FileState::present;
+  if (present && entry.wholeness == session::Wholeness::crashed) {
+    words_->setText(tr("Its recorder crashed. Recover makes it whole; it can be opened as it is, too."));
+  } else if (present && entry.wholeness == session::Wholeness::damaged) {
+    words_->setText(tr("It is damaged. Recover keeps what can be proven; it can be opened as it is, too."));
+  } else {
+    words_->setText(tr("Enter or a double click opens a session."));
+  }
 }
 
 QString SessionList::namedPath() {

@@ -50,6 +50,27 @@ Replayed replayFile(const std::string& path, const session::ReplayOptions& optio
   }
 }
 
+/// What a replay with nothing changed proves.
+QString sameness(const session::ReplayResult& result) {
+  if (result.identical) return WhatIfPanel::tr("Identical, bit for bit.");
+  if (!result.why_not_exact.empty()) {
+    return WhatIfPanel::tr("It cannot be proven bit for bit, a part of the recording is lost: %1")
+        .arg(widgets::coreText(result.why_not_exact));
+  }
+  if (result.different == 0) return WhatIfPanel::tr("Identical, bit for bit, as far as it goes.");
+  if (result.arithmetic_recorded != pipeline::kArithmetic) {
+    const QString both = WhatIfPanel::tr("Recorded with arithmetic %1, replayed with %2: the bits cannot be the same.")
+                             .arg(result.arithmetic_recorded)
+                             .arg(pipeline::kArithmetic);
+    const bool close = result.tolerance && result.beyond_tolerance == 0;
+    return both + QLatin1Char(' ') +
+           (close ? WhatIfPanel::tr("The values are, within the tolerance stated for that.")
+                  : WhatIfPanel::tr("%1 steps lie beyond the tolerance stated for that.").arg(result.beyond_tolerance));
+  }
+  return WhatIfPanel::tr("Different from %1 s on (%2).")
+      .arg(numberText(result.first_difference_s, 3), QString::fromStdString(result.first_difference_field));
+}
+
 }  // namespace
 
 WhatIfPanel::WhatIfPanel(widgets::WorkBars* bars, QWidget* parent)
@@ -169,18 +190,7 @@ void WhatIfPanel::finish(const Result<session::ReplayResult>& result,
   }
   QStringList lines;
   if (!result->what_if) {
-    const bool same_arithmetic = result->arithmetic_recorded == pipeline::kArithmetic;
-    lines << (result->identical ? tr("Identical, bit for bit.")
-              : result->tolerance && result->beyond_tolerance == 0
-                  ? tr("The same, within the tolerance of another arithmetic.")
-                  : tr("Different from %1 s on (%2).")
-                        .arg(numberText(result->first_difference_s, 3),
-                             QString::fromStdString(result->first_difference_field)));
-    if (!result->identical && !same_arithmetic) {
-      lines << tr("Recorded with arithmetic %1, replayed with %2: the bits cannot be the same.")
-                   .arg(result->arithmetic_recorded)
-                   .arg(pipeline::kArithmetic);
-    }
+    lines << sameness(*result);
   } else {
     lines << (result->closed_loop ? tr("Closed loop: cloth and robot answer as identified from this recording.")
                                   : tr("Open loop: the recorded inputs as they were; the cloth does not answer."));

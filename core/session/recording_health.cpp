@@ -56,7 +56,7 @@ Health healthOf(const RecordingInfo& info) {
 std::string wordsOf(const MissingRows& missing) {
   if (missing.table == kHeaderTable) return "any text of the header may be wrong: " + missing.why;
   if (isOneOf(kLists, missing.table))
-    return fmt::format("{} rows of {} are gone before step row {} ({})", missing.count, missing.table, missing.first,
+    return fmt::format("{} rows of {} are gone before its row {} ({})", missing.count, missing.table, missing.first,
                        missing.why);
   return fmt::format("{} is lost for {} steps from row {} on ({})", missing.table, missing.count, missing.first,
                      missing.why);

@@ -154,6 +154,10 @@
         <translation>%1 est supprimée.</translation>
     </message>
     <message>
+        <source>%1 is lost for %2 steps from row %3 on (%4)</source>
+        <translation>%1 est perdu pour %2 pas à partir de la ligne %3 (%4)</translation>
+    </message>
+    <message>
         <source>%1 is not known: check its cable</source>
         <translation>%1 n'est pas connu : vérifier son câble</translation>
     </message>
@@ -176,6 +180,10 @@
     <message>
         <source>%1 is whole: %2 samples.</source>
         <translation>%1 est entier : %2 échantillons.</translation>
+    </message>
+    <message>
+        <source>%1 is whole: %2 samples. Nothing was lost; the damaged original is kept as %3.</source>
+        <translation>%1 est entier : %2 échantillons. Rien n'est perdu ; l'original endommagé est conservé sous %3.</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -346,8 +354,16 @@
         <translation>%1 : un rapport se termine par .html ou .pdf</translation>
     </message>
     <message>
+        <source>%1: all %2 samples are saved, but not all that belongs to them: %3 could not be read. The damaged original is kept as %4.</source>
+        <translation>%1 : les %2 échantillons sont tous sauvés, mais pas tout ce qui les accompagne : %3 illisible. L'original endommagé est conservé sous %4.</translation>
+    </message>
+    <message>
         <source>%1: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = %2?</source>
         <translation>%1 : une réponse à une question antérieure a été refusée ; faut-il au touchpad plus que device.response_timeout_ms = %2 ?</translation>
+    </message>
+    <message>
+        <source>%1: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than %2</source>
+        <translation>%1 : un export finirait avant l'enregistrement ; `fyd session recover` rend d'abord entier ce qui peut être prouvé, ou exportez jusqu'à une seconde antérieure à %2</translation>
     </message>
     <message>
         <source>%1: asked for %2 Bd, the port runs at %3 Bd; choose a speed its driver supports</source>
@@ -442,6 +458,10 @@
         <translation>%1 : non ouvert</translation>
     </message>
     <message>
+        <source>%1: reads differently each time; copy it to another disk first</source>
+        <translation>%1 : chaque lecture donne autre chose ; copiez-le d'abord sur un autre disque</translation>
+    </message>
+    <message>
         <source>%1: rendering.</source>
         <translation>%1 : rendu en cours.</translation>
     </message>
@@ -532,6 +552,10 @@
     <message numerus="yes">
         <source>%n sample(s) lost</source>
         <translation><numerusform>%n échantillon perdu</numerusform><numerusform>%n échantillons perdus</numerusform><numerusform>%n échantillons perdus</numerusform></translation>
+    </message>
+    <message>
+        <source>/commits: %1 of %2 rows are damaged, the first: row %3</source>
+        <translation>/commits : %1 lignes sur %2 sont endommagées, la première : ligne %3</translation>
     </message>
     <message>
         <source>0 s</source>
@@ -1808,6 +1832,10 @@ Robot : %2
         <translation>le capteur IR %1 est figé au code %2 pendant que les autres changent : vérifier son câble</translation>
     </message>
     <message>
+        <source>Identical, bit for bit, as far as it goes.</source>
+        <translation>Identique, bit pour bit, jusqu'où elle va.</translation>
+    </message>
+    <message>
         <source>Identical, bit for bit.</source>
         <translation>Identique, bit pour bit.</translation>
     </message>
@@ -1864,16 +1892,24 @@ Robot : %2
         <translation>Décalage IR</translation>
     </message>
     <message>
+        <source>It cannot be proven bit for bit, a part of the recording is lost: %1</source>
+        <translation>Cela ne peut être prouvé bit pour bit, une partie de l'enregistrement est perdue : %1</translation>
+    </message>
+    <message>
         <source>It ends at the first of %1 lost samples.</source>
         <translation>Se termine au premier de %1 échantillons perdus.</translation>
     </message>
     <message>
-        <source>Its recorder crashed. Recover makes it whole; it can be opened as it is, too.</source>
-        <translation>Son enregistreur s'est interrompu. Récupérer le rend entier ; il s'ouvre aussi tel quel.</translation>
+        <source>It is damaged. Recover keeps what can be proven; it can be opened as it is, too.</source>
+        <translation>Il est endommagé. Récupérer garde ce qui peut être prouvé ; il s'ouvre aussi tel quel.</translation>
     </message>
     <message>
-        <source>Its recorder crashed; everything it committed is shown. This makes the recording whole. Nothing is deleted.</source>
-        <translation>Son enregistreur s'est interrompu ; tout ce qu'il a validé est montré. Ceci rend l'enregistrement entier. Rien n'est effacé.</translation>
+        <source>Its recorder crashed, or it is damaged; what can be proven is shown. This makes the recording whole. Nothing is deleted.</source>
+        <translation>Son enregistreur s'est interrompu, ou il est endommagé ; ce qui peut être prouvé est montré. Ceci rend l'enregistrement entier. Rien n'est effacé.</translation>
+    </message>
+    <message>
+        <source>Its recorder crashed. Recover makes it whole; it can be opened as it is, too.</source>
+        <translation>Son enregistreur s'est interrompu. Récupérer le rend entier ; il s'ouvre aussi tel quel.</translation>
     </message>
     <message>
         <source>Its value</source>
@@ -2164,8 +2200,8 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Borne inférieure de %1</translation>
     </message>
     <message>
-        <source>Makes a recording whole whose recorder crashed. Nothing is deleted.</source>
-        <translation>Rend entier un enregistrement dont l'enregistreur s'est interrompu. Rien n'est effacé.</translation>
+        <source>Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted.</source>
+        <translation>Rend entier un enregistrement dont l'enregistreur s'est interrompu ou qui est endommagé. Rien n'est effacé.</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -4212,6 +4248,10 @@ Pour commencer : %1</translation>
         <translation>réponses manquantes</translation>
     </message>
     <message>
+        <source>any text of the header may be wrong: %1</source>
+        <translation>tout texte de l'en-tête peut être faux : %1</translation>
+    </message>
+    <message>
         <source>area</source>
         <translation>aire</translation>
     </message>
@@ -4374,6 +4414,10 @@ Pour commencer : %1</translation>
     <message>
         <source>dB re 1 m/s²</source>
         <translation>dB réf. 1 m/s²</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>endommagé</translation>
     </message>
     <message>
         <source>dashed</source>
@@ -5002,6 +5046,10 @@ Pour commencer : %1</translation>
     <message>
         <source>out of turn</source>
         <translation>hors de son tour</translation>
+    </message>
+    <message>
+        <source>parts missing</source>
+        <translation>parties manquantes</translation>
     </message>
     <message>
         <source>pictures</source>

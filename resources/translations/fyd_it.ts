@@ -154,6 +154,10 @@
         <translation>%1 è eliminata.</translation>
     </message>
     <message>
+        <source>%1 is lost for %2 steps from row %3 on (%4)</source>
+        <translation>%1 è perso per %2 passi dalla riga %3 in poi (%4)</translation>
+    </message>
+    <message>
         <source>%1 is not known: check its cable</source>
         <translation>%1 non è noto: controllare il suo cavo</translation>
     </message>
@@ -176,6 +180,10 @@
     <message>
         <source>%1 is whole: %2 samples.</source>
         <translation>%1 è integro: %2 campioni.</translation>
+    </message>
+    <message>
+        <source>%1 is whole: %2 samples. Nothing was lost; the damaged original is kept as %3.</source>
+        <translation>%1 è integro: %2 campioni. Nulla è andato perso; l'originale danneggiato è conservato come %3.</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -346,8 +354,16 @@
         <translation>%1: un rapporto termina in .html o .pdf</translation>
     </message>
     <message>
+        <source>%1: all %2 samples are saved, but not all that belongs to them: %3 could not be read. The damaged original is kept as %4.</source>
+        <translation>%1: tutti i %2 campioni sono salvati, ma non tutto ciò che li accompagna: %3 illeggibile. L'originale danneggiato è conservato come %4.</translation>
+    </message>
+    <message>
         <source>%1: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = %2?</source>
         <translation>%1: una risposta a una domanda precedente è stata rifiutata; al touchpad serve più di device.response_timeout_ms = %2?</translation>
+    </message>
+    <message>
+        <source>%1: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than %2</source>
+        <translation>%1: un'esportazione finirebbe prima della registrazione; `fyd session recover` rende prima integro ciò che si può provare, oppure esportare fino a un secondo precedente %2</translation>
     </message>
     <message>
         <source>%1: asked for %2 Bd, the port runs at %3 Bd; choose a speed its driver supports</source>
@@ -442,6 +458,10 @@
         <translation>%1: non aperto</translation>
     </message>
     <message>
+        <source>%1: reads differently each time; copy it to another disk first</source>
+        <translation>%1: ogni lettura dà altro; copiarlo prima su un altro disco</translation>
+    </message>
+    <message>
         <source>%1: rendering.</source>
         <translation>%1: resa in corso.</translation>
     </message>
@@ -532,6 +552,10 @@
     <message numerus="yes">
         <source>%n sample(s) lost</source>
         <translation><numerusform>%n campione perso</numerusform><numerusform>%n campioni persi</numerusform><numerusform>%n campioni persi</numerusform></translation>
+    </message>
+    <message>
+        <source>/commits: %1 of %2 rows are damaged, the first: row %3</source>
+        <translation>/commits: %1 righe su %2 sono danneggiate, la prima: riga %3</translation>
     </message>
     <message>
         <source>0 s</source>
@@ -1808,6 +1832,10 @@ Robot: %2
         <translation>il sensore IR %1 è fermo al codice %2 mentre gli altri cambiano: controllare il suo cavo</translation>
     </message>
     <message>
+        <source>Identical, bit for bit, as far as it goes.</source>
+        <translation>Identica, bit per bit, fin dove arriva.</translation>
+    </message>
+    <message>
         <source>Identical, bit for bit.</source>
         <translation>Identica, bit per bit.</translation>
     </message>
@@ -1864,16 +1892,24 @@ Robot: %2
         <translation>Offset IR</translation>
     </message>
     <message>
+        <source>It cannot be proven bit for bit, a part of the recording is lost: %1</source>
+        <translation>Non si può provare bit per bit, una parte della registrazione è persa: %1</translation>
+    </message>
+    <message>
         <source>It ends at the first of %1 lost samples.</source>
         <translation>Termina al primo di %1 campioni persi.</translation>
     </message>
     <message>
-        <source>Its recorder crashed. Recover makes it whole; it can be opened as it is, too.</source>
-        <translation>Il suo registratore si è interrotto. Recupera la rende integra; si può aprire anche così com'è.</translation>
+        <source>It is damaged. Recover keeps what can be proven; it can be opened as it is, too.</source>
+        <translation>È danneggiata. Recupera conserva ciò che si può provare; si può aprire anche così com'è.</translation>
     </message>
     <message>
-        <source>Its recorder crashed; everything it committed is shown. This makes the recording whole. Nothing is deleted.</source>
-        <translation>Il suo registratore si è interrotto; si mostra tutto ciò che ha confermato. Questo rende integra la registrazione. Nulla viene cancellato.</translation>
+        <source>Its recorder crashed, or it is damaged; what can be proven is shown. This makes the recording whole. Nothing is deleted.</source>
+        <translation>Il suo registratore si è interrotto, o è danneggiata; si mostra ciò che si può provare. Questo rende integra la registrazione. Nulla viene cancellato.</translation>
+    </message>
+    <message>
+        <source>Its recorder crashed. Recover makes it whole; it can be opened as it is, too.</source>
+        <translation>Il suo registratore si è interrotto. Recupera la rende integra; si può aprire anche così com'è.</translation>
     </message>
     <message>
         <source>Its value</source>
@@ -2164,8 +2200,8 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Estremo inferiore di %1</translation>
     </message>
     <message>
-        <source>Makes a recording whole whose recorder crashed. Nothing is deleted.</source>
-        <translation>Rende integra una registrazione il cui registratore si è interrotto. Nulla viene cancellato.</translation>
+        <source>Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted.</source>
+        <translation>Rende integra una registrazione il cui registratore si è interrotto o che è danneggiata. Nulla viene cancellato.</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -4212,6 +4248,10 @@ Per cominciare: %1</translation>
         <translation>risposte mancanti</translation>
     </message>
     <message>
+        <source>any text of the header may be wrong: %1</source>
+        <translation>ogni testo dell'intestazione può essere errato: %1</translation>
+    </message>
+    <message>
         <source>area</source>
         <translation>area</translation>
     </message>
@@ -4374,6 +4414,10 @@ Per cominciare: %1</translation>
     <message>
         <source>dB re 1 m/s²</source>
         <translation>dB rif. 1 m/s²</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>danneggiata</translation>
     </message>
     <message>
         <source>dashed</source>
@@ -5002,6 +5046,10 @@ Per cominciare: %1</translation>
     <message>
         <source>out of turn</source>
         <translation>fuori turno</translation>
+    </message>
+    <message>
+        <source>parts missing</source>
+        <translation>parti mancanti</translation>
     </message>
     <message>
         <source>pictures</source>

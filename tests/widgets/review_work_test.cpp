@@ -253,6 +253,36 @@ class ReviewWorkTest : public QObject {
     QCOMPARE(f.page->recording()->info().committed_samples, kRows);
   }
 
+  void damagedCommitsAreSaidAndRecovered() {
+    WorkFixture f;
+    const QString file = makeRecording(f.folder, QStringLiteral("turned.h5"), kPress);
+    const std::string path = file.toStdString();
+    session::samples::turnBit(path, session::samples::commitAt(path, 3) + 50, 2);
+    f.page->open(file);
+    f.waitForTouches();
+    QVERIFY2(f.page->title().contains(QStringLiteral("damaged")), qPrintable(f.page->title()));
+    QVERIFY(f.page->recoverButton()->isVisible());
+    QTest::mouseClick(f.page->recoverButton(), Qt::LeftButton);
+    QTRY_VERIFY(f.told().contains(QStringLiteral("Nothing was lost")));
+    QVERIFY(f.told().contains(QStringLiteral("turned.h5.damaged")));
+    QTRY_VERIFY(f.page->title().contains(QStringLiteral("· whole")));
+    QVERIFY(!f.page->recoverButton()->isVisible());
+    QCOMPARE(f.page->recording()->info().committed_samples, kRows);
+  }
+
+  void stepsWhoseInputsAreLostAreKeptAndSaid() {
+    WorkFixture f;
+    const std::string path = f.path.toStdString();
+    session::samples::turnBit(path, session::samples::chunkOf(path, "/inputs/motor_reference", 0).first + 9, 2);
+    f.page->list()->path()->setText(f.path);
+    QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
+    QTRY_VERIFY(f.told().contains(QStringLiteral("all 6000 samples are saved")));
+    QVERIFY(f.told().contains(QStringLiteral("/inputs/motor_reference")));
+    f.page->open(f.path);
+    f.waitForTouches();
+    QVERIFY2(f.page->title().contains(QStringLiteral("parts missing")), qPrintable(f.page->title()));
+  }
+
   void whatIsLostIsSaidAndTheDamagedFileIsKept() {
     ReviewFixture f;
     session::samples::damageChunk(f.path.toStdString(), "/telemetry", 7);
