@@ -60,7 +60,7 @@ struct Recorder::Impl {
   bool shadow_follows = true;
   bool seen_a_step = false;
   std::uint64_t last_step = 0;
-  std::uint64_t taken = 0;
+  std::uint64_t steps_taken = 0;
   Instant newest{};  // step
   std::uint64_t differences = 0;
   StepHistory steps;

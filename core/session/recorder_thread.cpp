@@ -76,7 +76,7 @@ void Recorder::Impl::takeSteps() {
     const std::span<const std::byte> step(packed.data(), bytes);
     unpackStep(step, record);
     follow();
-    ++taken;
+    ++steps_taken;
     newest = record.inputs.now;
     steps.add(step, newest);
   }
@@ -133,7 +133,7 @@ void Recorder::Impl::publish() {
   }
   now_recording.lost = lost.load(std::memory_order_relaxed) - lost_before;
   now_recording.differences = differences;
-  now_recording.taken = taken;
+  now_recording.taken = steps_taken;
   const double elapsed_s = toSeconds(Clock::now() - worked_since);
   if (elapsed_s > 0.0) now_recording.processor_percent = 100.0 * (threadWork_s() - work_before_s) / elapsed_s;
   if (!commits_ms.empty()) {
