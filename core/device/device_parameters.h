@@ -30,6 +30,7 @@ struct DeviceParameters {
   double camera_contrast_percent = -1.0;
   double camera_exposure_percent = -1.0;
   double camera_freeze_ms = 500.0;
+  bool camera_flat_cloth = false;
 
   // plausibility of what a device says
   double stuck_sensor_s = 2.0;
@@ -114,6 +115,10 @@ struct DeviceParameters {
             .minimum = 0,
             .maximum = 10'000,
             .help = "Equal pictures of a camera or stream for longer than this count as frozen; 0: never."});
+    v.boolean(
+        "device.camera_flat_cloth", camera_flat_cloth,
+        {.help = "The untouched cloth gives a picture of one grey, such as white at the camera's highest contrast; "
+                 "off: such a picture is a fault of light or camera."});
     v.real(
         "device.stuck_sensor_s", stuck_sensor_s,
         {.unit = "s",

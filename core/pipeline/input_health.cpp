@@ -37,8 +37,8 @@ Lacks InputHealth::judge(const Inputs& inputs, const HealthContext& context, con
   mark(Lack::bridge_invalid,
        !bridge_stale && bridge_invalid_.expired(!context.bridge_valid, inputs.now, limits.bridge_maximum_age_ms));
   mark(Lack::camera_stale, camera_stale);
-  mark(Lack::camera_blind,
-       !camera_stale && camera_blind_.expired(!context.shows_cloth, inputs.now, limits.finger_maximum_age_ms));
+  mark(Lack::camera_blind, !camera_stale && camera_blind_.expired(!showsCloth(inputs.finger.value.reason), inputs.now,
+                                                                  limits.finger_maximum_age_ms));
   if (context.needs_robot) {
     const LinkPhase phase = inputs.robot.phase;
     mark(Lack::robot_waiting, phase == LinkPhase::none || phase == LinkPhase::waiting);

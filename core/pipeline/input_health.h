@@ -15,7 +15,6 @@ using Lacks = std::bitset<kLackCount>;  ///< indexed by Lack
 struct HealthContext {
   bool bridge_valid = true;        ///< the load cell's value lies in its span
   bool indentation_usable = true;  ///< false only while a finger presses and its indentation cannot be told
-  bool shows_cloth = true;         ///< the picture does, sensing/finger_types.h
   bool needs_robot = true;         ///< the target comes from the robot
   bool target_known = true;
 };

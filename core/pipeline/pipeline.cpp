@@ -169,7 +169,7 @@ void Pipeline::sense(const Inputs& inputs) {
 void Pipeline::stepTare(const Inputs& inputs) {
   if (tare_.state() != sensing::TareState::running) return;
   sensing::IndentationEstimate seen = indent_;
-  if (!seen.touched && !showsCloth(inputs)) seen.reason = sensing::IndentationReason::finger_stale;
+  if (!seen.touched && !showsCloth(inputs.finger.value.reason)) seen.reason = sensing::IndentationReason::finger_stale;
   const sensing::TareState state = tare_.step(inputs.now, seen, force_N_);
   if (state == sensing::TareState::running) return;
   if (state != sensing::TareState::done) {
@@ -196,16 +196,11 @@ double Pipeline::target(const Inputs& inputs) const {
   return inputs.robot.state.count > 0 ? inputs.robot.state.value.stiffness_N_per_mm : kNone;
 }
 
-bool Pipeline::showsCloth(const Inputs& inputs) const {
-  return sensing::showsCloth(inputs.finger.value.reason, parameters_.sensing.finger.flat_cloth);
-}
-
 void Pipeline::judge(const Inputs& inputs) {
   using sensing::IndentationReason;
   lacks_ = health_.judge(inputs,
                          {.bridge_valid = std::isfinite(force_N_.value),
                           .indentation_usable = indent_.reason != IndentationReason::too_few_sensors,
-                          .shows_cloth = showsCloth(inputs),
                           .needs_robot = !target_by_hand_,
                           .target_known = target_by_hand_ || inputs.robot.phase != LinkPhase::none},
                          parameters_.step);

@@ -83,7 +83,6 @@ class Pipeline {
   void followRobotReference(const RobotMotorReference& reference);
   void configure();
   [[nodiscard]] double target(const Inputs& inputs) const;
-  [[nodiscard]] bool showsCloth(const Inputs& inputs) const;
   [[nodiscard]] bool rendering(const Inputs& inputs) const;
   [[nodiscard]] std::optional<Lack> fault(const Inputs& inputs) const;
   void report(const Event& event) { (void)outputs_.events.push(event); }

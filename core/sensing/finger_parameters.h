@@ -27,7 +27,6 @@ struct FingerParameters {
   double scale_y_mm_per_px = 70.0 / 150.0;
   double rotation_deg = 0.0;
   bool mirror = false;
-  bool flat_cloth = false;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -92,9 +91,6 @@ struct FingerParameters {
             .live = true});
     v.boolean("sensing.finger_mirror", mirror,
               {.help = "The camera sees the cloth mirrored left to right.", .live = true});
-    v.boolean("sensing.finger_flat_cloth", flat_cloth,
-              {.help = "The untouched cloth gives a picture of one grey, such as white at the highest contrast; off: "
-                       "such a picture is a fault of light or camera."});
   }
 };
 

@@ -20,15 +20,9 @@ enum class FingerReason : std::uint8_t {
 };
 
 /// Whether the picture shows the cloth, so that "no contact" means that nothing touches it.
-/// @param flat_cloth the untouched cloth itself gives one grey, such as white at the camera's highest contrast
-[[nodiscard]] constexpr bool showsCloth(FingerReason reason, bool flat_cloth) {
-  switch (reason) {
-    case FingerReason::black_picture:
-    case FingerReason::no_picture: return false;
-    case FingerReason::flat_picture:
-    case FingerReason::saturated: return flat_cloth;
-    default: return true;
-  }
+[[nodiscard]] constexpr bool showsCloth(FingerReason reason) {
+  using enum FingerReason;
+  return reason != black_picture && reason != saturated && reason != flat_picture && reason != no_picture;
 }
 
 /// A word or two for the operator and for JSON, such as "at edge".

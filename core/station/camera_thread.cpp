@@ -26,6 +26,7 @@ CameraThread::CameraThread(const std::string& description, Opener opener, const 
       detector_(parameters),
       monitor_("Camera", description, kSilence),
       frozen_(fromSeconds(device.camera_freeze_ms / 1e3)),
+      flat_cloth_(device.camera_flat_cloth),
       report_{.name = "Camera", .description = description},
       parameters_(parameters) {}
 
@@ -138,6 +139,10 @@ void CameraThread::detect(device::CameraFrame frame) {
   }
   CameraView view;
   view.finger = detector_.detect(device::viewOf(frame.picture));
+  using enum sensing::FingerReason;
+  if (flat_cloth_ && (view.finger.reason == flat_picture || view.finger.reason == saturated)) {
+    view.finger.reason = no_finger;
+  }
   newest_.set(view.finger, frame.taken);
   finger.write(newest_);
   monitor_.succeeded(frame.taken);

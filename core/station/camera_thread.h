@@ -53,6 +53,7 @@ class CameraThread {
   PartMonitor monitor_;
   device::FrozenPicture frozen_;
   bool live_ = false;
+  const bool flat_cloth_;  // so that a picture of one grey shows an untouched one
   mutable std::mutex mutex_;
   CameraView view_;
   device::DeviceReport report_;

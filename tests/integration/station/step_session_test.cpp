@@ -62,22 +62,6 @@ TEST(StepSession, ACameraThatIsBlackFromTheStartIsNeverReady) {
   EXPECT_EQ(session.outputs().telemetry.lack, Lack::camera_blind);
 }
 
-TEST(StepSession, AFlatPictureIsNoFaultWhereTheUntouchedClothGivesOne) {
-  using enum sensing::FingerReason;
-  for (const sensing::FingerReason reason : {flat_picture, saturated, black_picture}) {
-    LockstepOptions options;
-    options.parameters.sensing.finger.flat_cloth = true;
-    auto session = activeSession(options);
-    session->spoil = [reason](pipeline::Inputs& in) {
-      in.finger.value = {};
-      in.finger.value.reason = reason;
-    };
-    session->run(3.0);
-    EXPECT_EQ(session->outputs().telemetry.state, reason == black_picture ? SafetyState::held : SafetyState::active);
-    EXPECT_FALSE(session->outputs().touch.in_contact);
-  }
-}
-
 TEST(StepSession, AShortFlatPictureIsBorne) {
   auto session = activeSession();
   session->spoil = [](pipeline::Inputs& in) { in.finger.value.reason = sensing::FingerReason::flat_picture; };
