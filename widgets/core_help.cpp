@@ -89,7 +89,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "Radius of the finger's contact with the cloth."),
     QT_TRANSLATE_NOOP("Core", "Load cell: grams per mV/V."),
     QT_TRANSLATE_NOOP("Core", "Load cell: grams at 0 mV/V."),
-    QT_TRANSLATE_NOOP("Core", "Load cell: readings beyond it are invalid."),
+    QT_TRANSLATE_NOOP("Core", "Load cell: readings beyond it are invalid; those at the converter's end always are."),
     QT_TRANSLATE_NOOP("Core", "How the stretch follows the stiffness target: law and PID, or as the thesis prints it."),
     QT_TRANSLATE_NOOP("Core", "Static law between stretch angle and stiffness; interpolated uses the points below."),
     QT_TRANSLATE_NOOP("Core", "Stretch angles of the calibration points, rising."),

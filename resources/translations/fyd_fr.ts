@@ -194,8 +194,8 @@
         <translation>%1 ko</translation>
     </message>
     <message>
-        <source>%1 mV/V is beyond the bridge's span of %2</source>
-        <translation>%1 mV/V dépasse la plage du pont de %2</translation>
+        <source>%1 mV/V is beyond the load cell's span of %2</source>
+        <translation>%1 mV/V dépasse la plage de la cellule de charge de %2</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
@@ -466,8 +466,16 @@
         <translation>%1 : rendu en cours.</translation>
     </message>
     <message>
+        <source>%1: sends damaged pictures: %2</source>
+        <translation>%1 : envoie des images endommagées : %2</translation>
+    </message>
+    <message>
         <source>%1: sensors are live, motors are off.</source>
         <translation>%1 : capteurs actifs, moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>%1: set it to remote, and close what else drives it</source>
+        <translation>%1 : le mettre en commande à distance et fermer ce qui le pilote par ailleurs</translation>
     </message>
     <message>
         <source>%1: stop, then arm again</source>
@@ -1824,6 +1832,10 @@ Robot : %2
         <translation>IR</translation>
     </message>
     <message>
+        <source>IR codes %1, expected 0 to %2</source>
+        <translation>codes IR %1, attendus de 0 à %2</translation>
+    </message>
+    <message>
         <source>IR sensor %1</source>
         <translation>Capteur IR %1</translation>
     </message>
@@ -2114,8 +2126,8 @@ s</translation>
         <translation>Cellule de charge : bruit d'une lecture.</translation>
     </message>
     <message>
-        <source>Load cell: readings beyond it are invalid.</source>
-        <translation>Cellule de charge : les lectures au-delà ne sont pas valables.</translation>
+        <source>Load cell: readings beyond it are invalid; those at the converter's end always are.</source>
+        <translation>Cellule de charge : les lectures au-delà ne sont pas valables ; celles en bout de convertisseur ne le sont jamais.</translation>
     </message>
     <message>
         <source>Load the chosen preset</source>
@@ -4420,6 +4432,10 @@ Pour commencer : %1</translation>
         <translation>endommagé</translation>
     </message>
     <message>
+        <source>damaged pictures</source>
+        <translation>images endommagées</translation>
+    </message>
+    <message>
         <source>dashed</source>
         <translation>tirets</translation>
     </message>
@@ -4508,8 +4524,16 @@ Pour commencer : %1</translation>
         <translation>le codeur %1 a sauté de %2° en %3 ms : vérifier son aimant et son câble ; arrêter, puis armer de nouveau</translation>
     </message>
     <message>
+        <source>encoder %1 stands still although its motor was sent %2° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
+        <translation>le codeur %1 reste immobile bien que son moteur ait été envoyé %2° plus loin : vérifier l'alimentation des moteurs et le câble du codeur ; arrêter, puis armer de nouveau</translation>
+    </message>
+    <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
         <translation>codeur %1 : %2, zéro à %3 points, balayé de %4 à %5</translation>
+    </message>
+    <message>
+        <source>encoder counts %1, expected 0 to %2</source>
+        <translation>comptes des codeurs %1, attendus de 0 à %2</translation>
     </message>
     <message>
         <source>encoders</source>
@@ -4856,12 +4880,20 @@ Pour commencer : %1</translation>
         <translation>carte moteurs %1 sur %2 %3 : arrêter, puis armer de nouveau</translation>
     </message>
     <message>
+        <source>motor board %1 at %2: current %3 is %4 mA, expected -%5 to %6</source>
+        <translation>carte moteurs %1 sur %2 : le courant %3 est de %4 mA, attendu de -%5 à %6</translation>
+    </message>
+    <message>
         <source>motor board %1 at %2: no answer to command %3 in %4 ms; is it on, and are device.qbmove_baud = %5 and device.qbmove_id right?</source>
         <translation>carte moteurs %1 sur %2 : pas de réponse à la commande %3 en %4 ms ; est-elle allumée, et device.qbmove_baud = %5 et device.qbmove_id sont-ils justes ?</translation>
     </message>
     <message>
         <source>motor board: nothing received yet</source>
         <translation>carte moteurs : encore rien reçu</translation>
+    </message>
+    <message>
+        <source>motor currents %1 mA, expected -%2 to %3</source>
+        <translation>courants des moteurs %1 mA, attendus de -%2 à %3</translation>
     </message>
     <message>
         <source>motor over-temperature</source>
@@ -4874,6 +4906,10 @@ Pour commencer : %1</translation>
     <message>
         <source>motor reference on</source>
         <translation>référence moteurs oui</translation>
+    </message>
+    <message>
+        <source>motor temperatures %1 °C, expected %2 to %3</source>
+        <translation>températures des moteurs %1 °C, attendues de %2 à %3</translation>
     </message>
     <message>
         <source>motors</source>
@@ -5066,6 +5102,10 @@ Pour commencer : %1</translation>
     <message>
         <source>polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2.</source>
         <translation>polynomial : c0 + c1 v + ..., la constante d'abord ; inverse : c0/(v + c1) + c2.</translation>
+    </message>
+    <message>
+        <source>position duties %1 %, expected -100 to 100</source>
+        <translation>rapports cycliques de position %1 %, attendus de -100 à 100</translation>
     </message>
     <message>
         <source>position duty %1</source>
@@ -5304,12 +5344,16 @@ Pour commencer : %1</translation>
         <translation>température %1</translation>
     </message>
     <message>
+        <source>the block changed while it was read (its two sequence numbers differ)</source>
+        <translation>le bloc a changé pendant sa lecture (ses deux numéros de séquence diffèrent)</translation>
+    </message>
+    <message>
         <source>the camera sees a finger on the cloth: take everything off</source>
         <translation>la caméra voit un doigt sur le tissu : tout retirer</translation>
     </message>
     <message>
-        <source>the camera sees nothing: picture black, saturated or empty</source>
-        <translation>la caméra ne voit rien : image noire, saturée ou vide</translation>
+        <source>the camera sees nothing: picture black, white, of one grey or empty</source>
+        <translation>la caméra ne voit rien : image noire, blanche, d'un seul gris ou vide</translation>
     </message>
     <message>
         <source>the camera sends no pictures</source>
@@ -5326,6 +5370,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the distance sensors are silent</source>
         <translation>les capteurs de distance sont silencieux</translation>
+    </message>
+    <message>
+        <source>the distance sensors repeat the codes %1 although their count goes on: switch the touchpad off and on</source>
+        <translation>les capteurs de distance répètent les codes %1 bien que leur compte avance : éteindre et rallumer le touchpad</translation>
     </message>
     <message>
         <source>the distances span only %1 mm, %2 to %3; expected at least %4: add points between %5 and %6 mm</source>
@@ -5346,6 +5394,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the load cell is silent</source>
         <translation>la cellule de charge est silencieuse</translation>
+    </message>
+    <message>
+        <source>the load cell repeats %1 mV/V although its count goes on: switch the touchpad off and on</source>
+        <translation>la cellule de charge répète %1 mV/V bien que son compte avance : éteindre et rallumer le touchpad</translation>
     </message>
     <message>
         <source>the load cell's value is outside its span</source>
@@ -5424,6 +5476,10 @@ Pour commencer : %1</translation>
         <translation>la session est fermée</translation>
     </message>
     <message>
+        <source>the status word %1 names no state</source>
+        <translation>le mot d'état %1 ne désigne aucun état</translation>
+    </message>
+    <message>
         <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
         <translation>la raideur ne change pas avec l'angle : vérifier que les moteurs étirent le tissu</translation>
     </message>
@@ -5436,8 +5492,16 @@ Pour commencer : %1</translation>
         <translation>l'étirement est hors de control.travel_minimum_deg et control.travel_maximum_deg</translation>
     </message>
     <message>
+        <source>the touchpad answers, but its clock or its count of value sets stands still: switch it off and on</source>
+        <translation>le touchpad répond, mais son horloge ou son compte de jeux de valeurs est arrêté : l'éteindre et le rallumer</translation>
+    </message>
+    <message>
         <source>the touchpad closed the connection</source>
         <translation>le touchpad a fermé la connexion</translation>
+    </message>
+    <message>
+        <source>the touchpad does not obey what is written to it (bit 9 of its status word)</source>
+        <translation>le touchpad n'obéit pas à ce qui lui est écrit (bit 9 de son mot d'état)</translation>
     </message>
     <message>
         <source>the touchpad restarted</source>

@@ -194,8 +194,8 @@
         <translation>%1 kB</translation>
     </message>
     <message>
-        <source>%1 mV/V is beyond the bridge's span of %2</source>
-        <translation>%1 mV/V è oltre il campo del ponte di %2</translation>
+        <source>%1 mV/V is beyond the load cell's span of %2</source>
+        <translation>%1 mV/V è oltre il campo della cella di carico di %2</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
@@ -466,8 +466,16 @@
         <translation>%1: resa in corso.</translation>
     </message>
     <message>
+        <source>%1: sends damaged pictures: %2</source>
+        <translation>%1: invia immagini danneggiate: %2</translation>
+    </message>
+    <message>
         <source>%1: sensors are live, motors are off.</source>
         <translation>%1: sensori vivi, motori spenti.</translation>
+    </message>
+    <message>
+        <source>%1: set it to remote, and close what else drives it</source>
+        <translation>%1: metterlo in comando remoto e chiudere ogni altro programma che lo pilota</translation>
     </message>
     <message>
         <source>%1: stop, then arm again</source>
@@ -1824,6 +1832,10 @@ Robot: %2
         <translation>IR</translation>
     </message>
     <message>
+        <source>IR codes %1, expected 0 to %2</source>
+        <translation>codici IR %1, attesi da 0 a %2</translation>
+    </message>
+    <message>
         <source>IR sensor %1</source>
         <translation>Sensore IR %1</translation>
     </message>
@@ -2114,8 +2126,8 @@ s</translation>
         <translation>Cella di carico: rumore di una lettura.</translation>
     </message>
     <message>
-        <source>Load cell: readings beyond it are invalid.</source>
-        <translation>Cella di carico: le letture oltre questo valore non sono valide.</translation>
+        <source>Load cell: readings beyond it are invalid; those at the converter's end always are.</source>
+        <translation>Cella di carico: le letture oltre questo valore non sono valide; quelle all'estremo del convertitore non lo sono mai.</translation>
     </message>
     <message>
         <source>Load the chosen preset</source>
@@ -4420,6 +4432,10 @@ Per cominciare: %1</translation>
         <translation>danneggiata</translation>
     </message>
     <message>
+        <source>damaged pictures</source>
+        <translation>immagini danneggiate</translation>
+    </message>
+    <message>
         <source>dashed</source>
         <translation>tratteggiata</translation>
     </message>
@@ -4508,8 +4524,16 @@ Per cominciare: %1</translation>
         <translation>l'encoder %1 è saltato di %2° in %3 ms: controllare magnete e cavo; fermare, poi armare di nuovo</translation>
     </message>
     <message>
+        <source>encoder %1 stands still although its motor was sent %2° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
+        <translation>l'encoder %1 è fermo benché il suo motore sia stato mandato %2° più in là: controllare l'alimentazione dei motori e il cavo dell'encoder; fermare, poi armare di nuovo</translation>
+    </message>
+    <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
         <translation>encoder %1: %2, zero a %3 conteggi, percorso da %4 a %5</translation>
+    </message>
+    <message>
+        <source>encoder counts %1, expected 0 to %2</source>
+        <translation>conteggi degli encoder %1, attesi da 0 a %2</translation>
     </message>
     <message>
         <source>encoders</source>
@@ -4856,12 +4880,20 @@ Per cominciare: %1</translation>
         <translation>scheda motori %1 su %2 %3: fermare, poi armare di nuovo</translation>
     </message>
     <message>
+        <source>motor board %1 at %2: current %3 is %4 mA, expected -%5 to %6</source>
+        <translation>scheda motori %1 su %2: la corrente %3 è di %4 mA, attesa da -%5 a %6</translation>
+    </message>
+    <message>
         <source>motor board %1 at %2: no answer to command %3 in %4 ms; is it on, and are device.qbmove_baud = %5 and device.qbmove_id right?</source>
         <translation>scheda motori %1 su %2: nessuna risposta al comando %3 in %4 ms; è accesa, e device.qbmove_baud = %5 e device.qbmove_id sono giusti?</translation>
     </message>
     <message>
         <source>motor board: nothing received yet</source>
         <translation>scheda motori: ancora niente ricevuto</translation>
+    </message>
+    <message>
+        <source>motor currents %1 mA, expected -%2 to %3</source>
+        <translation>correnti dei motori %1 mA, attese da -%2 a %3</translation>
     </message>
     <message>
         <source>motor over-temperature</source>
@@ -4874,6 +4906,10 @@ Per cominciare: %1</translation>
     <message>
         <source>motor reference on</source>
         <translation>riferimento motori sì</translation>
+    </message>
+    <message>
+        <source>motor temperatures %1 °C, expected %2 to %3</source>
+        <translation>temperature dei motori %1 °C, attese da %2 a %3</translation>
     </message>
     <message>
         <source>motors</source>
@@ -5066,6 +5102,10 @@ Per cominciare: %1</translation>
     <message>
         <source>polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2.</source>
         <translation>polynomial: c0 + c1 v + ..., prima la costante; inverse: c0/(v + c1) + c2.</translation>
+    </message>
+    <message>
+        <source>position duties %1 %, expected -100 to 100</source>
+        <translation>duty di posizione %1 %, attesi da -100 a 100</translation>
     </message>
     <message>
         <source>position duty %1</source>
@@ -5304,12 +5344,16 @@ Per cominciare: %1</translation>
         <translation>temperatura %1</translation>
     </message>
     <message>
+        <source>the block changed while it was read (its two sequence numbers differ)</source>
+        <translation>il blocco è cambiato durante la lettura (i suoi due numeri di sequenza differiscono)</translation>
+    </message>
+    <message>
         <source>the camera sees a finger on the cloth: take everything off</source>
         <translation>la telecamera vede un dito sul tessuto: togliere tutto</translation>
     </message>
     <message>
-        <source>the camera sees nothing: picture black, saturated or empty</source>
-        <translation>la telecamera non vede nulla: immagine nera, saturata o vuota</translation>
+        <source>the camera sees nothing: picture black, white, of one grey or empty</source>
+        <translation>la telecamera non vede nulla: immagine nera, bianca, di un solo grigio o vuota</translation>
     </message>
     <message>
         <source>the camera sends no pictures</source>
@@ -5326,6 +5370,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the distance sensors are silent</source>
         <translation>i sensori di distanza tacciono</translation>
+    </message>
+    <message>
+        <source>the distance sensors repeat the codes %1 although their count goes on: switch the touchpad off and on</source>
+        <translation>i sensori di distanza ripetono i codici %1 benché il loro conteggio prosegua: spegnere e riaccendere il touchpad</translation>
     </message>
     <message>
         <source>the distances span only %1 mm, %2 to %3; expected at least %4: add points between %5 and %6 mm</source>
@@ -5346,6 +5394,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the load cell is silent</source>
         <translation>la cella di carico tace</translation>
+    </message>
+    <message>
+        <source>the load cell repeats %1 mV/V although its count goes on: switch the touchpad off and on</source>
+        <translation>la cella di carico ripete %1 mV/V benché il suo conteggio prosegua: spegnere e riaccendere il touchpad</translation>
     </message>
     <message>
         <source>the load cell's value is outside its span</source>
@@ -5424,6 +5476,10 @@ Per cominciare: %1</translation>
         <translation>la sessione è chiusa</translation>
     </message>
     <message>
+        <source>the status word %1 names no state</source>
+        <translation>la parola di stato %1 non indica alcuno stato</translation>
+    </message>
+    <message>
         <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
         <translation>la rigidezza non cambia con l'angolo: controllare che i motori tendano il tessuto</translation>
     </message>
@@ -5436,8 +5492,16 @@ Per cominciare: %1</translation>
         <translation>la tensione è fuori da control.travel_minimum_deg e control.travel_maximum_deg</translation>
     </message>
     <message>
+        <source>the touchpad answers, but its clock or its count of value sets stands still: switch it off and on</source>
+        <translation>il touchpad risponde, ma il suo orologio o il suo conteggio dei gruppi di valori è fermo: spegnerlo e riaccenderlo</translation>
+    </message>
+    <message>
         <source>the touchpad closed the connection</source>
         <translation>il touchpad ha chiuso la connessione</translation>
+    </message>
+    <message>
+        <source>the touchpad does not obey what is written to it (bit 9 of its status word)</source>
+        <translation>il touchpad non obbedisce a ciò che gli viene scritto (bit 9 della sua parola di stato)</translation>
     </message>
     <message>
         <source>the touchpad restarted</source>
