@@ -2,6 +2,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/session/picture_decode.h"
 #include "core/session/picture_png.h"
 
 namespace fyd::session {
@@ -15,7 +16,7 @@ std::size_t bytesOf(const cv::Mat& picture) { return picture.total() * picture.e
 
 EncodedPicture encodePicture(const HeldPicture& held, bool with_whole) {
   EncodedPicture out{.taken = held.taken, .number = held.number, .region_px = held.region_px, .finger = held.finger};
-  if (held.picture.empty()) return out;
+  if (held.picture.empty() || static_cast<std::int64_t>(held.picture.total()) > kMostPixels) return out;
   try {
     const cv::Rect whole(0, 0, held.picture.cols, held.picture.rows);
     const bool inside = held.region_px.area() > 0 && (held.region_px & whole) == held.region_px;

@@ -1,7 +1,6 @@
 #include "core/session/recording.h"
 
-#include <opencv2/imgcodecs.hpp>
-
+#include "core/session/picture_decode.h"
 #include "core/session/recorded_profile.h"
 #include "core/session/recording_header.h"
 #include "core/session/recording_place.h"
@@ -23,18 +22,6 @@ __extension__ using Wide = __int128;  // instants may be anything: their differe
 
 void expect(const Result<void>& result) {
   if (!result) throw RecordingFailure(result.error().message);
-}
-
-cv::Mat decoded(const std::vector<std::uint8_t>& bytes, const char* what) {
-  if (bytes.empty()) return {};
-  cv::Mat picture;
-  try {
-    picture = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception& error) {
-    failHard("{}: {}", what, error.what());
-  }
-  if (picture.empty()) failHard("{}: its {} bytes are no picture", what, bytes.size());
-  return picture;
 }
 
 class Hdf5Recording final : public Recording {
@@ -229,6 +216,13 @@ class Hdf5Recording final : public Recording {
     return sum < kLeast ? kLeast : sum > kMost ? kMost : static_cast<std::int64_t>(sum);
   }
 
+  /// Without a sum: the four numbers are anything.
+  static bool isInside(const cv::Rect& region, const cv::Size& whole) {
+    return region.x >= 0 && region.y >= 0 && region.width > 0 && region.height > 0 && region.width <= whole.width &&
+           region.height <= whole.height && region.x <= whole.width - region.width &&
+           region.y <= whole.height - region.height;
+  }
+
   static void checkField(std::size_t field) {
     if (field >= pipeline::telemetryFields().size())
       failHard("field {} of {}", field, pipeline::telemetryFields().size());
@@ -265,8 +259,8 @@ class Hdf5Recording final : public Recording {
   template <class Value, class Read>
   Result<std::vector<Value>> all(Table table, Read&& read) const {
     return reading([&] {
-      std::vector<Value> values(tables_->rows(table));
-      for (std::uint64_t i = 0; i < values.size(); ++i) values[i] = read(i);
+      std::vector<Value> values;  // no room for rows that are only claimed
+      for (std::uint64_t i = 0; i < tables_->rows(table); ++i) values.push_back(read(i));
       return values;
     });
   }
@@ -276,14 +270,13 @@ class Hdf5Recording final : public Recording {
     if (!stored) throw RecordingFailure(stored.error().message);
     RecordedPicture picture{.time_s = secondsFrom(nanoseconds(info_.header.started), nanoseconds(stored->taken)),
                             .number = stored->number,
-                            .whole = decoded(wholeAt(index), "the whole picture"),
-                            .region = decoded(stored->region, "the region"),
+                            .whole = decodePicture(wholeAt(index), "the whole picture"),
+                            .region = decodePicture(stored->region, "the region"),
                             .region_px = stored->region_px,
                             .finger = stored->finger};
-    const cv::Rect inside = picture.region_px & cv::Rect({}, picture.whole.size());
-    if (inside == picture.region_px && picture.region.size() == inside.size() &&
+    if (isInside(picture.region_px, picture.whole.size()) && picture.region.size() == picture.region_px.size() &&
         picture.region.type() == picture.whole.type())
-      picture.region.copyTo(picture.whole(inside));
+      picture.region.copyTo(picture.whole(picture.region_px));
     return picture;
   }
 

@@ -11,7 +11,7 @@
 
 namespace fyd::session {
 
-/// Whether the table's chunks are stored as this program stores them; other programs may have packed them anew.
+/// Whether the table's chunks are of the size and packing this program gives them.
 [[nodiscard]] bool hasOurChunks(hid_t set, const TableLayout& layout);
 
 /// @param first_row a chunk's first. @param rows a chunk's, or fewer for the last one, which is filled up with zeros

@@ -92,12 +92,27 @@ void JournaledFile::readJournal() {
     std::memcpy(&piece, rest.data(), sizeof piece);
     rest = rest.subspan(sizeof piece);
     if (piece.bytes > rest.size()) break;
+    if (piece.at > size_) break;  // what a recorder keeps in its journal lies within the file
     const auto bytes = rest.first(piece.bytes);
     waiting_.push_back({piece.at, {bytes.begin(), bytes.end()}});
     size_ = std::max(size_, piece.at + piece.bytes);
     rest = rest.subspan(piece.bytes);
   }
   found_journal_ = true;
+}
+
+std::uint64_t JournaledFile::sizeNow() const {
+  struct stat status {};
+  return ::fstat(file_, &status) == 0 ? std::max(size_, static_cast<std::uint64_t>(status.st_size)) : size_;
+}
+
+std::uint64_t JournaledFile::diskBytes() const {
+  constexpr std::uint64_t kBlockBytes = 512;       // of st_blocks
+  constexpr std::uint64_t kAlways = 64ULL << 20U;  // some file systems count new blocks seconds later
+  struct stat status {};
+  if (::fstat(file_, &status) != 0) return 0;
+  const std::uint64_t taken = std::max(static_cast<std::uint64_t>(status.st_blocks) * kBlockBytes, kAlways);
+  return std::min(static_cast<std::uint64_t>(status.st_size), taken);
 }
 
 int JournaledFile::read(std::uint64_t at, std::span<std::byte> out) const {

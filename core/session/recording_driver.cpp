@@ -57,8 +57,15 @@ herr_t setEndOfSpace(H5FD_t* file, H5FD_mem_t, haddr_t end) {
 
 haddr_t endOfFile(const H5FD_t* file, H5FD_mem_t) { return own(file).disk->size(); }
 
+// A recorder that is gone may have left the last block it wrote unfinished; what asks for more beyond the end asks for
+// something that was never there.
+constexpr std::uint64_t kMostBeyondEnd = 1U << 20U;
+
 herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, void* out) {
-  return own(file).disk->read(at, {static_cast<std::byte*>(out), size}) == 0 ? 0 : -1;
+  const JournaledFile& disk = *own(file).disk;
+  const auto beyond = [&](std::uint64_t end) { return at > end + kMostBeyondEnd || size > end + kMostBeyondEnd - at; };
+  if (beyond(disk.size()) && beyond(disk.sizeNow())) return -1;
+  return disk.read(at, {static_cast<std::byte*>(out), size}) == 0 ? 0 : -1;
 }
 
 herr_t write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, const void* bytes) {
@@ -73,6 +80,11 @@ herr_t truncate(H5FD_t* file, hid_t, hbool_t) {
 
 // HDF5 marks a file as being written, which its other readers look for, only when the driver can lock. Who records is
 // told by a lock of our own (recording_place.h), which HDF5's readers do not meet.
+herr_t handle(H5FD_t* file, hid_t, void** out) {
+  *out = own(file).disk.get();
+  return 0;
+}
+
 herr_t lock(H5FD_t*, hbool_t) { return 0; }
 herr_t unlock(H5FD_t*) { return 0; }
 
@@ -89,6 +101,7 @@ H5FD_class_t makeDriver() {
   driver.get_eoa = endOfSpace;
   driver.set_eoa = setEndOfSpace;
   driver.get_eof = endOfFile;
+  driver.get_handle = handle;
   driver.read = read;
   driver.write = write;
   driver.truncate = truncate;
@@ -99,18 +112,30 @@ H5FD_class_t makeDriver() {
   return driver;
 }
 
-}  // namespace
-
-Handle accessThrough(const std::shared_ptr<JournaledFile>& file, bool find_end) {
+hid_t driverId() {
   static const H5FD_class_t kDriver = makeDriver();
   static const hid_t kId = H5FDregister(&kDriver);
   if (kId < 0) failHard("HDF5 does not take the console's driver");
+  return kId;
+}
+
+}  // namespace
+
+Handle accessThrough(const std::shared_ptr<JournaledFile>& file, bool find_end) {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
   const DriverInfo info{&file, find_end};
-  check(H5Pset_driver(access.id(), kId, &info), "access");
+  check(H5Pset_driver(access.id(), driverId(), &info), "access");
   check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "access");
   check(H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG), "access");
   return access;
+}
+
+std::uint64_t diskBytes(hid_t file) {
+  const Handle access(H5Fget_access_plist(file), H5Pclose, "access");
+  if (H5Pget_driver(access.id()) != driverId()) failHard("not opened through the console's driver");
+  void* disk = nullptr;
+  check(H5Fget_vfd_handle(file, H5P_DEFAULT, &disk), "the file");
+  return static_cast<const JournaledFile*>(disk)->diskBytes();
 }
 
 }  // namespace fyd::session

@@ -12,4 +12,7 @@ namespace fyd::session {
 /// superblock knows
 [[nodiscard]] Handle accessThrough(const std::shared_ptr<JournaledFile>& file, bool find_end = false);
 
+/// What a file opened through `accessThrough` takes on the disk. @throws RecordingFailure for another file
+[[nodiscard]] std::uint64_t diskBytes(hid_t file);
+
 }  // namespace fyd::session

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/session/recording_chunks.h"
+#include "core/session/recording_layout.h"
 
 namespace fyd::session {
 namespace {
@@ -125,7 +126,7 @@ Hdf5Table Hdf5Table::create(hid_t file, const TableLayout& layout) {
                                  set_properties.id(), H5P_DEFAULT),
                       H5Dclose, layout.path);
   if (!layout.columns.empty()) writeUnits(table.set_.id(), layout);
-  table.whole_chunks_ = table.made_here_ = true;
+  table.made_here_ = true;
   return table;
 }
 
@@ -133,11 +134,10 @@ Hdf5Table Hdf5Table::open(hid_t file, const TableLayout& layout) {
   Hdf5Table table;
   table.layout_ = &layout;
   table.type_ = rowType(layout);
-  table.set_ = Handle(H5Dopen2(file, layout.path, H5P_DEFAULT), H5Dclose, layout.path);
+  table.set_ = openTable(file, layout);
   const Handle stored(H5Dget_type(table.set_.id()), H5Tclose, layout.path);
   if (H5Tequal(stored.id(), table.type_.id()) <= 0)
     failHard("{}: its columns are not those of this format", layout.path);
-  table.whole_chunks_ = hasOurChunks(table.set_.id(), layout);
   table.readExtent();
   return table;
 }
@@ -192,14 +192,6 @@ void Hdf5Table::appendRows(std::span<const std::byte> rows) {
 void Hdf5Table::read(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const {
   if (first > rows_ || count > rows_ - first) failHard("{}: rows {}+{} of {}", layout_->path, first, count, rows_);
   if (out.size() != count * layout_->row_bytes) failHard("{}: room for other rows than asked", layout_->path);
-  if (count == 0) return;
-  if (whole_chunks_)
-    readChunks(first, out);
-  else
-    readRows(first, count, out);
-}
-
-void Hdf5Table::readChunks(std::uint64_t first, std::span<std::byte> out) const {
   const std::size_t row_bytes = layout_->row_bytes;
   const std::size_t whole = layout_->chunk_rows * row_bytes;
   while (!out.empty()) {
@@ -219,15 +211,6 @@ void Hdf5Table::readChunks(std::uint64_t first, std::span<std::byte> out) const 
   }
 }
 
-void Hdf5Table::readRows(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const {
-  const hsize_t start = first;
-  const hsize_t length = count;
-  const Handle space(H5Dget_space(set_.id()), H5Sclose, layout_->path);
-  check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &start, nullptr, &length, nullptr), layout_->path);
-  const Handle memory(H5Screate_simple(1, &length, nullptr), H5Sclose, layout_->path);
-  check(H5Dread(set_.id(), type_.id(), memory.id(), space.id(), H5P_DEFAULT, out.data()), layout_->path);
-}
-
 void writeText(hid_t file, const char* path, const std::string& text) {
   const Handle properties(H5Pcreate(H5P_LINK_CREATE), H5Pclose, path);
   check(H5Pset_create_intermediate_group(properties.id(), 1), path);
@@ -240,7 +223,7 @@ void writeText(hid_t file, const char* path, const std::string& text) {
 }
 
 std::string readText(hid_t file, const char* path) {
-  const Handle set(H5Dopen2(file, path, H5P_DEFAULT), H5Dclose, path);
+  const Handle set = openValue(file, path);
   const Handle type(H5Dget_type(set.id()), H5Tclose, path);
   const Handle space(H5Dget_space(set.id()), H5Sclose, path);
   if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0) failHard("{}: not a text", path);
@@ -262,8 +245,10 @@ void writeBytes(hid_t file, const char* path, const std::string& bytes) {
 }
 
 std::string readBytes(hid_t file, const char* path) {
-  const Handle set(H5Dopen2(file, path, H5P_DEFAULT), H5Dclose, path);
+  const Handle set = openValue(file, path);
   const Handle space(H5Dget_space(set.id()), H5Sclose, path);
+  const Handle type(H5Dget_type(set.id()), H5Tclose, path);
+  if (H5Tequal(type.id(), H5T_STD_U8LE) <= 0) failHard("{}: not bytes", path);
   const hssize_t size = H5Sget_simple_extent_npoints(space.id());
   if (size < 0 || static_cast<std::uint64_t>(size) > kLongestText) failHard("{}: {} bytes", path, size);
   std::string bytes(static_cast<std::size_t>(size), '\0');

@@ -78,7 +78,7 @@ class Hdf5Table {
  public:
   Hdf5Table() = default;
   static Hdf5Table create(hid_t file, const TableLayout& layout);
-  /// @throws RecordingFailure when it is missing or its rows are laid out otherwise
+  /// @throws RecordingFailure when it is missing, or laid out or stored otherwise than this program does
   static Hdf5Table open(hid_t file, const TableLayout& layout);
 
   void append(std::span<const std::byte> rows);
@@ -93,15 +93,12 @@ class Hdf5Table {
   void readExtent();
   void appendChunks(std::span<const std::byte> rows);
   void appendRows(std::span<const std::byte> rows);
-  void readChunks(std::uint64_t first, std::span<std::byte> out) const;
-  void readRows(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const;
 
   const TableLayout* layout_ = nullptr;
   Handle set_;
   Handle type_;
   std::uint64_t rows_ = 0;
   bool made_here_ = false;             // and so written chunk by chunk
-  bool whole_chunks_ = false;          // can be read past HDF5's filters
   std::vector<std::byte> unfinished_;  // the last chunk's rows, while it is not full
 };
 

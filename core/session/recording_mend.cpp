@@ -6,6 +6,7 @@
 
 #include "core/session/recording_crc.h"
 #include "core/session/recording_hdf5.h"
+#include "core/session/recording_layout.h"
 #include "core/session/recording_telemetry_row.h"
 
 namespace fyd::session {
@@ -42,7 +43,7 @@ std::int64_t latestOf(std::span<const std::byte> telemetry, std::int64_t before_
 }  // namespace
 
 bool intact(const CommitRow& row, std::uint64_t number) {
-  return row.number == number &&
+  return row.number == number && countsCanBe(row) &&
          row.own_crc == crc32c(std::as_bytes(std::span(&row, 1)).first(offsetof(CommitRow, own_crc)));
 }
 

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/session/recording_driver.h"
+#include "core/session/recording_layout.h"
 #include "core/session/recording_place.h"
 
 namespace fyd::session {
@@ -44,6 +45,7 @@ RecordingSource::RecordingSource(int descriptor, std::string path) : descriptor_
   growing_ = recorderLives();
   // A living recorder's journal is its own affair: it applies it while we look.
   disk_ = std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::read, !growing_);
+  checkStart(*disk_);
   const Handle access = accessThrough(disk_);
   // HDF5 waits twice as long before each new attempt at a block whose checksum is wrong: a tenth of a second in all is
   // enough for a recorder that the machine interrupted while writing it, and where nobody writes, nothing will change.

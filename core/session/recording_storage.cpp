@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/session/recording_driver.h"
+#include "core/session/recording_layout.h"
 #include "core/session/recording_place.h"
 
 namespace fyd::session {
@@ -47,6 +48,7 @@ RecordingStorage::RecordingStorage(const std::string& partial, std::shared_ptr<D
 RecordingStorage::RecordingStorage(const LeftBehind& left_behind, std::shared_ptr<DiskCalls> calls)
     : descriptor_(opened(left_behind.path, 0)),
       disk_(std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::write, true, std::move(calls))) {
+  checkStart(*disk_);
   expectDone(disk_->applyJournal());
   const Handle access = accessThrough(disk_, true);
   const hbool_t clear = true;  // the gone recorder's mark, as HDF5's own tool h5clear does it

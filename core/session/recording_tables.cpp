@@ -1,6 +1,7 @@
 #include "core/session/recording_tables.h"
 
 #include "core/session/recording_crc.h"
+#include "core/session/recording_layout.h"
 #include "core/session/recording_mend.h"
 
 namespace fyd::session {
@@ -9,6 +10,7 @@ namespace {
 constexpr std::size_t kCacheBytes = 32U << 20U;
 constexpr std::size_t kLargestBlockBytes = 512U << 20U;  // more is no block of ours: do not even try
 constexpr std::uint64_t kCommitsPerRead = 256;
+constexpr std::size_t kReadAtOnce_bytes = 1U << 20U;
 
 // Tables with little in each commit are read many commits at a time.
 std::uint64_t commitsPerBlock(Table table) {
@@ -75,7 +77,8 @@ bool RecordingTables::findLast() {
     try {
       commit_table_.read(count - 1, 1, std::as_writable_bytes(std::span(&row, 1)));
     } catch (const RecordingFailure&) {
-      continue;  // a torn chunk: the commit before may stand in another
+      count -= (count - 1) % commitLayout().chunk_rows;  // a torn chunk: the commit before may stand in another
+      continue;
     }
     if (!intact(row, count - 1)) continue;
     bool complete = true;
@@ -180,8 +183,13 @@ std::shared_ptr<const RecordingBlock> RecordingTables::load(Table table, std::ui
   if (end < block->first || (end - block->first) > kLargestBlockBytes / row_bytes)
     failHard("{}: rows {} to {} in one block", layoutOf(table).path, block->first, end);
   block->count = end - block->first;
-  block->bytes.resize(block->count * row_bytes);
-  tables_[i].read(block->first, block->count, block->bytes);
+  // Piece by piece: rows that are only claimed take no memory.
+  const std::uint64_t piece = std::max<std::uint64_t>(1, kReadAtOnce_bytes / row_bytes);
+  for (std::uint64_t done = 0; done < block->count; done += piece) {
+    const std::uint64_t rows = std::min(piece, block->count - done);
+    block->bytes.resize((done + rows) * row_bytes);
+    tables_[i].read(block->first + done, rows, std::span(block->bytes).subspan(done * row_bytes));
+  }
   std::uint64_t from = block->first;
   for (std::uint64_t number = first_commit; number < end_commit; ++number) {
     const CommitRow row = commit(number);

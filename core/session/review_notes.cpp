@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -12,6 +13,8 @@
 
 namespace fyd::session {
 namespace {
+
+constexpr std::uintmax_t kMost_bytes = 64 << 20;
 
 constexpr std::array<std::pair<NoteKind, const char*>, 2> kKinds = {
     {{NoteKind::note, "note"}, {NoteKind::bookmark, "bookmark"}}};
@@ -35,9 +38,14 @@ std::string reviewNotesPath(const std::string& recording_path) { return recordin
 
 Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_path) {
   const std::string path = reviewNotesPath(recording_path);
+  std::error_code problem;
+  const std::uintmax_t size = std::filesystem::file_size(path, problem);  // an error for a pipe or a device
+  if (problem == std::errc::no_such_file_or_directory) return std::vector<ReviewNote>{};
+  if (problem) return fail("{}: cannot be read: {}", path, problem.message());
+  if (size > kMost_bytes) return fail("{}: {} bytes; notes have at most {}", path, size, kMost_bytes);
   std::ifstream file(path, std::ios::binary);
-  if (!file) return std::vector<ReviewNote>{};
   const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) return fail("{}: cannot be read", path);
   std::vector<ReviewNote> notes;
   try {
     const nlohmann::json all = nlohmann::json::parse(text);  // must outlive the loop over a part of it

@@ -1,0 +1,26 @@
+// Whether a file is built as this program builds recordings, asked before a row or a text of it is read.
+//
+// HDF5 lets a file say that its values lie in another file, behind a pipe, in a hundred other datasets, or in one chunk
+// of a gigabyte. A recording has none of this: everything stands in the file itself, in chunks of our size and packing,
+// and counts no more rows than its bytes can hold. So time and memory of its readers are bounded by the file's length.
+//
+// Failures are RecordingFailure and name the object; the caller holds the HDF5 lock.
+#pragma once
+
+#include "core/session/recording_disk.h"
+#include "core/session/recording_hdf5.h"
+
+namespace fyd::session {
+
+/// Before HDF5 sees the file: its first bytes are a superblock as the recorder writes it.
+void checkStart(const JournaledFile& disk);
+
+/// A table's dataset. Every reader of rows opens it here.
+[[nodiscard]] Handle openTable(hid_t file, const TableLayout& layout);
+/// The dataset of a text or of bytes. Every reader of one opens it here.
+[[nodiscard]] Handle openValue(hid_t file, const char* path);
+
+/// Whether a commit may count so many steps: the recorder writes one after 250 of them at the latest.
+[[nodiscard]] bool countsCanBe(const CommitRow& row);
+
+}  // namespace fyd::session
