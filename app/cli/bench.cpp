@@ -1,11 +1,11 @@
 // fyd bench [NAME] [--out DIR]
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iostream>
 
 #include "app/cli/bench/table.h"
 #include "app/cli/command.h"
+#include "app/cli/output_file.h"
 
 namespace fyd::bench {
 #define FYD_BENCH(name) Table bench_##name();
@@ -30,12 +30,6 @@ const std::vector<Subject>& subjects() {
   return all;
 }
 
-void write(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush()) throw Failure(fmt::format("{}: cannot be written", path.string()));
-}
-
 }  // namespace
 
 void add_bench(CLI::App& app) {
@@ -58,8 +52,8 @@ void add_bench(CLI::App& app) {
       std::error_code problem;
       std::filesystem::create_directories(options->out, problem);
       if (problem) throw Failure(fmt::format("{}: {}", options->out, problem.message()));
-      write(std::filesystem::path(options->out) / (table.subject + ".md"), bench::toMarkdown(table));
-      write(std::filesystem::path(options->out) / (table.subject + ".csv"), bench::toCsv(table));
+      writeTextFile(std::filesystem::path(options->out) / (table.subject + ".md"), bench::toMarkdown(table));
+      writeTextFile(std::filesystem::path(options->out) / (table.subject + ".csv"), bench::toCsv(table));
     }
   });
 }

@@ -1,10 +1,10 @@
 // fyd stiffness --target K [--controller pid|thesis] [--plant-scale S] [--noise N] [--delay MS] [--friction PERCENT]
 //               [--hysteresis H] [--seed I] [--profile P] [--set id=value] [--course FILE.csv] [--json]
 #include <cmath>
-#include <fstream>
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "app/cli/output_file.h"
 #include "app/cli/trial_options.h"
 
 namespace fyd::cli {
@@ -13,15 +13,14 @@ namespace {
 constexpr double kLeastTarget_N_per_mm = 0.05, kMostTarget_N_per_mm = 3.0;  // pipeline.hand_target_N_per_mm
 
 void writeCourse(const std::string& path, const std::vector<sim::TrialPoint>& course) {
-  std::ofstream file(path);
-  file << "time_s,true_N_per_mm,measured_N_per_mm,stretch_deg\n";
+  std::string text = "time_s,true_N_per_mm,measured_N_per_mm,stretch_deg\n";
   for (const sim::TrialPoint& point : course) {
-    file << (std::isfinite(point.measured_N_per_mm)
+    text += (std::isfinite(point.measured_N_per_mm)
                  ? fmt::format("{:.3f},{:.5f},{:.5f},{:.3f}\n", point.time_s, point.true_N_per_mm,
                                point.measured_N_per_mm, point.stretch_deg)
                  : fmt::format("{:.3f},{:.5f},nan,{:.3f}\n", point.time_s, point.true_N_per_mm, point.stretch_deg));
   }
-  if (!file.flush()) throw Failure(fmt::format("{}: cannot be written", path));
+  writeTextFile(path, text);
 }
 
 nlohmann::ordered_json trialJson(const sim::TrialResult& result) {

@@ -1,12 +1,12 @@
 #include "app/cli/telemetry_csv.h"
 
 #include "app/cli/command.h"
+#include "app/cli/output_file.h"
 #include "core/session/export_csv_text.h"
 
 namespace fyd::cli {
 
-TelemetryCsv::TelemetryCsv(const std::string& path) : path_(path), file_(path, std::ios::binary) {
-  if (!file_) throw Failure(fmt::format("{}: cannot be opened for writing", path));
+TelemetryCsv::TelemetryCsv(const std::string& path) : path_(path), file_(openForWriting(path)) {
   for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
     line_ += line_.empty() ? "" : ",";
     line_ += field.name;

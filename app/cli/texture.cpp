@@ -1,17 +1,9 @@
 // fyd texture render | fit | play | contact
-#include <fstream>
 #include <iterator>
 
 #include "app/cli/texture_cli.h"
 
 namespace fyd::cli {
-
-void writeTextFile(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  if (!file) throw Failure(fmt::format("{}: cannot be opened for writing", path));
-  file << text;
-  if (!file.flush()) throw Failure(fmt::format("{}: cannot be written", path));
-}
 
 void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal) {
   std::string text = "t_s,signal\n";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/output_file.h"
 #include "core/texture/recording.h"
 
 namespace fyd::cli {
@@ -16,8 +17,6 @@ void addTextureFit(CLI::App& parent);
 void addTexturePlay(CLI::App& parent);
 void addTextureContact(CLI::App& parent);
 
-/// Failure when it cannot be written.
-void writeTextFile(const std::string& path, const std::string& text);
 /// CSV t_s,signal with the digits that round-trip.
 void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal);
 

@@ -27,7 +27,9 @@ std::optional<ThemeChoice> themeOf(const QString& word) {
 }
 
 QString memoryFile(const QString& profile_path) {
-  return QFileInfo(profile_path).absolutePath() + QStringLiteral("/window.ini");
+  const QFileInfo file(QFileInfo(profile_path).absolutePath() + QStringLiteral("/window.ini"));
+  if (file.exists() && !file.isFile()) return {};  // a pipe or a device is neither waited for nor written
+  return file.filePath();
 }
 
 QStringList WindowMemory::layoutNames() const {

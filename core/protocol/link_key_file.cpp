@@ -31,7 +31,8 @@ std::string reason() { return std::generic_category().message(errno); }
 }  // namespace
 
 Result<LinkKey> readKeyFile(const std::string& path) {
-  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // A pipe must not hold us up before it is refused.
+  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat state {};
   if (file.get() < 0 || ::fstat(file.get(), &state) != 0) return fail("key file {}: {}", path, reason());
   if (!S_ISREG(state.st_mode)) return fail("key file {}: not a regular file", path);

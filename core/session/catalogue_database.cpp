@@ -10,6 +10,8 @@
 #include <chrono>
 #include <filesystem>
 
+#include "core/base/write_target.h"
+
 namespace fyd::session {
 namespace {
 
@@ -34,7 +36,7 @@ Result<void> prepareFolder(const std::string& path) {
     fs::permissions(folder, fs::perms::owner_all, error);  // subjects' codes are nobody else's business
   }
   if (!fs::is_directory(folder, error)) return fail("{}: {} is no folder", path, folder.native());
-  if (fs::is_directory(path, error)) return fail("{}: a folder, expected the catalogue's file", path);
+  if (const auto target = writeTargetOf(path); !target) return tl::unexpected(target.error());
   if (isOnNetwork(folder)) {
     return fail("{}: on a network share, where SQLite would be damaged; use a local path, or postgresql:…", path);
   }
@@ -152,6 +154,7 @@ Result<std::unique_ptr<CatalogueDatabase>> CatalogueDatabase::open(const Catalog
 
 Result<bool> isDamaged(const std::string& path) {
   if (!std::filesystem::exists(path)) return false;
+  if (const auto target = writeTargetOf(path); !target) return tl::unexpected(target.error());
   try {
     soci::session session(soci::sqlite3, sqliteOptions(path));
     std::string answer;

@@ -20,21 +20,29 @@ bool exists(const std::string& path) {
 }  // namespace
 
 Result<ExportFile> ExportFile::create(const std::string& path, bool replace) {
-  const std::filesystem::path wanted(path);
-  if (wanted.filename().empty()) return fail("{}: not a file's name", path);
-  if (std::filesystem::is_directory(wanted)) return fail("{}: is a folder, not a file", path);
+  if (std::filesystem::path(path).filename().empty()) return fail("{}: not a file's name", path);
   if (!replace && exists(path)) return fail("{}: exists already", path);
+  auto target = writeTargetOf(path);
+  if (!target) return tl::unexpected(target.error());
+  const std::filesystem::path wanted(target->path);
   removeExportLeftovers(wanted.parent_path());
   auto part = makeExportPart(wanted);
   if (!part) return tl::unexpected(part.error());
-  return ExportFile(path, std::move(*part), replace);
+  ExportFile file(path, std::move(*target), std::move(*part), replace);
+  if (auto taken = takeOver(file.target_, file.lock_); !taken) return tl::unexpected(taken.error());
+  return file;
 }
 
-ExportFile::ExportFile(std::string path, ExportPart part, bool replace)
-    : path_(std::move(path)), temporary_(std::move(part.path)), lock_(part.lock), replace_(replace) {}
+ExportFile::ExportFile(std::string path, WriteTarget target, ExportPart part, bool replace)
+    : path_(std::move(path)),
+      target_(std::move(target)),
+      temporary_(std::move(part.path)),
+      lock_(part.lock),
+      replace_(replace) {}
 
 ExportFile::ExportFile(ExportFile&& other) noexcept
     : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
       lock_(std::exchange(other.lock_, -1)),
       replace_(other.replace_),
@@ -47,7 +55,9 @@ ExportFile::~ExportFile() {
 }
 
 tl::unexpected<Error> ExportFile::failed(int error) const {
-  return fail("{}: writing failed: {}; nothing is left of it", path_, std::strerror(error));
+  const char* why = std::strerror(error);
+  if (target_.exists) return fail("{}: writing failed: {}; the file stays as it was", path_, why);
+  return fail("{}: writing failed: {}; nothing is left of it", path_, why);
 }
 
 Result<void> ExportFile::write(std::string_view bytes) {
@@ -59,22 +69,30 @@ Result<void> ExportFile::write(std::string_view bytes) {
   return {};
 }
 
-Result<void> ExportFile::commit() {
-  if (file_) {
-    if (std::fflush(file_.get()) != 0) return failed(errno);
-    file_.reset();
-  }
-  // A disk may take bytes and refuse them later; only a sync tells.
+// A disk may take bytes and refuse them later; only a sync tells.
+Result<void> ExportFile::syncPart() const {
   const int file = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return failed(errno);
   const bool synced = ::fsync(file) == 0;
   const int problem = errno;
   ::close(file);
   if (!synced) return failed(problem);
+  return {};
+}
+
+Result<void> ExportFile::commit() {
+  if (file_) {
+    if (std::fflush(file_.get()) != 0) return failed(errno);
+    file_.reset();
+  }
+  if (auto synced = syncPart(); !synced) return synced;
+  // What came to stand there meanwhile is not taken away.
+  if (auto still = writeTargetOf(target_.path); !still) return tl::unexpected(still.error());
   // Without a race where the file system can: a file that came meanwhile is not lost.
   const unsigned flags = replace_ ? 0U : static_cast<unsigned>(RENAME_NOREPLACE);
-  int renamed = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), flags);
-  if (renamed != 0 && errno == EINVAL && !exists(path_)) renamed = ::rename(temporary_.c_str(), path_.c_str());
+  const char* to = target_.path.c_str();
+  int renamed = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, to, flags);
+  if (renamed != 0 && errno == EINVAL && !exists(target_.path)) renamed = ::rename(temporary_.c_str(), to);
   if (renamed != 0) {
     if (errno == EEXIST) return fail("{}: exists already", path_);
     return failed(errno);

@@ -1,4 +1,5 @@
-// A file that appears whole or not at all: written under a temporary name in its folder, synced, renamed.
+// A file that appears whole or not at all: written under a temporary name in its folder, synced, renamed. It goes to a
+// regular file only, through links to their end, and keeps the mode and the owner of the file it replaces.
 #pragma once
 
 #include <cstdio>
@@ -7,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/write_target.h"
 #include "core/session/export_part.h"
 
 namespace fyd::session {
@@ -14,7 +16,7 @@ namespace fyd::session {
 class ExportFile {
  public:
   /// What killed programs left in the folder goes away before.
-  /// @return an error when the folder cannot be written, or `path` exists and may not be replaced
+  /// @return an error when the folder cannot be written, `path` is no file, or exists and may not be replaced
   [[nodiscard]] static Result<ExportFile> create(const std::string& path, bool replace);
   ExportFile(ExportFile&& other) noexcept;
   ExportFile& operator=(ExportFile&&) = delete;
@@ -30,10 +32,12 @@ class ExportFile {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  ExportFile(std::string path, ExportPart part, bool replace);
+  ExportFile(std::string path, WriteTarget target, ExportPart part, bool replace);
+  [[nodiscard]] Result<void> syncPart() const;
   [[nodiscard]] tl::unexpected<Error> failed(int error) const;
 
-  std::string path_;
+  std::string path_;  ///< as the caller calls it
+  WriteTarget target_;
   std::string temporary_;  ///< empty: renamed, or handed on
   int lock_ = -1;          ///< tells other programs that this one lives
   bool replace_ = false;

@@ -46,7 +46,7 @@ Result<ExportPart> makeExportPart(const std::filesystem::path& wanted) {
   for (int i = 0; i < kTries; ++i) {
     std::string name = pattern;
     const int file = ::mkostemps(name.data(), static_cast<int>(extension.size()), O_CLOEXEC);
-    if (file < 0) return fail("{}: cannot be made: {}", wanted.string(), std::strerror(errno));
+    if (file < 0) return fail("{}: cannot be written: {}", wanted.string(), std::strerror(errno));
     if (!lockOwn(file)) {
       ::close(file);
       continue;
@@ -57,7 +57,7 @@ Result<ExportPart> makeExportPart(const std::filesystem::path& wanted) {
     ::fchmod(file, 0666 & ~mask);
     return ExportPart{std::move(name), file};
   }
-  return fail("{}: cannot be made: another program takes its part files away", wanted.string());
+  return fail("{}: cannot be written: another program takes its part files away", wanted.string());
 }
 
 bool isExportPart(std::string_view name) {

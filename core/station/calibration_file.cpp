@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base/write_target.h"
 #include "core/calibration/calibration_dependence.h"
 #include "core/control/control_parameters.h"
 #include "core/station/replace_file.h"
@@ -87,6 +88,8 @@ Result<calibration::CalibrationRecord> saveCalibration(const calibration::Calibr
   const std::string path = calibrationFileOf(profile_path);
   const auto before = readRecordFile(path);
   if (!before) return tl::unexpected(before.error());
+  const auto target = writeTargetOf(path);  // before it is there: a link stays
+  if (!target) return tl::unexpected(target.error());
   if (auto written = replaceFile(path, calibration::formatRecords(*records)); !written) {
     return tl::unexpected(written.error());
   }
@@ -94,7 +97,7 @@ Result<calibration::CalibrationRecord> saveCalibration(const calibration::Calibr
     if (before->exists) {
       (void)replaceFile(path, before->text);
     } else {
-      ::unlink(path.c_str());
+      ::unlink(target->path.c_str());
     }
     return tl::unexpected(saved.error());
   }

@@ -8,8 +8,10 @@
 
 namespace fyd::station {
 
-/// Writes beside `path`, syncs and renames over it: a reader sees the old or the new file, never half of one.
-/// @return an error with the path and the system's reason; the old file is then untouched
+/// Writes beside the file, syncs and renames over it: a reader sees the old or the new one, never half of one. A link
+/// stays a link, and the file it leads to keeps mode and owner.
+/// @return an error with the path and the reason, also when a device, a pipe or a folder stands there; what was there
+/// is then untouched
 [[nodiscard]] Result<void> replaceFile(const std::string& path, std::string_view text);
 
 }  // namespace fyd::station

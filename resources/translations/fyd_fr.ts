@@ -370,6 +370,10 @@
         <translation>%1 : demandé %2 Bd, le port fonctionne à %3 Bd ; choisir une vitesse que permet son pilote</translation>
     </message>
     <message>
+        <source>%1: belongs to another user (uid %2, gid %3), who would lose it; choose another name</source>
+        <translation>%1 : appartient à un autre utilisateur (uid %2, gid %3), qui le perdrait ; choisissez un autre nom</translation>
+    </message>
+    <message>
         <source>%1: cannot be opened for reading</source>
         <translation>%1 : impossible à ouvrir en lecture</translation>
     </message>
@@ -380,10 +384,6 @@
     <message>
         <source>%1: cannot be read: %2</source>
         <translation>%1 : illisible : %2</translation>
-    </message>
-    <message>
-        <source>%1: cannot be replaced: %2</source>
-        <translation>%1 : impossible à remplacer : %2</translation>
     </message>
     <message>
         <source>%1: cannot be written: %2</source>
@@ -438,12 +438,32 @@
         <translation>%1 : utilisé par un autre programme (« fuser %2 » le nomme)</translation>
     </message>
     <message>
+        <source>%1: is a device, not a file</source>
+        <translation>%1 : c'est un périphérique, pas un fichier</translation>
+    </message>
+    <message>
+        <source>%1: is a folder, not a file</source>
+        <translation>%1 : c'est un dossier, pas un fichier</translation>
+    </message>
+    <message>
+        <source>%1: is a pipe, not a file</source>
+        <translation>%1 : c'est un tube, pas un fichier</translation>
+    </message>
+    <message>
+        <source>%1: is a socket, not a file</source>
+        <translation>%1 : c'est un socket, pas un fichier</translation>
+    </message>
+    <message>
         <source>%1: is being recorded at this moment</source>
         <translation>%1 : est en cours d'enregistrement en ce moment</translation>
     </message>
     <message>
         <source>%1: is no serial port</source>
         <translation>%1 : n'est pas un port série</translation>
+    </message>
+    <message>
+        <source>%1: its links run in a circle</source>
+        <translation>%1 : ses liens tournent en rond</translation>
     </message>
     <message>
         <source>%1: no permission. Add yourself to its group with "sudo usermod -aG %2 $USER" and log in again</source>
@@ -540,6 +560,14 @@
     <message>
         <source>%1: writing failed: %2</source>
         <translation>%1 : échec de l'écriture : %2</translation>
+    </message>
+    <message>
+        <source>%1: writing failed: %2; nothing is left of it</source>
+        <translation>%1 : l'écriture a échoué : %2 ; il n'en reste rien</translation>
+    </message>
+    <message>
+        <source>%1: writing failed: %2; the file stays as it was</source>
+        <translation>%1 : l'écriture a échoué : %2 ; le fichier reste tel quel</translation>
     </message>
     <message>
         <source>%1; %2 is whole up to here. Make room or choose another disk</source>

@@ -370,6 +370,10 @@
         <translation>%1: chiesti %2 Bd, la porta va a %3 Bd; scegliere una velocità che il suo driver consente</translation>
     </message>
     <message>
+        <source>%1: belongs to another user (uid %2, gid %3), who would lose it; choose another name</source>
+        <translation>%1: appartiene a un altro utente (uid %2, gid %3), che lo perderebbe; scegliere un altro nome</translation>
+    </message>
+    <message>
         <source>%1: cannot be opened for reading</source>
         <translation>%1: non si può aprire in lettura</translation>
     </message>
@@ -380,10 +384,6 @@
     <message>
         <source>%1: cannot be read: %2</source>
         <translation>%1: non si può leggere: %2</translation>
-    </message>
-    <message>
-        <source>%1: cannot be replaced: %2</source>
-        <translation>%1: non si può sostituire: %2</translation>
     </message>
     <message>
         <source>%1: cannot be written: %2</source>
@@ -438,12 +438,32 @@
         <translation>%1: in uso da un altro programma ("fuser %2" lo nomina)</translation>
     </message>
     <message>
+        <source>%1: is a device, not a file</source>
+        <translation>%1: è un dispositivo, non un file</translation>
+    </message>
+    <message>
+        <source>%1: is a folder, not a file</source>
+        <translation>%1: è una cartella, non un file</translation>
+    </message>
+    <message>
+        <source>%1: is a pipe, not a file</source>
+        <translation>%1: è una pipe, non un file</translation>
+    </message>
+    <message>
+        <source>%1: is a socket, not a file</source>
+        <translation>%1: è un socket, non un file</translation>
+    </message>
+    <message>
         <source>%1: is being recorded at this moment</source>
         <translation>%1: è in registrazione in questo momento</translation>
     </message>
     <message>
         <source>%1: is no serial port</source>
         <translation>%1: non è una porta seriale</translation>
+    </message>
+    <message>
+        <source>%1: its links run in a circle</source>
+        <translation>%1: i suoi collegamenti girano in tondo</translation>
     </message>
     <message>
         <source>%1: no permission. Add yourself to its group with "sudo usermod -aG %2 $USER" and log in again</source>
@@ -540,6 +560,14 @@
     <message>
         <source>%1: writing failed: %2</source>
         <translation>%1: scrittura non riuscita: %2</translation>
+    </message>
+    <message>
+        <source>%1: writing failed: %2; nothing is left of it</source>
+        <translation>%1: la scrittura non è riuscita: %2; non ne resta nulla</translation>
+    </message>
+    <message>
+        <source>%1: writing failed: %2; the file stays as it was</source>
+        <translation>%1: la scrittura non è riuscita: %2; il file resta com'era</translation>
     </message>
     <message>
         <source>%1; %2 is whole up to here. Make room or choose another disk</source>
