@@ -98,7 +98,9 @@ void addSessionReplay(CLI::App& parent) {
         csv->write(replayed);
       };
     }
-    const auto result = valueOrFail(session::replay(*recording, options->replay, observer));
+    const auto replayed = session::replay(*recording, options->replay, observer);
+    if (!replayed) throw Failure(fmt::format("{}: {}", options->session.file, replayed.error().message));
+    const session::ReplayResult& result = *replayed;
     if (csv) csv->close();
     printSession(toJson(result, recording->info()), options->session.json);
     const bool proves = !result.what_if && !result.closed_loop;

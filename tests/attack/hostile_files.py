@@ -9,7 +9,6 @@ read the most. Linux; needs h5py and numpy. Which kinds there are: hostile_kinds
 import os
 import random
 import resource
-import shutil
 import stat
 import subprocess
 import sys
@@ -72,14 +71,6 @@ def run(words, folder):
             process.returncode = None
         said.seek(0)
         return process.returncode, said.read(), usage.ru_maxrss * 1024, time.monotonic() - start
-
-
-def copied(file, to):
-    """The hostile thing itself, whatever it is."""
-    if os.path.islink(file) or not os.path.isfile(file):
-        os.rename(file, to)
-    else:
-        subprocess.run(["cp", "--sparse=always", file, to], check=True)
 
 
 def holds_secret(folder, hostile):
