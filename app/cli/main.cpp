@@ -1,9 +1,12 @@
 // fyd: every capability of the library without a window.
-// Exit codes: 0 success, 1 the operation failed, 2 wrong usage.
+// Exit codes: 0 success (also when Ctrl+C or SIGTERM ended what runs until then), 1 the operation failed, 2 wrong
+// usage, 129 its terminal went away (SIGHUP).
+#include <csignal>
 #include <iostream>
 
 #include "app/cli/command.h"
 #include "app/cli/exit_code.h"
+#include "core/base/end_signals.h"
 
 namespace fyd::cli {
 #define FYD_COMMAND(name) void add_##name(CLI::App&);
@@ -12,6 +15,7 @@ namespace fyd::cli {
 }  // namespace fyd::cli
 
 int main(int argc, char** argv) {
+  fyd::makeFailedWritesErrors();
   CLI::App app("FYD Console's command line: the touchpad, its algorithms and its protocol without a window", "fyd");
   app.set_version_flag("--version", "fyd " FYD_VERSION);
   app.require_subcommand(1);
@@ -33,5 +37,8 @@ int main(int argc, char** argv) {
     std::cerr << "fyd: " << error.what() << '\n';
     return 1;
   }
-  return std::cout.flush() ? 0 : 1;
+  if (fyd::endSignal() == SIGHUP) return fyd::exitCodeOf(SIGHUP);
+  if (std::cout.flush()) return 0;
+  std::cerr << "fyd: standard output: not all that was to be printed could be written\n";
+  return 1;
 }

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <thread>
 
-#include "app/cli/interrupt.h"
+#include "core/base/end_signals.h"
 
 namespace fyd::cli {
 namespace {
@@ -77,11 +77,11 @@ void addRunOptions(CLI::App& command, double& duration_s, bool& json, const std:
 }
 
 void runUntilInterrupted(const std::function<void(const std::stop_token&)>& run, const std::function<void()>& look) {
-  watchForInterrupt();
+  watchForEnd();
   std::stop_source source;
   std::atomic<bool> finished = false;
   std::jthread watcher([&] {
-    while (!finished && !wasInterrupted()) {
+    while (!finished && endSignal() == 0) {
       if (look) look();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }

@@ -2,7 +2,6 @@
 // `store` moves one.
 #include "app/cli/session_catalogue.h"
 
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -60,7 +59,6 @@ void runAdd(const SessionCatalogueOptions& options) {
 }
 
 void runStore(const SessionCatalogueOptions& options) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a quota becomes an error with words, instead of the end of this program
   const auto done = valueOrFail(session::storeClosed(options.file, options.target, options.catalogue));
   if (options.json) {
     printJson({{"from", options.file}, {"path", done.path}, {"bytes", done.bytes}, {"was_there", done.was_there}});

@@ -3,8 +3,8 @@
 #include <thread>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/sim_touchpad.h"
+#include "core/base/end_signals.h"
 #include "core/protocol/register_map.h"
 #include "core/sim/touchpad_process.h"
 
@@ -70,12 +70,12 @@ void runSimTouchpad(SimTouchpadOptions& options) {
   }
   if (!options.finger.empty()) options.process.finger = valueOrFail(sim::FingerPath::fromCsv(options.finger));
 
-  watchForInterrupt();
+  watchForEnd();
   const auto process = valueOrFail(sim::TouchpadProcess::start(options.process));
   for (const std::string& address : process->addresses()) std::cerr << "serving " << address << '\n';
   const Instant start = Clock::now();
   const auto seconds = [&] { return toSeconds(Clock::now() - start); };
-  while (!wasInterrupted() && (options.duration_s <= 0.0 || seconds() < options.duration_s)) {
+  while (endSignal() == 0 && (options.duration_s <= 0.0 || seconds() < options.duration_s)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   reportSimTouchpad(options, *process, seconds());

@@ -8,9 +8,9 @@
 #include <spdlog/spdlog.h>
 
 #include "app/cli/command.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/profile_options.h"
 #include "app/cli/telemetry_csv.h"
+#include "core/base/end_signals.h"
 #include "core/session/catalogue.h"
 #include "core/station/option_words.h"
 #include "core/station/station.h"
@@ -129,13 +129,12 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
 }
 
 void runStation(const StationOptions& options) {
+  watchForEnd();  // before anything is recorded
   // Standard output carries the result alone.
   spdlog::set_default_logger(spdlog::stderr_color_mt("fyd"));
   auto station = valueOrFail(station::Station::open(options.station));
   std::unique_ptr<TelemetryCsv> csv;
   if (!options.telemetry.empty()) csv = std::make_unique<TelemetryCsv>(options.telemetry);
-
-  watchForInterrupt();
 
   ArmOnce arm;
   SessionFigures figures;
@@ -154,7 +153,7 @@ void runStation(const StationOptions& options) {
       spdlog::info("{:9.3f} s  {}", toSeconds(notice.when - start), notice.text);
     }
   };
-  while (!wasInterrupted() && (options.duration_s <= 0.0 || toSeconds(Clock::now() - start) < options.duration_s)) {
+  while (endSignal() == 0 && (options.duration_s <= 0.0 || toSeconds(Clock::now() - start) < options.duration_s)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     drain();
   }
@@ -163,13 +162,14 @@ void runStation(const StationOptions& options) {
   if (station->recorderStatus().state == session::RecorderState::recording) (void)station->stopRecording();
   reportStation(options, at_end, *station);
   station->shutDown();
+  if (options.station.record) {
+    const session::RecorderStatus recorded = station->recorderStatus();
+    if (recorded.state == session::RecorderState::failed) throw Failure("recording: " + recorded.problem);
+    // The recording is closed and safe whatever becomes of its entry.
+    const auto entered = session::catalogueRecording(options.catalogue, options.station.record->path);
+    if (!entered) spdlog::warn("catalogue: {}", entered.error().message);
+  }
   if (csv) csv->close();
-  if (!options.station.record) return;
-  const session::RecorderStatus recorded = station->recorderStatus();
-  if (recorded.state == session::RecorderState::failed) throw Failure("recording: " + recorded.problem);
-  // The recording is closed and safe whatever becomes of its entry.
-  const auto entered = session::catalogueRecording(options.catalogue, options.station.record->path);
-  if (!entered) spdlog::warn("catalogue: {}", entered.error().message);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
-// fyd-console: the operator's window. Exit codes: 0 success, 1 the session could not be opened, 2 wrong usage.
+// fyd-console: the operator's window. Exit codes: 0 success, 1 the session could not be opened, 2 wrong usage, 128 + N
+// ended by signal N, with the recording closed.
 #include <QApplication>
+#include <QBuffer>
 #include <QFileInfo>
+#include <QSocketNotifier>
 #include <QStandardPaths>
 #include <QTimer>
 #include <cstdio>
@@ -8,6 +11,8 @@
 #include "app/console/language.h"
 #include "app/console/main_window.h"
 #include "app/console/options.h"
+#include "core/base/end_signals.h"
+#include "core/station/replace_file.h"
 
 namespace {
 
@@ -35,22 +40,30 @@ fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options,
   return out;
 }
 
+/// The name's ending says the format.
+fyd::Result<void> savePicture(const QPixmap& picture, const QString& path) {
+  QBuffer bytes;
+  bytes.open(QIODevice::WriteOnly);
+  if (!picture.save(&bytes, QFileInfo(path).suffix().toUtf8().constData()))
+    return fyd::fail("{}: no picture of this format can be made", path.toStdString());
+  return fyd::station::replaceFile(path.toStdString(), bytes.data().toStdString());
+}
+
 /// Saves what the window shows, and leaves. Arms only what is simulated: nothing that could move.
 void takePictureAfter(fyd::console::MainWindow& window, const Options& options, bool simulated) {
   if (simulated) window.armOnce();
   QTimer::singleShot(static_cast<int>(options.screenshot_after_s * 1000.0), &window,
                      [&window, path = options.screenshot] {
-                       const bool saved = window.grab().save(path);
-                       if (!saved)
-                         std::fprintf(stderr, "fyd-console: %s: the picture could not be written\n", qPrintable(path));
+                       const auto saved = savePicture(window.grab(), path);
                        window.close();
-                       QApplication::exit(saved ? 0 : 1);
+                       QApplication::exit(saved ? 0 : complain(saved.error().message, 1));
                      });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  fyd::makeFailedWritesErrors();
   // Help and mistakes need no display, so they are dealt with before the application asks for one.
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
@@ -65,6 +78,7 @@ int main(int argc, char** argv) {
   const QString profile_path = options->profile.isEmpty() ? ownProfile() : options->profile;
   const auto wanted = stationOptions(*options, profile_path);
   if (!wanted) return complain(wanted.error().message, 2);
+  fyd::watchForEnd();
   auto session = fyd::console::openSession(*wanted);
   if (!session) return complain(session.error().message, 1);
 
@@ -85,5 +99,12 @@ int main(int argc, char** argv) {
     const auto sources = fyd::station::withProfileSources(*wanted);
     takePictureAfter(window, *options, sources.touchpad == "simulated" && sources.motors.empty());
   }
-  return QApplication::exec();
+  QSocketNotifier asked_to_end(fyd::endSignalDescriptor(), QSocketNotifier::Read);
+  QObject::connect(&asked_to_end, &QSocketNotifier::activated, &window, [&] {
+    asked_to_end.setEnabled(false);
+    window.close();  // closes the recording too
+    QApplication::quit();
+  });
+  const int code = QApplication::exec();
+  return fyd::endSignal() == 0 ? code : fyd::exitCodeOf(fyd::endSignal());
 }

@@ -1,19 +1,24 @@
 #include "core/session/disk_space.h"
 
+#include <sys/resource.h>
 #include <sys/statvfs.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 
 namespace fyd::session {
 
-Result<std::uint64_t> freeBytes(const std::string& path) {
+Result<std::uint64_t> freeBytes(const std::string& path, std::uint64_t written) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const std::string name = folder.empty() ? "." : folder.string();
   struct statvfs disk {};
   if (::statvfs(name.c_str(), &disk) != 0) return fail("{}: {}", name, std::strerror(errno));
-  return static_cast<std::uint64_t>(disk.f_bavail) * static_cast<std::uint64_t>(disk.f_frsize);
+  const auto free = static_cast<std::uint64_t>(disk.f_bavail) * static_cast<std::uint64_t>(disk.f_frsize);
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return free;
+  return std::min<std::uint64_t>(free, limit.rlim_cur > written ? limit.rlim_cur - written : 0);
 }
 
 void GrowthRate::observe(Instant now, std::uint64_t bytes) {

@@ -10,8 +10,9 @@
 
 namespace fyd::session {
 
-/// Bytes a user may still write in the folder of `path`.
-[[nodiscard]] Result<std::uint64_t> freeBytes(const std::string& path);
+/// Bytes a user may still write to the file `path`, which has `written` already. A limit on the size of files (ulimit
+/// -f) counts as the end of the disk.
+[[nodiscard]] Result<std::uint64_t> freeBytes(const std::string& path, std::uint64_t written = 0);
 
 /// Growth of a file over the last ten seconds.
 class GrowthRate {

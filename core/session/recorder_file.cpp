@@ -134,7 +134,7 @@ Result<void> Recorder::Impl::everySecond(Instant now) {
   }
   if (!behind) growth.observe(now, writer->bytes());  // what was kept from before the start goes in at once
   now_recording.bytes_per_s = growth.bytes_per_s();
-  const auto free = freeBytes(now_recording.path);
+  const auto free = freeBytes(now_recording.path, writer->bytes());
   if (!free) return tl::unexpected(free.error());
   const double left = static_cast<double>(*free) - options.smallest_free_MB * kMB;
   now_recording.minutes_left =

@@ -1,0 +1,27 @@
+// Signals that ask a program to end, remembered so that it ends by itself, with its recording closed:
+// SIGINT (Ctrl+C), SIGTERM (logout, shutdown, kill) and SIGHUP (the terminal or the session is gone).
+//
+// SIGINT or SIGTERM a second later or more ends the program at once: the way out when the first is not obeyed. What
+// comes sooner is the same wish once more: a logout sends SIGTERM and SIGHUP together, a shell repeats its terminal's
+// SIGHUP.
+#pragma once
+
+namespace fyd {
+
+/// From now on; what came before is forgotten. SIGHUP stays ignored where the caller has it ignored, as nohup does.
+void watchForEnd();
+
+/// The first that came since `watchForEnd`; 0: none.
+[[nodiscard]] int endSignal();
+
+/// Becomes readable when one comes, for a program that waits for events; -1 before `watchForEnd`.
+[[nodiscard]] int endSignalDescriptor();
+
+/// What a shell sees of a program that a signal has ended.
+[[nodiscard]] constexpr int exitCodeOf(int signal) { return 128 + signal; }
+
+/// A reader that went away (SIGPIPE) and a limit on the size of files (SIGXFSZ) no longer end the program in the middle
+/// of its work: the write fails, with EPIPE or EFBIG, as it does on a full disk. For the first line of a `main`.
+void makeFailedWritesErrors();
+
+}  // namespace fyd
