@@ -58,8 +58,8 @@ bool InputHealth::devicesLive(const Lacks& lacks) {
 }
 
 Lack InputHealth::first(const Lacks& lacks) {
-  for (std::size_t i = 0; i < lacks.size(); ++i) {
-    if (lacks.test(i)) return static_cast<Lack>(i);
+  for (const Lack lack : lacksByUrgency()) {
+    if (lacks.test(static_cast<std::size_t>(lack))) return lack;
   }
   return Lack::none;
 }

@@ -9,7 +9,7 @@
 namespace fyd::pipeline {
 
 struct StepParameters;
-using Lacks = std::bitset<kLackCount>;  ///< indexed by Lack
+using Lacks = std::bitset<kLackCount>;  ///< indexed by the number of a Lack
 
 /// What only the step knows of this moment.
 struct HealthContext {
@@ -26,7 +26,7 @@ class InputHealth {
 
   /// Any sensor of the touchpad answers.
   [[nodiscard]] static bool devicesLive(const Lacks& lacks);
-  /// The first lack in the order of the enum; none when complete.
+  /// The most urgent lack; none when complete.
   [[nodiscard]] static Lack first(const Lacks& lacks);
 
   template <class Archive>

@@ -12,13 +12,14 @@
 
 namespace fyd::pipeline {
 
+/// The numbers are what a file holds: they stay, and a new one takes the next.
 enum class OperatorAction : std::uint8_t {
-  arm,                ///< start, or start again after Held or Stopped
-  stop,               ///< to Stopped, from anywhere
-  tare,               ///< take the present readings as "not touched": distance offsets and load-cell zero
-  target_by_hand,     ///< value: N/mm
-  target_from_robot,  ///< follow the robot's stiffness
-  fell_silent         ///< given by the station when the window that drives it stops answering: Held while rendering
+  arm = 0,                ///< start, or start again after Held or Stopped
+  stop = 1,               ///< to Stopped, from anywhere
+  tare = 2,               ///< take the present readings as "not touched": distance offsets and load-cell zero
+  target_by_hand = 3,     ///< value: N/mm
+  target_from_robot = 4,  ///< follow the robot's stiffness
+  fell_silent = 5         ///< given by the station when the window that drives it stops answering: Held while rendering
 };
 
 struct OperatorCommand {

@@ -48,13 +48,14 @@ struct RobotMotorReference {
   double second_ticks = 0.0;
 };
 
+/// The numbers are what a file holds: they stay, and a new one takes the next.
 enum class LinkPhase : std::uint8_t {
-  none,     ///< no robot is wanted
-  waiting,  ///< listening for a robot
-  running,
-  paused,  ///< negotiated: no loss
-  closed,  ///< the robot said goodbye
-  lost,    ///< silence longer than allowed
+  none = 0,     ///< no robot is wanted
+  waiting = 1,  ///< listening for a robot
+  running = 2,
+  paused = 3,  ///< negotiated: no loss
+  closed = 4,  ///< the robot said goodbye
+  lost = 5,    ///< silence longer than allowed
 };
 
 }  // namespace fyd::pipeline

@@ -13,16 +13,17 @@
 
 namespace fyd::pipeline {
 
+/// The numbers are what a file holds: they stay, and a new one takes the next.
 enum class EventKind : std::uint8_t {
-  state_changed,      ///< state, lack
-  arm_refused,        ///< lack: what is missing
-  tare_done,          ///< value: largest change of an offset, mm
-  tare_failed,        ///< the cloth was touched or a sensor unavailable
-  parameter_changed,  ///< index, value
-  parameter_refused,  ///< index, value: not live, not finite or out of range
-  robot_command,      ///< value: the command
-  target_clamped,     ///< value: nearest reachable stiffness, N/mm
-  time_reversed,      ///< value: by how many seconds
+  state_changed = 0,      ///< state, lack
+  arm_refused = 1,        ///< lack: what is missing
+  tare_done = 2,          ///< value: largest change of an offset, mm
+  tare_failed = 3,        ///< the cloth was touched or a sensor unavailable
+  parameter_changed = 4,  ///< index, value
+  parameter_refused = 5,  ///< index, value: not live, not finite or out of range
+  robot_command = 6,      ///< value: the command
+  target_clamped = 7,     ///< value: nearest reachable stiffness, N/mm
+  time_reversed = 8,      ///< value: by how many seconds
 };
 
 struct Event {

@@ -9,13 +9,15 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "core/base/state.h"
 
 namespace fyd::pipeline {
 
-enum class SafetyState : std::uint8_t { disconnected, connected, ready, active, held, stopped };
+/// The numbers are what a file holds: they stay.
+enum class SafetyState : std::uint8_t { disconnected = 0, connected = 1, ready = 2, active = 3, held = 4, stopped = 5 };
 inline constexpr std::size_t kSafetyStateCount = 6;
 
 enum class SafetyEvent : std::uint8_t {
@@ -44,29 +46,32 @@ inline constexpr std::size_t kSafetyEventCount = 7;
   return kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(event)];
 }
 
-/// What is missing or went wrong; several may hold at once, the first in this order is shown.
+/// What is missing or went wrong; several may hold at once. The number is what a file holds: it stays, and a new one
+/// takes the next, whatever its place in the order in which they are shown (safety.cpp).
 enum class Lack : std::uint8_t {
-  none,
-  step_gap,         ///< more than 20 ms without a step
-  steps_missed,     ///< more than 5 % of the cycles of one second missed
-  motors_stale,     ///< the motor board is silent
-  ir_stale,         ///< the distance sensors are silent
-  ir_invalid,       ///< too few distance sensors within their span
-  bridge_stale,     ///< the load cell is silent
-  bridge_invalid,   ///< the load cell's value is outside its span
-  camera_stale,     ///< no new picture
-  camera_blind,     ///< pictures arrive, but black, white, of one grey or empty
-  robot_waiting,    ///< a robot is wanted and has not connected
-  robot_lost,       ///< the robot went silent
-  robot_closed,     ///< the robot said goodbye
-  robot_frozen,     ///< the robot's link stands but its stiffness is not a number
-  no_target,        ///< no stiffness target: neither robot nor operator gives one
-  operator_silent,  ///< the operator's window does not answer
+  none = 0,
+  step_gap = 1,          ///< more than 20 ms without a step
+  steps_missed = 2,      ///< more than 5 % of the cycles of one second missed
+  motors_stale = 3,      ///< the motor board is silent
+  ir_stale = 4,          ///< the distance sensors are silent
+  ir_invalid = 5,        ///< too few distance sensors within their span
+  bridge_stale = 6,      ///< the load cell is silent
+  bridge_invalid = 7,    ///< the load cell's value is outside its span
+  camera_stale = 8,      ///< no new picture
+  camera_blind = 9,      ///< pictures arrive, but black, white, of one grey or empty
+  robot_waiting = 10,    ///< a robot is wanted and has not connected
+  robot_lost = 11,       ///< the robot went silent
+  robot_closed = 12,     ///< the robot said goodbye
+  robot_frozen = 13,     ///< the robot's link stands but its stiffness is not a number
+  no_target = 14,        ///< no stiffness target: neither robot nor operator gives one
+  operator_silent = 15,  ///< the operator's window does not answer
 };
 inline constexpr std::size_t kLackCount = 16;
+/// All of them but none, the most urgent first: of several, the first is shown.
+[[nodiscard]] std::span<const Lack> lacksByUrgency();
 
 [[nodiscard]] std::string_view toString(SafetyState state);
-/// What is wrong, as a phrase: "robot silent".
+/// What is wrong, as a phrase: "robot silent"; of a number that this program does not know, that.
 [[nodiscard]] std::string_view toString(Lack lack);
 /// What the operator does about it: "Check the robot's cable and program."
 [[nodiscard]] std::string_view remedy(Lack lack);

@@ -6,17 +6,18 @@
 
 namespace fyd::sensing {
 
+/// The numbers are what a file holds: they stay, and a new one takes the next.
 enum class FingerReason : std::uint8_t {
-  found,          ///< a finger, all is well
-  no_finger,      ///< the picture is good and shows none
-  too_small,      ///< something dark, smaller than the minimum area
-  at_edge,        ///< a finger, cut by the edge of the region of interest
-  several,        ///< several blobs; the one nearest the last was taken
-  flat_picture,   ///< darkest and brightest pixel are equal: nothing to weigh
-  black_picture,  ///< no light
-  saturated,      ///< (nearly) every pixel at the top of the scale
-  blurred,        ///< edge too soft for the usual accuracy
-  no_picture,     ///< empty, or the region of interest lies outside it
+  found = 0,          ///< a finger, all is well
+  no_finger = 1,      ///< the picture is good and shows none
+  too_small = 2,      ///< something dark, smaller than the minimum area
+  at_edge = 3,        ///< a finger, cut by the edge of the region of interest
+  several = 4,        ///< several blobs; the one nearest the last was taken
+  flat_picture = 5,   ///< darkest and brightest pixel are equal: nothing to weigh
+  black_picture = 6,  ///< no light
+  saturated = 7,      ///< (nearly) every pixel at the top of the scale
+  blurred = 8,        ///< edge too soft for the usual accuracy
+  no_picture = 9,     ///< empty, or the region of interest lies outside it
 };
 
 /// Whether the picture shows the cloth, so that "no contact" means that nothing touches it.

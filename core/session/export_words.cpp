@@ -63,7 +63,9 @@ std::string_view toString(NoteKind kind) {
 std::string describeEvent(const pipeline::Event& event) {
   const auto with_lack = [&](std::string_view text) {
     if (event.lack == pipeline::Lack::none) return std::string(text);
-    return fmt::format("{}: {}", text, pipeline::toString(event.lack));
+    const bool known = static_cast<std::size_t>(event.lack) < pipeline::kLackCount;
+    const std::string code = known ? std::string() : fmt::format(" (code {})", static_cast<int>(event.lack));
+    return fmt::format("{}: {}{}", text, pipeline::toString(event.lack), code);
   };
   switch (event.kind) {
     case EventKind::state_changed: return with_lack(pipeline::toString(event.state));
@@ -76,7 +78,7 @@ std::string describeEvent(const pipeline::Event& event) {
     case EventKind::target_clamped: return fmt::format("nearest reachable {:.3f} N/mm", event.value);
     case EventKind::time_reversed: return fmt::format("by {} s", event.value);
   }
-  return fmt::format("value {}", event.value);
+  return fmt::format("code {}, value {}", static_cast<int>(event.kind), event.value);
 }
 
 std::string cleanText(std::string_view text) {

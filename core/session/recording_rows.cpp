@@ -3,12 +3,10 @@
 namespace fyd::session {
 namespace {
 
-using pipeline::EventKind;
-using sensing::FingerReason;
-
+/// A number that this program does not know stays what it is: it is shown as unknown and does nothing.
 template <class Enum>
-Result<Enum> word(std::uint8_t value, Enum last, const char* what) {
-  if (value > static_cast<std::uint8_t>(last)) return fail("{}: {} is unknown to this program", what, value);
+Enum word(std::uint8_t value) {
+  static_assert(std::is_same_v<std::underlying_type_t<Enum>, std::uint8_t>);
   return static_cast<Enum>(value);
 }
 
@@ -40,8 +38,6 @@ void putFinger(const sensing::FingerDetection& finger, Row& row) {
 
 template <class Row>
 Result<void> takeFinger(const Row& row, sensing::FingerDetection& finger) {
-  const auto reason = word(row.reason, FingerReason::no_picture, "a finger's reason");
-  if (!reason) return tl::unexpected(reason.error());
   finger = {.contact = row.contact != 0,
             .area_px = row.area_px,
             .x_px = row.x_px,
@@ -49,7 +45,7 @@ Result<void> takeFinger(const Row& row, sensing::FingerDetection& finger) {
             .x_mm = row.x_mm,
             .y_mm = row.y_mm,
             .quality = row.quality,
-            .reason = *reason};
+            .reason = word<sensing::FingerReason>(row.reason)};
   return {};
 }
 
@@ -210,16 +206,12 @@ Result<void> valueOf(const AccelerationRow& row, pipeline::AccelerationSample& s
 }
 
 Result<void> valueOf(const CommandRow& row, pipeline::OperatorCommand& command) {
-  const auto action = word(row.action, pipeline::OperatorAction::fell_silent, "an operator's command");
-  if (!action) return tl::unexpected(action.error());
-  command = {*action, row.value};
+  command = {word<pipeline::OperatorAction>(row.action), row.value};
   return {};
 }
 
 Result<void> valueOf(const RobotCommandRow& row, pipeline::RobotCommand& command) {
-  const auto known = word(row.command, pipeline::RobotCommand::motor_reference_off, "a robot's command");
-  if (!known) return tl::unexpected(known.error());
-  command = *known;
+  command = word<pipeline::RobotCommand>(row.command);
   return {};
 }
 
@@ -229,13 +221,9 @@ Result<void> valueOf(const ChangeRow& row, pipeline::ParameterChange& change) {
 }
 
 Result<void> valueOf(const EventTableRow& row, EventRow& event) {
-  const auto kind = word(row.kind, EventKind::time_reversed, "an event's kind");
-  if (!kind) return tl::unexpected(kind.error());
-  const auto state = word(row.state, pipeline::SafetyState::stopped, "an event's state");
-  if (!state) return tl::unexpected(state.error());
-  const auto lack = word(row.lack, pipeline::Lack::operator_silent, "an event's lack");
-  if (!lack) return tl::unexpected(lack.error());
-  event = {instantOf(row.when_ns), {*kind, *state, *lack, row.index, row.value}};
+  event = {instantOf(row.when_ns),
+           {word<pipeline::EventKind>(row.kind), word<pipeline::SafetyState>(row.state), word<pipeline::Lack>(row.lack),
+            row.index, row.value}};
   return {};
 }
 

@@ -82,16 +82,13 @@ StepRecord read(const RecordingTables& tables, std::uint32_t missing, std::uint6
   StepReader reader(tables, missing, known);
   StepRecord& record = reader.record();
   if (known != nullptr) reader.checkBlock(Table::telemetry, row);
-  const auto sample = sampleOf(tables.row<TelemetryRow>(Table::telemetry, row));
-  if (!sample) throw RecordingFailure(sample.error().message);
-  record.telemetry = *sample;
+  record.telemetry = sampleOf(tables.row<TelemetryRow>(Table::telemetry, row));
   reader.take<MotorRow>(Table::motors, row, record.motors);
 
   StepRow at;
   pipeline::Inputs& in = record.inputs;
   const auto read_at = [&] {
     at = tables.row<StepRow>(Table::steps, row);
-    if (at.phase > static_cast<std::uint8_t>(pipeline::LinkPhase::lost)) failHard("row {}: phase {}", row, at.phase);
   };
   reader.part(Table::steps, row, 1, read_at, at);
   if ((record.missing & bitOf(Table::steps)) != 0) {

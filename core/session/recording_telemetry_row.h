@@ -39,7 +39,7 @@ struct TelemetryRow {
 
 [[nodiscard]] TelemetryRow rowOf(const pipeline::TelemetrySample& sample);
 /// @return an error when a word of the row is none we know
-[[nodiscard]] Result<pipeline::TelemetrySample> sampleOf(const TelemetryRow& row);
+[[nodiscard]] pipeline::TelemetrySample sampleOf(const TelemetryRow& row);
 /// Value of a field (index into telemetryFields()) straight from a row in memory.
 [[nodiscard]] double fieldOf(const TelemetryRow& row, std::size_t field);
 

@@ -56,7 +56,7 @@ struct EncodedPicture {
 };
 
 /// A line of the recording's own log: an operator's note, a bookmark, a trial's marker, a condition of the recorder.
-enum class NoteKind : std::uint8_t { note, bookmark, trial_start, trial_end, alarm };
+enum class NoteKind : std::uint8_t { note = 0, bookmark = 1, trial_start = 2, trial_end = 3, alarm = 4 };
 struct Note {
   Instant when{};
   NoteKind kind = NoteKind::note;
