@@ -43,6 +43,13 @@ Result<void> checkJoints(const protocol::FriMeasurement& m) {
   return within(mirrored, kJoint_rad, "commanded joint plus its offset", "rad");
 }
 
+Result<void> checkPlace(const FriFrame& frame, std::string_view what) {
+  const Vec3 place = placeIn(frame);
+  if (place.norm() <= kReach_m) return {};
+  return fail("KRC: the {} frame is at ({:g}, {:g}, {:g}) m; expected within {:g} m of the base", what, place.x,
+              place.y, place.z, kReach_m);
+}
+
 Result<void> checkFrame(const FriFrame& frame, std::string_view what) {
   const Vec3 x = row(frame, 0);
   const Vec3 y = row(frame, 1);
@@ -57,12 +64,7 @@ Result<void> checkFrame(const FriFrame& frame, std::string_view what) {
   if (!(dot(cross(x, y), z) > 0.0)) {
     return fail("KRC: the {} frame is a mirror; expected a rotation (determinant 1)", what);
   }
-  const Vec3 place = placeIn(frame);
-  if (!(place.norm() <= kReach_m)) {
-    return fail("KRC: the {} frame is at ({:g}, {:g}, {:g}) m; expected within {:g} m of the base", what, place.x,
-                place.y, place.z, kReach_m);
-  }
-  return {};
+  return checkPlace(frame, what);
 }
 
 }  // namespace
@@ -73,6 +75,7 @@ Result<void> checkMeasurement(const protocol::FriMeasurement& m) {
   if (auto good = checkJoints(m); !good) return good;
   if (auto good = checkFrame(m.frame, "measured"); !good) return good;
   if (auto good = checkFrame(m.commanded_frame, "commanded"); !good) return good;
+  if (auto good = checkPlace(m.frame_offset, "offset of the commanded"); !good) return good;
   const double apart_m = (placeIn(m.commanded_frame) - placeIn(m.frame)).norm();
   if (!(apart_m <= kApart_m)) {
     return fail("KRC: commanded and measured frame are {:g} m apart; expected at most {:g} m", apart_m, kApart_m);

@@ -3,7 +3,7 @@
 //
 // Bounds, wide of what the arm can do (KUKA's data of the LWR 4+: joints ±170° at most, reach 1.2 m, 7 kg, 176 Nm):
 //   joints      measured, commanded, commanded plus offset: within ±2π rad
-//   frames      rotation orthonormal within 0.01 and right-handed; place within 3 m of the base
+//   frames      rotation orthonormal within 0.01 and right-handed; place, and the commanded one's offset, within 3 m
 //   apart       commanded and measured place at most 0.3 m: 300 N at the thesis' 1000 N/m
 //   step        the measured place moves at most 0.3 m from a measurement to the next: 3 m/s at the longest cycle
 //   tool        force within 1000 N, torque within 500 Nm

@@ -24,10 +24,10 @@ constexpr int kNeverTaken = 100;
 
 double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The same but for the last digit of the floats that carry it.
-bool samePlace(const Vec3& a, const Vec3& b) {
-  const auto size = static_cast<float>(std::max(largest(a), largest(b)));
-  return largest(a - b) <= std::nextafter(size, HUGE_VALF) - size;
+/// The step of a float of that size: what is lost in a place that is carried, or added up, in floats.
+double resolution(double size_m) {
+  const auto size = static_cast<float>(size_m);
+  return std::nextafter(size, HUGE_VALF) - size;
 }
 
 bool sameHost(const protocol::Endpoint& a, const protocol::Endpoint& b) {
@@ -138,17 +138,23 @@ void FriRobot::take(int ahead, Instant now) {
   if (moving_) compareWithSent(ahead);
 }
 
-// FRI's part of the motion stands in the commanded frame or, as with the joints, in the offset beside it.
+// FRI's part of the motion stands in the commanded frame or, as with the joints, in the offset beside it: which of them
+// is told by the first answer that shows in one only.
 void FriRobot::compareWithSent(int ahead) {
   const Vec3 sent_m = placeIn(command_.frame);
   const Vec3 alone_m = placeIn(newest_.commanded_frame);
-  const Vec3 together_m = alone_m + placeIn(newest_.frame_offset);
-  const Vec3 stands_m = (together_m - sent_m).norm() < (alone_m - sent_m).norm() ? together_m : alone_m;
-  const bool taken = samePlace(stands_m, sent_m);
+  const Vec3 offset_m = placeIn(newest_.frame_offset);
+  const Vec3 together_m = alone_m + offset_m;
+  const double same_m = resolution(std::max({largest(sent_m), largest(alone_m), largest(offset_m)}));
+  const bool shows_alone = largest(alone_m - sent_m) <= same_m;
+  const bool shows_together = largest(together_m - sent_m) <= same_m;
+  if (!in_offset_ && shows_alone != shows_together) in_offset_ = shows_together;
+  const Vec3 stands_m = in_offset_.value_or(false) ? together_m : alone_m;
+  const bool taken = in_offset_.value_or(false) ? shows_together : shows_alone;
   if (!taken) {
     ++counters_.not_taken;
     not_taken_in_a_row_ = std::min(not_taken_in_a_row_ + 1, kNeverTaken);
-  } else if (!samePlace(stands_m, stood_m_)) {
+  } else if (largest(stands_m - stood_m_) > same_m) {
     not_taken_in_a_row_ = 0;
   }
   stood_m_ = stands_m;
@@ -211,6 +217,7 @@ void FriRobot::hold() {
   const double apart_m = (placeIn(newest_.commanded_frame) - placeIn(newest_.frame)).norm();
   held_frame_ = apart_m <= kFurthestYield_m ? newest_.commanded_frame : newest_.frame;
   command_.frame = held_frame_;
+  in_offset_.reset();
   stood_m_ = placeIn(held_frame_);
   limiter_.reset(placeOf(stood_m_));
 }

@@ -119,6 +119,7 @@ class FriRobot final : public Robot {
   bool stopping_ = false;
   int not_taken_in_a_row_ = 0;  // answers that would have moved it
   Vec3 stood_m_;                // by its commanded frame
+  std::optional<bool> in_offset_;
   Instant heard_at_{};
   Vec3 origin_m_;
   protocol::FriFrame held_frame_{};  // commanded when command mode began

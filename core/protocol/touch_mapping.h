@@ -3,10 +3,11 @@
 // Out of contact, or with x = y = 0, x and y are held; z > 0 with x and y both non-zero is ignored altogether, as the
 // authors' robot does.
 //
-// After an interruption (a touchpad that connects or was silent, an arm that follows again) touch and arm need not fit together: the
-// touchpad may have started anew, or the arm may have been moved. The target then stays where the arm stands until a
-// finger leads it, or until the touch moves without one (it is lifted), which both happen in an active session only;
-// and a touch without a finger leads only once it was as high as the arm, so that the arm does not go down to it.
+// After an interruption (a touchpad that connects or was silent, an arm that follows again) touch and arm need not fit
+// together: the touchpad may have started anew, or the arm may have been moved. The target then stays where the arm
+// stands until a finger leads it, or until the touch moves without one (it is lifted), which both happen in an active
+// session only; and a touch without a finger leads only once it was as high as the arm, so that the arm does not go
+// down to it.
 #pragma once
 
 #include <optional>

@@ -3,8 +3,9 @@
 // the simulated arm, in which no bound on what a controller measures may fire.
 //
 //   attack_krc [RUNS] [SEED]     full length: attack_krc 400 1 (400 controllers of 20 s, a day); about three minutes
+//   attack_krc 1 SEED            one of them again, with the seed that is printed when its limits were broken
 //
-// Exits 1 and prints the options of each controller whose limits were broken.
+// Exits 1 when any were, or a bound fired.
 #include <cstdio>
 #include <cstdlib>
 
@@ -55,7 +56,8 @@ PlayedKrcOptions optionsOf(Chance& chance, double tick_s) {
   return out;
 }
 
-bool attack(Chance& chance, double tick_s, Worst& worst) {
+bool attack(std::uint64_t seed, double tick_s, Worst& worst) {
+  Chance chance{std::mt19937_64(seed)};
   const PlayedKrcOptions options = optionsOf(chance, tick_s);
   PlayedKrc krc(options);
 
@@ -79,10 +81,10 @@ bool attack(Chance& chance, double tick_s, Worst& worst) {
   worst.impossible += krc.fri->counters().impossible;
   ++worst.runs;
   if (krc.violation().empty()) return true;
-  std::printf("BROKEN tick %g stated %g loss %g late %g nonsense %g limits %g %g %g seed %llu: %s\n", tick_s,
-              options.stated_s, options.loss, options.late, options.nonsense, options.limits.speed_mm_s,
-              options.limits.acceleration_mm_s2, options.limits.jerk_mm_s3,
-              static_cast<unsigned long long>(options.seed), krc.violation().c_str());
+  std::printf("BROKEN seed %llu tick %g stated %g offset %d loss %g nonsense %g limits %g %g %g: %s\n",
+              static_cast<unsigned long long>(seed), tick_s, options.stated_s, static_cast<int>(options.in_offset),
+              options.loss, options.nonsense, options.limits.speed_mm_s, options.limits.acceleration_mm_s2,
+              options.limits.jerk_mm_s3, krc.violation().c_str());
   return false;
 }
 
@@ -131,7 +133,7 @@ bool aDay(double seconds, sim::Material material, const sim::FingerPath& finger)
 
 int main(int count, char** arguments) {
   const int runs = count > 1 ? std::atoi(arguments[1]) : kFullRuns / 100;
-  Chance chance{std::mt19937_64(count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1)};
+  const std::uint64_t first = count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1;
   if (runs < 1) {
     std::fprintf(stderr, "attack_krc: %s runs; expected 1 or more\n", arguments[1]);
     return 2;
@@ -139,8 +141,9 @@ int main(int count, char** arguments) {
   bool good = true;
   std::array<Worst, kTicks_s.size()> worst;
   for (int i = 0; i < runs; ++i) {
-    const std::size_t which = static_cast<std::size_t>(i) % kTicks_s.size();
-    good = attack(chance, kTicks_s[which], worst[which]) && good;
+    const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    const std::size_t which = seed % kTicks_s.size();
+    good = attack(seed, kTicks_s[which], worst[which]) && good;
   }
   for (std::size_t i = 0; i < kTicks_s.size(); ++i) {
     const Worst& w = worst[i];

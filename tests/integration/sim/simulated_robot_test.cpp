@@ -163,6 +163,59 @@ TEST(SimulatedRobot, ReconnectsWhenTheTouchpadGoesAwayAndReturns) {
   EXPECT_GE(robot->status().counters.lost, 1U);
 }
 
+// Keeps what it was told, exchange by exchange.
+class NotingArm final : public device::Robot {
+ public:
+  explicit NotingArm(std::vector<Vec3>& told) : arm_(quiet(0.6)), told_(told) {}
+  [[nodiscard]] std::string description() const override { return "noting"; }
+  [[nodiscard]] bool inVirtualTime() const override { return true; }
+  [[nodiscard]] Result<device::RobotReadings> exchange(const Vec3& target_mm, Instant now) override {
+    told_.push_back(target_mm);
+    return arm_.exchange(target_mm, now);
+  }
+
+ private:
+  RobotArm arm_;
+  std::vector<Vec3>& told_;
+};
+
+// Whatever this machine's clock does to the cycles, each is one tick; and a stop in the middle of the way brakes.
+TEST(SimulatedRobot, KeepsItsLimitsFromCycleToCycleAndComesToRestWhenItIsStopped) {
+  for (const double rate_Hz : {1000.0, 300.0}) {
+    AnsweringTouchpad touchpad;
+    std::vector<Vec3> told;
+    SimulatedRobotOptions options;
+    options.touchpad = touchpad.local();
+    options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
+    options.rate_Hz = rate_Hz;
+    options.probe_material = false;
+    options.mapping.scale_xy = 5.0;  // 30 mm to go, which takes more than a second
+    options.limits = {.speed_mm_s = 30.0, .acceleration_mm_s2 = 100.0, .jerk_mm_s3 = 1000.0};
+    const auto robot = SimulatedRobot::open(options, std::make_unique<NotingArm>(told)).value();
+    told.clear();  // of the preparation, whose ticks are others
+    robot->run({}, milliseconds(400));
+    touchpad.stop();
+    ASSERT_GT(told.size(), 10U);
+    Vec3 velocity;
+    Vec3 acceleration;
+    double fastest = 0.0;
+    for (std::size_t i = 1; i < told.size(); ++i) {
+      const Vec3 v = rate_Hz * (told[i] - told[i - 1]);
+      const Vec3 a = rate_Hz * (v - velocity);
+      const Vec3 j = rate_Hz * (a - acceleration);
+      ASSERT_LE(v.norm(), 30.0 + 1e-6);
+      ASSERT_LE(a.norm(), 100.0 + 1e-3);
+      ASSERT_LE(j.norm(), 1000.0 + 1.0);
+      velocity = v;
+      acceleration = a;
+      fastest = std::max(fastest, v.norm());
+    }
+    EXPECT_GT(fastest, 1.0) << "it was under way";
+    EXPECT_LT(velocity.norm(), 0.02 * fastest) << "it came to rest";
+    EXPECT_LT(told.back().x, 25.0) << "before it arrived";
+  }
+}
+
 TEST(SimulatedRobot, WrongOptionsAreRefusedWithTheirValue) {
   const auto message = [](SimulatedRobotOptions options) {
     const auto robot = SimulatedRobot::open(options, std::make_unique<RobotArm>(SimParameters{}));

@@ -47,6 +47,8 @@ TEST(FriCheck, EachImpossibleQuantityIsNamedWithItsValueAndBound) {
   EXPECT_THAT(verdict([](auto& m) { m.frame[10] = 1.0F; }), HasSubstr("measured frame is a mirror"));
   EXPECT_EQ(verdict([](auto& m) { m.commanded_frame[3] = 1e30F; }),
             "KRC: the commanded frame is at (1e+30, 0.1, 0.3) m; expected within 3 m of the base");
+  EXPECT_THAT(verdict([](auto& m) { m.frame_offset[7] = 1e30F; }),
+              HasSubstr("offset of the commanded frame is at (0, 1e+30, 0) m"));
   EXPECT_THAT(verdict([](auto& m) { m.frame[11] = 0.7F; }), HasSubstr("are 0.4 m apart; expected at most 0.3 m"));
   EXPECT_THAT(verdict([](auto& m) { m.force_torque[2] = 1e30F; }), HasSubstr("tool force 3 is 1e+30 N"));
   EXPECT_THAT(verdict([](auto& m) { m.force_torque[4] = -600.0F; }), HasSubstr("tool torque 2 is -600 Nm"));

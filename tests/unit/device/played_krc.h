@@ -3,7 +3,8 @@
 // but differences of the places it took, tick by tick.
 //
 // A tick without a command stops the arm dead: nobody outside can prevent that. That tick is counted (`held`) and not
-// judged for acceleration and jerk; the arm is at rest from there on, and whatever comes next has to start from rest.
+// judged for acceleration and jerk; the arm is at rest from there on, and whatever comes next has to start from rest
+// (or, where that tick was one in which the arm turned, to go on from its true difference).
 #pragma once
 
 #include <algorithm>
@@ -178,7 +179,7 @@ class PlayedKrc {
     const auto size = static_cast<float>(std::pow(10.0, 1.0 + 37.0 * share()));  // 10 … 1e38
     const float value = random_() % 2 == 0 ? size : -size;
     const auto joint = static_cast<std::size_t>(random_() % 7);
-    switch (random_() % 8) {
+    switch (random_() % 9) {
       case 0: m.joints[joint] = value; break;
       case 1: m.commanded_joints[joint] = value; break;
       case 2: m.joint_offsets[joint] = value; break;
@@ -186,6 +187,7 @@ class PlayedKrc {
       case 4: m.commanded_frame.fill(0.0F); break;
       case 5: m.commanded_frame[4 * (random_() % 3) + 3] = value; break;
       case 6: m.frame[random_() % 12] = value; break;
+      case 7: m.frame_offset[4 * (random_() % 3) + 3] = value; break;
       default: m.force_torque[random_() % 3] = 200.0F * value; break;
     }
     return m;
@@ -198,15 +200,18 @@ class PlayedKrc {
     ++judgement.ticks;
     const Vec3 velocity = (1.0 / h) * step_mm;
     const Vec3 acceleration = (1.0 / h) * (velocity - velocity_);
-    const Vec3 jerk = (1.0 / h) * (acceleration - acceleration_);
     if (!commanded) {
       if (velocity_.norm() > 0.0) ++judgement.held;
       velocity_ = acceleration_ = {};
+      turned_ = acceleration;
       return;
     }
+    double jerk = (1.0 / h * (acceleration - acceleration_)).norm();
+    if (turned_) jerk = std::min(jerk, (1.0 / h * (acceleration - *turned_)).norm());
+    turned_.reset();
     judgement.speed_mm_s = std::max(judgement.speed_mm_s, velocity.norm());
     judgement.acceleration_mm_s2 = std::max(judgement.acceleration_mm_s2, acceleration.norm());
-    judgement.jerk_mm_s3 = std::max(judgement.jerk_mm_s3, jerk.norm());
+    judgement.jerk_mm_s3 = std::max(judgement.jerk_mm_s3, jerk);
     judgement.travelled_mm += step_mm.norm();
     const Vec3 from_start = commanded_mm();
     Vec3& far = judgement.farthest_mm;
@@ -259,6 +264,7 @@ class PlayedKrc {
   protocol::FriFrame next_{};
   Vec3 velocity_;
   Vec3 acceleration_;
+  std::optional<Vec3> turned_;        // the acceleration of a tick without a command, as the places say it
   std::set<std::uint16_t> nonsense_;  // sequence numbers; no run is so long that they come again
   std::string broken_;
   std::uint64_t order_ = 0;
