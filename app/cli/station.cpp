@@ -1,4 +1,4 @@
-// fyd station --headless …
+// fyd station …
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -132,6 +132,7 @@ void runStation(const StationOptions& options) {
   watchForEnd();  // before anything is recorded
   // Standard output carries the result alone.
   spdlog::set_default_logger(spdlog::stderr_color_mt("fyd"));
+  if (options.headless) spdlog::warn("--headless is not needed: this program never opens a window");
   auto station = valueOrFail(station::Station::open(options.station));
   std::unique_ptr<TelemetryCsv> csv;
   if (!options.telemetry.empty()) csv = std::make_unique<TelemetryCsv>(options.telemetry);
@@ -177,8 +178,7 @@ void runStation(const StationOptions& options) {
 void add_station(CLI::App& app) {
   auto options = std::make_shared<StationOptions>();
   CLI::App* command = app.add_subcommand("station", "Run a session: touchpad, camera, haptic loop and robot link");
-  command->add_flag("--headless", options->headless,
-                    "Without a window (the only way of this program; fyd-console opens one)");
+  command->add_flag("--headless", options->headless)->group("");  // not listed: old command lines go on working
   command->add_flag("--simulate", options->simulate, "The same as --touchpad simulated");
   command->add_option("--touchpad", options->touchpad, words::kTouchpad);
   command->add_option("--motors", options->station.motors, words::kMotors);

@@ -44,7 +44,7 @@ def arguments(command, file, folder):
         os.mkdir(out)
         return ["session", "store", file, out, *catalogue]
     source = ["--touchpad", "recording:" + file] if command == "touchpad" else ["--simulate", "--camera", "recording:" + file]
-    return ["station", "--headless", *source, "--robot", "none", "--duration", "1"]
+    return ["station", *source, "--robot", "none", "--duration", "1"]
 
 
 def limits():
@@ -122,7 +122,7 @@ def problems_of(command, kind, seed, good):
 def record(folder):
     """A sound recording with pictures, some notes and a robot."""
     file = os.path.join(folder, "good.h5")
-    done = subprocess.run([FYD, "station", "--headless", "--simulate", "--duration", "3", "--record", file, "--notes",
+    done = subprocess.run([FYD, "station", "--simulate", "--duration", "3", "--record", file, "--notes",
                            "good", "--tag", "attack"], capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr
     return file

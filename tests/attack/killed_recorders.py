@@ -81,7 +81,7 @@ def begun(path, recorder):
 
 def attack(folder, dice, with_readers, kill_recovery):
     path = os.path.join(folder, "session.h5")
-    recorder = subprocess.Popen([FYD, "station", "--headless", "--simulate", "--record", path],
+    recorder = subprocess.Popen([FYD, "station", "--simulate", "--record", path],
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     readers = []
     try:

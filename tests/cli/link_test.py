@@ -36,7 +36,7 @@ class Keys(fyd.Case):
         self.json("link", "keygen", good, "--json")
         self.json("link", "keygen", bad, "--json")
         port = fyd.free_port()
-        station = fyd.Running(self, "station", "--headless", "--simulate", "--robot", f"link:127.0.0.1:{port}", "--key", good,
+        station = fyd.Running(self, "station", "--simulate", "--robot", f"link:127.0.0.1:{port}", "--key", good,
                               "--json")
         fyd.wait_for_udp("127.0.0.1", port)
         robot = ("sim", "robot", "--link", "--connect", f"127.0.0.1:{port}", "--bind", "127.0.0.2:0", "--json", "--duration")

@@ -160,7 +160,7 @@ def rendered_long_enough(summary, seconds, result):
 
 class Sessions(fyd.Case):
     def session(self, *options, seconds=4):
-        return self.json("station", "--headless", "--duration", seconds, "--json", *options)
+        return self.json("station", "--duration", seconds, "--json", *options)
 
     @fyd.some_tries
     def test_modbus_and_a_camera_stream_close_the_loop(self):
@@ -189,7 +189,7 @@ class Sessions(fyd.Case):
     @fyd.some_tries
     def test_a_touchpad_that_vanishes_holds_and_its_return_does_not_arm(self):
         simulator, telemetry = Simulator(self, camera=True), fyd.Telemetry(self)
-        station = fyd.Running(self, "station", "--headless", "--touchpad", simulator.tcp, "--camera", simulator.camera,
+        station = fyd.Running(self, "station", "--touchpad", simulator.tcp, "--camera", simulator.camera,
                               "--telemetry", telemetry.path, "--json")
         station.await_log("Active")
         station.held_early()
@@ -204,10 +204,10 @@ class Sessions(fyd.Case):
         self.assertFalse(simulator.stop()["motors_on"])
 
     def test_wrong_choices_are_named(self):
-        self.assertIn("--touchpad", self.refused(2, "station", "--headless"))
-        self.assertIn("--simulate", self.refused(2, "station", "--headless", "--simulate", "--touchpad", "modbus-tcp:127.0.0.1:1"))
-        self.assertIn("camera", self.refused(1, "station", "--headless", "--touchpad", "modbus-tcp:127.0.0.1:1"))
-        self.assertIn("qbmove:TTY", self.refused(1, "station", "--headless", "--simulate", "--motors", "maxon"))
+        self.assertIn("--touchpad", self.refused(2, "station"))
+        self.assertIn("--simulate", self.refused(2, "station", "--simulate", "--touchpad", "modbus-tcp:127.0.0.1:1"))
+        self.assertIn("camera", self.refused(1, "station", "--touchpad", "modbus-tcp:127.0.0.1:1"))
+        self.assertIn("qbmove:TTY", self.refused(1, "station", "--simulate", "--motors", "maxon"))
         self.assertIn("late-reply", self.refused(2, "sim", "touchpad", "--modbus-tcp", "127.0.0.1:0", "--fault", "noise@1"))
         self.assertIn("--modbus-rtu", self.refused(2, "sim", "touchpad"))
 

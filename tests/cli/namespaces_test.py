@@ -75,7 +75,7 @@ class TwoHosts(fyd.Case):
                 self.json("link", "keygen", key, "--json")
             secure_station, secure_robot = ["--key", key], ["--link", "--key", key]
         self.telemetry = fyd.Telemetry(self)
-        station = self.start(self.pad, "station", "--headless", "--simulate", "--robot", f"{protocol}:{STATION}:{PORT}",
+        station = self.start(self.pad, "station", "--simulate", "--robot", f"{protocol}:{STATION}:{PORT}",
                              *secure_station, "--telemetry", self.telemetry.path, "--json")
         robot = self.robot(*secure_robot, *robot_options)
         station.await_log("Active")

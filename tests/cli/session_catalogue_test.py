@@ -17,7 +17,7 @@ class Catalogue(fyd.Case):
         os.environ["XDG_DATA_HOME"] = cls.kept.name
         for name, operator, subject, tag in (("a.h5", "Ada", "'; DROP TABLE sessions; --", "soft"),
                                              ("b.h5", "Müller", "S8", "dry")):
-            done = fyd.run("station", "--headless", "--simulate", "--duration", 1.5, "--record",
+            done = fyd.run("station", "--simulate", "--duration", 1.5, "--record",
                            os.path.join(cls.kept.name, name), "--operator", operator, "--subject", subject,
                            "--notes", "first try", "--tag", tag, "--json")
             assert done.returncode == 0, done.stderr

@@ -32,7 +32,7 @@ class Damage(fyd.Case):
         cls.kept = fyd.tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.kept.cleanup)
         cls.good = os.path.join(cls.kept.name, "session.h5")
-        done = fyd.run("station", "--headless", "--simulate", "--duration", 4, "--record", cls.good, "--json")
+        done = fyd.run("station", "--simulate", "--duration", 4, "--record", cls.good, "--json")
         assert done.returncode == 0, done.stderr
         cls.samples = json.loads(done.stdout)["recording"]["samples"]
         cls.commits = places(cls.good, "commits")

@@ -39,7 +39,7 @@ class Exports(fyd.Case):
         cls.kept = fyd.tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.kept.cleanup)
         cls.file = os.path.join(cls.kept.name, "session.h5")
-        done = fyd.run("station", "--headless", "--simulate", "--duration", 6, "--record", cls.file, "--operator", "Ada",
+        done = fyd.run("station", "--simulate", "--duration", 6, "--record", cls.file, "--operator", "Ada",
                        "--subject", "<script>S7", "--notes", "Größe 5 µm", "--tag", "soft", "--json")
         assert done.returncode == 0, done.stderr
         info = fyd.run("session", "info", cls.file, "--json")

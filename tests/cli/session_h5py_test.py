@@ -22,7 +22,7 @@ class OpenedByH5py(fyd.Case):
         cls.kept = fyd.tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.kept.cleanup)
         cls.file = os.path.join(cls.kept.name, "session.h5")
-        done = fyd.run("station", "--headless", "--simulate", "--duration", 3, "--record", cls.file,
+        done = fyd.run("station", "--simulate", "--duration", 3, "--record", cls.file,
                        "--operator", "Zoë", "--json")
         assert done.returncode == 0, done.stderr
         cls.samples = json.loads(done.stdout)["recording"]["samples"]
@@ -53,7 +53,7 @@ class OpenedByH5py(fyd.Case):
 class OpenedByH5pyBeforeItIsWhole(fyd.Case):
     def test_while_it_grows_and_after_its_recorder_was_killed(self):
         path = self.path("growing.h5")
-        recorder = fyd.Running(self, "station", "--headless", "--simulate", "--record", path, "--operator", "Ada")
+        recorder = fyd.Running(self, "station", "--simulate", "--record", path, "--operator", "Ada")
 
         def grown():
             info = fyd.run("session", "info", path, "--json")

@@ -6,7 +6,7 @@ import unittest
 
 import fyd
 
-SESSION = ("station", "--headless", "--simulate")
+SESSION = ("station", "--simulate")
 
 
 def recorded(case, path, samples):
@@ -91,7 +91,7 @@ class Recorded(fyd.Case):
         self.assertIn("control.nothing", self.refused(1, "session", "replay", self.file, "--set", "control.nothing=1"))
 
     def test_a_recording_drives_a_session_like_a_device(self):
-        result = self.json("station", "--headless", "--touchpad", "recording:" + self.file, "--robot", "none",
+        result = self.json("station", "--touchpad", "recording:" + self.file, "--robot", "none",
                            "--duration", 4, "--json")
         touchpad, camera = result["parts"][0], result["parts"][1]
         self.assertIn("motors are not driven", touchpad["description"])
@@ -177,7 +177,7 @@ class BadFiles(fyd.Case):
             self.refused(2, "session", command)
 
     def test_a_touchpad_that_is_no_recording_is_named(self):
-        self.assertIn("text.h5", self.refused(1, "station", "--headless", "--touchpad", "recording:" + self.write("text.h5", "x"),
+        self.assertIn("text.h5", self.refused(1, "station", "--touchpad", "recording:" + self.write("text.h5", "x"),
                                               "--duration", 1))
 
 

@@ -53,7 +53,7 @@ class Case(fyd.Case):
 
 class Station(Case):
     def start(self, **keywords):
-        return self.started(fyd.PROGRAM, "station", "--headless", stderr=subprocess.DEVNULL, **keywords)
+        return self.started(fyd.PROGRAM, "station", stderr=subprocess.DEVNULL, **keywords)
 
     def test_ctrl_c_a_polite_end_and_a_lost_terminal(self):
         for number, code in ((signal.SIGINT, 0), (signal.SIGTERM, 0), (signal.SIGHUP, 129)):
@@ -87,7 +87,7 @@ class Station(Case):
         read_end, write_end = os.pipe()
         said = open(self.path("said"), "w+", encoding="utf-8")
         self.addCleanup(said.close)
-        process = self.started(fyd.PROGRAM, "station", "--headless", "--duration", "4", stdout=write_end, stderr=said)
+        process = self.started(fyd.PROGRAM, "station", "--duration", "4", stdout=write_end, stderr=said)
         os.close(write_end)
         os.close(read_end)  # as `| head -1` does after its line
         self.assertEqual(self.ended(process), 1)
@@ -97,7 +97,7 @@ class Station(Case):
 
     def test_nobody_reads_its_messages(self):
         self.recording = self.path("session.h5")
-        shell = subprocess.run(["bash", "-c", '"$0" station --headless --simulate --duration 3 --record "$1" 2>&1 | head -1',
+        shell = subprocess.run(["bash", "-c", '"$0" station --simulate --duration 3 --record "$1" 2>&1 | head -1',
                                 fyd.PROGRAM, self.recording], capture_output=True, check=False, timeout=MOST_WAIT_s)
         self.assertEqual(len(shell.stdout.splitlines()), 1)
         self.expect_whole()
@@ -106,7 +106,7 @@ class Station(Case):
         # Ten megabytes stay free, as on a disk: the recording closes whole long before it meets the limit.
         limit = 12_000_000
         self.recording = self.path("session.h5")
-        done = subprocess.run([fyd.PROGRAM, "station", "--headless", "--simulate", "--duration", "16", "--record", self.recording,
+        done = subprocess.run([fyd.PROGRAM, "station", "--simulate", "--duration", "16", "--record", self.recording,
                                "--set", "session.smallest_free_MB=10"],
                               capture_output=True, text=True, check=False, timeout=MOST_WAIT_s,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
@@ -116,7 +116,7 @@ class Station(Case):
 
     def test_a_file_that_may_not_grow_is_an_error_in_words(self):
         limit = 500_000
-        done = subprocess.run([fyd.PROGRAM, "station", "--headless", "--simulate", "--duration", "4", "--telemetry", self.path("t.csv")],
+        done = subprocess.run([fyd.PROGRAM, "station", "--simulate", "--duration", "4", "--telemetry", self.path("t.csv")],
                               capture_output=True, text=True, check=False, timeout=MOST_WAIT_s,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
         self.assertEqual(done.returncode, 1, done.stderr)

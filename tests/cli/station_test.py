@@ -6,7 +6,7 @@ import unittest
 
 import fyd
 
-SESSION = ("station", "--headless", "--simulate")
+SESSION = ("station", "--simulate")
 
 
 class Sessions(fyd.Case):
@@ -43,6 +43,13 @@ class Sessions(fyd.Case):
         camera = next(part for part in result["parts"] if part["name"] == "Camera")
         self.assertFalse(camera["ok"])
         self.assertIn("nowhere.avi", camera["problem"])
+
+    def test_the_option_of_old_command_lines_is_taken_and_said_to_be_of_no_use(self):
+        done = fyd.run(*SESSION, "--headless", "--duration", 0.5, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater(fyd.json.loads(done.stdout)["steps"], 0)
+        self.assertIn("--headless is not needed", done.stderr)
+        self.assertNotIn("--headless", fyd.run("station", "--help").stdout)
 
     def test_an_interrupt_ends_it_with_its_result(self):
         session = fyd.Running(self, *SESSION, "--json")

@@ -7,7 +7,7 @@ import unittest
 
 import fyd
 
-SESSION = ("station", "--headless", "--simulate", "--duration", 1)
+SESSION = ("station", "--simulate", "--duration", 1)
 
 
 class WriteTargets(fyd.Case):
