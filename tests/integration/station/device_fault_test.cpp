@@ -52,24 +52,34 @@ INSTANTIATE_TEST_SUITE_P(Backends, EveryBackend,
                          testing::Values(Backend::modbus_tcp, Backend::modbus_rtu, Backend::qbmove, Backend::mjpeg),
                          [](const auto& backend) { return kBackendNames[static_cast<std::size_t>(backend.param)]; });
 
+/// Begins the fault and waits for what it does. A jump is told from a fast motor, and a stuck sensor from a silent one,
+/// only by a device that answers in time: what a standstill of the machine hides of these two is begun again.
+testing::AssertionResult begins(DeviceRig& rig, const Cell& cell, std::string_view what,
+                                const std::function<bool()>& holds) {
+  const bool by_its_time = cell.fault == TouchpadFault::encoder_jump || cell.fault == TouchpadFault::stuck_sensor;
+  const Duration patience = by_its_time ? fromSeconds(cell.seconds + 3.0) : Duration(kPatience);
+  testing::AssertionResult came = testing::AssertionFailure();
+  for (int attempt = 0; !came && attempt < (by_its_time ? 10 : 1); ++attempt) {
+    if (attempt > 0) {
+      if (auto armed = rig.armed(); !armed) return armed;
+    }
+    rig.inject(cell.fault, cell.seconds);
+    came = rig.wait(what, holds, patience);
+  }
+  return came;
+}
+
 /// The fault holds the session, and is named.
 void expectHeld(DeviceRig& rig, const Cell& cell) {
   bool lacking = false;
   bool named = cell.words == nullptr;
-  const auto held = [&] {
-    lacking = lacking || !rig.lineOk(cell.lack);
-    named = named || rig.told(cell.words);
-    return lacking && named && rig.state != SafetyState::active;
-  };
-  // An encoder that jumps while the machine stands still is as good as a fast motor: then it jumps once more.
-  const bool by_its_time = cell.fault == TouchpadFault::encoder_jump;
-  testing::AssertionResult met = testing::AssertionFailure();
-  for (int attempt = 0; !met && attempt < (by_its_time ? 10 : 1); ++attempt) {
-    rig.inject(cell.fault, cell.seconds);
-    met = rig.wait("the fault to hold the session and be named", held,
-                   by_its_time ? Duration(std::chrono::seconds(4)) : Duration(kPatience));
-  }
-  EXPECT_TRUE(met) << "lacking " << lacking << ", named " << named;
+  EXPECT_TRUE(begins(rig, cell, "the fault to hold the session and be named",
+                     [&] {
+                       lacking = lacking || !rig.lineOk(cell.lack);
+                       named = named || rig.told(cell.words);
+                       return lacking && named && rig.state != SafetyState::active;
+                     }))
+      << "lacking " << lacking << ", named " << named;
 }
 
 TEST_P(EveryBackend, EveryFaultHoldsIsNamedAndNothingReArmsAfterIt) {
@@ -82,9 +92,10 @@ TEST_P(EveryBackend, EveryFaultHoldsIsNamedAndNothingReArmsAfterIt) {
     SCOPED_TRACE(name);
     ASSERT_TRUE(rig.armed());
     if (cell.lack == nullptr) {  // the step does without it
-      rig.inject(cell.fault, cell.seconds);
-      if (*cell.words != '\0') {
-        EXPECT_TRUE(rig.wait(cell.words, [&] { return rig.told(cell.words); }));
+      if (*cell.words == '\0') {
+        rig.inject(cell.fault, cell.seconds);
+      } else {
+        EXPECT_TRUE(begins(rig, cell, cell.words, [&] { return rig.told(cell.words); }));
         EXPECT_TRUE(rig.wait("the distance sensors' line", [&] { return rig.lineOk(kDistance); }));
       }
       EXPECT_TRUE(rig.well());

@@ -61,6 +61,8 @@ class DeviceRig {
     options.profile.device.watchdog_ms = 1000.0;
     options.profile.device.qbmove_timeout_ms = 100.0;
     options.profile.device.qbmove_watchdog_ms = 1000.0;
+    // Pictures that are 250 ms late come every 250 ms: that must be too old for long enough to be seen.
+    options.profile.step.step.finger_maximum_age_ms = 150.0;
     options.profile.device.stuck_sensor_s = 1.0;
     options.profile.device.serial_by_id = by_id_;
     choose(options);
