@@ -60,7 +60,7 @@ def server(port, scenario):
     if scenario == "wrong-version":
         registers[2] = 0x0700
     if scenario != "short":
-        registers[STATE + 4] = 0x50
+        registers[STATE + 4] = 0x0250  # switch-on disabled, voltage present, writes obeyed
         registers[STATE + 6:STATE + 8] = struct.unpack(">HH", struct.pack(">f", 0.25))
         registers[STATE + 10:STATE + 13] = [1000, 2000, 3000]
     block = Touchpad(0, registers)
