@@ -52,9 +52,9 @@ bool CommitMender::proven(Table table, std::uint64_t first, std::uint64_t end, s
   rows.clear();
   if (end == first) return crc == 0;
   const std::size_t row_bytes = layoutOf(table).row_bytes;
-  if (end - first > budget_bytes_ / row_bytes) return false;
+  if (end - first > bytes_left_ / row_bytes) return false;
   rows.resize((end - first) * row_bytes);
-  budget_bytes_ -= rows.size();
+  bytes_left_ -= rows.size();
   try {
     read_(table, first, end - first, rows);
   } catch (const RecordingFailure&) {
@@ -65,8 +65,11 @@ bool CommitMender::proven(Table table, std::uint64_t first, std::uint64_t end, s
 
 CommitRow CommitMender::mended(const CommitRow& found, std::uint64_t number, const CommitRow& before,
                                const RowCounts& most) {
-  if (const auto whole = withOneBitTurnedBack(found, number); whole && within(before.rows, whole->rows, most))
-    return *whole;
+  if (rows_left_ > 0) {
+    --rows_left_;
+    if (const auto whole = withOneBitTurnedBack(found, number); whole && within(before.rows, whole->rows, most))
+      return *whole;
+  }
   CommitRow row = before;
   row.number = number;
   row.closed = 0;

@@ -34,7 +34,9 @@ class CommitMender {
                             std::vector<std::byte>& rows);
 
   ReadRows read_;
-  std::uint64_t budget_bytes_ = 256U << 20U;  // opening a hostile file must end: what would be more is not proven
+  // Opening a file of nothing but damage must end; what would be more is not proven.
+  std::uint64_t bytes_left_ = 256U << 20U;
+  std::uint64_t rows_left_ = 4096;  // whose bits are turned one by one
 };
 
 }  // namespace fyd::session

@@ -50,7 +50,7 @@ def by_h5py(path):
     with h5py.File(path + ".partial", "r", swmr=True) as file:
         committed = int(file["commits"][-1]["rows"][0])
         steps = file["telemetry"][:committed]["step"].astype("int64")
-        assert numpy.all(numpy.diff(steps) == 1), "h5py sees steps out of order"
+        assert len(steps) == 0 or numpy.all(numpy.diff(steps) >= 1), "h5py sees steps out of order"
         return committed
 
 
@@ -118,29 +118,36 @@ def attack(folder, dice, with_readers, kill_recovery):
     assert code == 0 and recovered["result"] == "whole", error
     assert recovered["samples"] == committed, f"{recovered['samples']} steps are left of {committed}"
     code, info, error = fyd("info", path)
-    assert code == 0 and info["health"] == "good", info["health_reason"] + error
-    code, replay, error = fyd("replay", path)
-    assert code == 0 and replay["identical"], error
+    assert code == 0 and info["health"] == ("good" if info["gaps"] == 0 else "gaps"), info["health_reason"] + error
     with h5py.File(path, "r") as file:
         steps = file["telemetry"]["step"].astype("int64")
-        assert len(steps) == committed and numpy.all(numpy.diff(steps) == 1), "h5py sees other steps"
-    return sum(reader.looks for reader in readers)
+        jumped = int((numpy.diff(steps) - 1).sum())
+        assert len(steps) == committed and numpy.all(numpy.diff(steps) >= 1), "h5py sees other steps"
+        assert jumped <= info["gaps"], f"{jumped} steps are missing, {info['gaps']} are counted"
+    code, replay, error = fyd("replay", path)
+    assert replay["different"] == 0, error
+    # A machine that stands still too long for the recorder's ring loses steps, which is counted: a replay ends there.
+    assert jumped > 0 or (code == 0 and replay["identical"]), error
+    return sum(reader.looks for reader in readers), int(info["gaps"] > 0)
 
 
 def main():
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 1
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1
     dice = random.Random(seed)
-    looks = broken = 0
+    looks = gaps = broken = 0
     for with_readers in (False, True):
         for number in range(count):
             with tempfile.TemporaryDirectory() as folder:
                 try:
-                    looks += attack(folder, dice, with_readers, number % 2 == 1)
+                    looked, gap = attack(folder, dice, with_readers, number % 2 == 1)
+                    looks += looked
+                    gaps += gap
                 except AssertionError as wrong:
                     broken += 1
                     print(f"BROKEN kill {number}, {'with' if with_readers else 'without'} readers: {wrong}", flush=True)
-    print(f"{count} kills without and {count} with readers, which looked {looks} times: {broken} did not hold")
+    print(f"{count} kills without and {count} with readers, which looked {looks} times; {gaps} times the machine was too "
+          f"busy for the recorder, which counted it: {broken} did not hold")
     return 1 if broken else 0
 
 
