@@ -59,7 +59,7 @@ class JournaledFile {
   [[nodiscard]] std::uint64_t size() const { return size_; }
   /// Its end at this moment; that of a growing recording moves on.
   [[nodiscard]] std::uint64_t sizeNow() const;
-  /// What it takes on the disk: the holes of a file that only claims a length count no more than 64 MiB.
+  /// What it takes on the disk: the holes of a file that only claims a length count no more than 8 MiB.
   [[nodiscard]] std::uint64_t diskBytes() const;
   [[nodiscard]] std::size_t largestJournal() const { return largest_journal_; }
   /// A sound journal was there when it was opened: other programs do not see what it holds.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 
 #include "core/session/recording_chunks.h"
 #include "core/session/recording_driver.h"
@@ -120,9 +121,15 @@ Handle openValue(hid_t file, const char* path) {
   return set;
 }
 
+std::uint64_t mostRows(Table table, std::uint64_t number) {
+  constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
+  const bool of_steps = table == Table::telemetry || table == Table::steps || table == Table::motors;
+  return of_steps && number < kAny / kBlockSteps ? kBlockSteps * (number + 1) : kAny;
+}
+
 bool countsCanBe(const CommitRow& row) {
   const std::uint64_t steps = row.rows[indexOf(Table::telemetry)];
-  return steps / kBlockSteps <= row.number && row.rows[indexOf(Table::steps)] == steps &&
+  return steps <= mostRows(Table::steps, row.number) && row.rows[indexOf(Table::steps)] == steps &&
          row.rows[indexOf(Table::motors)] == steps;
 }
 

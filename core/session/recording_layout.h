@@ -20,7 +20,9 @@ void checkStart(const JournaledFile& disk);
 /// The dataset of a text or of bytes. Every reader of one opens it here.
 [[nodiscard]] Handle openValue(hid_t file, const char* path);
 
-/// Whether a commit may count so many steps: the recorder writes one after 250 of them at the latest.
+/// Rows that commit `number` can count: the recorder writes one after 250 steps at the latest.
+[[nodiscard]] std::uint64_t mostRows(Table table, std::uint64_t number);
+/// Whether a commit's counts of steps agree with this and with each other.
 [[nodiscard]] bool countsCanBe(const CommitRow& row);
 
 }  // namespace fyd::session

@@ -83,7 +83,12 @@ def huge_table(random, good, out, secret):
     return True  # beyond the last commit anything may stand; only lists may not claim so much
 
 
-def lying_commit(random, good, out, secret):
+def lying_damaged_commit(random, good, out, secret):
+    """As lying_commit, but its own checksum is wrong, as a bad disk leaves it."""
+    return lying_commit(random, good, out, secret, sealed=False)
+
+
+def lying_commit(random, good, out, secret, sealed=True):
     """A commit whose own checksum is right, which counts rows that are not there."""
     with opened(good, out) as file:
         commits = file["commits"]
@@ -99,7 +104,7 @@ def lying_commit(random, good, out, secret):
         last["number"] = len(commits)
         last["crc"] = [[random.getrandbits(32) for _ in range(TABLE_COUNT)]]
         commits.resize((len(commits) + 1,))
-        commits[-1:] = hostile_bytes.sealed(last)
+        commits[-1:] = hostile_bytes.sealed(last) if sealed else last
     return False
 
 
@@ -485,7 +490,7 @@ def not_a_file(random, good, out, secret):
     return False
 
 
-ALL = [huge_commits, huge_commits_with_a_last_row, huge_commits_in_a_file_of_holes, huge_table, lying_commit, external_storage,
+ALL = [huge_commits, huge_commits_with_a_last_row, huge_commits_in_a_file_of_holes, huge_table, lying_commit, lying_damaged_commit, external_storage,
        external_bytes_of_a_secret, virtual_layout, foreign_chunks, foreign_filters, unknown_filter, contiguous_table, soft_link,
        external_link, wrong_kind, wrong_members, wrong_text, deep_nesting, cyclic_links, cyclic_table, absurd_attributes,
        lying_index, lying_object_header, deflate_bomb, picture_bomb, lying_journal, foreign_start, cyclic_old_index,
