@@ -30,6 +30,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Core", "the robot's stiffness is not a number"),
     QT_TRANSLATE_NOOP("Core", "no stiffness target"),
     QT_TRANSLATE_NOOP("Core", "the window did not answer for half a second"),
+    QT_TRANSLATE_NOOP("Core", "a reason that this program does not know"),
+    QT_TRANSLATE_NOOP("Core", "an unknown state"),
     QT_TRANSLATE_NOOP("Core", "Close other programs on this machine."),
     QT_TRANSLATE_NOOP("Core", "Check the touchpad's power and its serial cable."),
     QT_TRANSLATE_NOOP("Core", "Check the touchpad's power and cables."),

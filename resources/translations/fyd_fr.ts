@@ -254,6 +254,10 @@
         <translation>%1 échantillons perdus</translation>
     </message>
     <message>
+        <source>%1 steps lie beyond the tolerance stated for that.</source>
+        <translation>%1 pas sont au-delà de la tolérance indiquée pour cela.</translation>
+    </message>
+    <message>
         <source>%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)</source>
         <translation>%1 pas, %2 cycles manqués ; un pas dure %3 µs (médiane), %4 µs (99e centile)</translation>
     </message>
@@ -2994,6 +2998,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Sessions enregistrées</translation>
     </message>
     <message>
+        <source>Recorded with arithmetic %1, replayed with %2: the bits cannot be the same.</source>
+        <translation>Enregistré avec l'arithmétique %1, rejoué avec la %2 : les bits ne peuvent pas être les mêmes.</translation>
+    </message>
+    <message>
         <source>Recording</source>
         <translation>Enregistrement</translation>
     </message>
@@ -3884,6 +3892,10 @@ Pour commencer : %1</translation>
         <translation>Le touchpad suit le mode thesis ; ces courbes sont du mode default.</translation>
     </message>
     <message>
+        <source>The values are, within the tolerance stated for that.</source>
+        <translation>Les valeurs le sont, dans la tolérance indiquée pour cela.</translation>
+    </message>
+    <message>
         <source>The whole recording</source>
         <translation>Tout l'enregistrement</translation>
     </message>
@@ -4204,6 +4216,10 @@ Pour commencer : %1</translation>
         <translation>un nombre de %1 à %2</translation>
     </message>
     <message>
+        <source>a reason that this program does not know</source>
+        <translation>une raison que ce programme ne connaît pas</translation>
+    </message>
+    <message>
         <source>a second</source>
         <translation>par seconde</translation>
     </message>
@@ -4278,6 +4294,10 @@ Pour commencer : %1</translation>
     <message>
         <source>an axis spreads by %1 g; expected at most %2: it moves: put the robot to rest</source>
         <translation>un axe varie de %1 g ; attendu au plus %2 : il bouge : mettre le robot au repos</translation>
+    </message>
+    <message>
+        <source>an unknown state</source>
+        <translation>un état inconnu</translation>
     </message>
     <message>
         <source>another file</source>

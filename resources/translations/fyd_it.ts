@@ -254,6 +254,10 @@
         <translation>%1 campioni persi</translation>
     </message>
     <message>
+        <source>%1 steps lie beyond the tolerance stated for that.</source>
+        <translation>%1 passi sono oltre la tolleranza indicata per questo.</translation>
+    </message>
+    <message>
         <source>%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)</source>
         <translation>%1 passi, %2 cicli mancati; un passo dura %3 µs (mediana), %4 µs (99º percentile)</translation>
     </message>
@@ -2994,6 +2998,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Sessioni registrate</translation>
     </message>
     <message>
+        <source>Recorded with arithmetic %1, replayed with %2: the bits cannot be the same.</source>
+        <translation>Registrato con l'aritmetica %1, rieseguito con la %2: i bit non possono essere gli stessi.</translation>
+    </message>
+    <message>
         <source>Recording</source>
         <translation>Registrazione</translation>
     </message>
@@ -3884,6 +3892,10 @@ Per cominciare: %1</translation>
         <translation>Il touchpad usa il modo thesis; questi andamenti sono del modo default.</translation>
     </message>
     <message>
+        <source>The values are, within the tolerance stated for that.</source>
+        <translation>I valori lo sono, entro la tolleranza indicata per questo.</translation>
+    </message>
+    <message>
         <source>The whole recording</source>
         <translation>Tutta la registrazione</translation>
     </message>
@@ -4204,6 +4216,10 @@ Per cominciare: %1</translation>
         <translation>un numero da %1 a %2</translation>
     </message>
     <message>
+        <source>a reason that this program does not know</source>
+        <translation>un motivo che questo programma non conosce</translation>
+    </message>
+    <message>
         <source>a second</source>
         <translation>al secondo</translation>
     </message>
@@ -4278,6 +4294,10 @@ Per cominciare: %1</translation>
     <message>
         <source>an axis spreads by %1 g; expected at most %2: it moves: put the robot to rest</source>
         <translation>un asse oscilla di %1 g; atteso al più %2: si muove: mettere il robot a riposo</translation>
+    </message>
+    <message>
+        <source>an unknown state</source>
+        <translation>uno stato sconosciuto</translation>
     </message>
     <message>
         <source>another file</source>
