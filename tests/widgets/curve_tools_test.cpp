@@ -193,7 +193,7 @@ class CurveToolsTest : public QObject {
     QCOMPARE(limits("stiffness"), (std::vector{0.501, 0.715}));  // what the law gives within the travel
     QCOMPARE(limits("stretch"), (std::vector{20.0, 90.0}));
     QCOMPARE(limits("translation"), (std::vector{-120.0, 120.0}));
-    QVERIFY2(std::abs(limits("force")[1] - 76.4) < 0.1, qPrintable(QString::number(limits("force")[1])));
+    QVERIFY2(std::abs(limits("force")[1] - 19.51) < 0.01, qPrintable(QString::number(limits("force")[1])));
     QCOMPARE(limits("vibration"), (std::vector{-100.0, 100.0}));
     QVERIFY(limits("indentation").empty());
     f.row("texture.maximum_percent")->slider()->setValue(0);

@@ -99,10 +99,27 @@ TEST_F(Replay, AParameterThatIsNotLiveStartsFromRest) {
 TEST_F(Replay, WrongSettingsAreNamed) {
   const auto recording = record(0.2, 0.5);
   ASSERT_TRUE(recording);
-  for (const char* setting : {"control.kp", "nothing.at_all=1", "control.kp=fast", "texture.k_vib=1e9"}) {
+  for (const char* setting :
+       {"control.kp", "nothing.at_all=1", "control.kp=fast", "texture.k_vib=nan", "sensing.frame_half_width_mm=1e9"}) {
     const auto result = replay(*recording, {.settings = {setting}});
     ASSERT_FALSE(result) << setting;
     EXPECT_THAT(result.error().message, HasSubstr(std::string(setting).substr(0, std::string(setting).find('='))));
+  }
+}
+
+TEST_F(Replay, AWhatIfBeyondTheRangeOfALiveParameterIsComputedAndMarkedAndNoCommandLeavesItsLimits) {
+  const auto recording = record(0.2, 2.0);
+  ASSERT_TRUE(recording);
+  for (const char* setting : {"texture.k_vib=1e9", "control.kp=-1e300", "texture.full_scale_g=1e-300"}) {
+    double largest_percent = 0.0;
+    const auto result = replay(*recording, {.settings = {setting}}, [&](const auto& sample, const auto&) {
+      EXPECT_TRUE(std::isfinite(sample.vibration_duty_percent));
+      EXPECT_TRUE(std::isfinite(sample.stretch_reference_deg));
+      largest_percent = std::max(largest_percent, std::abs(sample.vibration_duty_percent));
+    });
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(result->out_of_range.size(), 1U) << setting;
+    EXPECT_LE(largest_percent, 100.0) << setting;
   }
 }
 

@@ -46,7 +46,7 @@ inline RecordingHeader header() {
   header.operator_name = "Zoë";
   header.subject = "S07";
   header.tags = {"pilot", "velvet"};
-  header.profile = "[control]\nkp = 0.5\n";
+  header.profile = "[control]\nkp=0.5\n";  // by hand: it lists nothing by which indices could be read
   header.step_state = std::string("\0\1\2\xff\0", 5);
   header.version = "test";
   return header;
