@@ -77,7 +77,7 @@ CommitRow CommitMender::mended(const CommitRow& found, std::uint64_t number, con
   std::vector<std::byte> rows;
   for (std::size_t i = 0; i < kTableCount; ++i) {
     const auto table = static_cast<Table>(i);
-    if (found.rows[i] < before.rows[i] || found.rows[i] > most[i]) continue;
+    if (found.rows[i] < before.rows[i] || found.rows[i] > std::min(most[i], mostRows(table, number))) continue;
     const bool known = proven(table, before.rows[i], found.rows[i], found.crc[i], rows);
     if (known && table == Table::telemetry) row.latest_ns = latestOf(rows, before.latest_ns);
     row.rows[i] = found.rows[i];

@@ -92,7 +92,7 @@ TEST(RecordingDamage, AFlippedByteIsAnErrorOrChangesNothing) {
   };
   const std::size_t front = std::min<std::size_t>(good.size(), kJournalBytes + 24'000);
   for (std::size_t at = kJournalBytes; at < front; at += all != nullptr ? 1 : 397) flipAt(at);
-  for (const char* text : {"00112233445566778899", "2026-05-04T03", "S07", "pilot", "kp = 0.5", "started_ns"}) {
+  for (const char* text : {"00112233445566778899", "2026-05-04T03", "S07", "pilot", "kp=0.5", "started_ns"}) {
     const std::size_t at = good.find(text, kJournalBytes);
     ASSERT_NE(at, std::string::npos) << text;
     flipAt(at);
