@@ -74,14 +74,11 @@ void Plausibility::checkTravel(const Timed<control::MotorFeedback>& motors, Inst
 
 void Plausibility::checkFollowing(const Timed<control::MotorFeedback>& motors, const control::MotorCommand& command,
                                   Instant now) {
-  if (!command.active) {
-    standstill_.reset();
-    return;
-  }
-  const bool first = !standstill_;
-  if (first) standstill_.emplace();
+  const bool first = !following_;
+  following_ = command.active;
+  if (!following_) return;
   for (std::size_t i = 0; i < control::kMotorCount; ++i) {
-    Standstill& still = (*standstill_)[i];
+    Standstill& still = standstill_[i];
     const double reference_deg = command.reference_ticks[i] / control::kTicksPerDegree;
     if (first || motors.value.encoder_counts[i] != still.counts) {
       still = {.counts = motors.value.encoder_counts[i], .reference_deg = reference_deg, .sent_further = {}};
@@ -112,7 +109,7 @@ void Plausibility::checkEncoders(const Timed<control::MotorFeedback>& motors, co
   if (!disbelieved_) checkTravel(motors, now);
   if (!disbelieved_) checkFollowing(motors, command, now);
   if (disbelieved_) {
-    standstill_.reset();
+    following_ = false;
     return;
   }
   believed_ = motors;

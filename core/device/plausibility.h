@@ -60,7 +60,8 @@ class Plausibility {
     double reference_deg = 0.0;
     std::optional<Instant> sent_further;
   };
-  std::optional<std::array<Standstill, control::kMotorCount>> standstill_;  // while the motors are on
+  std::array<Standstill, control::kMotorCount> standstill_{};
+  bool following_ = false;  // the motors are on: the above is of use
   bool disbelieved_ = false;
   Instant disbelieved_at_{};
   std::string why_;

@@ -45,7 +45,7 @@ struct Recordings {
   double largest_force_N = 0.0;
 };
 
-/// Strokes on a plane have no height: pressed 5 mm while there is a finger.
+/// Strokes on a plane have no height: pressed (8 mm, as FingerPath::fromCsv maps one height) while there is a finger.
 Result<sim::FingerPath> strokes(const fs::path& path) {
   const auto table = readCsv(path.string(), {"t_s", "x_mm", "y_mm"});
   if (!table) return tl::unexpected(table.error());
@@ -58,7 +58,6 @@ Result<sim::FingerPath> strokes(const fs::path& path) {
       if (!(table->values[0][row] > last)) continue;
       last = table->values[0][row];
       const bool there = std::isfinite(table->values[1][row]);
-      // Two heights, so that what lies lowest counts as pressed.
       out << fmt::format("{},{},{},{}\n", last, table->values[1][row], table->values[2][row], there ? "-5" : "nan");
     }
   }
