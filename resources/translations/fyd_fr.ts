@@ -591,7 +591,7 @@
     </message>
     <message numerus="yes">
         <source>%n sample(s) lost</source>
-        <translation><numerusform>%n échantillon perdu</numerusform><numerusform>%n échantillons perdus</numerusform><numerusform>%n échantillons perdus</numerusform></translation>
+        <translation><numerusform>%n échantillon perdu</numerusform><numerusform>%n échantillons perdus</numerusform></translation>
     </message>
     <message>
         <source>/commits: %1 of %2 rows are damaged, the first: row %3</source>

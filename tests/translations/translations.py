@@ -15,7 +15,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-PLURALS = {"en": 2, "it": 3, "fr": 3}  # as Qt counts them
+PLURALS = {"en": 2, "it": 2, "fr": 2}  # as Qt 6.4 counts them
 SOURCES = ["widgets", "app/console"]
 
 
