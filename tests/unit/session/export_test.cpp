@@ -276,5 +276,14 @@ TEST(ExportWords, AParameterIsNamedWithItsUnitOrItsWord) {
   EXPECT_THAT(changed(9, pipeline::kNone), HasSubstr("nan"));
 }
 
+TEST(ExportWords, ANumberThatThisProgramDoesNotKnowIsShown) {
+  EXPECT_EQ(describeEvent({.kind = pipeline::EventKind::state_changed,
+                           .state = pipeline::SafetyState::held,
+                           .lack = static_cast<pipeline::Lack>(40)}),
+            "Held: a reason that this program does not know (code 40)");
+  EXPECT_EQ(describeEvent({.kind = static_cast<pipeline::EventKind>(41), .value = 2.0}), "code 41, value 2");
+  EXPECT_EQ(toString(static_cast<pipeline::EventKind>(41)), "unknown");
+}
+
 }  // namespace
 }  // namespace fyd::session

@@ -84,6 +84,41 @@ TEST(RecordingFile, RandomStepsComeBackBitForBit) {
   }
 }
 
+TEST(RecordingFile, NumbersThatALaterProgramGaveMeaningStayAndCostNothingElse) {
+  const Folder folder;
+  auto writer = RecordingWriter::create(folder.file(), header());
+  ASSERT_TRUE(writer);
+  StepRecord step = plainStep(0);
+  step.telemetry.lack = static_cast<pipeline::Lack>(40);
+  step.telemetry.state = static_cast<pipeline::SafetyState>(41);
+  step.telemetry.link = static_cast<pipeline::LinkPhase>(42);
+  step.inputs.robot.phase = static_cast<pipeline::LinkPhase>(42);
+  step.inputs.finger.value.reason = static_cast<sensing::FingerReason>(43);
+  step.inputs.finger.count = 1;
+  (void)step.inputs.commands.push({.action = static_cast<pipeline::OperatorAction>(44)});
+  (void)step.inputs.robot.commands.push(static_cast<pipeline::RobotCommand>(45));
+  (void)step.events.push({.kind = static_cast<pipeline::EventKind>(46), .lack = static_cast<pipeline::Lack>(40)});
+  ASSERT_TRUE((*writer)->append(step));
+  ASSERT_TRUE((*writer)->append(plainStep(1)));
+  ASSERT_TRUE((*writer)->append({.when = instantAt(1000.0), .kind = static_cast<NoteKind>(47), .text = "later"}));
+  ASSERT_TRUE((*writer)->close());
+  const auto recording = Recording::open(folder.file());
+  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_EQ((*recording)->info().committed_samples, 2U);
+  const auto back = (*recording)->step(0);
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_TRUE(sameRecord(*back, step));
+  EXPECT_TRUE((*recording)->step(1));
+  std::vector<pipeline::TelemetrySample> samples(2);
+  EXPECT_TRUE((*recording)->telemetry(0, samples));
+  const auto events = (*recording)->events();
+  ASSERT_TRUE(events) << events.error().message;
+  ASSERT_EQ(events->size(), 1U);
+  const auto notes = (*recording)->notes();
+  ASSERT_TRUE(notes) << notes.error().message;
+  EXPECT_EQ(notes->at(0).text, "later");
+}
+
 TEST(RecordingFile, HeaderComesBack) {
   const Folder folder;
   const RecordingHeader wanted = header();
