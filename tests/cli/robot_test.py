@@ -68,10 +68,12 @@ class Kuka(Processes):
         robot = self.start("robot", "--connect", address, "--bind", "127.0.0.2:0", "--arm", "kuka:" + fri, "--probe-dwell", 0.25, "--duration", 8, "--json")
         states = serve(robot)
         controller = krc.stop()
+        self.assertEqual(controller["leaps"], 0, "else the arm itself ended the command mode")
         never_followed = robot.process.returncode != 0 and "link quality" in robot.log()
-        if controller["command_losses"] > 1 or never_followed:  # the one at the end, when the robot end has left
+        arm = None if never_followed else robot.result()
+        # One loss is the end's, when the robot end has left the arm that followed until then.
+        if never_followed or controller["command_losses"] > 1 or arm["arm"]["mode"] != "command":
             raise fyd.BusyMachine("a machine that stands still loses the link quality, rightly")
-        arm = robot.result()
         self.assertEqual(arm["probe"], "measured")
         self.assertAlmostEqual(arm["stiffness_N_per_mm"], 0.6, delta=0.03)
         self.assertGreater(len(states), 100)
