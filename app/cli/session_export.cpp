@@ -4,6 +4,7 @@
 
 #include "app/cli/session_cli.h"
 #include "core/session/export_recording.h"
+#include "core/session/recording_health.h"
 #include "core/session/report.h"
 
 namespace fyd::cli {
@@ -30,6 +31,10 @@ void runExport(const ExportCommand& command) {
     json["left_out"] = result.left_out;
   }
   if (result.messages > 0) json["messages"] = result.messages;
+  if (const auto [health, reason] = session::healthOf(recording->info()); health != "good") {
+    json["health"] = health;
+    json["health_reason"] = reason;
+  }
   printSession(json, command.session.json);
 }
 

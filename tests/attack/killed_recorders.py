@@ -50,7 +50,9 @@ def by_h5py(path):
     with h5py.File(path + ".partial", "r", swmr=True) as file:
         committed = int(file["commits"][-1]["rows"][0])
         steps = file["telemetry"][:committed]["step"].astype("int64")
-        assert len(steps) == 0 or numpy.all(numpy.diff(steps) >= 1), "h5py sees steps out of order"
+        backwards = numpy.flatnonzero(numpy.diff(steps) < 1)
+        assert len(backwards) == 0, f"h5py sees step {steps[backwards[0] + 1]} after {steps[backwards[0]]} in row " \
+                                    f"{backwards[0] + 1} of {committed}"
         return committed
 
 

@@ -86,7 +86,8 @@ class Damage(fyd.Case):
         self.assertEqual((info["gaps"], info["health"]), (behind, "gaps"))
         self.assertIn({"table": "/telemetry", "first": self.samples - behind, "count": behind},
                       [{key: rows[key] for key in ("table", "first", "count")} for rows in info["missing"]])
-        self.json("session", "export", self.file, self.path("left.csv"), "--json")
+        exported = self.json("session", "export", self.file, self.path("left.csv"), "--json")
+        self.assertEqual((exported["health"], exported["health_reason"]), (info["health"], info["health_reason"]))
         with open(self.path("left.csv"), encoding="utf-8") as file:
             self.assertEqual(sum(1 for _ in csv.DictReader(file)), self.samples - behind)
 

@@ -151,5 +151,20 @@ TEST(RecordingDamage, OneBadBlockCostsItselfAndRecoverSavesTheRest) {
   }
 }
 
+TEST(RecordingDamage, WhatIsMadeOfTheRowsIsMadeAnew) {
+  const Folder folder;
+  record(folder.file(), 5000);
+  damageChunk(folder.file(), "/overview/rows_25", 3);
+  EXPECT_FALSE(verify(folder.file())->intact());
+  const auto outcome = recover(folder.file());
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_EQ(outcome->result, RecoverResult::whole);
+  EXPECT_EQ(outcome->steps, 5000U);
+  EXPECT_TRUE(outcome->missing.empty());
+  EXPECT_EQ(outcome->kept, folder.file("a.h5.damaged"));
+  EXPECT_TRUE(verify(folder.file())->intact());
+  expectErrorOrEqual(folder.file());
+}
+
 }  // namespace
 }  // namespace fyd::session
