@@ -16,9 +16,18 @@ struct ExportCommand {
   session::ExportOptions options;
 };
 
+/// Two files are at work here: an error that names neither is the recording's.
+template <class T>
+Result<T> naming(const ExportCommand& command, Result<T> result) {
+  const auto names = [&](const std::string& file) { return result.error().message.find(file) != std::string::npos; };
+  if (result || names(command.session.file) || names(command.out)) return result;
+  return fail("{}: {}", command.session.file, result.error().message);
+}
+
 void runExport(const ExportCommand& command) {
   const auto recording = openRecording(command.session.file);
-  const session::ExportResult result = valueOrFail(session::exportRecording(*recording, command.out, command.options));
+  const session::ExportResult result =
+      valueOrFail(naming(command, session::exportRecording(*recording, command.out, command.options)));
   nlohmann::ordered_json json;
   json["files"] = result.files;
   for (const std::string& file : result.files) json["bytes"].push_back(std::filesystem::file_size(file));
@@ -40,7 +49,7 @@ void runExport(const ExportCommand& command) {
 
 void runReport(const ExportCommand& command) {
   const auto recording = openRecording(command.session.file);
-  valueOrFail(session::writeReport(*recording, command.out, command.options.replace));
+  valueOrFail(naming(command, session::writeReport(*recording, command.out, command.options.replace)));
   nlohmann::ordered_json json;
   json["file"] = command.out;
   json["bytes"] = std::filesystem::file_size(command.out);
