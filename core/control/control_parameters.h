@@ -23,6 +23,9 @@ enum class StaticLawKind : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 3> kStaticLawNames = {"interpolated", "thesis", "thesis-linear"};
 
+/// Beyond whatever the observer can learn (scale_observer.cpp).
+inline constexpr double kNoCorrectionLimit = 4.0;
+
 struct ControlParameters {
   ControlMode mode = ControlMode::normal;
   StaticLawKind law = StaticLawKind::interpolated;
@@ -37,6 +40,8 @@ struct ControlParameters {
   double measurement_lag_s = 0.25;
   double measurement_delay_s = 0.05;
   double noise_correlation_s = 0.4;
+  double measurement_bias = 0.15;
+  double correction_limit = 0.5;
 
   double travel_minimum_deg = 20.0;
   double travel_maximum_deg = 90.0;
@@ -111,6 +116,18 @@ struct ControlParameters {
             .maximum = 10,
             .help = "Time over which the measured stiffness' noise repeats itself; auto-tune measures it.",
             .live = true});
+    v.real("control.measurement_bias", measurement_bias,
+           {.minimum = 0,
+            .maximum = 1,
+            .help = "Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.",
+            .live = true,
+            .before_it_was = 0.0});
+    v.real("control.correction_limit", correction_limit,
+           {.minimum = 0,
+            .maximum = kNoCorrectionLimit,
+            .help = "Largest relative correction of the law; a measurement that asks for more contradicts it.",
+            .live = true,
+            .before_it_was = kNoCorrectionLimit});
     v.real("control.travel_minimum_deg", travel_minimum_deg,
            {.unit = "deg", .minimum = -30, .maximum = 180, .help = "Least stretch the controller commands."});
     v.real("control.travel_maximum_deg", travel_maximum_deg,

@@ -14,6 +14,8 @@ constexpr double kLongestStep_s = 0.02;  // the station holds after 20 ms withou
 // travelling a moment longer, until the last degrees are done.
 constexpr double kTravelling_deg = 3.0;
 constexpr double kArriving_s = 0.15;
+// A finger's place and depth, measured 10 to 30 times a second, wander by a few per cent of stiffness.
+constexpr double kPlaceTime_s = 0.25;
 constexpr double kAtLimit_deg = 0.05;       // half an encoder count
 constexpr double kClampHysteresis = 0.005;  // relative, so that noise does not make the notice flicker
 // The thesis' conditions (§4.1.4).
@@ -56,6 +58,7 @@ void StiffnessController::configure(const ControlParameters& parameters) {
   thesis_pid_.setGains(thesisGainsOf(parameters));
   lag_.configure(parameters.measurement_delay_s, parameters.measurement_lag_s);
   scale_.configure(parameters.noise_correlation_s);
+  trust_.configure(parameters.measurement_bias, parameters.correction_limit);
 }
 
 void StiffnessController::reset(double stretch_angle_deg) {
@@ -66,7 +69,9 @@ void StiffnessController::reset(double stretch_angle_deg) {
   thesis_pid_.reset();
   lag_.reset(math::log(law_.stiffness_N_per_mm(reference_deg_).value));
   scale_.reset();
-  clamped_ = rest_known_ = was_enabled_ = was_observable_ = started_ = false;
+  trust_.reset();
+  place_log_ = 0.0;
+  clamped_ = place_known_ = rest_known_ = was_enabled_ = was_observable_ = started_ = false;
 }
 
 ControlOutput StiffnessController::step(const ControlInput& input) {
@@ -90,11 +95,13 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
     scale_.beginTouch();
   }
   was_observable_ = input.observable;
+  followPlace(input, dt_s);
   const double seen_log = lag_.step(present_log, dt_s);
   if (isMeasured(input)) {
-    scale_.step(math::log(input.measured_N_per_mm) - seen_log, input.measured_sigma_N_per_mm / input.measured_N_per_mm,
-                present_log, dt_s);
+    scale_.step(math::log(input.measured_N_per_mm) - place_log_ - seen_log,
+                input.measured_sigma_N_per_mm / input.measured_N_per_mm, present_log, dt_s);
   }
+  trust_.step(scale_.credible(), dt_s);
 
   ControlOutput output;
   output.holding = !input.enabled || !isTarget(input.target_N_per_mm);
@@ -114,15 +121,24 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
   output.at_limit = reference_deg_ <= law_.minimumAngle_deg() + kAtLimit_deg ||
                     reference_deg_ >= law_.maximumAngle_deg() - kAtLimit_deg;
   output.correction = parameters_.mode == ControlMode::thesis ? thesis_pid_.output() : pid_.output();
-  output.fabric_scale = math::exp(scale_.credible());
+  output.fabric_scale = math::exp(trust_.logScale());
+  output.law_contradicted = parameters_.mode == ControlMode::normal && trust_.contradicted();
   return output;
 }
 
+void StiffnessController::followPlace(const ControlInput& input, double dt_s) {
+  if (!std::isfinite(input.place_factor) || input.place_factor <= 0) return;
+  if (!input.observable) place_known_ = false;
+  const double seen = math::log(input.place_factor);
+  place_log_ = place_known_ ? place_log_ + (seen - place_log_) * dt_s / (kPlaceTime_s + dt_s) : seen;
+  place_known_ = input.observable;
+}
+
 double StiffnessController::desiredDefault(const ControlInput& input, double present_log, double dt_s) {
-  const double target_log = math::log(input.target_N_per_mm);
+  const double target_log = math::log(input.target_N_per_mm) - place_log_;
   pid_.setLimits({math::log(law_.minimumStiffness_N_per_mm()) - target_log,
                   math::log(law_.maximumStiffness_N_per_mm()) - target_log, 1e300});
-  const double y = scale_.credible() + present_log;
+  const double y = trust_.logScale() + present_log;
   const double error = beyond(target_log - y, parameters_.dead_band_N_per_mm / input.target_N_per_mm);
   const double correction = pid_.step(y + error, y, dt_s, still_s_ >= kArriving_s);
   return law_.angle_deg(math::exp(target_log + correction)).value;
@@ -153,7 +169,7 @@ void StiffnessController::judgeReach(double target, ControlOutput& output) {
     output.reachable_target_N_per_mm = kNone;
     return;
   }
-  const double scale = math::exp(scale_.credible());
+  const double scale = math::exp(trust_.logScale() + place_log_);
   const double least = scale * law_.minimumStiffness_N_per_mm(), most = scale * law_.maximumStiffness_N_per_mm();
   const double margin = clamped_ ? kClampHysteresis : 0.0;
   clamped_ = target < least * (1 + margin) || target > most * (1 - margin);

@@ -3,14 +3,18 @@
 // Default mode, each step, with k* the target, k̂ the measured stiffness, θ the measured stretch and law(·) the static
 // law in N/mm:
 //
-//   ln S = observer( ln k̂ − ln law(θ) as the sensors saw it )   how much stiffer than calibrated this cloth is
-//   y = ln S + ln law(θ)                                        the stiffness now, without the sensors' noise and lag
-//   c = PID(ln k* − y)                                          relative correction, with a dead band
-//   stretch = law⁻¹(k*·eᶜ)                                      within travel and rate limits
+//   g                                                how much stiffer the cloth is under this finger, at its place and
+//                                                    depth, than where the law was calibrated; slowed, so that the
+//                                                    finger's measured place does not shake the motors
+//   ln S = trust( observer( ln k̂ − ln g − ln law(θ) as the sensors saw it ) )   how much stiffer this cloth is
+//   y = ln S + ln law(θ)                             the stiffness now, without the sensors' noise and lag
+//   c = PID(ln k*/g − y)                             relative correction, with a dead band
+//   stretch = law⁻¹(k*/g·eᶜ)                         within travel and rate limits
 //
 // Feed-forward makes it fast: it needs no measurement. The logarithm makes the loop's gain the same at every stretch
 // and on every cloth. The observer (scale_observer.h) averages as long as it takes to tell the cloth from the noise,
-// so the PID may be quick without shaking the motors. The integrator waits while the motors still travel.
+// so the PID may be quick without shaking the motors; scale_trust.h keeps what the measurement is off for good out of
+// it. The integrator waits while the motors still travel.
 //
 // Thesis mode (§4.1.4), every 100 ms, if k̂ > 0.1 and |k* − k̂| > 0.01: stretch = PID(k* − k̂) + rest, with rest the
 // static law's angle of the first target.
@@ -21,6 +25,7 @@
 #include "core/control/lag_model.h"
 #include "core/control/pid.h"
 #include "core/control/scale_observer.h"
+#include "core/control/scale_trust.h"
 #include "core/control/static_law.h"
 
 namespace fyd::control {
@@ -30,7 +35,8 @@ struct ControlInput {
   double target_N_per_mm = 0.0;    ///< NaN or ≤ 0: none, the stretch stays where it is
   double measured_N_per_mm = 0.0;  ///< used only while observable
   double measured_sigma_N_per_mm = 0.0;
-  bool observable = false;  ///< the measured stiffness is of now; otherwise what was learned of the cloth stands
+  double place_factor = 1.0;  ///< g; not finite or ≤ 0: as it was
+  bool observable = false;    ///< the measured stiffness is of now; otherwise what was learned of the cloth stands
   double measured_angle_deg = 0.0;
   bool measured_angle_known = false;
   bool enabled = false;  ///< false: the reference stands still; the first enabled step starts from there
@@ -39,12 +45,13 @@ struct ControlInput {
 struct ControlOutput {
   double stretch_angle_deg = 0.0;  ///< reference, always finite and within travel
   double reachable_target_N_per_mm =
-      0.0;                      ///< nearest to the target this fabric can give, as known so far; NaN: no target
-  bool target_clamped = false;  ///< the target lies outside what the fabric can give
-  bool at_limit = false;        ///< the reference stands at an end of the travel
-  bool holding = false;         ///< no target or not enabled: the reference stands
-  double correction = 0.0;      ///< PID's part: relative in default mode, degrees in thesis mode
-  double fabric_scale = 1.0;    ///< learned S: 1.3 is a cloth 30 % stiffer than calibrated; 1 while not sure
+      0.0;                        ///< nearest to the target this fabric can give, as known so far; NaN: no target
+  bool target_clamped = false;    ///< the target lies outside what the fabric can give
+  bool at_limit = false;          ///< the reference stands at an end of the travel
+  bool holding = false;           ///< no target or not enabled: the reference stands
+  double correction = 0.0;        ///< PID's part: relative in default mode, degrees in thesis mode
+  double fabric_scale = 1.0;      ///< S: 1.3 is a cloth 30 % stiffer than calibrated; 1 while not sure
+  bool law_contradicted = false;  ///< the measurement asks for more than the calibration allows: the law drives alone
 };
 
 class StiffnessController {
@@ -62,13 +69,21 @@ class StiffnessController {
 
   [[nodiscard]] const StaticLaw& law() const { return law_; }
 
+  static constexpr std::uint16_t kStateVersion = 2;
   template <class Archive>
   void serialize(Archive& archive) {
+    restoreOlder(archive, 1);
+    archive(trust_, place_log_, place_known_);
+  }
+  /// 1: without place and trust, which then stand as after a reset.
+  template <class Archive>
+  void restoreOlder(Archive& archive, std::uint16_t /*version*/) {
     archive(lag_, scale_, pid_, thesis_pid_, reference_deg_, clamped_, still_s_, rest_deg_, rest_known_, was_enabled_,
             was_observable_, started_, last_, thesis_next_);
   }
 
  private:
+  void followPlace(const ControlInput& input, double dt_s);
   /// Where the stretch should be now.
   double desiredDefault(const ControlInput& input, double present_log, double dt_s);
   double desiredThesis(const ControlInput& input);
@@ -78,6 +93,9 @@ class StiffnessController {
   StaticLaw law_;
   LagModel lag_;  // ln law(θ) as the sensors have seen it
   ScaleObserver scale_;
+  ScaleTrust trust_;
+  double place_log_ = 0.0;    // ln g
+  bool place_known_ = false;  // in this touch
   Pid pid_;
   Pid thesis_pid_;
   double reference_deg_ = 0.0;

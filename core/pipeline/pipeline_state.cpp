@@ -16,7 +16,8 @@ Digest digestOfSurface(const std::optional<texture::VirtualTexture>& surface) {
   return digestOf(std::string_view(surface ? formatSurface(surface->model()) : ""));
 }
 
-/// A class whose saved content has changed says `kStateVersion` and reads older ones in `serialize(archive, version)`.
+/// A class whose saved content has changed says `kStateVersion` and reads older ones in `restoreOlder(archive,
+/// version)`.
 template <class Module>
 consteval std::uint16_t stateVersion() {
   if constexpr (requires { Module::kStateVersion; }) {
@@ -30,8 +31,10 @@ template <class Module>
 void readModule(StateReader& archive, Module& module, std::uint16_t version) {
   if constexpr (stateVersion<Module>() == 1) {
     archive(module);
+  } else if (version == stateVersion<Module>()) {
+    archive(module);
   } else {
-    module.serialize(archive, version);
+    module.restoreOlder(archive, version);
   }
 }
 

@@ -162,7 +162,9 @@ TEST(ControllerHardCases, TimeStandingStillGoingBackAndJumping) {
 }
 
 TEST(ControllerHardCases, StepsTenTimesTooLongStillSettle) {
-  StiffnessController controller;
+  ControlParameters trusting;
+  trusting.measurement_bias = 0.0;
+  StiffnessController controller(trusting);
   BenchPlant plant;
   plant.scale = 0.8;
   for (int i = 0; i < 800; ++i) {

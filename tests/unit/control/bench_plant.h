@@ -14,6 +14,8 @@ namespace fyd::control {
 
 struct BenchPlant {
   double scale = 1.0;
+  double place = 1.0;  ///< how much stiffer under this finger than where the law was measured
+  double bias = 1.0;   ///< what the reading is off for good, a factor
   double delay_s = 0.02;
   double lag_s = 0.02;
   double ripple = 0.0;  ///< relative amplitude of a 7 Hz disturbance of the reading
@@ -22,7 +24,7 @@ struct BenchPlant {
   double speed_deg_per_s = 180.0;
   double now_s = 100.0;
 
-  [[nodiscard]] double stiffness() const { return scale * law.stiffness_N_per_mm(angle_deg).value; }
+  [[nodiscard]] double stiffness() const { return place * scale * law.stiffness_N_per_mm(angle_deg).value; }
 
   ControlInput read(double target) {
     if (first) {
@@ -30,11 +32,12 @@ struct BenchPlant {
       sensor.reset(stiffness());
       first = false;
     }
-    const double seen = sensor.step(stiffness(), 0.001) * (1 + ripple * std::sin(44 * now_s));
+    const double seen = bias * sensor.step(stiffness(), 0.001) * (1 + ripple * std::sin(44 * now_s));
     return {.now = instantAt(now_s),
             .target_N_per_mm = target,
             .measured_N_per_mm = seen,
             .measured_sigma_N_per_mm = sigma * seen,
+            .place_factor = place,
             .observable = true,
             .measured_angle_deg = angle_deg,
             .measured_angle_known = true,

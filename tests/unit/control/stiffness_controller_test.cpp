@@ -19,6 +19,13 @@ double settling_s(const std::vector<double>& course, double target) {
   return 0.001 * static_cast<double>(last_outside);
 }
 
+/// A measurement that is right on average: everything it says of the cloth may be used.
+ControlParameters trusting() {
+  ControlParameters parameters;
+  parameters.measurement_bias = 0.0;
+  return parameters;
+}
+
 TEST(StiffnessController, FeedForwardReachesNominalTargetsWithoutAMeasurement) {
   for (const double target : {0.51, 0.55, 0.6, 0.65, 0.7}) {
     StiffnessController controller;
@@ -47,7 +54,7 @@ TEST(StiffnessController, NominalFabricFastWithoutOvershoot) {
 TEST(StiffnessController, LearnsAFabricOffItsCalibration) {
   for (const auto& [scale, target] :
        {std::pair{1.3, 0.75}, {1.3, 0.9}, {0.7, 0.4}, {0.7, 0.48}, {1.15, 0.65}, {0.85, 0.55}}) {
-    StiffnessController controller;
+    StiffnessController controller(trusting());
     BenchPlant plant;
     plant.scale = scale;
     plant.ripple = 0.06;
@@ -65,7 +72,7 @@ TEST(StiffnessController, ATargetOutOfReachEndsAtTheLimitStillAndReported) {
   };
   for (const Case& c :
        {Case{1.0, 0.9, 90, 0.715}, {1.0, 0.3, 20, 0.501}, {0.7, 0.65, 90, 0.5005}, {1.3, 0.55, 20, 0.6513}}) {
-    StiffnessController controller;
+    StiffnessController controller(trusting());
     BenchPlant plant;
     plant.scale = c.scale;
     ControlOutput last;
@@ -81,7 +88,7 @@ TEST(StiffnessController, ATargetOutOfReachEndsAtTheLimitStillAndReported) {
 }
 
 TEST(StiffnessController, ComesBackFromAnUnreachableTargetWithoutUnwinding) {
-  StiffnessController controller;
+  StiffnessController controller(trusting());
   BenchPlant plant;
   plant.run(controller, 0.95, 60);
   const auto course = plant.run(controller, 0.6, 3);
@@ -105,6 +112,74 @@ TEST(StiffnessController, ReferenceKeepsRateAndTravel) {
     EXPECT_LE(reference, 80);
     last = reference;
     plant.move(reference);
+  }
+}
+
+TEST(StiffnessController, ABiasedMeasurementIsNeverWorseThanTheLawAlone) {
+  for (const double scale : {0.75, 0.9, 1.0, 1.1, 1.25}) {
+    for (const double bias : {0.87, 0.95, 1.0, 1.05, 1.15}) {
+      StiffnessController controller;
+      BenchPlant plant;
+      plant.scale = scale;
+      plant.bias = bias;
+      plant.ripple = 0.03;
+      const double target = 0.6 * scale;  // reachable; the law alone ends at scale times as much
+      const auto course = plant.run(controller, target, 8);
+      const double off = std::abs(std::log(course.back() / target));
+      const double law_alone = std::abs(
+          std::log(StaticLaw().stiffness_N_per_mm(StaticLaw().angle_deg(target).value).value * scale / target));
+      EXPECT_LE(off, law_alone + 0.01) << scale << ' ' << bias;
+    }
+  }
+}
+
+TEST(StiffnessController, AMeasurementThatContradictsTheLawDrivesNothing) {
+  for (const double bias : {0.45, 1.9}) {
+    StiffnessController controller;
+    BenchPlant plant;
+    plant.bias = bias;
+    plant.ripple = 0.03;
+    ControlOutput last;
+    auto course = plant.run(controller, 0.62, 8, &last);
+    EXPECT_NEAR(course.back(), 0.62, 0.01) << bias;
+    EXPECT_TRUE(last.law_contradicted);
+    EXPECT_FALSE(last.at_limit);
+    EXPECT_FALSE(last.target_clamped);
+    plant.bias = 1.0;  // the camera is cleaned
+    course = plant.run(controller, 0.62, 20, &last);
+    EXPECT_FALSE(last.law_contradicted);
+    EXPECT_NEAR(course.back(), 0.62, 0.01);
+  }
+}
+
+TEST(StiffnessController, MeetsTheTargetWhereTheFingerIs) {
+  for (const double place : {0.8, 1.25, 1.6}) {
+    StiffnessController controller;
+    BenchPlant plant;
+    plant.place = place;
+    ControlOutput last;
+    auto course = plant.run(controller, 0.6 * place, 2, &last);
+    EXPECT_NEAR(course.back(), 0.6 * place, 0.01) << place;
+    EXPECT_LE(settling_s(course, 0.6 * place), 0.6) << place;
+    EXPECT_FALSE(last.target_clamped);
+    plant.run(controller, 0.55, 2, &last);  // within the law's reach, not at this place
+    EXPECT_EQ(last.target_clamped, place > 1.0) << place;
+    EXPECT_NEAR(last.reachable_target_N_per_mm, plant.stiffness(), 0.01) << place;
+  }
+}
+
+TEST(StiffnessController, APlaceThatIsNoNumberLeavesTheLastOne) {
+  StiffnessController controller;
+  BenchPlant plant;
+  plant.place = 1.3;
+  plant.run(controller, 0.8, 2);
+  const double before = plant.angle_deg;
+  for (const double none : {kNaN, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    ControlInput input = plant.read(0.8);
+    input.place_factor = none;
+    const ControlOutput output = controller.step(input);
+    EXPECT_NEAR(output.stretch_angle_deg, before, 0.2);
+    plant.move(output.stretch_angle_deg);
   }
 }
 

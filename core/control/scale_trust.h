@@ -1,0 +1,45 @@
+// How much of what the sensors say of the cloth may move the rollers.
+//
+// s, the logarithm of measured stiffness over calibrated law (scale_observer.h), is the cloth's own difference from its
+// calibration plus what the measurement is off for good. The second part cannot be averaged away, so:
+//
+//   corrected = sign(s)·max(0, |s| − ln(1 + bias))
+//
+// While the measurement is off by no more than `bias`, what is corrected has the sign of the cloth's own difference and
+// is no larger than it: the loop is never further from the target than the law alone would be.
+//
+// A difference beyond `limit` is more than a cloth of this calibration can have: law and measurement contradict each
+// other, one of them is wrong, and the law alone drives until they agree again.
+#pragma once
+
+namespace fyd::control {
+
+class ScaleTrust {
+ public:
+  /// @param bias relative error of the measurement that may last, 0.1 for 10 %; not finite or below 0 counts as 0
+  /// @param limit largest relative correction, 0.35 for 35 %; not finite or below 0 counts as 0
+  void configure(double bias, double limit);
+  void reset();
+
+  /// @param log_scale s; not finite counts as 0
+  void step(double log_scale, double dt_s);
+
+  /// What the loop may reckon with, a logarithm; within ± ln(1 + limit).
+  [[nodiscard]] double logScale() const { return trust_ * corrected_; }
+  /// They have disagreed for so long that the law drives alone.
+  [[nodiscard]] bool contradicted() const { return contradicted_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(corrected_, trust_, contradicted_);
+  }
+
+ private:
+  double bias_log_ = 0.0;
+  double limit_log_ = 0.0;
+  double corrected_ = 0.0;
+  double trust_ = 1.0;  // 0…1
+  bool contradicted_ = false;
+};
+
+}  // namespace fyd::control
