@@ -6,7 +6,9 @@ import unittest
 
 import fyd
 
-PEER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "h5py_peer.py")
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+PEER = os.path.join(FOLDER, "h5py_peer.py")
+LISTING = os.path.join(FOLDER, "h5py_listing.py")
 SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's own, which has Debian's h5py
 
 
@@ -31,6 +33,12 @@ class OpenedByH5py(fyd.Case):
     def test_telemetry_has_a_row_for_each_step(self):
         self.assertEqual(self.seen["rows"], self.samples)
         self.assertEqual(self.seen["steps_in_order"], True)
+
+    def test_its_tables_columns_and_attributes_are_those_of_the_format(self):
+        """Other people's programs read them by these names, types and offsets."""
+        listing = subprocess.run([SYSTEM_PYTHON, LISTING, self.file], capture_output=True, text=True, check=True).stdout
+        with open(os.path.join(fyd.DATA, "recordings", "layout.txt"), encoding="utf-8") as kept:
+            self.assertEqual(listing.splitlines(), kept.read().splitlines())
 
     def test_every_column_has_its_unit(self):
         self.assertEqual(self.seen["units"]["force_N"], "N")
