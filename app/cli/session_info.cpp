@@ -30,6 +30,8 @@ nlohmann::ordered_json describe(const std::string& path, const session::Recordin
                               {"count", rows.count},
                               {"why", rows.why},
                               {"words", session::wordsOf(rows)}});
+  out["lacking_columns"] = info.lacking_columns;
+  out["unknown_columns"] = info.unknown_columns;
   out["bytes"] = info.bytes;
   out["id"] = info.header.id;
   out["started_utc"] = info.header.started_utc;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/fields.h"
+
 namespace fyd::control {
 
 inline constexpr std::size_t kMotorCount = 2;
@@ -20,17 +22,35 @@ inline constexpr double kLargestCurrent_mA = 10'000.0;
 /// Turning in opposite senses stretches the cloth, in the same sense moves it sideways.
 struct MotorCommand {
   std::array<std::int16_t, kMotorCount> reference_ticks{};
-  std::array<double, kMotorCount> vibration_duty_percent{};  ///< −100…100, added to the position loop's own duty
-  bool active = false;                                       ///< false: motors de-energised
+  std::array<double, kMotorCount> vibration_duty_percent{};
+  bool active = false;
 
+  static constexpr auto fields() {
+    using M = MotorCommand;
+    return std::tuple(
+        Field("vibration_duty_percent", "%", "−100 to 100 for each motor, added to the position loop's own duty",
+              &M::vibration_duty_percent),
+        Field("reference_ticks", "tick", "where each motor is to turn", &M::reference_ticks),
+        Field("active", "1", "0: the motors are de-energised", &M::active));
+  }
   friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
 };
 
 struct MotorFeedback {
-  std::array<std::uint16_t, kMotorCount> encoder_counts{};  ///< 0…4095
-  std::array<double, kMotorCount> current_mA{};             ///< signed
-  std::array<double, kMotorCount> position_duty_percent{};  ///< share the board's position loop uses; see known flag
-  bool position_duty_known = false;                         ///< false when the board closes its own loop unseen
+  std::array<std::uint16_t, kMotorCount> encoder_counts{};
+  std::array<double, kMotorCount> current_mA{};
+  std::array<double, kMotorCount> position_duty_percent{};
+  bool position_duty_known = false;
+
+  static constexpr auto fields() {
+    using M = MotorFeedback;
+    return std::tuple(
+        Field("current_mA", "mA", "of each motor, signed", &M::current_mA),
+        Field("position_duty_percent", "%", "share of each motor's drive that the board's position loop uses",
+              &M::position_duty_percent),
+        Field("encoder_counts", "count", "of each motor, 0 to 4095", &M::encoder_counts),
+        Field("position_duty_known", "1", "0: the board closes its own loop unseen", &M::position_duty_known));
+  }
 };
 
 }  // namespace fyd::control

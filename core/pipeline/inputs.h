@@ -3,8 +3,7 @@
 
 #include <cstdint>
 
-#include "core/base/batch.h"
-#include "core/base/timed.h"
+#include "core/base/fields.h"
 #include "core/control/motor_types.h"
 #include "core/pipeline/messages.h"
 #include "core/sensing/finger_types.h"
@@ -25,12 +24,23 @@ enum class OperatorAction : std::uint8_t {
 struct OperatorCommand {
   OperatorAction action = OperatorAction::stop;
   double value = 0.0;
+
+  static constexpr auto fields() {
+    return std::tuple(Field("value", "1", "of the action, where it has one", &OperatorCommand::value),
+                      Field("action", "1", "OperatorAction: its number", &OperatorCommand::action));
+  }
 };
 
 /// A live parameter's new value; `index` counts as in bindParameters(Parameters&).
 struct ParameterChange {
   std::uint16_t index = 0;
   double value = 0.0;
+
+  static constexpr auto fields() {
+    return std::tuple(
+        Field("value", "1", "new value in the parameter's own unit", &ParameterChange::value),
+        Field("index", "1", "line of the file's own profile, its parameters counted from 0", &ParameterChange::index));
+  }
 };
 
 inline constexpr std::size_t kMaximumAccelerationsPerStep = 64;
@@ -40,20 +50,47 @@ struct RobotInputs {
   LinkPhase phase = LinkPhase::none;
   Timed<RobotState> state;
   Timed<RobotMotorReference> motor_reference;
-  Batch<AccelerationSample, kMaximumAccelerationsPerStep> accelerations;  ///< since the last step
-  Batch<RobotCommand, kMaximumCommandsPerStep> commands;                  ///< since the last step
+  Batch<AccelerationSample, kMaximumAccelerationsPerStep> accelerations;
+  Batch<RobotCommand, kMaximumCommandsPerStep> commands;
 };
 
 struct Inputs {
   Instant now{};
-  std::uint64_t missed_cycles = 0;         ///< of the haptic loop since its start: cycles that got no step
-  Timed<sensing::FingerDetection> finger;  ///< taken: when the picture was taken
+  std::uint64_t missed_cycles = 0;
+  Timed<sensing::FingerDetection> finger;
   Timed<sensing::IrCounts> ir;
   Timed<sensing::BridgeReading> bridge;
   Timed<control::MotorFeedback> motors;
   RobotInputs robot;
   Batch<OperatorCommand, kMaximumCommandsPerStep> commands;
   Batch<ParameterChange, kMaximumCommandsPerStep> changes;
+
+  /// What stands in a step's own row…
+  static constexpr auto fields() {
+    return std::tuple(
+        Field("now_ns", "ns", "when the step was", &Inputs::now),
+        Field("missed_cycles", "1", "cycles of the haptic loop that got no step, since its start",
+              &Inputs::missed_cycles),
+        Field("phase", "1", "LinkPhase: how the robot's link stands", inside(&Inputs::robot, &RobotInputs::phase)));
+  }
+  /// …and what it points at.
+  static constexpr auto tables() {
+    const auto robot = [](auto member) { return inside(&Inputs::robot, member); };
+    return std::tuple(
+        InputTable("/inputs/finger", 3, "what the finger detector says of a picture, taken when that was",
+                   &Inputs::finger),
+        InputTable("/inputs/ir", 4, "codes of the distance sensors", &Inputs::ir),
+        InputTable("/inputs/bridge", 5, "a reading of the load cell", &Inputs::bridge),
+        InputTable("/inputs/motor_feedback", 6, "what the motors report", &Inputs::motors, true),
+        InputTable("/inputs/robot_state", 7, "what the robot says of itself", robot(&RobotInputs::state), true),
+        InputTable("/inputs/motor_reference", 8, "where the robot wants the motors",
+                   robot(&RobotInputs::motor_reference)),
+        InputTable("/inputs/accelerations", 9, "a sample of the robot's accelerometer",
+                   robot(&RobotInputs::accelerations), true),
+        InputTable("/inputs/commands", 10, "a command of the operator", &Inputs::commands),
+        InputTable("/inputs/robot_commands", 11, "a command of the robot's operator", robot(&RobotInputs::commands)),
+        InputTable("/inputs/changes", 12, "a parameter changed while it ran", &Inputs::changes));
+  }
 };
 
 }  // namespace fyd::pipeline

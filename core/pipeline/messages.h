@@ -18,9 +18,19 @@ struct TouchMessage {
 
 /// Robot → touchpad: state-like part.
 struct RobotState {
-  double stiffness_N_per_mm = 0.0;  ///< 0: the robot touches nothing
-  Vec3 position_mm;                 ///< of the end effector in the touchpad's frame
+  double stiffness_N_per_mm = 0.0;
+  Vec3 position_mm;
   bool button = false;
+
+  static constexpr auto fields() {
+    using R = RobotState;
+    return std::tuple(
+        Field("stiffness_N_per_mm", "N/mm", "what the robot feels; 0: it touches nothing", &R::stiffness_N_per_mm),
+        Field("x_mm", "mm", "of the end effector in the touchpad's frame", inside(&R::position_mm, &Vec3::x)),
+        Field("y_mm", "mm", "the same", inside(&R::position_mm, &Vec3::y)),
+        Field("z_mm", "mm", "the same", inside(&R::position_mm, &Vec3::z)),
+        Field("button", "1", "1: pressed", &R::button));
+  }
 };
 
 /// Robot → touchpad: one sample of the tri-axial accelerometer, rest already removed by the robot.
@@ -46,6 +56,12 @@ enum class RobotCommand : std::uint8_t {
 struct RobotMotorReference {
   double first_ticks = 0.0;
   double second_ticks = 0.0;
+
+  static constexpr auto fields() {
+    using R = RobotMotorReference;
+    return std::tuple(Field("first_ticks", "tick", "of the first motor", &R::first_ticks),
+                      Field("second_ticks", "tick", "of the second motor", &R::second_ticks));
+  }
 };
 
 /// The numbers are what a file holds: they stay, and a new one takes the next.
@@ -59,3 +75,7 @@ enum class LinkPhase : std::uint8_t {
 };
 
 }  // namespace fyd::pipeline
+
+template <>
+inline constexpr auto fyd::kFieldsOf<fyd::pipeline::RobotCommand> =
+    std::tuple(fyd::Field("command", "1", "RobotCommand: its number", std::identity()));

@@ -32,6 +32,14 @@ struct Event {
   Lack lack = Lack::none;
   std::uint16_t index = 0;
   double value = 0.0;
+
+  static constexpr auto fields() {
+    return std::tuple(Field("value", "1", "of the event, where it has one", &Event::value),
+                      Field("kind", "1", "EventKind: its number", &Event::kind),
+                      Field("state", "1", "SafetyState then", &Event::state),
+                      Field("lack", "1", "Lack: what is missing; 0: nothing", &Event::lack),
+                      Field("index", "1", "of a parameter's event: as in /inputs/changes", &Event::index));
+  }
 };
 
 inline constexpr std::size_t kMaximumEventsPerStep = 32;

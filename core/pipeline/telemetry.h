@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/base/time.h"
+#include "core/base/fields.h"
 #include "core/pipeline/messages.h"
 #include "core/pipeline/safety.h"
 
@@ -17,9 +17,9 @@ inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct TelemetrySample {
   Instant now{};
-  std::uint64_t step = 0;  ///< counts from 1
+  std::uint64_t step = 0;
   SafetyState state = SafetyState::disconnected;
-  Lack lack = Lack::none;  ///< why not ready, or why held
+  Lack lack = Lack::none;
   LinkPhase link = LinkPhase::none;
 
   bool contact = false;
@@ -30,27 +30,27 @@ struct TelemetrySample {
   double indentation_mm = kNone;
   double indentation_sigma_mm = kNone;
   double force_N = kNone;
-  double stiffness_N_per_mm = kNone;  ///< measured; holds its last value while not observable
+  double stiffness_N_per_mm = kNone;
   bool stiffness_observable = false;
-  double target_N_per_mm = kNone;            ///< as asked
-  double reachable_target_N_per_mm = kNone;  ///< nearest the touchpad can do
+  double target_N_per_mm = kNone;
+  double reachable_target_N_per_mm = kNone;
   bool target_clamped = false;
 
-  double stretch_reference_deg = kNone;  ///< commanded
-  double stretch_measured_deg = kNone;   ///< from the encoders
+  double stretch_reference_deg = kNone;
+  double stretch_measured_deg = kNone;
   double translation_measured_deg = kNone;
 
-  double acceleration_x_g = kNone;  ///< newest of the robot's, as received
+  double acceleration_x_g = kNone;
   double acceleration_y_g = kNone;
   double acceleration_z_g = kNone;
-  double texture_signal_g = 0.0;        ///< after high-pass and method, before PWM
-  double vibration_duty_percent = 0.0;  ///< as sent to the motors
-  double vibration_clipped = 0.0;       ///< steps in which the limit cut the signal, since the start
+  double texture_signal_g = 0.0;
+  double vibration_duty_percent = 0.0;
+  double vibration_clipped = 0.0;
 
-  double touch_x_mm = 0.0;  ///< position sent to the robot
+  double touch_x_mm = 0.0;
   double touch_y_mm = 0.0;
   double touch_z_mm = 0.0;
-  double robot_x_mm = kNone;  ///< position the robot reports
+  double robot_x_mm = kNone;
   double robot_y_mm = kNone;
   double robot_z_mm = kNone;
 
@@ -59,18 +59,68 @@ struct TelemetrySample {
   double bridge_age_ms = kNone;
   double motors_age_ms = kNone;
   double robot_age_ms = kNone;
-  double missed_cycles = 0.0;  ///< since the start
+  double missed_cycles = 0.0;
+
+  static constexpr auto fields() {
+    using T = TelemetrySample;
+    return std::tuple(
+        Field("now_ns", "ns", "the station's clock", &T::now),
+        Field(
+            "t_s", "s", "the same in seconds", [](const T& t) { return toSeconds(t.now.time_since_epoch()); }, 6),
+        Field("step", "1", "counts from 1", &T::step, 0), Field("state", "1", "SafetyState: its number", &T::state, 0),
+        Field("lack", "1", "Lack: why not ready, or why held; 0: nothing", &T::lack, 0),
+        Field("link", "1", "LinkPhase: how the robot's link stands", &T::link, 0),
+        Field("contact", "1", "1: the cloth is touched", &T::contact, 0),
+        Field("finger_x_mm", "mm", "where the finger is, x right; none without contact", &T::finger_x_mm, 3),
+        Field("finger_y_mm", "mm", "the same, y back", &T::finger_y_mm, 3),
+        Field("finger_area_px", "px", "dark area of the newest picture", &T::finger_area_px, 0),
+        Field("indentation_mm", "mm", "how deep the finger presses", &T::indentation_mm, 4),
+        Field("indentation_sigma_mm", "mm", "its standard deviation", &T::indentation_sigma_mm, 4),
+        Field("force_N", "N", "normal force at the finger", &T::force_N, 4),
+        Field("stiffness_N_per_mm", "N/mm", "as measured; keeps its last value while it cannot be observed",
+              &T::stiffness_N_per_mm, 4),
+        Field("stiffness_observable", "1", "1: the measured stiffness is of now", &T::stiffness_observable, 0),
+        Field("target_N_per_mm", "N/mm", "stiffness asked for", &T::target_N_per_mm, 4),
+        Field("reachable_target_N_per_mm", "N/mm", "the nearest that the touchpad can do",
+              &T::reachable_target_N_per_mm, 4),
+        Field("target_clamped", "1", "1: the two differ", &T::target_clamped, 0),
+        Field("stretch_reference_deg", "°", "stretch of the cloth, as commanded", &T::stretch_reference_deg, 3),
+        Field("stretch_measured_deg", "°", "the same, from the encoders", &T::stretch_measured_deg, 3),
+        Field("translation_measured_deg", "°", "sideways motion of the cloth, from the encoders",
+              &T::translation_measured_deg, 3),
+        Field("acceleration_x_g", "g", "newest of the robot's, as received", &T::acceleration_x_g, 4),
+        Field("acceleration_y_g", "g", "the same", &T::acceleration_y_g, 4),
+        Field("acceleration_z_g", "g", "the same", &T::acceleration_z_g, 4),
+        Field("texture_signal_g", "g", "after high-pass and method, before PWM", &T::texture_signal_g, 5),
+        Field("vibration_duty_percent", "%", "as sent to the first motor", &T::vibration_duty_percent, 2),
+        Field("vibration_clipped", "1", "steps in which the limit cut the signal, since the start",
+              &T::vibration_clipped, 0),
+        Field("touch_x_mm", "mm", "position sent to the robot", &T::touch_x_mm, 3),
+        Field("touch_y_mm", "mm", "the same", &T::touch_y_mm, 3),
+        Field("touch_z_mm", "mm", "the same; pressing is negative", &T::touch_z_mm, 3),
+        Field("robot_x_mm", "mm", "position that the robot reports", &T::robot_x_mm, 3),
+        Field("robot_y_mm", "mm", "the same", &T::robot_y_mm, 3),
+        Field("robot_z_mm", "mm", "the same", &T::robot_z_mm, 3),
+        Field("finger_age_ms", "ms", "how old the newest picture's result is", &T::finger_age_ms, 2),
+        Field("ir_age_ms", "ms", "the same of the distances", &T::ir_age_ms, 2),
+        Field("bridge_age_ms", "ms", "the same of the force", &T::bridge_age_ms, 2),
+        Field("motors_age_ms", "ms", "the same of the motors' report", &T::motors_age_ms, 2),
+        Field("robot_age_ms", "ms", "the same of the robot's state", &T::robot_age_ms, 2),
+        Field("missed_cycles", "1", "cycles of the haptic loop that got no step, since the start", &T::missed_cycles,
+              0));
+  }
 };
 
-/// The table every consumer reads: column names, units, digits after the point.
+/// A field of the sample as a number: what CSV, MATLAB, MCAP, curves and reports read.
 struct TelemetryField {
   std::string_view name;
   std::string_view unit;
+  std::string_view help;
   int decimals = 3;
   double (*read)(const TelemetrySample&) = nullptr;
 };
 
-/// All fields, the time first, in seconds since the clock's origin.
+/// All but the exact instant, the time first, in seconds since the clock's origin.
 [[nodiscard]] std::span<const TelemetryField> telemetryFields();
 
 }  // namespace fyd::pipeline

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/fields.h"
+
 namespace fyd::sensing {
 
 /// The numbers are what a file holds: they stay, and a new one takes the next.
@@ -30,15 +32,28 @@ enum class FingerReason : std::uint8_t {
 [[nodiscard]] std::string_view toString(FingerReason reason);
 
 struct FingerDetection {
-  bool contact = false;  ///< a finger presses the cloth; position below is meaningful only then
-  double area_px =
-      0.0;  ///< px of the camera's picture; thesis mode: of its 160 × 120 picture, as printed; also without contact
-  double x_px = 0.0;     ///< centroid, px in the camera's full picture, x right
-  double y_px = 0.0;     ///< centroid, px in the camera's full picture, y down
-  double x_mm = 0.0;     ///< touchpad frame: x right
-  double y_mm = 0.0;     ///< touchpad frame: y back
-  double quality = 0.0;  ///< 0 useless … 1 as good as it gets
+  bool contact = false;
+  double area_px = 0.0;
+  double x_px = 0.0;
+  double y_px = 0.0;
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  double quality = 0.0;
   FingerReason reason = FingerReason::no_picture;
+
+  static constexpr auto fields() {
+    using F = FingerDetection;
+    return std::tuple(
+        Field("area_px", "px", "of the camera's picture (thesis mode: of its 160 × 120 picture); also without contact",
+              &F::area_px),
+        Field("x_px", "px", "centroid in the camera's full picture, x right", &F::x_px),
+        Field("y_px", "px", "centroid in the camera's full picture, y down", &F::y_px),
+        Field("x_mm", "mm", "in the touchpad's frame, x right", &F::x_mm),
+        Field("y_mm", "mm", "in the touchpad's frame, y back", &F::y_mm),
+        Field("quality", "1", "0 useless … 1 as good as it gets", &F::quality),
+        Field("contact", "1", "1: a finger presses the cloth; the position is meaningful only then", &F::contact),
+        Field("reason", "1", "FingerReason: why there is a finger or none", &F::reason));
+  }
 };
 
 }  // namespace fyd::sensing

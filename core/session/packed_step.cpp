@@ -6,104 +6,76 @@
 namespace fyd::session {
 namespace {
 
-struct Head {
-  std::uint32_t bytes = 0;  // of the whole packed step
-  std::uint32_t accelerations = 0;
-  std::uint32_t robot_commands = 0;
-  std::uint32_t commands = 0;
-  std::uint32_t changes = 0;
-  std::uint32_t events = 0;
-  pipeline::LinkPhase phase = pipeline::LinkPhase::none;
-  Instant now{};
-  std::uint64_t missed_cycles = 0;
-  Timed<sensing::FingerDetection> finger;
-  Timed<sensing::IrCounts> ir;
-  Timed<sensing::BridgeReading> bridge;
-  Timed<control::MotorFeedback> motors;
-  Timed<pipeline::RobotState> robot;
-  Timed<pipeline::RobotMotorReference> motor_reference;
-  control::MotorCommand command;
-  pipeline::TelemetrySample telemetry;
+using Size = std::uint32_t;  // of the whole packed step, before everything else
+
+/// Calls visit for each part of a step, a list or a plain value, always in the same order.
+template <class Inputs, class Motors, class Telemetry, class Events, class Visit>
+void eachPart(Inputs& inputs, Motors& motors, Telemetry& telemetry, Events& events, Visit&& visit) {
+  forEachField<pipeline::Inputs>([&](auto, const auto& field) { visit(field.of(inputs)); });
+  forEachOf(pipeline::Inputs::tables(), [&](auto, const auto& table) { visit(table.of(inputs)); });
+  visit(motors);
+  visit(telemetry);
+  visit(events);
+}
+
+struct Packer {
+  std::byte* to;
+  template <class T>
+  void operator()(const T& value) {
+    copy(&value, 1);
+  }
+  template <class T, std::size_t Capacity>
+  void operator()(const Batch<T, Capacity>& list) {
+    copy(&list.count, 1);
+    copy(list.items.data(), list.size());
+  }
+  template <class T>
+  void copy(const T* values, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::memcpy(to, values, count * sizeof(T));
+    to += count * sizeof(T);
+  }
 };
-static_assert(std::is_trivially_copyable_v<Head>);
-static_assert(sizeof(Head) <= kLargestPackedStep);
 
-template <class T, std::size_t Capacity>
-std::byte* put(std::byte* to, const Batch<T, Capacity>& from) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  std::memcpy(to, from.items.data(), from.size() * sizeof(T));
-  return to + from.size() * sizeof(T);
-}
-
-template <class T, std::size_t Capacity>
-const std::byte* get(const std::byte* from, std::uint32_t count, Batch<T, Capacity>& to) {
-  to.count = count;
-  std::memcpy(to.items.data(), from, count * sizeof(T));
-  return from + count * sizeof(T);
-}
+struct Unpacker {
+  const std::byte* from;
+  template <class T>
+  void operator()(T& value) {
+    copy(&value, 1);
+  }
+  template <class T, std::size_t Capacity>
+  void operator()(Batch<T, Capacity>& list) {
+    copy(&list.count, 1);
+    copy(list.items.data(), list.size());
+  }
+  template <class T>
+  void copy(T* values, std::size_t count) {
+    std::memcpy(values, from, count * sizeof(T));
+    from += count * sizeof(T);
+  }
+};
 
 }  // namespace
 
 std::size_t packStep(const StepView& step, std::span<std::byte> out) noexcept {
-  const pipeline::Inputs& in = step.inputs;
-  std::byte* to = out.data() + sizeof(Head);
-  to = put(to, in.robot.accelerations);
-  to = put(to, in.robot.commands);
-  to = put(to, in.commands);
-  to = put(to, in.changes);
-  to = put(to, step.outputs.events);
-  const auto bytes = static_cast<std::size_t>(to - out.data());
-  const Head head{.bytes = static_cast<std::uint32_t>(bytes),
-                  .accelerations = in.robot.accelerations.count,
-                  .robot_commands = in.robot.commands.count,
-                  .commands = in.commands.count,
-                  .changes = in.changes.count,
-                  .events = step.outputs.events.count,
-                  .phase = in.robot.phase,
-                  .now = in.now,
-                  .missed_cycles = in.missed_cycles,
-                  .finger = in.finger,
-                  .ir = in.ir,
-                  .bridge = in.bridge,
-                  .motors = in.motors,
-                  .robot = in.robot.state,
-                  .motor_reference = in.robot.motor_reference,
-                  .command = step.outputs.motors,
-                  .telemetry = step.outputs.telemetry};
-  std::memcpy(out.data(), &head, sizeof(Head));
+  Packer packer{out.data() + sizeof(Size)};
+  eachPart(step.inputs, step.outputs.motors, step.outputs.telemetry, step.outputs.events, packer);
+  const auto bytes = static_cast<Size>(packer.to - out.data());
+  std::memcpy(out.data(), &bytes, sizeof bytes);
   return bytes;
 }
 
-std::size_t packedHeadSize() noexcept { return sizeof(Head); }
+std::size_t packedHeadSize() noexcept { return sizeof(Size); }
 
 std::size_t packedSize(std::span<const std::byte> packed) noexcept {
-  if (packed.size() < sizeof(Head)) return 0;
-  std::uint32_t bytes = 0;
-  std::memcpy(&bytes, packed.data() + offsetof(Head, bytes), sizeof(bytes));
+  if (packed.size() < sizeof(Size)) return 0;
+  Size bytes = 0;
+  std::memcpy(&bytes, packed.data(), sizeof bytes);
   return bytes;
 }
 
 void unpackStep(std::span<const std::byte> packed, StepRecord& out) noexcept {
-  Head head;
-  std::memcpy(&head, packed.data(), sizeof(Head));
-  pipeline::Inputs& in = out.inputs;
-  in.now = head.now;
-  in.missed_cycles = head.missed_cycles;
-  in.finger = head.finger;
-  in.ir = head.ir;
-  in.bridge = head.bridge;
-  in.motors = head.motors;
-  in.robot.phase = head.phase;
-  in.robot.state = head.robot;
-  in.robot.motor_reference = head.motor_reference;
-  out.motors = head.command;
-  out.telemetry = head.telemetry;
-  const std::byte* from = packed.data() + sizeof(Head);
-  from = get(from, head.accelerations, in.robot.accelerations);
-  from = get(from, head.robot_commands, in.robot.commands);
-  from = get(from, head.commands, in.commands);
-  from = get(from, head.changes, in.changes);
-  get(from, head.events, out.events);
+  eachPart(out.inputs, out.motors, out.telemetry, out.events, Unpacker{packed.data() + sizeof(Size)});
 }
 
 }  // namespace fyd::session

@@ -4,13 +4,11 @@
 #include "core/session/recorded_profile.h"
 #include "core/session/recording_header.h"
 #include "core/session/recording_place.h"
-#include "core/session/recording_rows.h"
 #include "core/session/recording_salvage.h"
 #include "core/session/recording_source.h"
 #include "core/session/recording_span.h"
 #include "core/session/recording_steps.h"
 #include "core/session/recording_tables.h"
-#include "core/session/recording_telemetry_row.h"
 #include "core/session/recording_wholeness.h"
 
 namespace fyd::session {
@@ -19,10 +17,6 @@ namespace {
 constexpr std::uint64_t kFarthestWhole = 1'000;  // pictures
 
 __extension__ using Wide = __int128;  // instants may be anything: their difference must not overflow
-
-void expect(const Result<void>& result) {
-  if (!result) throw RecordingFailure(result.error().message);
-}
 
 class Hdf5Recording final : public Recording {
  public:
@@ -55,8 +49,8 @@ class Hdf5Recording final : public Recording {
 
   Result<void> telemetry(std::uint64_t first, std::span<pipeline::TelemetrySample> out) const override {
     return reading([&] {
-      eachRow(first, out.size(), [&](std::size_t i, const TelemetryRow& row) {
-        out[i] = sampleOf(row);
+      eachRow(first, out.size(), [&](std::size_t i, const std::byte* row) {
+        (void)fromRow(row, out[i]);  // it has no list
       });
     });
   }
@@ -64,7 +58,8 @@ class Hdf5Recording final : public Recording {
   Result<void> field(std::size_t field, std::uint64_t first, std::span<double> out) const override {
     return reading([&] {
       checkField(field);
-      eachRow(first, out.size(), [&](std::size_t i, const TelemetryRow& row) { out[i] = fieldOf(row, field); });
+      eachRow(first, out.size(),
+              [&](std::size_t i, const std::byte* row) { out[i] = numberIn(row, telemetryColumn(field)); });
     });
   }
 
@@ -105,7 +100,7 @@ class Hdf5Recording final : public Recording {
       std::uint64_t high = tables_->rows(Table::pictures);
       while (low < high) {
         const std::uint64_t middle = low + (high - low) / 2;
-        if (tables_->row<PictureRow>(Table::pictures, middle).taken_ns > when_ns)
+        if (nanoseconds(tables_->value<PictureIndex>(Table::pictures, middle).taken) > when_ns)
           high = middle;
         else
           low = middle + 1;
@@ -121,12 +116,13 @@ class Hdf5Recording final : public Recording {
 
   [[nodiscard]] Result<EncodedPicture> encoded(std::uint64_t index) const {
     return reading([&] {
-      const auto row = tables_->row<PictureRow>(Table::pictures, index);
-      EncodedPicture picture;
-      picture.taken = instantOf(row.taken_ns);
-      picture.number = row.number;
-      expect(valueOf(row, picture.finger));
-      picture.region_px = {row.region_x_px, row.region_y_px, row.region_width_px, row.region_height_px};
+      const auto row = tables_->value<PictureIndex>(Table::pictures, index);
+      EncodedPicture picture{.taken = row.taken,
+                             .number = row.number,
+                             .whole = {},
+                             .region = {},
+                             .region_px = row.region_px,
+                             .finger = row.finger};
       const std::string whole = tables_->bytes(Table::picture_bytes, row.bytes_start, row.whole_bytes);
       const std::string region =
           tables_->bytes(Table::picture_bytes, row.bytes_start + row.whole_bytes, row.region_bytes);
@@ -138,13 +134,13 @@ class Hdf5Recording final : public Recording {
 
   Result<std::vector<EventRow>> events() const override {
     return all<EventRow>(Table::events, [&](std::uint64_t i) {
-      auto row = value<EventTableRow, EventRow>(Table::events, i);
+      auto row = tables_->value<EventRow>(Table::events, i);
       translate(row.event);
       return row;
     });
   }
   Result<std::vector<LinkRow>> linkRows() const override {
-    return all<LinkRow>(Table::link, [&](std::uint64_t i) { return value<LinkTableRow, LinkRow>(Table::link, i); });
+    return all<LinkRow>(Table::link, [&](std::uint64_t i) { return tables_->value<LinkRow>(Table::link, i); });
   }
   Result<std::vector<Note>> notes() const override {
     return all<Note>(Table::notes, [&](std::uint64_t i) { return noteOf(i); });
@@ -154,7 +150,7 @@ class Hdf5Recording final : public Recording {
     return reading([&] { return noteOf(index); });
   }
   [[nodiscard]] Result<LinkRow> linkRow(std::uint64_t index) const {
-    return reading([&] { return value<LinkTableRow, LinkRow>(Table::link, index); });
+    return reading([&] { return tables_->value<LinkRow>(Table::link, index); });
   }
   [[nodiscard]] TableRows rowsOf(Table table) const { return {tables_->rows(table), tables_->present(table)}; }
 
@@ -199,6 +195,8 @@ class Hdf5Recording final : public Recording {
     info_.duration_s =
         info_.committed_samples == 0 ? 0.0 : secondsFrom(nanoseconds(info_.header.started), tables_->last().latest_ns);
     info_.bytes = source_->bytes();
+    info_.lacking_columns = tables_->lackingColumns();
+    info_.unknown_columns = tables_->unknownColumns();
   }
 
   static double secondsFrom(std::int64_t from_ns, std::int64_t to_ns) {
@@ -233,24 +231,14 @@ class Hdf5Recording final : public Recording {
     for (std::size_t i = 0; i < count;) {
       const auto block = tables_->block(Table::telemetry, first + i);
       for (; i < count && block->holds(first + i); ++i) {
-        TelemetryRow row;
-        std::memcpy(&row, block->bytes.data() + (first + i - block->first) * sizeof row, sizeof row);
-        use(i, row);
+        use(i, block->bytes.data() + (first + i - block->first) * layoutOf(Table::telemetry).row_bytes);
       }
     }
   }
 
-  template <class Row, class Value>
-  [[nodiscard]] Value value(Table table, std::uint64_t index) const {
-    Value value;
-    expect(valueOf(tables_->row<Row>(table, index), value));
-    return value;
-  }
-
   [[nodiscard]] Note noteOf(std::uint64_t index) const {
-    const auto row = tables_->row<NoteRow>(Table::notes, index);
-    return {instantOf(row.when_ns), static_cast<NoteKind>(row.kind),
-            tables_->bytes(Table::note_text, row.text_start, row.text_bytes)};
+    const auto row = tables_->value<NoteIndex>(Table::notes, index);
+    return {row.when, row.kind, tables_->bytes(Table::note_text, row.text_start, row.text_bytes)};
   }
 
   template <class Value, class Read>
@@ -280,7 +268,7 @@ class Hdf5Recording final : public Recording {
   /// The newest JPEG up to that picture; nothing when none is near.
   [[nodiscard]] std::vector<std::uint8_t> wholeAt(std::uint64_t index) const {
     for (std::uint64_t back = 0; back <= std::min(index, kFarthestWhole); ++back) {
-      const auto row = tables_->row<PictureRow>(Table::pictures, index - back);
+      const auto row = tables_->value<PictureIndex>(Table::pictures, index - back);
       if (row.whole_bytes == 0) continue;
       const std::string bytes = tables_->bytes(Table::picture_bytes, row.bytes_start, row.whole_bytes);
       return {bytes.begin(), bytes.end()};

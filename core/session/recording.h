@@ -34,6 +34,9 @@ struct RecordingInfo {
   std::uint64_t bytes = 0;          ///< of the file
   std::string damage;               ///< wholeness damaged: what is
   std::uint64_t unproven_rows = 0;  ///< of all tables, at their ends, which no sound commit proves: they are not read
+  /// "/inputs/finger quality": what this program records and the file's did not, read as the value of a new struct…
+  std::vector<std::string> lacking_columns;
+  std::vector<std::string> unknown_columns;  ///< …and what only the file's program knows, which is not read
 };
 
 /// Smallest and largest of one telemetry field over a stretch of rows; NaN both when it holds no number.

@@ -1,23 +1,18 @@
 // The layout of a recording: which tables it has, what their rows hold and where they stand in the HDF5 file.
-// The same is said in plain words in resources/manual/recording-format.md; kFormatVersion changes with either.
+// The same is said in plain words in resources/manual/recording-format.md. Tables and columns may be added: a reader
+// goes by their names. kFormatVersion changes when a program that does not know of a change would read wrongly.
 //
-// Rows are little-endian, without gaps that are not named; instants are nanoseconds of the station's steady clock.
+// What a row holds is described beside the struct it holds, how it stands there in recording_row.h.
 // Counts and indexes of rows are from 0.
 #pragma once
 
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
+#include <algorithm>
 
 #include "core/pipeline/inputs.h"
+#include "core/session/recording_row.h"
 #include "core/session/recording_writer.h"
 
 namespace fyd::session {
-
-static_assert(std::endian::native == std::endian::little, "rows go into the file as they stand in memory");
 
 inline constexpr std::uint32_t kFormatVersion = 1;
 inline constexpr const char* kPartialEnding = ".partial";
@@ -26,7 +21,7 @@ enum class Table : std::uint8_t {
   telemetry,  ///< a row per step, as the next two
   steps,
   motors,
-  finger,  ///< a row whenever the value changed, as the next five
+  finger,  ///< the inputs' tables (pipeline::Inputs::tables): a row whenever the value changed, as the next five
   ir,
   bridge,
   motor_feedback,
@@ -46,218 +41,123 @@ enum class Table : std::uint8_t {
   overview_250,
   overview_1000,
   overview_4000,
-  overview_64000
+  overview_64000  ///< inputs that came later follow
 };
-inline constexpr std::size_t kTableCount = 24;
-inline constexpr std::uint64_t kNoRow = ~std::uint64_t{0};  ///< in StepRow: what stood there is lost
+inline constexpr auto kInputTables = pipeline::Inputs::tables();
+inline constexpr std::size_t kInputTableCount = std::tuple_size_v<std::remove_const_t<decltype(kInputTables)>>;
+inline constexpr std::size_t kTableCount = std::apply(
+    [](const auto&... table) {
+      return std::max({static_cast<std::size_t>(Table::overview_64000) + 1, (table.number + 1)...});
+    },
+    kInputTables);
+static_assert(kTableCount <= 32, "StepRecord::missing has a bit for each");
+inline constexpr std::uint64_t kNoRow = ~std::uint64_t{0};  ///< in StepRow: there is none, or it is lost
 inline constexpr std::array<std::uint32_t, 5> kOverviewRows{25, kBlockSteps, 1'000, 4'000, 64'000};
 
-struct StepRow {
-  std::int64_t now_ns = 0;
-  std::uint64_t missed_cycles = 0;
-  std::uint64_t finger_row = 0;  ///< the value's row in its table, as the next five
-  std::uint64_t ir_row = 0;
-  std::uint64_t bridge_row = 0;
-  std::uint64_t motor_feedback_row = 0;
-  std::uint64_t robot_state_row = 0;
-  std::uint64_t motor_reference_row = 0;
-  std::uint64_t accelerations_row = 0;  ///< the first of this step's, as the next four
-  std::uint64_t commands_row = 0;
-  std::uint64_t robot_commands_row = 0;
-  std::uint64_t changes_row = 0;
-  std::uint64_t events_row = 0;
-  std::uint8_t accelerations = 0;  ///< how many, as the next four
-  std::uint8_t commands = 0;
-  std::uint8_t robot_commands = 0;
-  std::uint8_t changes = 0;
-  std::uint8_t events = 0;
-  std::uint8_t phase = 0;
-  std::array<std::uint8_t, 2> reserved{};
-};
-
-struct MotorRow {
-  std::array<double, control::kMotorCount> vibration_duty_percent{};
-  std::array<std::int16_t, control::kMotorCount> reference_ticks{};
-  std::uint8_t active = 0;
-  std::array<std::uint8_t, 3> reserved{};
-};
-
-struct FingerRow {
-  std::uint64_t count = 0;
-  std::int64_t taken_ns = 0;
-  double area_px = 0.0;
-  double x_px = 0.0;
-  double y_px = 0.0;
-  double x_mm = 0.0;
-  double y_mm = 0.0;
-  double quality = 0.0;
-  std::uint8_t contact = 0;
-  std::uint8_t reason = 0;
-  std::array<std::uint8_t, 6> reserved{};
-};
-
-struct IrRow {
-  std::uint64_t count = 0;
-  std::int64_t taken_ns = 0;
-  std::array<std::uint16_t, sensing::kMaximumIrSensors> counts{};
-  std::uint32_t sensors = 0;
-  std::uint32_t reserved = 0;
-};
-
-struct BridgeRow {
-  std::uint64_t count = 0;
-  std::int64_t taken_ns = 0;
-  double value_mV_per_V = 0.0;
-};
-
-struct MotorFeedbackRow {
-  std::uint64_t count = 0;
-  std::int64_t taken_ns = 0;
-  std::array<double, control::kMotorCount> current_mA{};
-  std::array<double, control::kMotorCount> position_duty_percent{};
-  std::array<std::uint16_t, control::kMotorCount> encoder_counts{};
-  std::uint8_t position_duty_known = 0;
-  std::array<std::uint8_t, 3> reserved{};
-};
-
-struct RobotStateRow {
-  std::uint64_t count = 0;
-  std::int64_t taken_ns = 0;
-  double stiffness_N_per_mm = 0.0;
-  double x_mm = 0.0;
-  double y_mm = 0.0;
-  double z_mm = 0.0;
-  std::uint8_t button = 0;
-  std::array<std::uint8_t, 7> reserved{};
-};
-
-struct MotorReferenceRow {
-  std::uint64_t count = 0;
-  std::int64_t taken_ns = 0;
-  double first_ticks = 0.0;
-  double second_ticks = 0.0;
-};
-
-struct AccelerationRow {
-  std::int64_t taken_ns = 0;
-  double x_g = 0.0;
-  double y_g = 0.0;
-  double z_g = 0.0;
-};
-
-struct CommandRow {
-  double value = 0.0;
-  std::uint8_t action = 0;
-  std::array<std::uint8_t, 7> reserved{};
-};
-
-struct RobotCommandRow {
-  std::uint8_t command = 0;
-};
-
-struct ChangeRow {
-  double value = 0.0;
-  std::uint16_t index = 0;
-  std::array<std::uint16_t, 3> reserved{};
-};
-
-struct EventTableRow {
-  std::int64_t when_ns = 0;
-  double value = 0.0;
-  std::uint8_t kind = 0;
-  std::uint8_t state = 0;
-  std::uint8_t lack = 0;
-  std::uint8_t reserved = 0;
-  std::uint16_t index = 0;
-  std::uint16_t reserved_2 = 0;
-};
-
-struct NoteRow {
-  std::int64_t when_ns = 0;
-  std::uint64_t text_start = 0;  ///< byte in /notes/text
+/// A row of /notes/index.
+struct NoteIndex {
+  Instant when{};
+  std::uint64_t text_start = 0;
   std::uint32_t text_bytes = 0;
-  std::uint8_t kind = 0;
-  std::array<std::uint8_t, 3> reserved{};
+  NoteKind kind = NoteKind::note;
+
+  static constexpr auto fields() {
+    using N = NoteIndex;
+    return std::tuple(Field("when_ns", "ns", "when it was made", &N::when),
+                      Field("text_start", "byte", "where its text begins in /notes/text", &N::text_start),
+                      Field("text_bytes", "byte", "length of its text", &N::text_bytes),
+                      Field("kind", "1", "NoteKind: its number", &N::kind));
+  }
 };
 
-struct LinkTableRow {
-  std::int64_t when_ns = 0;
-  double round_trip_ms = 0.0;
-  double jitter_ms = 0.0;
-  double loss_percent = 0.0;
-  std::uint64_t states_received = 0;
-  std::uint64_t touches_sent = 0;
-  std::uint64_t refused = 0;
-};
-
-struct PictureRow {
-  std::int64_t taken_ns = 0;
+/// A row of /camera/index.
+struct PictureIndex {
+  Instant taken{};
   std::uint64_t number = 0;
-  std::uint64_t bytes_start = 0;  ///< byte in /camera/bytes: the whole picture, then the region
-  double area_px = 0.0;
-  double x_px = 0.0;
-  double y_px = 0.0;
-  double x_mm = 0.0;
-  double y_mm = 0.0;
-  double quality = 0.0;
+  std::uint64_t bytes_start = 0;
+  sensing::FingerDetection finger;
   std::uint32_t whole_bytes = 0;
   std::uint32_t region_bytes = 0;
-  std::int32_t region_x_px = 0;
-  std::int32_t region_y_px = 0;
-  std::int32_t region_width_px = 0;
-  std::int32_t region_height_px = 0;
-  std::uint8_t contact = 0;
-  std::uint8_t reason = 0;
-  std::array<std::uint8_t, 6> reserved{};
+  cv::Rect region_px;
+
+  static constexpr auto fields() {
+    using P = PictureIndex;
+    const auto region = [](auto member) { return inside(&P::region_px, member); };
+    return std::tuple_cat(
+        std::tuple(Field("taken_ns", "ns", "when it was taken", &P::taken),
+                   Field("number", "1", "the camera's", &P::number),
+                   Field("bytes_start", "byte", "where it begins in /camera/bytes", &P::bytes_start)),
+        part<sensing::FingerDetection>(&P::finger),
+        std::tuple(Field("whole_bytes", "byte", "of the whole picture; 0: an earlier one shows it", &P::whole_bytes),
+                   Field("region_bytes", "byte", "of the region of interest, which follows", &P::region_bytes),
+                   Field("region_x_px", "px", "left edge of the region in the whole picture", region(&cv::Rect::x)),
+                   Field("region_y_px", "px", "upper edge of it", region(&cv::Rect::y)),
+                   Field("region_width_px", "px", "width of it", region(&cv::Rect::width)),
+                   Field("region_height_px", "px", "height of it", region(&cv::Rect::height))));
+  }
 };
 
 /// The promise of the file: rows up to here are complete, and these are their checksums.
 struct CommitRow {
-  std::uint64_t number = 0;    ///< this row's own index
-  std::int64_t utc_ns = 0;     ///< wall clock; for people only
-  std::int64_t latest_ns = 0;  ///< largest `now` of the steps so far
-  std::uint64_t jumped = 0;    ///< steps missing between neighbours so far
-  std::uint64_t lost = 0;      ///< steps the recorder's ring could not take so far
+  std::uint64_t number = 0;
+  std::int64_t utc_ns = 0;
+  std::int64_t latest_ns = 0;
+  std::uint64_t jumped = 0;
+  std::uint64_t lost = 0;
   std::array<std::uint64_t, kTableCount> rows{};
-  std::array<std::uint32_t, kTableCount> crc{};  ///< CRC32C of each table's rows since the last commit
-  std::uint32_t closed = 0;                      ///< 1: the last one, nothing follows
-  std::uint32_t own_crc = 0;                     ///< CRC32C of this row up to here
-};
+  std::array<std::uint32_t, kTableCount> crc{};
+  std::uint32_t closed = 0;
+  std::uint32_t own_crc = 0;
 
-enum class ColumnType : std::uint8_t { u8, u16, u32, u64, i16, i32, i64, f64 };
-
-struct Column {
-  std::string name;
-  ColumnType type = ColumnType::f64;
-  std::string unit;        ///< "1" for plain numbers
-  std::size_t offset = 0;  ///< bytes into the row
-  std::size_t count = 1;
+  static constexpr auto fields() {
+    using C = CommitRow;
+    return std::tuple(
+        Field("number", "1", "its own row", &C::number),
+        Field("utc_ns", "ns", "wall clock, for people only", &C::utc_ns),
+        Field("latest_ns", "ns", "largest now_ns of /telemetry so far", &C::latest_ns),
+        Field("jumped", "1", "steps missing between neighbours so far", &C::jumped),
+        Field("lost", "1", "steps the recorder could not take so far", &C::lost),
+        Field("rows", "1", "rows of each table so far, in the tables' order", &C::rows),
+        Field("crc", "1", "CRC32C of each table's rows since the commit before; 0 when there are none", &C::crc),
+        Field("closed", "1", "1 in the last row of a whole recording", &C::closed),
+        Field("own_crc", "1", "CRC32C of this row up to here", &C::own_crc));
+  }
 };
+static_assert(sizeof(CommitRow) == kShape<CommitRow>.bytes, "it is written as it stands in memory");
 
 struct TableLayout {
   const char* path = "";
+  std::string_view help;  ///< what a row is
   std::size_t row_bytes = 0;
   std::size_t chunk_rows = 0;
   /// What fills whole chunks with each block, or nearly: a compressed chunk that is written again takes new space.
   bool compressed = false;
-  std::vector<Column> columns;  ///< none: plain bytes
+  bool small = false;            ///< its chunks hold as many rows as fit into kSmallChunkBytes
+  std::vector<Column> columns;   ///< none: plain bytes
+  std::vector<std::byte> fresh;  ///< the row of a new struct: what a column that a recording lacks is read as
 };
-
-static_assert(sizeof(CommitRow) == 5 * 8 + kTableCount * 12 + 8, "no unnamed gap");
+inline constexpr std::size_t kSmallChunkBytes = 4'096;  // written again with each commit while it is the last
 
 [[nodiscard]] const TableLayout& layoutOf(Table table);
 [[nodiscard]] const TableLayout& commitLayout();
+/// The column of a field (index into telemetryFields()).
+[[nodiscard]] inline const Column& telemetryColumn(std::size_t field) {
+  return layoutOf(Table::telemetry).columns[field + 1];  // the first is the exact instant, which is no field
+}
+/// In a chunk of a small table.
+[[nodiscard]] std::size_t chunkRowsOf(std::size_t row_bytes);
 
 inline constexpr std::array<Table, kOverviewRows.size()> kOverviewTables{
     Table::overview_25, Table::overview_250, Table::overview_1000, Table::overview_4000, Table::overview_64000};
 [[nodiscard]] constexpr std::size_t indexOf(Table table) { return static_cast<std::size_t>(table); }
 /// As in StepRecord::missing.
 [[nodiscard]] constexpr std::uint32_t bitOf(Table table) { return std::uint32_t{1} << indexOf(table); }
-[[nodiscard]] constexpr std::uint32_t bitsOf(Table first, Table last) {
-  return (bitOf(last) - bitOf(first)) | bitOf(last);
-}
-inline constexpr std::uint32_t kInputsOfStep = bitsOf(Table::finger, Table::changes);
+/// 0: there is no such table.
+[[nodiscard]] std::uint32_t bitOfPath(std::string_view path);
+inline constexpr std::uint32_t kInputsOfStep =
+    std::apply([](const auto&... table) { return ((std::uint32_t{1} << table.number) | ...); }, kInputTables);
 /// What a step can be without; without its telemetry it is gone.
-inline constexpr std::uint32_t kPartsOfStep = bitsOf(Table::steps, Table::events);
+inline constexpr std::uint32_t kPartsOfStep =
+    kInputsOfStep | bitOf(Table::steps) | bitOf(Table::motors) | bitOf(Table::events);
 
 }  // namespace fyd::session

@@ -52,6 +52,41 @@ Handle rowType(const TableLayout& layout) {
   return type;
 }
 
+/// The type and number of a column's values; nothing: of a kind this program has none of.
+std::optional<std::pair<ColumnType, std::size_t>> kindOf(hid_t member) {
+  Handle element;
+  hsize_t count = 1;
+  if (H5Tget_class(member) == H5T_ARRAY) {
+    if (H5Tget_array_ndims(member) != 1 || H5Tget_array_dims2(member, &count) < 0) return std::nullopt;
+    element = Handle(H5Tget_super(member), H5Tclose, "a column's type");
+  }
+  for (std::size_t type = 0; type < kBytesOfType.size(); ++type)
+    if (H5Tequal(element ? element.id() : member, scalarType(static_cast<ColumnType>(type))) > 0)
+      return std::pair(static_cast<ColumnType>(type), static_cast<std::size_t>(count));
+  return std::nullopt;
+}
+
+std::vector<Column> columnsIn(hid_t type, const TableLayout& today) {
+  std::vector<Column> columns;
+  const std::size_t row_bytes = H5Tget_size(type);
+  const int members = H5Tget_nmembers(type);
+  for (unsigned i = 0; i < static_cast<unsigned>(std::max(0, members)); ++i) {
+    const std::unique_ptr<char, herr_t (*)(void*)> name(H5Tget_member_name(type, i), H5free_memory);
+    const Handle member(H5Tget_member_type(type, i), H5Tclose, "a column's type");
+    if (!name) failHard("{}: a column without a name", today.path);
+    Column column{.name = name.get(), .unit = {}, .offset = H5Tget_member_offset(type, i), .help = {}};
+    const auto kind = kindOf(member.id());
+    if (kind) std::tie(column.type, column.count) = *kind;
+    const auto known = std::ranges::find(today.columns, column.name, &Column::name);
+    const std::size_t room = row_bytes - std::min(row_bytes, column.offset);
+    if (known != today.columns.end() &&
+        (!kind || kind->first != known->type || column.count == 0 || column.count > room || column.bytes() > room))
+      failHard("{}: column {} is not of this format's type", today.path, column.name);
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
 Handle textType(std::size_t bytes) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text's type");
   check(H5Tset_size(type.id(), bytes), "a text's length");
@@ -132,14 +167,34 @@ Hdf5Table Hdf5Table::create(hid_t file, const TableLayout& layout) {
 
 Hdf5Table Hdf5Table::open(hid_t file, const TableLayout& layout) {
   Hdf5Table table;
-  table.layout_ = &layout;
-  table.type_ = rowType(layout);
-  table.set_ = openTable(file, layout);
-  const Handle stored(H5Dget_type(table.set_.id()), H5Tclose, layout.path);
-  if (H5Tequal(stored.id(), table.type_.id()) <= 0)
-    failHard("{}: its columns are not those of this format", layout.path);
+  OpenedTable opened = openTable(file, layout);
+  table.set_ = std::move(opened.set);
+  table.own_ = std::make_unique<TableLayout>(std::move(opened.stored));
+  table.layout_ = table.own_.get();
+  table.conversion_ = RowConversion(*table.layout_, layout);
+  table.type_ = Handle(H5Dget_type(table.set_.id()), H5Tclose, layout.path);
   table.readExtent();
   return table;
+}
+
+TableLayout storedLayout(hid_t set, const TableLayout& today) {
+  constexpr std::size_t kMostBytesMore = 1'024;  // of a row: a chunk of a later program's stays small too
+  const Handle type(H5Dget_type(set), H5Tclose, today.path);
+  if (H5Tequal(type.id(), rowType(today).id()) > 0) return today;
+  if (today.columns.empty() || H5Tget_class(type.id()) != H5T_COMPOUND)
+    failHard("{}: its columns are not those of this format", today.path);
+  TableLayout stored = today;
+  stored.row_bytes = H5Tget_size(type.id());
+  if (stored.row_bytes == 0 || stored.row_bytes > today.row_bytes + kMostBytesMore)
+    failHard("{}: rows of {} bytes; this program's have {}", today.path, stored.row_bytes, today.row_bytes);
+  if (stored.small) stored.chunk_rows = chunkRowsOf(stored.row_bytes);
+  stored.columns = columnsIn(type.id(), today);
+  return stored;
+}
+
+const Column* Hdf5Table::column(std::string_view name) const {
+  const auto found = std::ranges::find(layout_->columns, name, &Column::name);
+  return found == layout_->columns.end() ? nullptr : &*found;
 }
 
 void Hdf5Table::readExtent() {
@@ -151,6 +206,7 @@ void Hdf5Table::readExtent() {
 }
 
 void Hdf5Table::refresh() {
+  if (!isOpen()) return;
   check(H5Drefresh(set_.id()), layout_->path);
   readExtent();
 }
@@ -190,6 +246,7 @@ void Hdf5Table::appendRows(std::span<const std::byte> rows) {
 }
 
 void Hdf5Table::read(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const {
+  if (!isOpen() && count == 0) return;
   if (first > rows_ || count > rows_ - first) failHard("{}: rows {}+{} of {}", layout_->path, first, count, rows_);
   if (out.size() != count * layout_->row_bytes) failHard("{}: room for other rows than asked", layout_->path);
   const std::size_t row_bytes = layout_->row_bytes;

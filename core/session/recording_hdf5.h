@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <span>
@@ -15,7 +16,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/session/recording_format.h"
+#include "core/session/recording_conversion.h"
 
 namespace fyd::session {
 
@@ -73,13 +74,23 @@ class Handle {
 /// @throws RecordingFailure when `status` is negative
 void check(herr_t status, const char* what);
 
+/// How the file has a table. @throws RecordingFailure, as Hdf5Table::open
+[[nodiscard]] TableLayout storedLayout(hid_t set, const TableLayout& today);
+
 /// One growing table.
 class Hdf5Table {
  public:
   Hdf5Table() = default;
   static Hdf5Table create(hid_t file, const TableLayout& layout);
-  /// @throws RecordingFailure when it is missing, or laid out or stored otherwise than this program does
+  /// @throws RecordingFailure when it is missing, stored otherwise than this program does, or a column of a name this
+  /// program knows is of another type. Columns may be more, fewer and elsewhere: `rows()` and what is read and appended
+  /// are as the file has them; see conversion()
   static Hdf5Table open(hid_t file, const TableLayout& layout);
+  [[nodiscard]] bool isOpen() const { return static_cast<bool>(set_); }
+  [[nodiscard]] const RowConversion& conversion() const { return conversion_; }
+  [[nodiscard]] std::size_t rowBytes() const { return layout_->row_bytes; }
+  /// nullptr: the file has no column of this name.
+  [[nodiscard]] const Column* column(std::string_view name) const;
 
   void append(std::span<const std::byte> rows);
   void read(std::uint64_t first, std::uint64_t count, std::span<std::byte> out) const;
@@ -94,7 +105,9 @@ class Hdf5Table {
   void appendChunks(std::span<const std::byte> rows);
   void appendRows(std::span<const std::byte> rows);
 
-  const TableLayout* layout_ = nullptr;
+  const TableLayout* layout_ = nullptr;  // as the file has it
+  std::unique_ptr<const TableLayout> own_;
+  RowConversion conversion_;
   Handle set_;
   Handle type_;
   std::uint64_t rows_ = 0;

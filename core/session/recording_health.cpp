@@ -13,17 +13,13 @@ namespace {
 constexpr std::size_t kMostLacksTold = 5;  // one line of words; `info --json` lists all
 
 /// What a replay needs of a step, or compares with.
-constexpr auto kReplayed = std::to_array(
-    {Table::steps, Table::motors, Table::finger, Table::ir, Table::bridge, Table::motor_feedback, Table::robot_state,
-     Table::motor_reference, Table::accelerations, Table::commands, Table::robot_commands, Table::changes});
+constexpr std::uint32_t kReplayed = kInputsOfStep | bitOf(Table::steps) | bitOf(Table::motors);
 
 /// Tables whose lost rows leave nothing behind: those of the others are steps that are there.
-constexpr auto kLists = std::to_array({Table::telemetry, Table::notes, Table::link, Table::pictures});
+constexpr std::uint32_t kLists =
+    bitOf(Table::telemetry) | bitOf(Table::notes) | bitOf(Table::link) | bitOf(Table::pictures);
 
-template <class Tables>
-bool isOneOf(const Tables& tables, const std::string& path) {
-  return std::ranges::any_of(tables, [&](Table table) { return path == layoutOf(table).path; });
-}
+bool isOneOf(std::uint32_t tables, const std::string& path) { return (tables & bitOfPath(path)) != 0; }
 
 std::string lacksOf(const RecordingInfo& info) {
   std::vector<std::string> lacks;

@@ -100,18 +100,19 @@ void checkStart(const JournaledFile& disk) {
     failHard("an HDF5 file, but not a recording of the console, or its first bytes are damaged");
 }
 
-Handle openTable(hid_t file, const TableLayout& layout) {
-  Handle set = openHere(file, layout.path);
+OpenedTable openTable(hid_t file, const TableLayout& today) {
+  Handle set = openHere(file, today.path);
+  TableLayout layout = storedLayout(set.id(), today);
   if (layoutClass(set.id(), layout.path) != H5D_CHUNKED || !hasOurChunks(set.id(), layout))
     failHard("{}: not in chunks of {} rows{}, as this program stores it: another program packed it anew", layout.path,
              layout.chunk_rows, layout.compressed ? ", shuffled and deflated" : "");
   const Handle space(H5Dget_space(set.id()), H5Sclose, layout.path);
   const hssize_t rows = H5Sget_simple_extent_npoints(space.id());
   const std::uint64_t bytes = diskBytes(file);
-  if (isListed(layout) && (rows < 0 || static_cast<std::uint64_t>(rows) > bytes / layout.row_bytes))
+  if (isListed(today) && (rows < 0 || static_cast<std::uint64_t>(rows) > bytes / layout.row_bytes))
     failHard("{}: {} rows of {} bytes each, while the whole file takes {} bytes", layout.path, rows, layout.row_bytes,
              bytes);
-  return set;
+  return {std::move(set), std::move(layout)};
 }
 
 Handle openValue(hid_t file, const char* path) {

@@ -15,8 +15,12 @@ namespace fyd::session {
 /// Before HDF5 sees the file: its first bytes are a superblock as the recorder writes it.
 void checkStart(const JournaledFile& disk);
 
-/// A table's dataset. Every reader of rows opens it here.
-[[nodiscard]] Handle openTable(hid_t file, const TableLayout& layout);
+/// A table's dataset, and how its rows are laid out. Every reader of rows opens it here.
+struct OpenedTable {
+  Handle set;
+  TableLayout stored;
+};
+[[nodiscard]] OpenedTable openTable(hid_t file, const TableLayout& layout);
 /// The dataset of a text or of bytes. Every reader of one opens it here.
 [[nodiscard]] Handle openValue(hid_t file, const char* path);
 

@@ -5,9 +5,7 @@
 #include <optional>
 
 #include "core/session/recording_crc.h"
-#include "core/session/recording_hdf5.h"
 #include "core/session/recording_layout.h"
-#include "core/session/recording_telemetry_row.h"
 
 namespace fyd::session {
 namespace {
@@ -32,10 +30,11 @@ std::optional<CommitRow> withOneBitTurnedBack(CommitRow row, std::uint64_t numbe
 }
 
 std::int64_t latestOf(std::span<const std::byte> telemetry, std::int64_t before_ns) {
-  for (std::size_t at = 0; at + sizeof(TelemetryRow) <= telemetry.size(); at += sizeof(TelemetryRow)) {
-    TelemetryRow row;
-    std::memcpy(&row, telemetry.data() + at, sizeof row);
-    before_ns = std::max(before_ns, row.now_ns);
+  constexpr std::size_t kBytes = kShape<pipeline::TelemetrySample>.bytes;
+  for (std::size_t at = 0; at + kBytes <= telemetry.size(); at += kBytes) {
+    pipeline::TelemetrySample sample;
+    (void)fromRow(telemetry.data() + at, sample);  // it has no list
+    before_ns = std::max(before_ns, nanoseconds(sample.now));
   }
   return before_ns;
 }
@@ -51,12 +50,14 @@ bool CommitMender::proven(Table table, std::uint64_t first, std::uint64_t end, s
                           std::vector<std::byte>& rows) {
   rows.clear();
   if (end == first) return crc == 0;
-  const std::size_t row_bytes = layoutOf(table).row_bytes;
+  const Hdf5Table& in = tables_(table);
+  if (!in.isOpen()) return false;
+  const std::size_t row_bytes = in.rowBytes();
   if (end - first > bytes_left_ / row_bytes) return false;
   rows.resize((end - first) * row_bytes);
   bytes_left_ -= rows.size();
   try {
-    read_(table, first, end - first, rows);
+    in.read(first, end - first, rows);
   } catch (const RecordingFailure&) {
     return false;
   }
@@ -79,7 +80,8 @@ CommitRow CommitMender::mended(const CommitRow& found, std::uint64_t number, con
     const auto table = static_cast<Table>(i);
     if (found.rows[i] < before.rows[i] || found.rows[i] > std::min(most[i], mostRows(table, number))) continue;
     const bool known = proven(table, before.rows[i], found.rows[i], found.crc[i], rows);
-    if (known && table == Table::telemetry) row.latest_ns = latestOf(rows, before.latest_ns);
+    if (known && table == Table::telemetry)
+      row.latest_ns = latestOf(tables_(table).conversion().toToday(rows), before.latest_ns);
     row.rows[i] = found.rows[i];
     row.crc[i] = found.rows[i] == before.rows[i] ? 0 : found.crc[i];
   }

@@ -8,19 +8,18 @@
 #include <functional>
 #include <span>
 
-#include "core/session/recording_format.h"
+#include "core/session/recording_hdf5.h"
 
 namespace fyd::session {
 
 /// Whether the row is commit `number`, as it was written.
 [[nodiscard]] bool intact(const CommitRow& row, std::uint64_t number);
 
-/// @throws RecordingFailure
-using ReadRows = std::function<void(Table table, std::uint64_t first, std::uint64_t count, std::span<std::byte> out)>;
+using TableOf = std::function<const Hdf5Table&(Table table)>;
 
 class CommitMender {
  public:
-  explicit CommitMender(ReadRows read) : read_(std::move(read)) {}
+  explicit CommitMender(TableOf tables) : tables_(std::move(tables)) {}
 
   /// @param found the row as it stands in the file, not intact. @param before the commit before, sound or mended
   /// @param most rows of each table it can have reached
@@ -33,7 +32,7 @@ class CommitMender {
   [[nodiscard]] bool proven(Table table, std::uint64_t first, std::uint64_t end, std::uint32_t crc,
                             std::vector<std::byte>& rows);
 
-  ReadRows read_;
+  TableOf tables_;
   // Opening a file of nothing but damage must end; what would be more is not proven.
   std::uint64_t bytes_left_ = 256U << 20U;
   std::uint64_t rows_left_ = 4096;  // whose bits are turned one by one

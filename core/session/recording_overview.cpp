@@ -13,9 +13,10 @@ void widen(double& low, double& high, double new_low, double new_high) {
 
 void OverviewRow::clear() { values_.assign(2 * pipeline::telemetryFields().size(), pipeline::kNone); }
 
-void OverviewRow::take(const TelemetryRow& row) {
-  for (std::size_t field = 0; 2 * field < values_.size(); ++field) {
-    const double value = fieldOf(row, field);
+void OverviewRow::take(const pipeline::TelemetrySample& sample) {
+  const auto fields = pipeline::telemetryFields();
+  for (std::size_t field = 0; field < fields.size(); ++field) {
+    const double value = fields[field].read(sample);
     widen(values_[2 * field], values_[2 * field + 1], value, value);
   }
 }

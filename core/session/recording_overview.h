@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/session/recording_telemetry_row.h"
+#include "core/session/recording_format.h"
 
 namespace fyd::session {
 
@@ -13,7 +13,7 @@ class OverviewRow {
  public:
   OverviewRow() { clear(); }
   void clear();
-  void take(const TelemetryRow& row);
+  void take(const pipeline::TelemetrySample& sample);
   void take(const OverviewRow& finer);
   [[nodiscard]] std::span<const double> values() const { return values_; }  ///< low, high of each field in turn
 
@@ -25,8 +25,8 @@ class OverviewRow {
 class OverviewBuilder {
  public:
   template <class Put>  // put(Table, span<const double>)
-  void take(const TelemetryRow& row, Put&& put) {
-    levels_[0].take(row);
+  void take(const pipeline::TelemetrySample& sample, Put&& put) {
+    levels_[0].take(sample);
     ++rows_;
     for (std::size_t level = 0; level < levels_.size() && rows_ % kOverviewRows[level] == 0; ++level) {
       put(kOverviewTables[level], levels_[level].values());

@@ -1,7 +1,5 @@
 #include "core/session/recording_span.h"
 
-#include "core/session/recording_telemetry_row.h"
-
 namespace fyd::session {
 namespace {
 
@@ -37,13 +35,13 @@ class SpanReader {
 
  private:
   void takeRows(std::uint64_t first, std::uint64_t end, Extremes& into) const {
+    const TableLayout& layout = layoutOf(Table::telemetry);
     while (first < end) {
       const auto block = tables_.block(Table::telemetry, first);
       for (; first < end && block->holds(first); ++first) {
-        TelemetryRow row;
-        std::memcpy(&row, block->bytes.data() + (first - block->first) * sizeof row, sizeof row);
-        const double value = fieldOf(row, field_);
-        into.take(value, value, row.t_s);
+        const std::byte* row = block->bytes.data() + (first - block->first) * layout.row_bytes;
+        const double value = numberIn(row, telemetryColumn(field_));
+        into.take(value, value, numberIn(row, telemetryColumn(kTimeField)));
       }
     }
   }
@@ -86,7 +84,8 @@ std::uint64_t firstRowAt(const RecordingTables& tables, std::int64_t instant_ns)
   }
   if (low == tables.commits()) return rows;
   std::uint64_t row = low == 0 ? 0 : tables.commit(low - 1).rows[indexOf(Table::telemetry)];
-  while (row < rows && tables.row<TelemetryRow>(Table::telemetry, row).now_ns < instant_ns) ++row;
+  while (row < rows && nanoseconds(tables.value<pipeline::TelemetrySample>(Table::telemetry, row).now) < instant_ns)
+    ++row;
   return row;
 }
 

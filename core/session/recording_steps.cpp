@@ -2,21 +2,10 @@
 
 #include <algorithm>
 
-#include "core/session/recording_rows.h"
-#include "core/session/recording_telemetry_row.h"
+#include "core/session/step_row.h"
 
 namespace fyd::session {
 namespace {
-
-std::uint32_t bitOf(const std::string& path) {
-  for (std::size_t i = 0; i < kTableCount; ++i)
-    if (path == layoutOf(static_cast<Table>(i)).path) return session::bitOf(static_cast<Table>(i)) & kPartsOfStep;
-  return 0;
-}
-
-void expect(const Result<void>& result) {
-  if (!result) throw RecordingFailure(result.error().message);
-}
 
 /// Fills a record table by table; with `known`, what cannot be read becomes missing instead of an error.
 class StepReader {
@@ -26,17 +15,17 @@ class StepReader {
     record_.missing = missing;
   }
 
-  template <class Row, class Value>
+  template <class Value>
   void take(Table table, std::uint64_t index, Value& value) {
     part(
-        table, index, 1, [&] { expect(valueOf(tables_.row<Row>(table, index), value)); }, value);
+        table, index, 1, [&] { tables_.read(table, index, value); }, value);
   }
 
-  template <class Row, class Items>
+  template <class Items>
   void takeAll(Table table, std::uint64_t first, std::uint64_t count, Items& items) {
     const auto read = [&] {
       if (count > Items::capacity()) failHard("{}: {} in one step", layoutOf(table).path, count);
-      for (std::uint64_t i = 0; i < count; ++i) expect(valueOf(tables_.row<Row>(table, first + i), items.items[i]));
+      for (std::uint64_t i = 0; i < count; ++i) tables_.read(table, first + i, items.items[i]);
       items.count = static_cast<std::uint32_t>(count);
     };
     part(table, first, count, read, items);
@@ -82,42 +71,35 @@ StepRecord read(const RecordingTables& tables, std::uint32_t missing, std::uint6
   StepReader reader(tables, missing, known);
   StepRecord& record = reader.record();
   if (known != nullptr) reader.checkBlock(Table::telemetry, row);
-  record.telemetry = sampleOf(tables.row<TelemetryRow>(Table::telemetry, row));
-  reader.take<MotorRow>(Table::motors, row, record.motors);
+  tables.read(Table::telemetry, row, record.telemetry);
+  reader.take(Table::motors, row, record.motors);
 
-  StepRow at;
-  pipeline::Inputs& in = record.inputs;
-  const auto read_at = [&] {
-    at = tables.row<StepRow>(Table::steps, row);
-  };
-  reader.part(Table::steps, row, 1, read_at, at);
+  ReadStepRow at{record.inputs, {}};
+  const auto read_at = [&] { tables.read(Table::steps, row, at); };
+  reader.part(Table::steps, row, 1, read_at, record.inputs);
   if ((record.missing & bitOf(Table::steps)) != 0) {
     record.missing |= kInputsOfStep | bitOf(Table::events);
-    in.now = record.telemetry.now;
-    in.robot.phase = record.telemetry.link;
+    record.inputs.now = record.telemetry.now;
+    record.inputs.robot.phase = record.telemetry.link;
     return record;
   }
-  in.now = instantOf(at.now_ns);
-  in.missed_cycles = at.missed_cycles;
-  in.robot.phase = static_cast<pipeline::LinkPhase>(at.phase);
-  reader.take<FingerRow>(Table::finger, at.finger_row, in.finger);
-  reader.take<IrRow>(Table::ir, at.ir_row, in.ir);
-  reader.take<BridgeRow>(Table::bridge, at.bridge_row, in.bridge);
-  reader.take<MotorFeedbackRow>(Table::motor_feedback, at.motor_feedback_row, in.motors);
-  reader.take<RobotStateRow>(Table::robot_state, at.robot_state_row, in.robot.state);
-  reader.take<MotorReferenceRow>(Table::motor_reference, at.motor_reference_row, in.robot.motor_reference);
-  reader.takeAll<AccelerationRow>(Table::accelerations, at.accelerations_row, at.accelerations, in.robot.accelerations);
-  reader.takeAll<CommandRow>(Table::commands, at.commands_row, at.commands, in.commands);
-  reader.takeAll<RobotCommandRow>(Table::robot_commands, at.robot_commands_row, at.robot_commands, in.robot.commands);
-  reader.takeAll<ChangeRow>(Table::changes, at.changes_row, at.changes, in.changes);
+  forEachOf(kInputTables, [&](auto i, const auto& input) {
+    const auto table = static_cast<Table>(input.number);
+    if (!tables.has(table)) return;  // recorded before there was this input
+    auto& value = input.of(record.inputs);
+    if constexpr (kIsList<std::remove_cvref_t<decltype(value)>>)
+      reader.takeAll(table, at.places.row[i], at.places.count[i], value);
+    else
+      reader.take(table, at.places.row[i], value);
+  });
+  const std::uint64_t first_event = at.places.row[kInputTableCount];
+  const std::uint64_t events = at.places.count[kInputTableCount];
   const auto read_events = [&] {
-    for (std::uint64_t i = 0; i < at.events; ++i) {
-      EventRow event;
-      expect(valueOf(tables.row<EventTableRow>(Table::events, at.events_row + i), event));
-      if (!record.events.push(event.event)) failHard("row {}: {} events", row, at.events);
-    }
+    for (std::uint64_t i = 0; i < events; ++i)
+      if (!record.events.push(tables.value<EventRow>(Table::events, first_event + i).event))
+        failHard("row {}: {} events", row, events);
   };
-  reader.part(Table::events, at.events_row, at.events, read_events, record.events);
+  reader.part(Table::events, first_event, events, read_events, record.events);
   return record;
 }
 
@@ -125,7 +107,7 @@ StepRecord read(const RecordingTables& tables, std::uint32_t missing, std::uint6
 
 MissingParts::MissingParts(std::span<const MissingRows> missing) {
   for (const MissingRows& rows : missing) {
-    const std::uint32_t bit = bitOf(rows.table);
+    const std::uint32_t bit = bitOfPath(rows.table) & kPartsOfStep;
     if (bit == 0 || rows.count == 0) continue;
     const std::uint64_t end = rows.first + std::min(rows.count, kNoRow - rows.first);
     from_.try_emplace(end, at(end));

@@ -24,13 +24,25 @@ std::uint64_t commitsPerBlock(Table table) {
   }
 }
 
+bool ownCrcIsRight(const Hdf5Table& commits, std::span<const std::byte> row) {
+  const Column* own = commits.column("own_crc");
+  std::uint32_t crc = 0;
+  if (own == nullptr || own->offset + sizeof crc > row.size()) return false;
+  std::memcpy(&crc, row.data() + own->offset, sizeof crc);
+  return crc == crc32c(row.first(own->offset));
+}
+
 std::uint64_t keyOf(std::size_t table, std::uint64_t first_commit) { return first_commit * (kTableCount + 1) + table; }
 
 }  // namespace
 
 RecordingTables::RecordingTables(hid_t file, bool growing) : growing_(growing) {
-  for (std::size_t i = 0; i < kTableCount; ++i) tables_[i] = Hdf5Table::open(file, layoutOf(static_cast<Table>(i)));
   commit_table_ = Hdf5Table::open(file, commitLayout());
+  const Column* counts = commit_table_.column("rows");
+  if (counts == nullptr) failHard("{}: does not count the tables' rows", commitLayout().path);
+  // A table that its commits do not count came later.
+  for (std::size_t i = 0; i < std::min(kTableCount, counts->count); ++i)
+    tables_[i] = Hdf5Table::open(file, layoutOf(static_cast<Table>(i)));
   if (growing_ && findLast()) return;
   if (commit_table_.rows() == 0 || growing_)
     failHard("no commit in it can be trusted: nothing was ever completely written");
@@ -41,9 +53,7 @@ void RecordingTables::lookAtCommits() {
   commit_count_ = commit_table_.rows();
   std::array<std::uint64_t, kTableCount> in_file{};
   for (std::size_t i = 0; i < kTableCount; ++i) in_file[i] = tables_[i].rows();
-  CommitMender mender([this](Table table, std::uint64_t first, std::uint64_t count, std::span<std::byte> out) {
-    tables_[indexOf(table)].read(first, count, out);
-  });
+  CommitMender mender([this](Table table) -> const Hdf5Table& { return tables_[indexOf(table)]; });
   last_.latest_ns = std::numeric_limits<std::int64_t>::min();
   const auto sound = [&](std::uint64_t number) -> std::optional<CommitRow> {
     auto row = soundCommit(number);
@@ -75,7 +85,7 @@ bool RecordingTables::findLast() {
   for (std::uint64_t count = commit_table_.rows(); count > 0; --count) {
     CommitRow row;
     try {
-      commit_table_.read(count - 1, 1, std::as_writable_bytes(std::span(&row, 1)));
+      std::memcpy(&row, readCommits(count - 1, 1).data(), sizeof row);
     } catch (const RecordingFailure&) {
       count -= (count - 1) % commitLayout().chunk_rows;  // a torn chunk: the commit before may stand in another
       continue;
@@ -99,6 +109,40 @@ bool RecordingTables::refresh() {
   const std::uint64_t before = commit_count_;
   if (!findLast()) failHard("the commits that were there have gone");
   return commit_count_ != before;
+}
+
+/// As this program lays them out. Of a row laid out otherwise the own checksum is right when the file's was.
+std::vector<std::byte> RecordingTables::readCommits(std::uint64_t first, std::uint64_t count) const {
+  std::vector<std::byte> stored(count * commit_table_.rowBytes());
+  commit_table_.read(first, count, stored);
+  if (!commit_table_.conversion().needed()) return stored;
+  std::vector<std::byte> rows = commit_table_.conversion().toToday(stored);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const auto in_file = std::span(stored).subspan(i * commit_table_.rowBytes(), commit_table_.rowBytes());
+    const auto here = std::span(rows).subspan(i * sizeof(CommitRow), sizeof(CommitRow));
+    const std::uint32_t right = crc32c(here.first(offsetof(CommitRow, own_crc)));
+    const std::uint32_t own_crc = ownCrcIsRight(commit_table_, in_file) ? right : ~right;
+    std::memcpy(here.data() + offsetof(CommitRow, own_crc), &own_crc, sizeof own_crc);
+  }
+  return rows;
+}
+
+std::vector<std::string> RecordingTables::lackingColumns() const {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < kTableCount; ++i) {
+    const char* path = layoutOf(static_cast<Table>(i)).path;
+    if (!tables_[i].isOpen()) out.emplace_back(path);
+    for (const std::string& name : tables_[i].conversion().lacking()) out.push_back(fmt::format("{} {}", path, name));
+  }
+  return out;
+}
+
+std::vector<std::string> RecordingTables::unknownColumns() const {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < kTableCount; ++i)
+    for (const std::string& name : tables_[i].conversion().unknown())
+      out.push_back(fmt::format("{} {}", layoutOf(static_cast<Table>(i)).path, name));
+  return out;
 }
 
 CommitRow RecordingTables::storedCommit(std::uint64_t number) const {
@@ -132,9 +176,8 @@ std::shared_ptr<const RecordingBlock> RecordingTables::commitBlock(std::uint64_t
   auto block = std::make_shared<RecordingBlock>();
   block->first = first;
   block->count = std::min(kCommitsPerRead, commit_count_ - first);
-  block->bytes.resize(block->count * sizeof(CommitRow));
   try {
-    commit_table_.read(first, block->count, block->bytes);
+    block->bytes = readCommits(first, block->count);
   } catch (const RecordingFailure&) {
     if (growing_) throw;
     readEachCommit(*block);
@@ -145,10 +188,11 @@ std::shared_ptr<const RecordingBlock> RecordingTables::commitBlock(std::uint64_t
 
 /// Those that cannot be read are left as zeros, which is no sound row.
 void RecordingTables::readEachCommit(RecordingBlock& block) const {
-  std::fill(block.bytes.begin(), block.bytes.end(), std::byte{0});
+  block.bytes.assign(block.count * sizeof(CommitRow), std::byte{0});
   for (std::uint64_t i = 0; i < block.count; ++i) {
     try {
-      commit_table_.read(block.first + i, 1, std::span(block.bytes).subspan(i * sizeof(CommitRow), sizeof(CommitRow)));
+      std::ranges::copy(readCommits(block.first + i, 1),
+                        block.bytes.begin() + static_cast<std::ptrdiff_t>(i * sizeof(CommitRow)));
     } catch (const RecordingFailure&) {
       continue;
     }
@@ -176,11 +220,12 @@ std::uint64_t RecordingTables::commitOf(Table table, std::uint64_t row) const {
 std::shared_ptr<const RecordingBlock> RecordingTables::load(Table table, std::uint64_t first_commit,
                                                             std::uint64_t end_commit) const {
   const std::size_t i = indexOf(table);
-  const std::size_t row_bytes = layoutOf(table).row_bytes;
+  const std::size_t row_bytes = tables_[i].rowBytes();
+  const std::size_t largest = std::max(row_bytes, layoutOf(table).row_bytes);
   auto block = std::make_shared<RecordingBlock>();
   block->first = first_commit == 0 ? 0 : commit(first_commit - 1).rows[i];
   const std::uint64_t end = commit(end_commit - 1).rows[i];
-  if (end < block->first || (end - block->first) > kLargestBlockBytes / row_bytes)
+  if (end < block->first || (end - block->first) > kLargestBlockBytes / largest)
     failHard("{}: rows {} to {} in one block", layoutOf(table).path, block->first, end);
   block->count = end - block->first;
   // Piece by piece: rows that are only claimed take no memory.
@@ -202,6 +247,7 @@ std::shared_ptr<const RecordingBlock> RecordingTables::load(Table table, std::ui
                row.crc[i]);
     from = to;
   }
+  block->bytes = tables_[i].conversion().toToday(std::move(block->bytes));
   return block;
 }
 

@@ -5,7 +5,6 @@
 // of them (recording_mend.h), so that one bad row hides nothing behind it.
 #pragma once
 
-#include <cstring>
 #include <list>
 #include <memory>
 #include <optional>
@@ -17,7 +16,7 @@
 
 namespace fyd::session {
 
-/// The rows of one table over some neighbouring commits.
+/// The rows of one table over some neighbouring commits, as this program lays them out (layoutOf).
 struct RecordingBlock {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
@@ -48,13 +47,24 @@ class RecordingTables {
   /// The block with `row`; stays valid as long as the pointer is held.
   [[nodiscard]] std::shared_ptr<const RecordingBlock> block(Table table, std::uint64_t row) const;
 
-  template <class Row>
-  [[nodiscard]] Row row(Table table, std::uint64_t index) const {
+  /// What stands in the row. @tparam T the struct that the table's rows describe
+  template <class T>
+  void read(Table table, std::uint64_t index, T& out) const {
     const RecordingBlock& in = blockAt(table, index);
-    Row out;
-    std::memcpy(&out, in.bytes.data() + (index - in.first) * sizeof(Row), sizeof(Row));
+    if (!fromRow(in.bytes.data() + (index - in.first) * kShape<T>.bytes, out))
+      failHard("{}: row {} has a list that counts more than it can hold", layoutOf(table).path, index);
+  }
+  template <class T>
+  [[nodiscard]] T value(Table table, std::uint64_t index) const {
+    T out;
+    read(table, index, out);
     return out;
   }
+  /// false: it was recorded before there was this table.
+  [[nodiscard]] bool has(Table table) const { return tables_[indexOf(table)].isOpen(); }
+  /// Columns, with their tables, that this program has and the file has not, and the other way round.
+  [[nodiscard]] std::vector<std::string> lackingColumns() const;
+  [[nodiscard]] std::vector<std::string> unknownColumns() const;
   [[nodiscard]] std::string bytes(Table table, std::uint64_t first, std::uint64_t count) const;
 
   /// Where to go on when the block with `row` is damaged.
@@ -66,6 +76,7 @@ class RecordingTables {
 
   const RecordingBlock& blockAt(Table table, std::uint64_t row) const;
   std::shared_ptr<const RecordingBlock> load(Table table, std::uint64_t first_commit, std::uint64_t end_commit) const;
+  [[nodiscard]] std::vector<std::byte> readCommits(std::uint64_t first, std::uint64_t count) const;
   CommitRow storedCommit(std::uint64_t number) const;
   std::optional<CommitRow> soundCommit(std::uint64_t number) const;
   void readEachCommit(RecordingBlock& block) const;

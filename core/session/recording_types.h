@@ -72,11 +72,27 @@ struct LinkRow {
   std::uint64_t states_received = 0;
   std::uint64_t touches_sent = 0;
   std::uint64_t refused = 0;
+
+  static constexpr auto fields() {
+    using L = LinkRow;
+    return std::tuple(Field("when_ns", "ns", "when it was asked", &L::when),
+                      Field("round_trip_ms", "ms", "to the robot and back", &L::round_trip_ms),
+                      Field("jitter_ms", "ms", "how much the way here varies", &L::jitter_ms),
+                      Field("loss_percent", "%", "messages of the robot's that did not come", &L::loss_percent),
+                      Field("states_received", "1", "messages that came, since the start", &L::states_received),
+                      Field("touches_sent", "1", "messages sent, since the start", &L::touches_sent),
+                      Field("refused", "1", "messages that came and were not taken, since the start", &L::refused));
+  }
 };
 
 struct EventRow {
   Instant when{};
   pipeline::Event event;
+
+  static constexpr auto fields() {
+    return std::tuple_cat(std::tuple(Field("when_ns", "ns", "of the step", &EventRow::when)),
+                          part<pipeline::Event>(&EventRow::event));
+  }
 };
 
 }  // namespace fyd::session

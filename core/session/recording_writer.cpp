@@ -10,9 +10,9 @@
 #include "core/session/recording_header.h"
 #include "core/session/recording_overview.h"
 #include "core/session/recording_place.h"
-#include "core/session/recording_rows.h"
 #include "core/session/recording_storage.h"
 #include "core/session/recording_writer_on_disk.h"
+#include "core/session/step_row.h"
 
 namespace fyd::session {
 namespace {
@@ -23,10 +23,6 @@ struct GrowingTable {
   std::vector<std::byte> waiting;
   std::uint64_t rows = 0;  ///< stored and waiting
 };
-
-/// The last row of a table whose rows follow a value that changes only sometimes.
-template <class Row>
-using LastRow = std::optional<Row>;
 
 class Hdf5RecordingWriter final : public RecordingWriter {
  public:
@@ -57,25 +53,29 @@ class Hdf5RecordingWriter final : public RecordingWriter {
     const std::uint64_t start = rowsOf(Table::picture_bytes);
     putBytes(Table::picture_bytes, std::as_bytes(std::span(picture.whole)));
     putBytes(Table::picture_bytes, std::as_bytes(std::span(picture.region)));
-    put(Table::pictures, rowOf(picture, start));
+    put(Table::pictures, PictureIndex{.taken = picture.taken,
+                                      .number = picture.number,
+                                      .bytes_start = start,
+                                      .finger = picture.finger,
+                                      .whole_bytes = static_cast<std::uint32_t>(picture.whole.size()),
+                                      .region_bytes = static_cast<std::uint32_t>(picture.region.size()),
+                                      .region_px = picture.region_px});
     return {};
   }
 
   Result<void> append(const Note& note) override {
     if (auto open = stillOpen(); !open) return open;
-    NoteRow row;
-    row.when_ns = nanoseconds(note.when);
-    row.text_start = rowsOf(Table::note_text);
-    row.text_bytes = static_cast<std::uint32_t>(note.text.size());
-    row.kind = static_cast<std::uint8_t>(note.kind);
+    put(Table::notes, NoteIndex{.when = note.when,
+                                .text_start = rowsOf(Table::note_text),
+                                .text_bytes = static_cast<std::uint32_t>(note.text.size()),
+                                .kind = note.kind});
     putBytes(Table::note_text, std::as_bytes(std::span(note.text)));
-    put(Table::notes, row);
     return {};
   }
 
   Result<void> append(const LinkRow& row) override {
     if (auto open = stillOpen(); !open) return open;
-    put(Table::link, rowOf(row));
+    put(Table::link, row);
     return {};
   }
 
@@ -149,68 +149,52 @@ class Hdf5RecordingWriter final : public RecordingWriter {
     growing.rows += bytes.size() / layoutOf(table).row_bytes;
   }
 
-  template <class Row>
-  void put(Table table, const Row& row) {
-    putBytes(table, std::as_bytes(std::span(&row, 1)));
+  template <class T>
+  void put(Table table, const T& value) {
+    putBytes(table, toRow(value));
   }
 
   /// @return the row that holds the value, a new one only when any bit of it changed
-  template <class Row>
-  std::uint64_t follow(Table table, std::uint32_t lost, const Row& row, LastRow<Row>& last) {
-    if ((lost & bitOf(table)) != 0) return kNoRow;
-    if (!last || std::memcmp(&*last, &row, sizeof row) != 0) {
-      put(table, row);
-      last = row;
+  template <class T>
+  std::uint64_t follow(Table table, const T& value) {
+    const auto row = toRow(value);
+    std::vector<std::byte>& last = last_rows_[indexOf(table)];
+    if (!std::ranges::equal(last, row)) {
+      putBytes(table, row);
+      last.assign(row.begin(), row.end());
     }
     return rowsOf(table) - 1;
   }
 
-  [[nodiscard]] std::uint64_t nextRow(Table table, std::uint32_t lost) const {
-    return (lost & bitOf(table)) != 0 ? kNoRow : rowsOf(table);
-  }
-
-  template <class Items>
-  std::uint8_t putAll(Table table, const Items& items) {
-    for (const auto& item : items.view()) put(table, rowOf(item));
-    return static_cast<std::uint8_t>(items.size());
+  StepPlaces putInputs(const StepRecord& record) {
+    StepPlaces at;
+    const auto lost = [&](Table table) { return (record.missing & bitOf(table)) != 0; };
+    forEachOf(kInputTables, [&](auto i, const auto& input) {
+      const auto table = static_cast<Table>(input.number);
+      const auto& value = input.of(record.inputs);
+      if constexpr (kIsList<std::remove_cvref_t<decltype(value)>>) {
+        if (!lost(table)) at.row[i] = rowsOf(table);
+        at.count[i] = static_cast<std::uint8_t>(value.size());
+        for (const auto& item : value.view()) put(table, item);
+      } else if (!lost(table)) {
+        at.row[i] = follow(table, value);
+      }
+    });
+    if (!lost(Table::events)) at.row[kInputTableCount] = rowsOf(Table::events);
+    at.count[kInputTableCount] = static_cast<std::uint8_t>(record.events.size());
+    for (const pipeline::Event& event : record.events.view()) put(Table::events, EventRow{record.telemetry.now, event});
+    return at;
   }
 
   void putStep(const StepRecord& record) {
-    const pipeline::Inputs& in = record.inputs;
     const std::uint64_t step = record.telemetry.step;
     if (last_step_ && step > *last_step_ + 1) jumped_ += step - *last_step_ - 1;
     last_step_ = step;
     latest_ns_ = std::max(latest_ns_, nanoseconds(record.telemetry.now));
-
-    StepRow row;
-    row.now_ns = nanoseconds(in.now);
-    row.missed_cycles = in.missed_cycles;
-    const std::uint32_t lost = record.missing;
-    row.finger_row = follow(Table::finger, lost, rowOf(in.finger), finger_);
-    row.ir_row = follow(Table::ir, lost, rowOf(in.ir), ir_);
-    row.bridge_row = follow(Table::bridge, lost, rowOf(in.bridge), bridge_);
-    row.motor_feedback_row = follow(Table::motor_feedback, lost, rowOf(in.motors), motor_feedback_);
-    row.robot_state_row = follow(Table::robot_state, lost, rowOf(in.robot.state), robot_state_);
-    row.motor_reference_row = follow(Table::motor_reference, lost, rowOf(in.robot.motor_reference), motor_reference_);
-    row.accelerations_row = nextRow(Table::accelerations, lost);
-    row.commands_row = nextRow(Table::commands, lost);
-    row.robot_commands_row = nextRow(Table::robot_commands, lost);
-    row.changes_row = nextRow(Table::changes, lost);
-    row.events_row = nextRow(Table::events, lost);
-    row.accelerations = putAll(Table::accelerations, in.robot.accelerations);
-    row.commands = putAll(Table::commands, in.commands);
-    row.robot_commands = putAll(Table::robot_commands, in.robot.commands);
-    row.changes = putAll(Table::changes, in.changes);
-    for (const pipeline::Event& event : record.events.view())
-      put(Table::events, rowOf(EventRow{record.telemetry.now, event}));
-    row.events = static_cast<std::uint8_t>(record.events.size());
-    row.phase = static_cast<std::uint8_t>(in.robot.phase);
-    put(Table::steps, row);
-    put(Table::motors, rowOf(record.motors));
-
-    const TelemetryRow telemetry = rowOf(record.telemetry);
-    put(Table::telemetry, telemetry);
-    overview_.take(telemetry,
+    put(Table::steps, WrittenStepRow{record.inputs, putInputs(record)});
+    put(Table::motors, record.motors);
+    put(Table::telemetry, record.telemetry);
+    overview_.take(record.telemetry,
                    [&](Table table, std::span<const double> values) { putBytes(table, std::as_bytes(values)); });
   }
 
@@ -247,12 +231,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   std::array<GrowingTable, kTableCount> tables_;
   Hdf5Table commits_;
   OverviewBuilder overview_;
-  LastRow<FingerRow> finger_;
-  LastRow<IrRow> ir_;
-  LastRow<BridgeRow> bridge_;
-  LastRow<MotorFeedbackRow> motor_feedback_;
-  LastRow<RobotStateRow> robot_state_;
-  LastRow<MotorReferenceRow> motor_reference_;
+  std::array<std::vector<std::byte>, kTableCount> last_rows_;  // of tables that follow a value
   std::optional<std::uint64_t> last_step_;
   std::int64_t latest_ns_ = std::numeric_limits<std::int64_t>::min();
   std::uint64_t jumped_ = 0;

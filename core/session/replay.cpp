@@ -5,10 +5,10 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/session/recorded_profile.h"
-#include "core/session/recording_format.h"
 #include "core/session/recording_health.h"
 #include "core/session/replay_plant.h"
 #include "core/session/step_compare.h"
+#include "core/session/step_row.h"
 
 namespace fyd::session {
 namespace {
@@ -102,13 +102,14 @@ class Run {
   }
 
  private:
-  void step(const StepRecord& record, bool first, double elapsed_s, ReplayResult& out) {
+  void step(StepRecord& record, bool first, double elapsed_s, ReplayResult& out) {
     inputs_ = record.inputs;
     leaveOutRefused(record);
     if (first || !wanted_.indices.empty()) change(first, record);
     for (const pipeline::ParameterChange& change : inputs_.changes) mark(change, out);
     if (plant_) plant_->answer(inputs_, pipeline_.parameters());
     const pipeline::Outputs& outputs = pipeline_.step(inputs_);
+    takeLacking(recording_.info().lacking_columns, outputs, record);
     ++out.samples;
     recorded_error_.add(record.telemetry);
     replayed_error_.add(outputs.telemetry);
@@ -123,14 +124,12 @@ class Run {
   /// What is lost of the step: nothing new came, and the commands are those that come out.
   void hold(StepRecord& record) const {
     const auto lost = [&](Table table) { return (record.missing & bitOf(table)) != 0; };
-    pipeline::Inputs& in = record.inputs;
-    if (lost(Table::steps)) in.missed_cycles = before_.missed_cycles;
-    if (lost(Table::finger)) in.finger = before_.finger;
-    if (lost(Table::ir)) in.ir = before_.ir;
-    if (lost(Table::bridge)) in.bridge = before_.bridge;
-    if (lost(Table::motor_feedback)) in.motors = before_.motors;
-    if (lost(Table::robot_state)) in.robot.state = before_.robot.state;
-    if (lost(Table::motor_reference)) in.robot.motor_reference = before_.robot.motor_reference;
+    if (lost(Table::steps)) record.inputs.missed_cycles = before_.missed_cycles;
+    forEachOf(kInputTables, [&](auto, const auto& input) {
+      auto& value = input.of(record.inputs);
+      if constexpr (!kIsList<std::remove_cvref_t<decltype(value)>>)
+        if (lost(static_cast<Table>(input.number))) value = input.of(before_);
+    });
   }
 
   /// What was refused when it was recorded is refused again, whatever the ranges are today.

@@ -3,9 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/pipeline/arithmetic.h"
-#include "core/pipeline/outputs.h"
+#include "core/session/step_record.h"
 
 namespace fyd::session {
 
@@ -13,6 +14,10 @@ struct StepDifference {
   std::string field;      ///< name in telemetryFields(), or "motors"
   double absolute = 0.0;  ///< the largest of the step; infinite when a number stands against none
 };
+
+/// A recording that lacks columns cannot differ in them: they are taken from what is compared with it.
+/// @param lacking RecordingInfo::lacking_columns
+void takeLacking(const std::vector<std::string>& lacking, const pipeline::Outputs& computed, StepRecord& recorded);
 
 /// NaN equals NaN of the same bits only.
 [[nodiscard]] bool sameStep(const pipeline::TelemetrySample& a, const control::MotorCommand& a_motors,

@@ -1,15 +1,23 @@
 // One sample of the robot's tri-axial accelerometer, the raw material of texture.
 #pragma once
 
-#include "core/base/time.h"
+#include "core/base/fields.h"
 #include "core/base/vec3.h"
 
 namespace fyd::texture {
 
 struct AccelerationSample {
-  Instant taken{};      ///< at the sensor, on the touchpad's clock as well as it is known
-  Vec3 acceleration_g;  ///< multiples of standard gravity
+  Instant taken{};
+  Vec3 acceleration_g;
 
+  static constexpr auto fields() {
+    using A = AccelerationSample;
+    return std::tuple(
+        Field("taken_ns", "ns", "at the sensor, on the touchpad's clock as well as it is known", &A::taken),
+        Field("x_g", "g", "multiples of standard gravity", inside(&A::acceleration_g, &Vec3::x)),
+        Field("y_g", "g", "the same", inside(&A::acceleration_g, &Vec3::y)),
+        Field("z_g", "g", "the same", inside(&A::acceleration_g, &Vec3::z)));
+  }
   template <class Archive>
   void serialize(Archive& archive) {
     archive(taken, acceleration_g);

@@ -18,28 +18,35 @@ TEST(RecordingFormat, EveryTelemetryFieldIsAColumnAndNothingElse) {
   RandomSteps random(7);
   for (int i = 0; i < 50; ++i) {
     const auto sample = random.next().telemetry;
-    const TelemetryRow row = rowOf(sample);
+    const auto row = toRow(sample);
     for (std::size_t f = 0; f < fields.size(); ++f) {
       EXPECT_EQ(columns[f + 1].name, fields[f].name);
       EXPECT_EQ(columns[f + 1].unit, fields[f].unit);
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(fieldOf(row, f)), std::bit_cast<std::uint64_t>(fields[f].read(sample)))
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(numberIn(row.data(), telemetryColumn(f))),
+                std::bit_cast<std::uint64_t>(fields[f].read(sample)))
           << fields[f].name;
     }
   }
 }
 
 TEST(RecordingFormat, ColumnsLieInOrderWithinTheirRow) {
-  constexpr std::array<std::size_t, 8> kBytes{1, 2, 4, 8, 2, 4, 8, 8};
   for (std::size_t i = 0; i < kTableCount; ++i) {
     const TableLayout& layout = layoutOf(static_cast<Table>(i));
     std::vector<bool> taken(layout.row_bytes);
     for (const Column& column : layout.columns)
-      for (std::size_t b = 0; b < column.count * kBytes[static_cast<std::size_t>(column.type)]; ++b) {
+      for (std::size_t b = 0; b < column.bytes(); ++b) {
         ASSERT_LT(column.offset + b, layout.row_bytes) << layout.path;
         EXPECT_FALSE(taken[column.offset + b]) << layout.path << " " << column.name;
         taken[column.offset + b] = true;
       }
   }
+}
+
+TEST(RecordingFormat, TheInputsTablesAreThoseOfTheirNumbers) {
+  EXPECT_STREQ(layoutOf(Table::finger).path, "/inputs/finger");
+  EXPECT_STREQ(layoutOf(Table::motor_reference).path, "/inputs/motor_reference");
+  EXPECT_STREQ(layoutOf(Table::changes).path, "/inputs/changes");
+  for (std::size_t i = 0; i < kTableCount; ++i) EXPECT_NE(layoutOf(static_cast<Table>(i)).row_bytes, 0U) << i;
 }
 
 TEST(RecordingCrc, IsTheCastagnoliPolynomial) {

@@ -180,6 +180,38 @@ TEST_F(RecordingLayout, ACommitThatCountsMoreStepsThanItMayIsNotTaken) {
   EXPECT_EQ((*recording)->info().committed_samples, 500U);
 }
 
+TEST_F(RecordingLayout, ColumnsThatAreNotWhatTheirNamesSayAreRefused) {
+  struct Case {
+    std::size_t row_bytes;
+    hsize_t chunk;
+    hid_t type;
+    const char* words;
+  };
+  for (const auto& [row_bytes, chunk, type, words] :
+       {Case{24, 170, H5T_IEEE_F64LE, "/notes/index: column when_ns is not of this format's type"},
+        Case{4096, 1, H5T_STD_I64LE, "/notes/index: rows of 4096 bytes; this program's have 24"},
+        Case{16, 170, H5T_STD_I64LE, "/notes/index: not in chunks of 256 rows"}}) {
+    ::unlink(file.c_str());
+    record(file);
+    change([&](hid_t id) {
+      H5Ldelete(id, "/notes/index", H5P_DEFAULT);
+      const hid_t row = H5Tcreate(H5T_COMPOUND, row_bytes);
+      EXPECT_GE(H5Tinsert(row, "when_ns", 8, type), 0);
+      const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+      H5Pset_chunk(properties, 1, &chunk);
+      const hsize_t none = 0;
+      const hsize_t most = H5S_UNLIMITED;
+      const hid_t space = H5Screate_simple(1, &none, &most);
+      const hid_t made = H5Dcreate2(id, "/notes/index", row, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+      EXPECT_GE(made, 0);
+      for (const auto& [close, what] :
+           {std::pair{&H5Dclose, made}, {&H5Sclose, space}, {&H5Pclose, properties}, {&H5Tclose, row}})
+        close(what);
+    });
+    expectRefused(file, words);
+  }
+}
+
 TEST_F(RecordingLayout, WhatAProgramAddsBesideIsNoTrouble) {
   change([](hid_t id) {
     H5Gclose(H5Gcreate2(id, "/mine", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));

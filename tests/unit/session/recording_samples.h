@@ -11,8 +11,7 @@
 #include <unistd.h>
 
 #include "core/session/recording.h"
-#include "core/session/recording_rows.h"
-#include "core/session/recording_telemetry_row.h"
+#include "core/session/recording_format.h"
 #include "core/session/recording_writer.h"
 
 namespace fyd::session::samples {
@@ -152,9 +151,10 @@ class RandomSteps {
     s.contact = chance(0.5);
     s.stiffness_observable = chance(0.5);
     s.target_clamped = chance(0.5);
-#define X(member) s.member = real();
-    FYD_TELEMETRY_DOUBLES(X)
-#undef X
+    forEachField<pipeline::TelemetrySample>([&](auto, const auto& field) {
+      if constexpr (std::is_same_v<FieldResult<decltype(field), pipeline::TelemetrySample>, double&>)
+        field.of(s) = real();
+    });
   }
 
   std::mt19937_64 random_;
@@ -164,9 +164,7 @@ class RandomSteps {
 /// Bit for bit, through the rows, which hold every member.
 template <class T>
 bool same(const T& a, const T& b) {
-  const auto x = rowOf(a);
-  const auto y = rowOf(b);
-  return std::memcmp(&x, &y, sizeof x) == 0;
+  return toRow(a) == toRow(b);
 }
 template <class Items>
 bool sameAll(const Items& a, const Items& b) {
