@@ -185,11 +185,15 @@ class McapExport {
 
   Result<void> linkMessage(const LinkRow& row) {
     if (!inRange(options_, secondsInto(recording_.info(), row.when))) return {};
-    Json json = {
-        {"states_received", row.states_received}, {"touches_sent", row.touches_sent}, {"refused", row.refused}};
-    if (std::isfinite(row.round_trip_ms)) json["round_trip_ms"] = row.round_trip_ms;
-    if (std::isfinite(row.jitter_ms)) json["jitter_ms"] = row.jitter_ms;
-    if (std::isfinite(row.loss_percent)) json["loss_percent"] = row.loss_percent;
+    Json json = Json::object();
+    forEachField<LinkRow>([&](auto, const auto& field) {
+      using V = FieldValue<decltype(field), LinkRow>;
+      if constexpr (std::is_integral_v<V>) {
+        json[std::string(field.name)] = field.of(row);
+      } else if constexpr (std::is_floating_point_v<V>) {
+        if (std::isfinite(field.of(row))) json[std::string(field.name)] = field.of(row);
+      }
+    });
     return writer_.message(link_, nanoseconds(row.when), dump(json));
   }
 

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/session/recording_types.h"
+
 namespace fyd::session {
 namespace {
 
@@ -20,13 +22,18 @@ Json stamp() {
   return time;
 }
 
+Json described(Json json, std::string_view unit, std::string_view help) {
+  json["description"] = fmt::format("{}; unit {}", help, unit);
+  return json;
+}
+
 }  // namespace
 
 std::string telemetrySchema(std::span<const pipeline::TelemetryField* const> fields) {
   // No field is required: one without a number is left out.
   Json properties = Json::object();
   for (const pipeline::TelemetryField* field : fields) {
-    properties[std::string(field->name)] = {{"type", "number"}, {"description", "unit " + std::string(field->unit)}};
+    properties[std::string(field->name)] = described({{"type", "number"}}, field->unit, field->help);
   }
   Json schema = object(std::move(properties));
   schema["title"] = "fyd.Telemetry";
@@ -34,15 +41,14 @@ std::string telemetrySchema(std::span<const pipeline::TelemetryField* const> fie
 }
 
 std::string linkSchema() {
-  const auto number = [](const char* unit) {
-    return Json{{"type", "number"}, {"description", std::string("unit ") + unit}};
-  };
-  Json schema = object({{"states_received", integer()},
-                        {"touches_sent", integer()},
-                        {"refused", integer()},
-                        {"round_trip_ms", number("ms")},
-                        {"jitter_ms", number("ms")},
-                        {"loss_percent", number("%")}});
+  Json properties = Json::object();
+  forEachField<LinkRow>([&](auto, const auto& field) {
+    using V = FieldValue<decltype(field), LinkRow>;
+    if constexpr (!std::is_same_v<V, Instant>)  // which is the message's own
+      properties[std::string(field.name)] =
+          described(std::is_integral_v<V> ? integer() : Json{{"type", "number"}}, field.unit, field.help);
+  });
+  Json schema = object(std::move(properties));
   schema["title"] = "fyd.Link";
   return schema.dump();
 }
