@@ -1,4 +1,4 @@
-// fyd session info | verify | recover | replay | trials | export | report | list, each in its session_*.cpp
+// fyd session info | columns | verify | recover | replay | trials | export | report | list, each in its session_*.cpp
 #include "app/cli/session_cli.h"
 
 #include <iostream>
@@ -28,6 +28,7 @@ void add_session(CLI::App& app) {
   CLI::App* command = app.add_subcommand("session", "Recordings: what is in them, recover, replay; lists of trials");
   command->require_subcommand(1);
   addSessionInfo(*command);
+  addSessionColumns(*command);
   addSessionVerify(*command);
   addSessionRecover(*command);
   addSessionReplay(*command);

@@ -10,6 +10,7 @@
 namespace fyd::cli {
 
 void addSessionInfo(CLI::App& parent);
+void addSessionColumns(CLI::App& parent);
 void addSessionVerify(CLI::App& parent);
 void addSessionRecover(CLI::App& parent);
 void addSessionReplay(CLI::App& parent);

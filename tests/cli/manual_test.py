@@ -26,6 +26,13 @@ class Manual(fyd.Case):
         table = fyd.run("params", "--markdown").stdout
         self.assertIn(table, page("parameters.md"), "run: fyd params --markdown, and put it into parameters.md")
 
+    def test_the_tables_of_a_recordings_columns_are_the_programs(self):
+        tables = fyd.run("session", "columns").stdout
+        first = tables.splitlines()[0]
+        kept = page("recording-columns.md")
+        self.assertEqual(kept[kept.index(first):].splitlines(), tables.rstrip().splitlines(),
+                         "run: fyd session columns, and put it into recording-columns.md")
+
     def test_every_page_and_picture_that_is_named_exists(self):
         for name in pages():
             for target in re.findall(r"\]\(([^)#\s]+)", page(name)):
