@@ -10,7 +10,7 @@ namespace {
 using enum Quantity;
 
 // In the order of CurveChannel. What has no colour of its own is drawn in the text's, in a strip of its own.
-constexpr std::array<CurveQuantity, kCurveChannels> kQuantities = {{
+constexpr std::array<CurveQuantity, kNamedCurves> kNamed = {{
     {.field = "force_N", .word = "", .quantity = force},
     {.field = "indentation_mm", .word = "", .quantity = indentation},
     {.field = "stiffness_N_per_mm", .word = "", .quantity = stiffness},
@@ -58,13 +58,24 @@ QString translated(const char* text) {
 
 }  // namespace
 
-std::span<const CurveQuantity> curveQuantities() { return kQuantities; }
+std::span<const CurveQuantity> curveQuantities() {
+  static const std::vector<CurveQuantity> kQuantities = [] {
+    std::vector<CurveQuantity> out(kNamed.begin(), kNamed.end());
+    forEachField<pipeline::TelemetrySample>([&](auto, const auto& field) {
+      if (!std::is_same_v<FieldResult<decltype(field), pipeline::TelemetrySample>, double&>) return;
+      const auto named = [&](const CurveQuantity& each) { return each.field == field.name; };
+      if (std::ranges::none_of(kNamed, named)) out.push_back({.field = field.name.data(), .word = ""});
+    });
+    return out;
+  }();
+  return kQuantities;
+}
 
 std::span<const std::size_t> curveFields() {
   static const std::vector<std::size_t> kIndexes = [] {
     const auto fields = pipeline::telemetryFields();
     std::vector<std::size_t> out;
-    for (const CurveQuantity& each : kQuantities) {
+    for (const CurveQuantity& each : curveQuantities()) {
       const auto found = std::ranges::find(fields, std::string_view(each.field), &pipeline::TelemetryField::name);
       out.push_back(static_cast<std::size_t>(found - fields.begin()));
     }
@@ -73,32 +84,45 @@ std::span<const std::size_t> curveFields() {
   return kIndexes;
 }
 
+namespace {
+
+/// With the units, and a strip for each curve that is in none.
+std::vector<StripPlan> completed(std::vector<StripPlan> plans) {
+  for (std::size_t channel = kNamedCurves; channel < kCurveChannels; ++channel) {
+    const char* name = curveQuantities()[channel].field;
+    plans.push_back({.id = name, .title = name, .least = {0, 1}, .channels = {channel}});
+  }
+  for (StripPlan& plan : plans) {
+    const std::string_view unit = pipeline::telemetryFields()[curveFields()[plan.channels.front()]].unit;
+    if (unit != "1") plan.unit = unit.data();
+  }
+  return plans;
+}
+
+}  // namespace
+
 const std::vector<StripPlan>& stripPlans() {
-  static const std::vector<StripPlan> kPlans = {
+  static const std::vector<StripPlan> kPlans = completed({
       {.id = "force",
        .title = QT_TRANSLATE_NOOP("Curves", "Force"),
-       .unit = "N",
        .least = {0, 2},
        .channels = {kForce},
        .large = true,
        .usual = true},
       {.id = "indentation",
        .title = QT_TRANSLATE_NOOP("Curves", "Indentation"),
-       .unit = "mm",
        .least = {0, 5},
        .channels = {kIndentation},
        .large = true,
        .usual = true},
       {.id = "stiffness",
        .title = QT_TRANSLATE_NOOP("Curves", "Stiffness"),
-       .unit = "N/mm",
        .least = {0, 1},
        .channels = {kStiffness, kTarget, kReachableTarget},
        .large = true,
        .usual = true},
       {.id = "vibration",
        .title = QT_TRANSLATE_NOOP("Curves", "Vibration"),
-       .unit = "%",
        .least = {-100, 100},
        .channels = {kVibration},
        .large = true,
@@ -106,7 +130,6 @@ const std::vector<StripPlan>& stripPlans() {
        .usual = true},
       {.id = "acceleration",
        .title = QT_TRANSLATE_NOOP("Curves", "Acceleration"),
-       .unit = "g",
        .least = {-1, 1},
        .channels = {kAccelerationX, kAccelerationY, kAccelerationZ},
        .lanes = true,
@@ -114,61 +137,51 @@ const std::vector<StripPlan>& stripPlans() {
        .usual = true},
       {.id = "texture_signal",
        .title = QT_TRANSLATE_NOOP("Curves", "Texture signal"),
-       .unit = "g",
        .least = {-1, 1},
        .channels = {kTextureSignal},
        .peak = true},
       {.id = "stretch",
        .title = QT_TRANSLATE_NOOP("Curves", "Stretch"),
-       .unit = "°",
        .least = {-10, 10},
        .channels = {kStretchMeasured, kStretchReference}},
       {.id = "translation",
        .title = QT_TRANSLATE_NOOP("Curves", "Translation"),
-       .unit = "°",
        .least = {-10, 10},
        .channels = {kTranslation}},
       {.id = "finger",
        .title = QT_TRANSLATE_NOOP("Curves", "Finger"),
-       .unit = "mm",
        .least = {-20, 20},
        .channels = {kFingerX, kFingerY},
        .lanes = true},
       {.id = "area",
        .title = QT_TRANSLATE_NOOP("Curves", "Finger's area"),
-       .unit = "px",
        .least = {0, 500},
        .channels = {kFingerArea}},
       {.id = "touch",
        .title = QT_TRANSLATE_NOOP("Curves", "Position sent"),
-       .unit = "mm",
        .least = {-20, 20},
        .channels = {kTouchX, kTouchY, kTouchZ},
        .lanes = true},
       {.id = "robot",
        .title = QT_TRANSLATE_NOOP("Curves", "Robot's position"),
-       .unit = "mm",
        .least = {-20, 20},
        .channels = {kRobotX, kRobotY, kRobotZ},
        .lanes = true},
       {.id = "ages",
        .title = QT_TRANSLATE_NOOP("Curves", "Age of inputs"),
-       .unit = "ms",
        .least = {-50, 50},
        .channels = {kFingerAge, kIrAge, kBridgeAge, kMotorsAge, kRobotAge},
        .lanes = true,
        .peak = true},
       {.id = "missed",
        .title = QT_TRANSLATE_NOOP("Curves", "Cycles missed"),
-       .unit = "",
        .least = {0, 10},
        .channels = {kMissedCycles}},
       {.id = "clipped",
        .title = QT_TRANSLATE_NOOP("Curves", "Steps clipped"),
-       .unit = "",
        .least = {0, 10},
        .channels = {kClippedSteps}},
-  };
+  });
   return kPlans;
 }
 
@@ -183,7 +196,7 @@ StripSetup setupOf(const StripPlan& plan) {
                    .large = plan.large,
                    .shown = plan.usual};
   for (const std::size_t channel : plan.channels) {
-    const CurveQuantity& q = kQuantities[channel];
+    const CurveQuantity& q = curveQuantities()[channel];
     if (!q.numeral) continue;
     setup.entries.push_back(
         {.label = wordOf(q), .quantity = q.quantity, .dashed = q.stroke == Stroke::dashed, .decimals = q.decimals});

@@ -1,5 +1,6 @@
-// What curves there are: every measured or commanded quantity of a telemetry sample, and the strips they stand in.
-// The live curves and those of a review are made of the same list.
+// What curves there are: every real number of a telemetry sample, and the strips they stand in. One that is not named
+// here has a strip of its own under its name in exports. The live curves and those of a review are made of the same
+// list.
 #pragma once
 
 #include <QString>
@@ -52,8 +53,15 @@ enum CurveChannel : std::size_t {
   kRobotAge,
   kMissedCycles,
   kClippedSteps,
-  kCurveChannels
+  kNamedCurves
 };
+inline constexpr std::size_t kCurveChannels = [] {
+  std::size_t count = 0;
+  forEachField<pipeline::TelemetrySample>([&](auto, const auto& field) {
+    if (std::is_same_v<FieldResult<decltype(field), pipeline::TelemetrySample>, double&>) ++count;
+  });
+  return count;
+}();
 
 /// kCurveChannels of them.
 [[nodiscard]] std::span<const CurveQuantity> curveQuantities();
@@ -63,8 +71,8 @@ enum CurveChannel : std::size_t {
 struct StripPlan {
   const char* id;
   const char* title;
-  const char* unit;
-  Range least;  ///< shown at least
+  const char* unit = "";  ///< its first field's
+  Range least;            ///< shown at least
   std::vector<std::size_t> channels;
   bool lanes = false;  ///< signals that would hide each other: one below the other
   bool large = false;  ///< a large numeral
