@@ -71,6 +71,12 @@ void Pipeline::takeTime(const Inputs& inputs) {
   ++steps_;
 }
 
+template <class Value>
+void Pipeline::setParameter(std::string_view id, Value&& value) {
+  const Parameter* parameter = findParameter(bound_, id);
+  changeParameter(static_cast<std::uint16_t>(parameter - bound_.data()), value(*parameter));
+}
+
 void Pipeline::applyChanges(const Inputs& inputs) {
   for (const ParameterChange& change : inputs.changes) changeParameter(change.index, change.value);
   for (const OperatorCommand& command : inputs.commands) {
@@ -78,9 +84,7 @@ void Pipeline::applyChanges(const Inputs& inputs) {
       case OperatorAction::tare: tare_.start(inputs.now); break;
       case OperatorAction::target_by_hand:
         target_by_hand_ = true;
-        if (const Parameter* hand = findParameter(bound_, "pipeline.hand_target_N_per_mm")) {
-          changeParameter(static_cast<std::uint16_t>(hand - bound_.data()), command.value);
-        }
+        setParameter(kHandTarget, [&command](const Parameter&) { return command.value; });
         break;
       case OperatorAction::target_from_robot: target_by_hand_ = false; break;
       case OperatorAction::arm:
@@ -109,28 +113,37 @@ void Pipeline::configure() {
   renderer_.configure(parameters_.texture);
 }
 
+std::string_view Pipeline::parameterOf(RobotCommand command) {
+  switch (command) {
+    case RobotCommand::vibration_down:
+    case RobotCommand::vibration_up: return "texture.k_vib";
+    case RobotCommand::use_dft321:
+    case RobotCommand::use_soc: return "texture.method";
+    default: return {};
+  }
+}
+
 void Pipeline::applyRobotCommands(const Inputs& inputs) {
   // The touch goes on as it was: the robot that is back stands where the last one left it.
   if (inputs.robot.phase != last_phase_ && inputs.robot.phase == LinkPhase::waiting) robot_sets_reference_ = false;
-  const auto indexOf = [this](std::string_view id) {
-    return static_cast<std::uint16_t>(findParameter(bound_, id) - bound_.data());
-  };
   for (const RobotCommand command : inputs.robot.commands) {
     report({.kind = EventKind::robot_command, .value = static_cast<double>(command)});
     switch (command) {
       case RobotCommand::vibration_down:
-      case RobotCommand::vibration_up: {
-        const std::uint16_t index = indexOf("texture.k_vib");
-        const double change = command == RobotCommand::vibration_up ? kVibrationStep : -kVibrationStep;
-        changeParameter(index, std::clamp(parameters_.texture.k_vib + change, bound_[index].info.minimum,
-                                          bound_[index].info.maximum));
+      case RobotCommand::vibration_up:
+        setParameter(parameterOf(command), [command](const Parameter& k_vib) {
+          const double change = command == RobotCommand::vibration_up ? kVibrationStep : -kVibrationStep;
+          const double now = k_vib.value();  // beyond the range only in a replay: it is not pulled into it
+          return std::clamp(now + change, std::min(now, k_vib.info.minimum), std::max(now, k_vib.info.maximum));
+        });
         break;
-      }
       case RobotCommand::use_dft321:
-        changeParameter(indexOf("texture.method"), static_cast<double>(texture::MethodChoice::dft321));
+        setParameter(parameterOf(command),
+                     [](const Parameter&) { return static_cast<double>(texture::MethodChoice::dft321); });
         break;
       case RobotCommand::use_soc:
-        changeParameter(indexOf("texture.method"), static_cast<double>(texture::MethodChoice::soc));
+        setParameter(parameterOf(command),
+                     [](const Parameter&) { return static_cast<double>(texture::MethodChoice::soc); });
         break;
       case RobotCommand::motor_reference_on: robot_sets_reference_ = true; break;
       case RobotCommand::motor_reference_off:

@@ -66,6 +66,11 @@ class Pipeline {
   /// For replay: live values beyond today's range are taken, as the program took them that recorded them.
   void takeRecordedValues() { ranges_ = Ranges::mark; }
 
+  /// Id of the parameter that a key of the robot's operator sets; empty: none.
+  [[nodiscard]] static std::string_view parameterOf(RobotCommand command);
+  /// The one that OperatorAction::target_by_hand sets.
+  static constexpr std::string_view kHandTarget = "pipeline.hand_target_N_per_mm";
+
  private:
   void takeTime(const Inputs& inputs);
   void applyChanges(const Inputs& inputs);
@@ -80,6 +85,8 @@ class Pipeline {
   void writeTelemetry(const Inputs& inputs);
 
   void changeParameter(std::uint16_t index, double value);
+  template <class Value>
+  void setParameter(std::string_view id, Value&& value);
   void followRobotReference(const RobotMotorReference& reference);
   void configure();
   [[nodiscard]] double target(const Inputs& inputs) const;

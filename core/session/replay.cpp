@@ -104,9 +104,9 @@ class Run {
  private:
   void step(StepRecord& record, bool first, double elapsed_s, ReplayResult& out) {
     inputs_ = record.inputs;
-    leaveOutRefused(record);
+    repeatOutcomes(record);
     if (first || !wanted_.indices.empty()) change(first, record);
-    for (const pipeline::ParameterChange& change : inputs_.changes) mark(change, out);
+    mark(out);
     if (plant_) plant_->answer(inputs_, pipeline_.parameters());
     const pipeline::Outputs& outputs = pipeline_.step(inputs_);
     takeLacking(recording_.info().lacking_columns, outputs, record);
@@ -132,15 +132,53 @@ class Run {
     });
   }
 
-  /// What was refused when it was recorded is refused again, whatever the ranges are today.
-  void leaveOutRefused(const StepRecord& record) {
-    for (const pipeline::Event& event : record.events) {
-      if (event.kind != pipeline::EventKind::parameter_refused) continue;
-      const auto kept = inputs_.changes;
-      inputs_.changes.clear();
-      for (const pipeline::ParameterChange& change : kept) {
-        if (change.index != event.index) (void)inputs_.changes.push(change);
+  /// What changed the step's parameters has the outcome that it had when it was recorded, whatever the ranges are
+  /// today: what was refused is refused again, and a robot's key comes to the same value.
+  void repeatOutcomes(const StepRecord& record) {
+    using enum pipeline::EventKind;
+    const auto outcome = [&record](pipeline::EventKind kind, std::uint16_t index) {
+      const pipeline::Event* last = nullptr;
+      for (const pipeline::Event& event : record.events) {
+        if (event.kind == kind && event.index == index) last = &event;
       }
+      return last;
+    };
+    const auto changes = inputs_.changes;
+    inputs_.changes.clear();
+    for (const pipeline::ParameterChange& change : changes) {
+      if (outcome(parameter_refused, change.index) == nullptr) (void)inputs_.changes.push(change);
+    }
+    for (pipeline::OperatorCommand& command : inputs_.commands.view()) {
+      if (command.action != pipeline::OperatorAction::target_by_hand) continue;
+      if (outcome(parameter_refused, indexOf(pipeline::Pipeline::kHandTarget)) != nullptr) {
+        command.value = pipeline::kNone;
+      }
+    }
+    const auto keys = inputs_.robot.commands;
+    inputs_.robot.commands.clear();
+    for (const pipeline::RobotCommand key : keys) {
+      const std::string_view id = pipeline::Pipeline::parameterOf(key);
+      const std::uint16_t index = id.empty() ? RecordedIndices::kUnknown : indexOf(id);
+      if (isWanted(index)) continue;
+      const pipeline::Event* changed = id.empty() ? nullptr : outcome(parameter_changed, index);
+      if (changed == nullptr || !inputs_.changes.push({.index = index, .value = changed->value})) {
+        (void)inputs_.robot.commands.push(key);
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint16_t indexOf(std::string_view id) const {
+    return static_cast<std::uint16_t>(findParameter(names_, id) - names_.data());
+  }
+  [[nodiscard]] bool isWanted(std::uint16_t index) const {
+    return std::ranges::find(wanted_.indices, index) != wanted_.indices.end();
+  }
+
+  void mark(ReplayResult& out) const {
+    for (const pipeline::ParameterChange& change : inputs_.changes) mark(change, out);
+    for (const pipeline::OperatorCommand& command : inputs_.commands) {
+      if (command.action != pipeline::OperatorAction::target_by_hand || !std::isfinite(command.value)) continue;
+      mark({.index = indexOf(pipeline::Pipeline::kHandTarget), .value = command.value}, out);
     }
   }
 
@@ -157,8 +195,7 @@ class Run {
     inputs_.changes.clear();
     for (std::size_t i = 0; first && i < wanted_.changes.size(); ++i) (void)inputs_.changes.push(wanted_.changes[i]);
     for (const pipeline::ParameterChange& change : recorded) {
-      if (std::find(wanted_.indices.begin(), wanted_.indices.end(), change.index) != wanted_.indices.end()) continue;
-      (void)inputs_.changes.push(change);
+      if (!isWanted(change.index)) (void)inputs_.changes.push(change);
     }
     if (!wanted_.from_rest) return;
     // Nobody moves here: what the operator had done before the first row is done again.

@@ -62,6 +62,7 @@ class Recorded : public testing::Test {
   void run(double seconds) {
     lockstep->run(seconds, [&](const pipeline::Outputs& outputs) {
       if (drop && drop(outputs.telemetry.step)) return;
+      if (as_recorded) as_recorded(inputs);
       recorder->push({.inputs = inputs, .outputs = outputs});
       samples.push_back(outputs.telemetry);
       if (++pushed % 1000 == 0) letRecorderFollow();
@@ -94,6 +95,7 @@ class Recorded : public testing::Test {
   std::size_t steps = 0;
   std::uint64_t pushed = 0;
   std::function<void(pipeline::Inputs&)> before_step;
+  std::function<void(pipeline::Inputs&)> as_recorded;  ///< what another program would have recorded of the same step
   std::function<bool(std::uint64_t)> drop;
   std::vector<pipeline::TelemetrySample> samples;
 };
