@@ -1,4 +1,4 @@
-// A program with more inputs than this one (insert_inputs.py): recordings of today in its hands, and its own.
+// A program with more inputs than this one (insert.py): recordings of today in its hands, and its own.
 //
 //   later_program replay FILE     JSON: whether it is identical, and what of its inputs the recording lacks
 //   later_program copy FILE OUT   writes the recording anew, with its own inputs in it; OUT.partial is left as a crash
