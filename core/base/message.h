@@ -1,0 +1,180 @@
+// What the program says to a person, as data: a format and its values. English is made of it where it is shown
+// (`text`), another language in the window, by the format (widgets/core_text.h).
+//
+// A format stands as a literal in one of these calls, where lupdate finds it for those who translate
+// (tests/translations/translations.py):
+//
+//   fail("{}: cannot be read: {}", path, why)    an error (core/base/error.h)
+//   say("encoder {} jumped by {:.0f}°", i, by)    any other sentence with values
+//   sentence("the robot is silent")               words without values: a name in a table, a parameter's help
+//
+// A value is a number, a text that no language changes (a name, a path, an id), or a Message of its own where it is
+// itself words: `say("Not armed: {}.", phrase(toString(lack)))`.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fyd {
+
+/// The part of the program that speaks; the folder of the source that does decides. Its name (`toString`) is stable:
+/// scripts read it.
+enum class MessageKind : std::uint8_t {
+  command,      ///< the command line or the window itself
+  input,        ///< a value or a file that was given: parameters, profiles, tables (core/base)
+  device,       ///< touchpad, motors, camera, robot (core/device)
+  link,         ///< the connection to the remote site (core/protocol)
+  recording,    ///< recordings, exports, reports and the catalogue (core/session)
+  calibration,  ///< core/calibration
+  algorithm,    ///< the step and what it is made of (core/pipeline, control, sensing, signal, texture)
+  simulation,   ///< the simulated devices (core/sim)
+  station,      ///< what runs the devices and the step (core/station)
+};
+
+[[nodiscard]] std::string_view toString(MessageKind kind);
+
+struct Value;
+
+struct Message {
+  MessageKind kind = MessageKind::command;
+  std::string_view format;  ///< static storage; places as fmt has them, each filled by the value of its number
+  std::vector<Value> values;
+
+  [[nodiscard]] bool empty() const { return format.empty(); }
+  /// In English.
+  [[nodiscard]] std::string text() const;
+  friend bool operator==(const Message& a, const Message& b);
+};
+
+/// A value of a message.
+struct Value {
+  std::variant<std::int64_t, std::uint64_t, double, std::string, Message> is;
+
+  friend bool operator==(const Value&, const Value&) = default;
+};
+
+inline bool operator==(const Message& a, const Message& b) {
+  return a.kind == b.kind && a.format == b.format && a.values == b.values;
+}
+
+/// A value as a place with this spec ("" or ".2f") shows it, in English.
+[[nodiscard]] std::string shown(const Value& value, std::string_view spec);
+
+using ShowValue = std::function<std::string(const Value& value, std::string_view spec)>;
+/// The values filled into `form`, the message's format or its translation.
+/// @return nullopt when the form's places do not fit the values: every value in at least one place, with the same spec
+///         as in the message's own format
+[[nodiscard]] std::optional<std::string> filledIn(std::string_view form, const Message& message,
+                                                  const ShowValue& show = shown);
+
+/// Marks a literal for translation, and returns it.
+[[nodiscard]] consteval std::string_view sentence(const char* english) { return english; }
+
+/// A `sentence` as a message.
+/// @param english static storage
+[[nodiscard]] inline Message phrase(std::string_view english) { return {.format = english, .values = {}}; }
+
+/// Words that are not the program's own (of the system, of a library, of a file) and that no language changes.
+[[nodiscard]] Message verbatim(std::string text);
+
+/// "{}: {}": what was wrong with what, when the message alone does not name it.
+[[nodiscard]] Message within(std::string name, Message message);
+
+namespace message_detail {
+
+constexpr MessageKind kindOf(std::string_view file) {
+  using enum MessageKind;
+  constexpr std::array<std::pair<std::string_view, MessageKind>, 11> kRooms{{{"base/", input},
+                                                                             {"device/", device},
+                                                                             {"protocol/", link},
+                                                                             {"session/", recording},
+                                                                             {"calibration/", calibration},
+                                                                             {"pipeline/", algorithm},
+                                                                             {"control/", algorithm},
+                                                                             {"sensing/", algorithm},
+                                                                             {"texture/", algorithm},
+                                                                             {"sim/", simulation},
+                                                                             {"station/", station}}};
+  constexpr std::string_view kCore = "core/";
+  const auto core = file.rfind(kCore);
+  if (core == std::string_view::npos) return command;
+  for (const auto& [room, kind] : kRooms) {
+    if (file.substr(core + kCore.size()).starts_with(room)) return kind;
+  }
+  return algorithm;
+}
+
+/// Whether a format says anything beside its values: has a letter outside of its places.
+constexpr bool hasWords(std::string_view format) {
+  bool in_place = false;
+  for (const char c : format) {
+    if (c == '{') in_place = true;
+    if (!in_place && (((c | 0x20) >= 'a' && (c | 0x20) <= 'z') || static_cast<unsigned char>(c) >= 0x80)) return true;
+    if (c == '}') in_place = false;
+  }
+  return false;
+}
+
+template <class T>
+Value valueOf(T&& from) {
+  using Plain = std::remove_cvref_t<T>;
+  static_assert(!std::is_same_v<Plain, float>, "a float and a double show other digits: say which is meant");
+  if constexpr (std::is_same_v<Plain, Message>) {
+    return {std::forward<T>(from)};
+  } else if constexpr (std::is_same_v<Plain, bool>) {
+    return {std::string(from ? "true" : "false")};
+  } else if constexpr (std::is_same_v<Plain, char>) {
+    return {std::string(1, from)};
+  } else if constexpr (std::signed_integral<Plain>) {
+    return {static_cast<std::int64_t>(from)};
+  } else if constexpr (std::unsigned_integral<Plain>) {
+    return {static_cast<std::uint64_t>(from)};
+  } else if constexpr (std::floating_point<Plain>) {
+    return {static_cast<double>(from)};
+  } else {
+    return {std::string(std::forward<T>(from))};
+  }
+}
+
+template <class T>
+using Checked = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, Message>, std::string_view, T>;
+
+/// A literal, checked as it is compiled: its places fit the arguments, and it says something beside them.
+template <class... Args>
+struct Format {
+  std::string_view text;
+  MessageKind kind;
+
+  consteval Format(const char* literal, const char* file = __builtin_FILE())  // NOLINT: a literal becomes one
+      : text(literal), kind(kindOf(file)) {
+    static_cast<void>(fmt::format_string<Checked<Args>...>(literal));
+    if (!hasWords(text)) throw "a format of places only: there is nothing to translate; see verbatim and within";
+  }
+};
+
+}  // namespace message_detail
+
+template <class... Args>
+using MessageFormat = message_detail::Format<std::type_identity_t<Args>...>;
+
+/// A message from a format, as fmt has it, and its values.
+template <class... Args>
+[[nodiscard]] Message say(MessageFormat<Args...> format, Args&&... args) {
+  Message out{.kind = format.kind, .format = format.text, .values = {}};
+  out.values.reserve(sizeof...(Args));
+  (out.values.push_back(message_detail::valueOf(std::forward<Args>(args))), ...);
+  return out;
+}
+
+}  // namespace fyd
