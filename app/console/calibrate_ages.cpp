@@ -20,7 +20,7 @@ std::vector<widgets::ReadinessRow> ageingRows(const std::vector<calibration::Cal
     widgets::ReadinessRow row;
     row.what = QCoreApplication::translate("CalibrationAges", "%1: %2").arg(step->name(), state.words);
     row.ok = state.kind == PartState::Kind::ageing;
-    row.remedy = step->procedure() == "no-touch" && state.kind == PartState::Kind::outdated
+    row.remedy = step->tareTakesIt() && state.kind == PartState::Kind::outdated
                      ? QCoreApplication::translate("CalibrationAges",
                                                    "Take the tare, or calibrate it again under Calibrate. It does not "
                                                    "keep you from arming.")

@@ -22,6 +22,7 @@ class EncoderStep : public CalibrationStep {
   QString id() const override { return QStringLiteral("encoders"); }
   QString name() const override { return tr("Encoders: sign, zero, range"); }
   std::string procedure() const override { return "encoders"; }
+  std::string_view errorLimit() const override { return "calibration.encoder_held_out_deg"; }
   int readings() const override { return 1; }
   int readingColumn() const override { return 1; }
   Motion motion() const override { return Motion::sweep; }
@@ -125,6 +126,6 @@ class EncoderStep : public CalibrationStep {
 
 }  // namespace
 
-std::unique_ptr<CalibrationStep> makeEncoderStep() { return std::make_unique<EncoderStep>(); }
+CalibrationSteps encoderSteps(const station::Profile&) { return oneStep<EncoderStep>(); }
 
 }  // namespace fyd::console

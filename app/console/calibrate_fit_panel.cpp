@@ -36,14 +36,8 @@ QString shortened(const QString& text) {
   return out.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-/// The largest held-out error that this procedure accepts; NaN where it has none.
-double allowedError(const std::string& procedure, station::Profile& profile) {
-  std::string id;
-  if (procedure == "ir") id = "calibration.ir_held_out_mm";
-  if (procedure == "load-cell") id = "calibration.force_held_out_N";
-  if (procedure == "camera") id = "calibration.camera_held_out_mm";
-  if (procedure == "stiffness") id = "calibration.stiffness_held_out_N";
-  if (procedure == "encoders") id = "calibration.encoder_held_out_deg";
+/// NaN where there is no such limit.
+double valueOf(std::string_view id, station::Profile& profile) {
   const auto bound = bindParameters(profile);
   const Parameter* parameter = findParameter(bound, id);
   return parameter != nullptr ? parameter->value() : calibration::kUnknown;
@@ -137,7 +131,8 @@ void CalibrationFitPanel::setChanges(const calibration::CalibrationResult& resul
   changes_->setVisible(row > 0);
 }
 
-void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, station::Profile profile) {
+void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, std::string_view error_limit,
+                                 station::Profile profile) {
   const calibration::CalibrationResult& result = fit.result;
   plot_->setFit(fit.plot);
   legend_->setText(points > 0 ? fit.legend : QString());
@@ -153,7 +148,7 @@ void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, 
     const QString unit = QString::fromStdString(result.unit);
     const auto error = [&](double value) { return widgets::quantityText(value, kErrorDecimals, unit); };
     if (std::isfinite(result.held_out_rmse)) {
-      const double allowed = allowedError(result.procedure, profile);
+      const double allowed = valueOf(error_limit, profile);
       figures << (std::isfinite(allowed)
                       ? tr("Held-out error %1 of at most %2").arg(error(result.held_out_rmse), error(allowed))
                       : tr("Held-out error %1").arg(error(result.held_out_rmse)));

@@ -18,8 +18,9 @@ class CalibrationFitPanel : public QFrame {
  public:
   explicit CalibrationFitPanel(QWidget* parent = nullptr);
   /// @param points taken so far; none: there is no verdict yet
+  /// @param error_limit as CalibrationStep::errorLimit()
   /// @param profile with the values in force
-  void setFit(const CalibrationFit& fit, std::size_t points, station::Profile profile);
+  void setFit(const CalibrationFit& fit, std::size_t points, std::string_view error_limit, station::Profile profile);
   [[nodiscard]] AcceptedWords words() const;
 
   [[nodiscard]] QString verdict() const { return verdict_->text(); }

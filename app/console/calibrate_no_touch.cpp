@@ -20,6 +20,7 @@ class NoTouchStep : public CalibrationStep {
   QString id() const override { return QStringLiteral("no-touch"); }
   QString name() const override { return tr("No-touch offsets"); }
   std::string procedure() const override { return "no-touch"; }
+  bool tareTakesIt() const override { return true; }
   bool onePoint() const override { return true; }
   int readings() const override { return 30; }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
@@ -102,6 +103,6 @@ class NoTouchStep : public CalibrationStep {
 
 }  // namespace
 
-std::unique_ptr<CalibrationStep> makeNoTouchStep() { return std::make_unique<NoTouchStep>(); }
+CalibrationSteps noTouchSteps(const station::Profile&) { return oneStep<NoTouchStep>(); }
 
 }  // namespace fyd::console

@@ -189,8 +189,10 @@ void CalibratePage::poll() {
 
 void CalibratePage::refreshDrawing() {
   constexpr QSize kDrawing(18 * widgets::kGrid, 9 * widgets::kGrid);
-  const QString name = QStringLiteral("calibrate-%1").arg(QString::fromStdString(step().procedure()));
-  drawing_->setPixmap(widgets::icon(name, widgets::theme().muted).pixmap(kDrawing, devicePixelRatioF()));
+  QIcon drawing = widgets::icon(QStringLiteral("calibrate-%1").arg(QString::fromStdString(step().procedure())),
+                                widgets::theme().muted);
+  if (drawing.isNull()) drawing = widgets::icon(QStringLiteral("place-calibrate"), widgets::theme().muted);
+  drawing_->setPixmap(drawing.pixmap(kDrawing, devicePixelRatioF()));
 }
 
 void CalibratePage::restartTrace() {
@@ -213,7 +215,7 @@ void CalibratePage::restartTrace() {
 void CalibratePage::refit() {
   const std::vector<CalibrationPoint>& points = points_[step_];
   fit_ = step().fit(points, profile_);
-  fit_panel_->setFit(fit_, points.size(), profile_);
+  fit_panel_->setFit(fit_, points.size(), step().errorLimit(), profile_);
   instruction_->setText(step().instruction(points));
   missing_->setText(!fit_.missing.isEmpty() ? tr("Still missing: %1").arg(fit_.missing) : tr("Enough points."));
   if (!points.empty() && simulated_[step_])

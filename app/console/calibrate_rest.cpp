@@ -110,6 +110,6 @@ class RestStep : public CalibrationStep {
 
 }  // namespace
 
-std::unique_ptr<CalibrationStep> makeRestStep() { return std::make_unique<RestStep>(); }
+CalibrationSteps restSteps(const station::Profile&) { return oneStep<RestStep>(); }
 
 }  // namespace fyd::console

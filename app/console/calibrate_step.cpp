@@ -17,20 +17,6 @@ QStringList CalibrationStep::row(const CalibrationPoint& point) const {
   return out;
 }
 
-std::vector<std::unique_ptr<CalibrationStep>> makeCalibrationSteps(const station::Profile& profile) {
-  std::vector<std::unique_ptr<CalibrationStep>> out;
-  out.push_back(makeEncoderStep());
-  out.push_back(makeLoadCellStep());
-  const std::size_t sensors = profile.step.sensing.indentation.ir_x_mm.size();
-  for (std::size_t i = 0; i < std::min(sensors, sensing::kMaximumIrSensors); ++i) out.push_back(makeIrStep(i));
-  out.push_back(makeNoTouchStep());  // with the new curves, and after the load cell, which begins with a zero of 0
-  out.push_back(makeCameraRegionStep());
-  out.push_back(makeCameraScaleStep());
-  out.push_back(makeStiffnessStep(profile.step.control));
-  out.push_back(makeRestStep());
-  return out;
-}
-
 Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const std::string& name) {
   constexpr double kStale_ms = 500.0;
   for (const device::DeviceReport& device : devices) {
@@ -66,6 +52,11 @@ std::vector<double> columnOf(const std::vector<CalibrationPoint>& points, std::s
   std::vector<double> out;
   for (const CalibrationPoint& point : points) out.push_back(point[column]);
   return out;
+}
+
+QString curveLegend() {
+  return QCoreApplication::translate(
+      "CalibrationStep", "Line: new curve. Dashed: the one in force. Crosses: points the others contradict.");
 }
 
 CalibrationFit noPoints(const QString& missing) {

@@ -1,5 +1,7 @@
 // One part of the calibration: what the operator is to do, which signals a point takes, how points are fitted, what is
-// still missing. The place "Calibrate" shows any of them in the same way.
+// still missing. The place "Calibrate" shows any of them in the same way and knows none by name.
+//
+// A new one is a file with its class and a function that makes it, and a line in calibrate_step_list.cpp.
 #pragma once
 
 #include <QImage>
@@ -65,8 +67,13 @@ class CalibrationStep {
   virtual ~CalibrationStep() = default;
   [[nodiscard]] virtual QString id() const = 0;  ///< "load-cell", "ir-2"
   [[nodiscard]] virtual QString name() const = 0;
-  [[nodiscard]] virtual std::string procedure() const = 0;  ///< as in the record
+  /// As in the record. Its drawing is resources/icons/calibrate-PROCEDURE.svg, if there is one.
+  [[nodiscard]] virtual std::string procedure() const = 0;
   [[nodiscard]] virtual int sensor() const { return 0; }
+  /// Id of the parameter that says the largest held-out error of a fit that is accepted; empty: there is none.
+  [[nodiscard]] virtual std::string_view errorLimit() const { return {}; }
+  /// Whether a tare measures the same, without a record.
+  [[nodiscard]] virtual bool tareTakesIt() const { return false; }
   /// What to do now, in one sentence.
   [[nodiscard]] virtual QString instruction(const std::vector<CalibrationPoint>& points) const = 0;
   [[nodiscard]] virtual QStringList columns() const = 0;
@@ -111,8 +118,16 @@ class CalibrationStep {
   [[nodiscard]] virtual std::vector<CalibrationPoint> simulatedPoints(const station::Profile&) const { return {}; }
 };
 
-/// All that are built, in the order in which they are best done.
-[[nodiscard]] std::vector<std::unique_ptr<CalibrationStep>> makeCalibrationSteps(const station::Profile& profile);
+using CalibrationSteps = std::vector<std::unique_ptr<CalibrationStep>>;
+template <class Step, class... Arguments>
+[[nodiscard]] CalibrationSteps oneStep(Arguments&&... arguments) {
+  CalibrationSteps out;
+  out.push_back(std::make_unique<Step>(std::forward<Arguments>(arguments)...));
+  return out;
+}
+
+/// All that there are (calibrate_step_list.cpp).
+[[nodiscard]] CalibrationSteps makeCalibrationSteps(const station::Profile& profile);
 
 /// The named value of the first device that has it; an error says what was looked for.
 [[nodiscard]] Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const std::string& name);
@@ -125,16 +140,8 @@ class CalibrationStep {
 /// @param missing which points to take; the empty plot says it too
 [[nodiscard]] CalibrationFit noPoints(const QString& missing);
 
-std::unique_ptr<CalibrationStep> makeNoTouchStep();
-std::unique_ptr<CalibrationStep> makeLoadCellStep();
-/// @param sensor 0…7
-std::unique_ptr<CalibrationStep> makeIrStep(std::size_t sensor);
-std::unique_ptr<CalibrationStep> makeCameraRegionStep();
-std::unique_ptr<CalibrationStep> makeCameraScaleStep();
-std::unique_ptr<CalibrationStep> makeEncoderStep();
-/// @param parameters for the travel that the stretch may be sent through
-std::unique_ptr<CalibrationStep> makeStiffnessStep(const control::ControlParameters& parameters);
-std::unique_ptr<CalibrationStep> makeRestStep();
+/// What the lines of a fitted curve are.
+[[nodiscard]] QString curveLegend();
 
 /// The verdict's own words say what to add; they are what is missing as long as there are too few points.
 [[nodiscard]] QString missingOf(const calibration::CalibrationResult& result);

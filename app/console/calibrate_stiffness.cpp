@@ -25,6 +25,7 @@ class StiffnessStep : public CalibrationStep {
   QString id() const override { return QStringLiteral("stiffness"); }
   QString name() const override { return tr("Stiffness map"); }
   std::string procedure() const override { return "stiffness"; }
+  std::string_view errorLimit() const override { return "calibration.stiffness_held_out_N"; }
   int readings() const override { return 5; }
   int readingColumn() const override { return 1; }
   Motion motion() const override { return Motion::stretch; }
@@ -163,8 +164,8 @@ class StiffnessStep : public CalibrationStep {
 
 }  // namespace
 
-std::unique_ptr<CalibrationStep> makeStiffnessStep(const control::ControlParameters& parameters) {
-  return std::make_unique<StiffnessStep>(parameters);
+CalibrationSteps stiffnessSteps(const station::Profile& profile) {
+  return oneStep<StiffnessStep>(profile.step.control);
 }
 
 }  // namespace fyd::console

@@ -1,15 +1,10 @@
-// Steps that look at the camera's picture: the cloth's region with the finger's threshold, and the scale from a printed
-// target.
+// The step that looks for the cloth's region in the camera's picture, and for the threshold between finger and cloth.
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "app/console/calibrate_step.h"
-#include "core/calibration/camera_calibration.h"
 #include "core/calibration/threshold_suggestion.h"
-#include "core/sensing/finger_detector.h"
-#include "core/sim/picture.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -113,88 +108,8 @@ class CameraRegionStep : public CalibrationStep {
   }
 };
 
-class CameraScaleStep : public CalibrationStep {
- public:
-  QString id() const override { return QStringLiteral("camera"); }
-  QString name() const override { return tr("Camera: scale"); }
-  std::string procedure() const override { return "camera"; }
-  int readings() const override { return 1; }
-  Picture picture() const override { return Picture::place; }
-  QString instruction(const std::vector<CalibrationPoint>& points) const override {
-    return points.empty() ? tr("Lay the printed target on the cloth, click one of its marks in the picture, type where "
-                               "it lies, and take the point.")
-                          : tr("Click the next mark, type where it lies, and take the point: best at the cloth's "
-                               "corners and in its middle.");
-  }
-  QStringList columns() const override { return {tr("x, px"), tr("y, px"), tr("x, mm"), tr("y, mm")}; }
-  std::vector<CalibrationEntry> entries() const override {
-    const auto entry = [](const QString& name) {
-      return CalibrationEntry{.name = name,
-                              .units = {QStringLiteral("mm")},
-                              .per_unit = {1.0},
-                              .lowest = -1000.0,
-                              .highest = 1000.0,
-                              .decimals = 1};
-    };
-    return {entry(tr("x, to the right")), entry(tr("y, to the back"))};
-  }
-  Result<std::vector<double>> read(const CalibrationScene& scene) const override {
-    if (scene.picture.isNull()) return fail("there is no picture: look under Devices whether the camera answers");
-    if (!scene.place_px) return fail("no place yet: click a mark of the target in the picture");
-    return std::vector{scene.place_px->x(), scene.place_px->y()};
-  }
-  CalibrationPoint point(const std::vector<double>& entered, const std::vector<double>& mean,
-                         const std::vector<double>&) const override {
-    return {mean[0], mean[1], entered[0], entered[1]};
-  }
-  std::vector<QPointF> marks(const std::vector<CalibrationPoint>& points) const override {
-    std::vector<QPointF> out;
-    for (const CalibrationPoint& point : points) out.emplace_back(point[0], point[1]);
-    return out;
-  }
-
-  CalibrationFit fit(const std::vector<CalibrationPoint>& points, const station::Profile& profile) const override {
-    const auto& p = profile.calibration;
-    if (points.empty()) return noPoints(tr("At least %1 places, not on one line.").arg(p.camera_fewest_points));
-    calibration::CameraSamples samples;
-    for (const CalibrationPoint& point : points) {
-      samples.x_px.push_back(point[0]);
-      samples.y_px.push_back(point[1]);
-      samples.x_mm.push_back(point[2]);
-      samples.y_mm.push_back(point[3]);
-    }
-    const auto found = calibration::calibrateCamera(samples, p);
-    CalibrationFit out{.result = found.result, .plot = {}, .legend = {}, .missing = {}};
-    const std::string& threshold = found.result.verdict.threshold;
-    if (!found.result.verdict.accepted && threshold != "calibration.camera_held_out_mm") {
-      out.missing = QString::fromStdString(found.result.verdict.reason);
-    }
-    out.legend = tr("The target from above. Below, how far each mark is off. Crosses: points the others contradict.");
-    out.plot = {.x_title = tr("x, mm"), .y_title = tr("y, mm"), .residual_title = tr("Error, mm")};
-    for (const CalibrationPoint& point : points) out.plot.points.emplace_back(point[2], point[3]);
-    out.plot.residuals = found.result.residuals;
-    out.plot.outliers = found.result.outliers;
-    return out;
-  }
-
-  std::vector<CalibrationPoint> simulatedPoints(const station::Profile& profile) const override {
-    constexpr double kClick_px = 0.5;  // how well a mark is hit
-    std::mt19937_64 random(static_cast<std::uint64_t>(profile.sim.seed));
-    std::normal_distribution<double> noise(0.0, kClick_px);
-    std::vector<CalibrationPoint> out;
-    for (const double y_mm : {-25.0, 0.0, 25.0}) {
-      for (const double x_mm : {-40.0, 0.0, 40.0}) {
-        const sim::PicturePoint at = sim::pictureOf(x_mm, y_mm);
-        out.push_back({at.u_px + noise(random), at.v_px + noise(random), x_mm, y_mm});
-      }
-    }
-    return out;
-  }
-};
-
 }  // namespace
 
-std::unique_ptr<CalibrationStep> makeCameraRegionStep() { return std::make_unique<CameraRegionStep>(); }
-std::unique_ptr<CalibrationStep> makeCameraScaleStep() { return std::make_unique<CameraScaleStep>(); }
+CalibrationSteps cameraRegionSteps(const station::Profile&) { return oneStep<CameraRegionStep>(); }
 
 }  // namespace fyd::console

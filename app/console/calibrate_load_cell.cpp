@@ -1,13 +1,11 @@
-// Steps that measure the touchpad's own sensors at known loads: the load cell, a distance sensor.
+// The step that measures the load cell under known weights.
 #include <QCoreApplication>
 #include <cmath>
 #include <random>
 
 #include "app/console/calibrate_step.h"
 #include "core/base/units.h"
-#include "core/calibration/ir_calibration.h"
 #include "core/calibration/load_cell_calibration.h"
-#include "core/sim/ir_sensor.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -17,13 +15,12 @@ QString tr(const char* text) { return QCoreApplication::translate("CalibrationSt
 
 constexpr int kCurvePoints = 120;
 
-QString legend() { return tr("Line: new curve. Dashed: the one in force. Crosses: points the others contradict."); }
-
 class LoadCellStep : public CalibrationStep {
  public:
   QString id() const override { return QStringLiteral("load-cell"); }
   QString name() const override { return tr("Load cell"); }
   std::string procedure() const override { return "load-cell"; }
+  std::string_view errorLimit() const override { return "calibration.force_held_out_N"; }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
     if (points.empty()) return tr("Leave the cell unloaded, type 0 and take the point.");
     return points.size() < 4
@@ -62,7 +59,7 @@ class LoadCellStep : public CalibrationStep {
           tr("At least %1 different weights that span %2 N.").arg(p.force_fewest_loads).arg(p.force_least_span_N));
     }
     const auto found = calibration::calibrateLoadCell({columnOf(points, 0), columnOf(points, 1)}, p);
-    CalibrationFit out{.result = found.result, .plot = {}, .legend = legend(), .missing = missingOf(found.result)};
+    CalibrationFit out{.result = found.result, .plot = {}, .legend = curveLegend(), .missing = missingOf(found.result)};
     out.plot = {.x_title = tr("Bridge, mV/V"), .y_title = tr("Force, N"), .residual_title = tr("Residual, N")};
     double low = points[0][0], high = points[0][0];
     for (const CalibrationPoint& point : points) {
@@ -110,96 +107,8 @@ class LoadCellStep : public CalibrationStep {
   }
 };
 
-class IrStep : public CalibrationStep {
- public:
-  explicit IrStep(std::size_t sensor) : sensor_(sensor) {}
-  QString id() const override { return QStringLiteral("ir-%1").arg(sensor_ + 1); }
-  QString name() const override { return tr("Distance sensor %1").arg(sensor_ + 1); }
-  std::string procedure() const override { return "ir"; }
-  int sensor() const override { return static_cast<int>(sensor_ + 1); }
-  QString instruction(const std::vector<CalibrationPoint>& points) const override {
-    return points.empty()
-               ? tr("Hold a flat white target over the sensor, measure its distance, type it and take the point.")
-               : tr("Move the target by some 20 mm, type the new distance and take the next point, 40 to 300 mm.");
-  }
-  QStringList columns() const override { return {tr("Reading, counts"), tr("Distance, mm"), tr("Spread, counts")}; }
-  std::vector<CalibrationEntry> entries() const override {
-    return {{.name = tr("Distance"),
-             .units = {QStringLiteral("mm"), QStringLiteral("cm")},
-             .per_unit = {1.0, 10.0},
-             .lowest = 1.0,
-             .highest = 1000.0,
-             .decimals = 1}};
-  }
-  std::vector<CalibrationSignal> signalsWanted(const station::Profile&) const override {
-    constexpr double kMoving_counts = 50.0;  // four times the noise of 10 mV
-    return {{tr("Reading"), tr("counts"), 1, kMoving_counts}};
-  }
-  Result<std::vector<double>> read(const CalibrationScene& scene) const override {
-    const auto value = liveValue(scene.devices, fmt::format("IR sensor {}", sensor_ + 1));
-    if (!value) return tl::unexpected(value.error());
-    return std::vector{*value};
-  }
-  CalibrationPoint point(const std::vector<double>& entered, const std::vector<double>& mean,
-                         const std::vector<double>& spread) const override {
-    return {mean[0], entered[0], spread[0]};
-  }
-
-  CalibrationFit fit(const std::vector<CalibrationPoint>& points, const station::Profile& profile) const override {
-    const auto& p = profile.calibration;
-    if (points.empty()) {
-      return noPoints(
-          tr("At least %1 different distances that span %2 mm.").arg(p.ir_fewest_distances).arg(p.ir_least_span_mm));
-    }
-    const auto& present = profile.step.sensing.indentation;
-    const auto found =
-        calibration::calibrateIr({columnOf(points, 0), columnOf(points, 1)}, present, p, {.sensor = sensor_});
-    CalibrationFit out{.result = found.result, .plot = {}, .legend = legend(), .missing = missingOf(found.result)};
-    out.plot = {.x_title = tr("Reading, counts"), .y_title = tr("Distance, mm"), .residual_title = tr("Residual, mm")};
-    double low = points[0][0], high = points[0][0];
-    for (const CalibrationPoint& point : points) {
-      out.plot.points.emplace_back(point[0], point[1]);
-      low = std::min(low, point[0]);
-      high = std::max(high, point[0]);
-    }
-    out.plot.residuals = found.result.residuals;
-    out.plot.outliers = found.result.outliers;
-    const sensing::IrDistance former = distanceSensorOf(present, sensor_);
-    const auto fitted = found.curve.sensor(0, sensing::kAdcCodes - 1);
-    for (int i = 0; i <= kCurvePoints; ++i) {
-      const double code = low + (high - low) * i / kCurvePoints;
-      const double volts = sensing::voltsFromCode(code);
-      out.plot.former_curve.emplace_back(code, former.distance_mm(volts));
-      if (!found.curve.coefficients.empty()) out.plot.curve.emplace_back(code, fitted.distance_mm(volts));
-    }
-    return out;
-  }
-
-  std::vector<CalibrationPoint> simulatedPoints(const station::Profile& profile) const override {
-    std::mt19937_64 random(static_cast<std::uint64_t>(profile.sim.seed) + sensor_);
-    std::normal_distribution<double> noise(0.0, profile.sim.ir_noise_mV / 1000.0);
-    std::vector<CalibrationPoint> out;
-    for (double distance_mm = 40.0; distance_mm <= 300.0; distance_mm += 20.0) {
-      double sum = 0.0, squares = 0.0;
-      for (int i = 0; i < readings(); ++i) {
-        const double code = sim::irCode(sim::irVolts(distance_mm) + noise(random));
-        sum += code;
-        squares += code * code;
-      }
-      const double mean = sum / readings();
-      const double variance = std::max(0.0, squares / readings() - mean * mean) * readings() / (readings() - 1.0);
-      out.push_back({mean, distance_mm, std::sqrt(variance)});
-    }
-    return out;
-  }
-
- private:
-  std::size_t sensor_;
-};
-
 }  // namespace
 
-std::unique_ptr<CalibrationStep> makeLoadCellStep() { return std::make_unique<LoadCellStep>(); }
-std::unique_ptr<CalibrationStep> makeIrStep(std::size_t sensor) { return std::make_unique<IrStep>(sensor); }
+CalibrationSteps loadCellSteps(const station::Profile&) { return oneStep<LoadCellStep>(); }
 
 }  // namespace fyd::console

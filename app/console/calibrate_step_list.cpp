@@ -1,0 +1,31 @@
+// The steps of the calibration, one line each, in the order in which they are best done. A step stands whole in a file
+// of its own, which defines the function named here; the page, the readiness list and the tests go through the list.
+#include <iterator>
+
+#include "app/console/calibrate_step.h"
+
+#define FYD_CALIBRATION_STEPS(STEPS)                                                                    \
+  STEPS(encoderSteps)                                                                                   \
+  STEPS(loadCellSteps)                                                                                  \
+  STEPS(irSteps)                                                                                        \
+  STEPS(noTouchSteps) /* with the new curves, and after the load cell, which begins with a zero of 0 */ \
+  STEPS(cameraRegionSteps)                                                                              \
+  STEPS(cameraScaleSteps)                                                                               \
+  STEPS(stiffnessSteps)                                                                                 \
+  STEPS(restSteps)
+
+namespace fyd::console {
+
+#define FYD_DECLARE(make) CalibrationSteps make(const station::Profile& profile);
+FYD_CALIBRATION_STEPS(FYD_DECLARE)
+#undef FYD_DECLARE
+
+CalibrationSteps makeCalibrationSteps(const station::Profile& profile) {
+  CalibrationSteps out;
+#define FYD_APPEND(make) std::ranges::move(make(profile), std::back_inserter(out));
+  FYD_CALIBRATION_STEPS(FYD_APPEND)
+#undef FYD_APPEND
+  return out;
+}
+
+}  // namespace fyd::console
