@@ -9,7 +9,7 @@
 #include "app/console/calibrate_step.h"
 #include "core/calibration/stiffness_map.h"
 #include "core/control/static_law.h"
-#include "core/sim/fabric.h"
+#include "core/sim/cloth.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -130,12 +130,13 @@ class StiffnessStep : public CalibrationStep {
     constexpr double kDepthNoise_mm = 0.1, kForceNoise_N = 0.01;  // of half a second's mean
     std::mt19937_64 random(static_cast<std::uint64_t>(profile.sim.seed));
     std::normal_distribution<double> noise;
-    const sim::Fabric cloth(profile.sim.fabric_stiffness_scale, 0.0);
+    const sim::Cloth cloth(profile.sim);
     std::vector<CalibrationPoint> out;
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const double deg = lowest_deg_ + share * (highest_deg_ - lowest_deg_);
       for (const double depth_mm : {2.0, 4.0, 6.0, 8.0}) {
-        const double force_N = cloth.stiffness(deg) * depth_mm + kForceNoise_N * noise(random);
+        const sim::FingerState finger{.indentation_mm = depth_mm, .lifted = false};
+        const double force_N = cloth.stiffness(deg, finger) * depth_mm + kForceNoise_N * noise(random);
         out.push_back({deg, depth_mm + kDepthNoise_mm * noise(random), force_N});
       }
     }

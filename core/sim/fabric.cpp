@@ -49,15 +49,22 @@ double fabricAngle(double stiffness_N_per_mm) {
 
 Fabric::Fabric(double stiffness_scale, double hysteresis) : scale_(stiffness_scale), hysteresis_(hysteresis) {}
 
+double spotRadius_mm(double force_N) { return force_N > 0.0 ? 3.5 + 2.5 * std::cbrt(force_N) : 0.0; }
+
 double Fabric::press(double angle_deg, double indentation_mm) {
+  const double factor = loop(indentation_mm);
+  return indentation_mm > 0.0 ? stiffness(angle_deg) * indentation_mm * factor : 0.0;
+}
+
+double Fabric::loop(double indentation_mm) {
   if (!(indentation_mm > 0.0)) {  // NaN too
     direction_ = 0.0;
     last_mm_ = 0.0;
-    return 0.0;
+    return 1.0;
   }
   direction_ = std::clamp(direction_ + (indentation_mm - last_mm_) / kTurnaround_mm, -1.0, 1.0);
   last_mm_ = indentation_mm;
-  return stiffness(angle_deg) * indentation_mm * (1.0 + hysteresis_ * direction_);
+  return 1.0 + hysteresis_ * direction_;
 }
 
 }  // namespace fyd::sim

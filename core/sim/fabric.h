@@ -19,6 +19,9 @@ inline constexpr double kFabricAngleMaximum_deg = 120.0;
 /// θ at which the nominal fabric has the stiffness k; clamped to 0…120°, NaN gives 20°.
 [[nodiscard]] double fabricAngle(double stiffness_N_per_mm);
 
+/// Radius of the spot that the camera sees; 0 without force. (Of the ideal cloth.)
+[[nodiscard]] double spotRadius_mm(double force_N);
+
 /// One piece of cloth under one finger, with the memory that hysteresis needs.
 class Fabric {
  public:
@@ -27,6 +30,9 @@ class Fabric {
   /// Follows the indentation to a new value. @param indentation_mm ≤ 0 and NaN mean no contact
   /// @return the normal force in N, ≥ 0
   double press(double angle_deg, double indentation_mm);
+
+  /// The same for the share of the force that hysteresis adds or takes: 1 + h·q. Without contact 1.
+  double loop(double indentation_mm);
 
   /// Without hysteresis, N/mm: what the controller is judged against.
   [[nodiscard]] double stiffness(double angle_deg) const { return scale_ * fabricStiffness(angle_deg); }

@@ -6,6 +6,7 @@ namespace fyd::sim {
 namespace {
 
 constexpr double kTruePositionNoise_mm = 0.1;
+constexpr double kMm2PerWorkingPixel = 100.0 * 70.0 / (160.0 * 120.0);
 const Instant kStart = instantAt(1000.0);
 
 }  // namespace
@@ -39,12 +40,20 @@ void Lockstep::takePicture() {
     next.finger.set(detector_.detect(device::viewOf(frame.picture)), frame.taken);
     return;
   }
-  const FingerState finger = world_->truthAt(now_ - picture_delay_).finger;
+  const WorldSnapshot truth = world_->truthAt(now_ - picture_delay_);
+  const FingerState& finger = truth.finger;
   sensing::FingerDetection seen;
   seen.contact = !finger.lifted;
   seen.area_px = seen.contact ? 400.0 : 0.0;
-  seen.x_mm = finger.x_mm + kTruePositionNoise_mm * normal_(random_);
-  seen.y_mm = finger.y_mm + kTruePositionNoise_mm * normal_(random_);
+  double x_mm = finger.x_mm, y_mm = finger.y_mm;
+  if (world_->parameters().cloth != ClothKind::ideal) {  // the contact as the camera sees it (picture.h)
+    const double nearer = perspective(finger.indentation_mm, world_->parameters().cloth_height_mm);
+    x_mm = nearer * truth.contact_x_mm;
+    y_mm = nearer * truth.contact_y_mm;
+    seen.area_px = nearer * nearer * truth.contact_area_mm2 / kMm2PerWorkingPixel;
+  }
+  seen.x_mm = x_mm + kTruePositionNoise_mm * normal_(random_);
+  seen.y_mm = y_mm + kTruePositionNoise_mm * normal_(random_);
   seen.quality = 1.0;
   seen.reason = seen.contact ? sensing::FingerReason::found : sensing::FingerReason::no_finger;
   next.finger.set(seen, now_);

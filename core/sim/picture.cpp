@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fyd::sim {
 namespace {
@@ -27,10 +28,13 @@ std::uint8_t toGrey(int sixteenths_of_grey) {
 
 PicturePoint pictureOf(double x_mm, double y_mm) { return {150.0 + x_mm / kMmPerPx_u, 120.0 - y_mm / kMmPerPx_v}; }
 
-double spotRadius_mm(double force_N) { return force_N > 0.0 ? 3.5 + 2.5 * std::cbrt(force_N) : 0.0; }
+double perspective(double depth_mm, double height_mm) { return height_mm / (height_mm - depth_mm); }
 
 PictureRenderer::PictureRenderer(const SimParameters& parameters)
-    : edge_softness_mm_(parameters.edge_softness_px * kMmPerPx_u), finger_(sixteenths(kFingerGrey * parameters.light)) {
+    : far_camera_(parameters.cloth == ClothKind::ideal),
+      height_mm_(parameters.cloth_height_mm),
+      edge_softness_mm_(parameters.edge_softness_px * kMmPerPx_u),
+      finger_(sixteenths(kFingerGrey * parameters.light)) {
   cloth_.reserve(static_cast<std::size_t>(kPictureWidth_px) * kPictureHeight_px);
   for (int v = 0; v < kPictureHeight_px; ++v) {
     for (int u = 0; u < kPictureWidth_px; ++u) {
@@ -50,11 +54,18 @@ PictureRenderer::PictureRenderer(const SimParameters& parameters)
 
 void PictureRenderer::render(const WorldSnapshot& world, std::mt19937_64& random, cv::Mat& picture) const {
   picture.create(kPictureHeight_px, kPictureWidth_px, CV_8UC1);
-  const double radius_mm = world.finger.lifted ? 0.0 : spotRadius_mm(world.force_N);
+  double x_mm = world.finger.x_mm, y_mm = world.finger.y_mm;
+  double radius_mm = world.finger.lifted ? 0.0 : spotRadius_mm(world.force_N);
+  if (!far_camera_ && !world.finger.lifted) {
+    const double nearer = perspective(world.finger.indentation_mm, height_mm_);
+    x_mm = nearer * world.contact_x_mm;
+    y_mm = nearer * world.contact_y_mm;
+    radius_mm = nearer * std::sqrt(world.contact_area_mm2 / std::numbers::pi);
+  }
   const double darkness = std::clamp(world.force_N / kDarkFrom_N, 0.0, 1.0);
   const double reach_mm = radius_mm + edge_softness_mm_;
-  const PicturePoint top_left = pictureOf(world.finger.x_mm - reach_mm, world.finger.y_mm + reach_mm);
-  const PicturePoint bottom_right = pictureOf(world.finger.x_mm + reach_mm, world.finger.y_mm - reach_mm);
+  const PicturePoint top_left = pictureOf(x_mm - reach_mm, y_mm + reach_mm);
+  const PicturePoint bottom_right = pictureOf(x_mm + reach_mm, y_mm - reach_mm);
   const int u_first = std::clamp(static_cast<int>(std::floor(top_left.u_px)), 0, kPictureWidth_px);
   const int u_end = std::clamp(static_cast<int>(std::ceil(bottom_right.u_px)) + 1, u_first, kPictureWidth_px);
 
@@ -64,9 +75,9 @@ void PictureRenderer::render(const WorldSnapshot& world, std::mt19937_64& random
     std::uint8_t* out = picture.ptr<std::uint8_t>(v);
     for (int u = 0; u < kPictureWidth_px; ++u) out[u] = toGrey(cloth[u] + noise[u]);
     if (radius_mm <= 0.0 || v < top_left.v_px || v > bottom_right.v_px) continue;
-    const double dy_mm = (120.0 - v) * kMmPerPx_v - world.finger.y_mm;
+    const double dy_mm = (120.0 - v) * kMmPerPx_v - y_mm;
     for (int u = u_first; u < u_end; ++u) {
-      const double dx_mm = (u - 150.0) * kMmPerPx_u - world.finger.x_mm;
+      const double dx_mm = (u - 150.0) * kMmPerPx_u - x_mm;
       const double outside = (std::hypot(dx_mm, dy_mm) - radius_mm) / edge_softness_mm_;  // −1…1 across the edge
       const double t = std::clamp(0.5 - 0.5 * outside, 0.0, 1.0);
       const double share = darkness * t * t * (3.0 - 2.0 * t);

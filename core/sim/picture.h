@@ -2,7 +2,11 @@
 //
 //   x_mm = (u − 150)·100/220      y_mm = −(v − 120)·70/150   (u right, v down; the region of interest is 220 × 150 at
 //   (40, 45)) cloth   245·light·(1 + gradient·(u/319 − ½))·(1 − vignette·(r/200)²), r in px from the picture's middle
-//   finger  radius 3.5 mm + 2.5 mm·(F/1 N)^⅓; darkest grey 60, reached from 0.1 N on
+//   finger  darkest grey 60, reached from 0.1 N on. Ideal cloth: radius 3.5 mm + 2.5 mm·(F/1 N)^⅓ about the finger, as
+//   if
+//           the camera stood far away. The other cloths: a disc of the contact's area about its centre, seen by a
+//           camera at sim.cloth_height_mm H below: at depth δ it appears H/(H − δ) times as far from the axis, and as
+//           large
 //   noise   Gaussian, from a fixed table read at random offsets (each row another), so that a picture stays under 0.5
 //   ms
 #pragma once
@@ -29,8 +33,9 @@ struct PicturePoint {
 /// Where a point of the cloth appears.
 [[nodiscard]] PicturePoint pictureOf(double x_mm, double y_mm);
 
-/// Radius of the pressed spot; 0 without force.
-[[nodiscard]] double spotRadius_mm(double force_N);
+/// How much farther from the camera's axis, and larger, what lies depth_mm below the cloth's plane appears.
+/// @param height_mm of the unpressed cloth over the camera, above depth_mm
+[[nodiscard]] double perspective(double depth_mm, double height_mm);
 
 class PictureRenderer {
  public:
@@ -40,6 +45,8 @@ class PictureRenderer {
   void render(const WorldSnapshot& world, std::mt19937_64& random, cv::Mat& picture) const;
 
  private:
+  bool far_camera_;
+  double height_mm_;
   double edge_softness_mm_;
   std::int16_t finger_;              // grey × 16
   std::vector<std::int16_t> cloth_;  // grey × 16

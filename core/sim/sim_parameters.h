@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/parameter.h"
+#include "core/sim/cloth_kind.h"
 #include "core/sim/material.h"
 
 namespace fyd::sim {
@@ -13,9 +14,13 @@ namespace fyd::sim {
 struct SimParameters {
   int seed = 1;
 
-  // fabric
+  // cloth and finger
+  ClothKind cloth = ClothKind::ideal;
+  FingerShape finger = FingerShape::sphere;
+  double finger_radius_mm = 8.0;
   double fabric_stiffness_scale = 1.0;
   double fabric_hysteresis = 0.0;
+  double fabric_viscosity_ms = 0.0;
   double cloth_height_mm = 100.0;
 
   // motors
@@ -56,11 +61,28 @@ struct SimParameters {
   void describe(Visitor& v) {
     v.integer("sim.seed", seed,
               {.minimum = 0, .maximum = 1e9, .help = "Seed of every random number of the simulation."});
+    v.choice("sim.cloth", cloth, kClothNames,
+             {.help = "Which cloth is simulated: solved in finite strain with four edges held (membrane) or two "
+                      "(rollers), or by the estimator's own formula (ideal).",
+              .before_it_was = 0});
+    v.choice("sim.finger", finger, kFingerShapeNames,
+             {.help = "What presses a cloth that is not ideal: a sphere, a capsule tilted by 30°, a flat disc."});
+    v.real(
+        "sim.finger_radius_mm", finger_radius_mm,
+        {.unit = "mm",
+         .minimum = 6,
+         .maximum = 12,
+         .help = "Radius of the sphere on the membrane; the sphere on rollers and the capsule have 8 mm, the disc 7."});
     v.real("sim.fabric_stiffness_scale", fabric_stiffness_scale,
            {.minimum = 0.7, .maximum = 1.3, .help = "Factor on the stiffness of the nominal fabric."});
     v.real(
         "sim.fabric_hysteresis", fabric_hysteresis,
         {.minimum = 0, .maximum = 0.3, .help = "Share of the force added on the way down and missing on the way up."});
+    v.real("sim.fabric_viscosity_ms", fabric_viscosity_ms,
+           {.unit = "ms",
+            .minimum = 0,
+            .maximum = 100,
+            .help = "Time by which the force runs ahead of the slow press: viscosity over stiffness."});
     v.real(
         "sim.cloth_height_mm", cloth_height_mm,
         {.unit = "mm", .minimum = 60, .maximum = 150, .help = "Height of the untouched cloth above the IR sensors."});

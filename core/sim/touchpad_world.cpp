@@ -52,6 +52,9 @@ WorldSnapshot between(const WorldSnapshot& a, const WorldSnapshot& b, Instant wh
     out.finger.y_mm = mix(a.finger.y_mm, b.finger.y_mm, share);
     out.finger.indentation_mm = mix(a.finger.indentation_mm, b.finger.indentation_mm, share);
     out.force_N = mix(a.force_N, b.force_N, share);
+    out.contact_area_mm2 = mix(a.contact_area_mm2, b.contact_area_mm2, share);
+    out.contact_x_mm = mix(a.contact_x_mm, b.contact_x_mm, share);
+    out.contact_y_mm = mix(a.contact_y_mm, b.contact_y_mm, share);
   }
   return out;
 }
@@ -61,11 +64,12 @@ WorldSnapshot between(const WorldSnapshot& a, const WorldSnapshot& b, Instant wh
 TouchpadWorld::TouchpadWorld(const SimParameters& parameters, FingerPath path, Instant start)
     : parameters_(parameters),
       path_(std::move(path)),
-      fabric_(parameters.fabric_stiffness_scale, parameters.fabric_hysteresis),
+      cloth_(parameters),
       motors_{SimulatedMotor(parameters.initial_angle_deg), SimulatedMotor(-parameters.initial_angle_deg)},
       random_(static_cast<std::uint64_t>(parameters.seed)),
       start_(start),
       now_(start),
+      pressed_(start),
       next_ir_(start),
       next_bridge_(start),
       history_(static_cast<std::size_t>(kHistory / kStep)) {
@@ -106,8 +110,13 @@ void TouchpadWorld::remember() {
   present.finger = fingerNow();
   for (std::size_t i = 0; i < motors_.size(); ++i) present.motor_deg[i] = motors_[i].angle_deg();
   present.angle_deg = 0.5 * (present.motor_deg[0] - present.motor_deg[1]);
-  present.stiffness_N_per_mm = fabric_.stiffness(present.angle_deg);
-  present.force_N = fabric_.press(present.angle_deg, present.finger.indentation_mm);
+  present.stiffness_N_per_mm = cloth_.stiffness(present.angle_deg, present.finger);
+  const Pressing pressing = cloth_.press(present.angle_deg, present.finger, toSeconds(now_ - pressed_));
+  pressed_ = now_;
+  present.force_N = pressing.force_N;
+  present.contact_area_mm2 = pressing.area_mm2;
+  present.contact_x_mm = present.finger.x_mm + pressing.centre_x_mm;
+  present.contact_y_mm = present.finger.y_mm + pressing.centre_y_mm;
 }
 
 void TouchpadWorld::sense() {
@@ -125,8 +134,7 @@ void TouchpadWorld::senseIr() {
   const FingerState finger = lookBack(parameters_.ir_delay_ms).finger;
   sensing::IrCounts counts;
   for (const SensorPlace& place : kIrPlaces) {
-    const double sunk_mm =
-        finger.lifted ? 0.0 : finger.indentation_mm * membrane_.shape(place.x_mm, place.y_mm, finger.x_mm, finger.y_mm);
+    const double sunk_mm = cloth_.deflection_mm(place.x_mm, place.y_mm, finger);
     const double volts = irVolts(parameters_.cloth_height_mm - sunk_mm) + gaussian(parameters_.ir_noise_mV / 1000.0);
     static_cast<void>(counts.push(irCode(volts)));
   }

@@ -15,8 +15,7 @@
 #include "core/base/time.h"
 #include "core/control/motor_types.h"
 #include "core/device/touchpad.h"
-#include "core/sensing/membrane.h"
-#include "core/sim/fabric.h"
+#include "core/sim/cloth.h"
 #include "core/sim/finger_path.h"
 #include "core/sim/sim_parameters.h"
 #include "core/sim/simulated_motor.h"
@@ -28,8 +27,11 @@ struct WorldSnapshot {
   Instant taken{};
   FingerState finger;
   double angle_deg = 0.0;           ///< stretch, half the difference of the two motors
-  double stiffness_N_per_mm = 0.0;  ///< of the cloth at that angle, hysteresis apart
+  double stiffness_N_per_mm = 0.0;  ///< of the cloth at that angle, under that finger, hysteresis apart
   double force_N = 0.0;             ///< of the finger on the cloth
+  double contact_area_mm2 = 0.0;    ///< of the contact, seen from straight below
+  double contact_x_mm = 0.0;        ///< its centre, on the cloth
+  double contact_y_mm = 0.0;
   std::array<double, control::kMotorCount> motor_deg{};
 };
 
@@ -79,14 +81,14 @@ class TouchpadWorld {
   mutable std::mutex mutex_;
   FingerPath path_;
   std::optional<FingerState> finger_override_;
-  sensing::Membrane membrane_;
-  Fabric fabric_;
+  Cloth cloth_;
   std::array<SimulatedMotor, control::kMotorCount> motors_;
   control::MotorCommand command_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
   Instant start_;
   Instant now_;
+  Instant pressed_;
   Instant next_ir_;
   Instant next_bridge_;
   device::TouchpadReadings readings_;

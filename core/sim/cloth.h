@@ -1,0 +1,56 @@
+// The simulated cloth under the simulated finger: force, contact and shape, of the kind that sim.cloth names.
+//
+//   ideal      F = k(θ)·s·δ (fabric.h); the shape is that of the estimator (core/sensing/membrane.h): what is measured
+//              on it tests the program against its own formula. The camera sees fabric.h's spot
+//   membrane,  F, contact and shape from a finite-strain solution (cloth_table.h), scaled by s. A stretch angle θ gives
+//   rollers    the pre-stretch at which a sphere of 8 mm, 3 mm deep in the middle, meets the thesis' k(θ)
+//
+// Over both: hysteresis (fabric.h), and viscosity F·(1 + τ·δ̇/δ), never below 0. A table is read when a cloth that needs
+// it is made, once for all of them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/sim/cloth_table.h"
+#include "core/sim/fabric.h"
+#include "core/sim/finger_path.h"
+#include "core/sim/sim_parameters.h"
+
+namespace fyd::sim {
+
+class IdealShape;
+
+class Cloth {
+ public:
+  explicit Cloth(const SimParameters& parameters);
+
+  [[nodiscard]] ClothKind kind() const { return kind_; }
+
+  /// Follows the finger. @param elapsed_s since the last time
+  Pressing press(double angle_deg, const FingerState& finger, double elapsed_s);
+
+  /// Force over indentation of the slow press, N/mm: what a controller is judged against. Without a finger that
+  /// presses: in the middle, 3 mm deep.
+  [[nodiscard]] double stiffness(double angle_deg, const FingerState& finger) const;
+
+  /// Deflection of the cloth at (x, y), mm.
+  [[nodiscard]] double deflection_mm(double x_mm, double y_mm, const FingerState& finger) const;
+
+ private:
+  struct Part {
+    std::shared_ptr<const ClothTable> table;
+    double weight = 1.0;
+  };
+  [[nodiscard]] Pressing atRest(double angle_deg, double x_mm, double y_mm, double depth_mm) const;
+
+  ClothKind kind_;
+  Fabric fabric_;
+  double scale_;
+  double viscosity_s_;
+  std::shared_ptr<const IdealShape> ideal_;
+  std::vector<Part> parts_;  // tables of the two finger sizes around the finger's own
+  double last_mm_ = 0.0;
+};
+
+}  // namespace fyd::sim
