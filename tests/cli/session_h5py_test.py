@@ -38,7 +38,8 @@ class OpenedByH5py(fyd.Case):
         """Other people's programs read them by these names, types and offsets."""
         listing = subprocess.run([SYSTEM_PYTHON, LISTING, self.file], capture_output=True, text=True, check=True).stdout
         with open(os.path.join(fyd.DATA, "recordings", "layout.txt"), encoding="utf-8") as kept:
-            self.assertEqual(listing.splitlines(), kept.read().splitlines())
+            self.assertEqual(listing.splitlines(), kept.read().splitlines(),
+                             "after a new input: h5py_listing.py FILE, and put it into layout.txt; no name and no type may go")
 
     def test_every_column_has_its_unit(self):
         self.assertEqual(self.seen["units"]["force_N"], "N")

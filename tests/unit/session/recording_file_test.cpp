@@ -29,6 +29,51 @@ TEST(RecordingFormat, EveryTelemetryFieldIsAColumnAndNothingElse) {
   }
 }
 
+struct Anything {
+  template <class T>
+  operator T() const;
+};
+template <class T, std::size_t Count = 0>
+constexpr std::size_t membersOf() {
+  constexpr bool kTakesOneMore = []<std::size_t... I>(std::index_sequence<I...>) {
+    return requires { T{(static_cast<void>(I), Anything())...}; };
+  }
+  (std::make_index_sequence<Count + 1>());
+  if constexpr (kTakesOneMore)
+    return membersOf<T, Count + 1>();
+  else
+    return Count;
+}
+/// Whether every member is described: one that is not would be lost in every recording.
+template <class T>
+bool describesAll(std::size_t parts_of_members = 0) {
+  std::size_t fields = 0;
+  forEachField<T>([&](auto, const auto& field) {
+    if (std::is_lvalue_reference_v<FieldResult<decltype(field), T>>) ++fields;
+  });
+  return fields == membersOf<T>() + parts_of_members;
+}
+
+TEST(RecordingFormat, EveryMemberOfADescribedStructIsDescribed) {
+  constexpr std::size_t kOfAVector = 2;  // three components are one member
+  EXPECT_TRUE(describesAll<pipeline::TelemetrySample>());
+  EXPECT_TRUE(describesAll<sensing::FingerDetection>());
+  EXPECT_TRUE(describesAll<sensing::BridgeReading>());
+  EXPECT_TRUE(describesAll<control::MotorFeedback>());
+  EXPECT_TRUE(describesAll<control::MotorCommand>());
+  EXPECT_TRUE(describesAll<pipeline::RobotState>(kOfAVector));
+  EXPECT_TRUE(describesAll<pipeline::RobotMotorReference>());
+  EXPECT_TRUE(describesAll<pipeline::AccelerationSample>(kOfAVector));
+  EXPECT_TRUE(describesAll<pipeline::OperatorCommand>());
+  EXPECT_TRUE(describesAll<pipeline::ParameterChange>());
+  EXPECT_TRUE(describesAll<pipeline::Event>());
+  EXPECT_TRUE(describesAll<LinkRow>());
+  EXPECT_TRUE(describesAll<NoteIndex>());
+  // The robot's five are in Inputs through one member.
+  EXPECT_EQ(kFieldCount<pipeline::Inputs> + kInputTableCount,
+            membersOf<pipeline::Inputs>() - 1 + membersOf<pipeline::RobotInputs>());
+}
+
 TEST(RecordingFormat, ColumnsLieInOrderWithinTheirRow) {
   for (std::size_t i = 0; i < kTableCount; ++i) {
     const TableLayout& layout = layoutOf(static_cast<Table>(i));

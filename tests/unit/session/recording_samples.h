@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 #include "core/session/recording.h"
-#include "core/session/recording_format.h"
 #include "core/session/recording_writer.h"
+#include "core/session/step_row.h"
 
 namespace fyd::session::samples {
 
@@ -74,46 +74,19 @@ class RandomSteps {
 
   StepRecord next() {
     StepRecord r;
-    pipeline::Inputs& in = r.inputs;
-    in = last_;
-    in.now = instantOf(word64());
-    in.missed_cycles = static_cast<std::uint64_t>(word64());
-    if (chance(0.2)) time(in.finger), finger(in.finger.value);
-    if (chance(0.2)) {
-      time(in.ir);
-      in.ir.value.count = below(9);
-      for (auto& count : in.ir.value.items) count = static_cast<std::uint16_t>(below(65536));
-    }
-    if (chance(0.2)) time(in.bridge), in.bridge.value.value_mV_per_V = real();
-    if (chance(0.5)) {
-      time(in.motors);
-      for (std::size_t i = 0; i < control::kMotorCount; ++i) {
-        in.motors.value.encoder_counts[i] = static_cast<std::uint16_t>(below(65536));
-        in.motors.value.current_mA[i] = real();
-        in.motors.value.position_duty_percent[i] = real();
-      }
-      in.motors.value.position_duty_known = chance(0.5);
-    }
-    if (chance(0.3)) time(in.robot.state), in.robot.state.value = {real(), {real(), real(), real()}, chance(0.5)};
-    if (chance(0.1)) time(in.robot.motor_reference), in.robot.motor_reference.value = {real(), real()};
-    in.robot.phase = static_cast<pipeline::LinkPhase>(below(6));
-    fill(in.robot.accelerations, [&] {
-      return pipeline::AccelerationSample{instantOf(word64()), {real(), real(), real()}};
+    r.inputs = last_;
+    forEachField<pipeline::Inputs>([&](auto, const auto& field) { random(field.of(r.inputs)); });
+    forEachOf(kInputTables, [&](auto, const auto& table) {
+      auto& value = table.of(r.inputs);
+      if constexpr (kIsList<std::remove_cvref_t<decltype(value)>>)
+        fill(value);
+      else if (chance(0.3))
+        randomStruct(value);
     });
-    fill(in.robot.commands, [&] { return static_cast<pipeline::RobotCommand>(below(12)); });
-    fill(in.commands, [&] {
-      return pipeline::OperatorCommand{static_cast<pipeline::OperatorAction>(below(5)), real()};
-    });
-    fill(in.changes, [&] { return pipeline::ParameterChange{static_cast<std::uint16_t>(below(65536)), real()}; });
-    for (auto& ticks : r.motors.reference_ticks) ticks = static_cast<std::int16_t>(below(65536));
-    for (auto& duty : r.motors.vibration_duty_percent) duty = real();
-    r.motors.active = chance(0.5);
-    telemetry(r.telemetry);
-    fill(r.events, [&] {
-      return pipeline::Event{static_cast<pipeline::EventKind>(below(9)), static_cast<pipeline::SafetyState>(below(6)),
-                             static_cast<pipeline::Lack>(below(15)), static_cast<std::uint16_t>(below(65536)), real()};
-    });
-    last_ = in;
+    randomStruct(r.motors);
+    randomStruct(r.telemetry);
+    fill(r.events);
+    last_ = r.inputs;
     return r;
   }
 
@@ -127,34 +100,34 @@ class RandomSteps {
     if (chance(0.4)) return kHard[below(9)];
     return std::bit_cast<double>(random_());
   }
+  void random(double& value) { value = real(); }
+  void random(bool& value) { value = chance(0.5); }
+  void random(Instant& value) { value = instantOf(word64()); }
   template <class T>
-  void time(Timed<T>& value) {
-    value.taken = instantOf(word64());
-    value.count = static_cast<std::uint64_t>(word64());
+  void random(T& value) {  // a word may be a later program's
+    value = static_cast<T>(std::is_enum_v<T> ? below(256) : random_());
   }
-  void finger(sensing::FingerDetection& f) {
-    f = {chance(0.5), real(), real(), real(), real(), real(), real(), static_cast<sensing::FingerReason>(below(10))};
+  template <class T, std::size_t N>
+  void random(std::array<T, N>& values) {
+    for (T& value : values) random(value);
   }
-  template <class Items, class Make>
-  void fill(Items& items, Make&& make) {
+  template <class T, std::size_t N>
+  void random(Batch<T, N>& list) {
+    random(list.items);
+    list.count = below(N + 1);
+  }
+  template <class T>
+  void randomStruct(T& value) {
+    forEachField<T>([&](auto, const auto& field) {
+      if constexpr (std::is_lvalue_reference_v<FieldResult<decltype(field), T>>) random(field.of(value));
+    });
+  }
+  template <class Items>
+  void fill(Items& items) {
     items = {};
     const auto full = static_cast<std::uint32_t>(Items::capacity());
-    const std::uint32_t count = chance(0.8) ? 0 : chance(0.2) ? full : below(full);
-    for (std::uint32_t i = 0; i < count; ++i) (void)items.push(make());
-  }
-  void telemetry(pipeline::TelemetrySample& s) {
-    s.now = instantOf(word64());
-    s.step = static_cast<std::uint64_t>(word64());
-    s.state = static_cast<pipeline::SafetyState>(below(6));
-    s.lack = static_cast<pipeline::Lack>(below(15));
-    s.link = static_cast<pipeline::LinkPhase>(below(6));
-    s.contact = chance(0.5);
-    s.stiffness_observable = chance(0.5);
-    s.target_clamped = chance(0.5);
-    forEachField<pipeline::TelemetrySample>([&](auto, const auto& field) {
-      if constexpr (std::is_same_v<FieldResult<decltype(field), pipeline::TelemetrySample>, double&>)
-        field.of(s) = real();
-    });
+    items.count = chance(0.8) ? 0 : chance(0.2) ? full : below(full);
+    for (auto& item : items.view()) randomStruct(item);
   }
 
   std::mt19937_64 random_;
@@ -172,26 +145,22 @@ bool sameAll(const Items& a, const Items& b) {
 }
 
 inline ::testing::AssertionResult sameRecord(const StepRecord& a, const StepRecord& b) {
-  const auto fail = [](const char* what) { return ::testing::AssertionFailure() << what << " differ"; };
-  const pipeline::Inputs& x = a.inputs;
-  const pipeline::Inputs& y = b.inputs;
-  if (x.now != y.now || x.missed_cycles != y.missed_cycles || x.robot.phase != y.robot.phase) return fail("now, phase");
-  if (!same(x.finger, y.finger)) return fail("fingers");
-  if (!same(x.ir, y.ir)) return fail("distances");
-  if (!same(x.bridge, y.bridge)) return fail("bridges");
-  if (!same(x.motors, y.motors)) return fail("motors' reports");
-  if (!same(x.robot.state, y.robot.state)) return fail("robot's states");
-  if (!same(x.robot.motor_reference, y.robot.motor_reference)) return fail("robot's references");
-  if (!sameAll(x.robot.accelerations, y.robot.accelerations)) return fail("accelerations");
-  if (!sameAll(x.robot.commands, y.robot.commands)) return fail("robot's commands");
-  if (!sameAll(x.commands, y.commands)) return fail("commands");
-  if (!sameAll(x.changes, y.changes)) return fail("changes");
-  if (!same(a.motors, b.motors)) return fail("motor commands");
-  if (!same(a.telemetry, b.telemetry)) return fail("telemetry");
-  if (!std::equal(a.events.begin(), a.events.end(), b.events.begin(), b.events.end(), [](const auto& e, const auto& f) {
-        return same(EventRow{{}, e}, EventRow{{}, f});
-      }))
-    return fail("events");
+  std::string differs;
+  const auto see = [&](bool equal, std::string_view what) {
+    if (!equal) differs += fmt::format("{} ", what);
+  };
+  see(toRow(WrittenStepRow{a.inputs, {}}) == toRow(WrittenStepRow{b.inputs, {}}), "numbers");
+  forEachOf(kInputTables, [&](auto, const auto& table) {
+    const auto& value = table.of(a.inputs);
+    if constexpr (kIsList<std::remove_cvref_t<decltype(value)>>)
+      see(sameAll(value, table.of(b.inputs)), table.path);
+    else
+      see(same(value, table.of(b.inputs)), table.path);
+  });
+  see(same(a.motors, b.motors), "motor commands");
+  see(same(a.telemetry, b.telemetry), "telemetry");
+  see(sameAll(a.events, b.events), "events");
+  if (!differs.empty()) return ::testing::AssertionFailure() << differs << "differ";
   return ::testing::AssertionSuccess();
 }
 
