@@ -79,7 +79,7 @@ struct Inputs {
     return std::tuple(
         InputTable("/inputs/finger", 3, "what the finger detector says of a picture, taken when that was",
                    &Inputs::finger),
-        InputTable("/inputs/ir", 4, "codes of the distance sensors", &Inputs::ir),
+        InputTable("/inputs/ir", 4, "a reading of the distance sensors", &Inputs::ir),
         InputTable("/inputs/bridge", 5, "a reading of the load cell", &Inputs::bridge),
         InputTable("/inputs/motor_feedback", 6, "what the motors report", &Inputs::motors, true),
         InputTable("/inputs/robot_state", 7, "what the robot says of itself", robot(&RobotInputs::state), true),

@@ -26,9 +26,9 @@ struct RobotState {
     using R = RobotState;
     return std::tuple(
         Field("stiffness_N_per_mm", "N/mm", "what the robot feels; 0: it touches nothing", &R::stiffness_N_per_mm),
-        Field("x_mm", "mm", "of the end effector in the touchpad's frame", inside(&R::position_mm, &Vec3::x)),
-        Field("y_mm", "mm", "the same", inside(&R::position_mm, &Vec3::y)),
-        Field("z_mm", "mm", "the same", inside(&R::position_mm, &Vec3::z)),
+        Field("x_mm", "mm", "of the end effector in the touchpad's frame, x right", inside(&R::position_mm, &Vec3::x)),
+        Field("y_mm", "mm", "of the end effector in the touchpad's frame, y back", inside(&R::position_mm, &Vec3::y)),
+        Field("z_mm", "mm", "of the end effector in the touchpad's frame, z up", inside(&R::position_mm, &Vec3::z)),
         Field("button", "1", "1: pressed", &R::button));
   }
 };

@@ -14,9 +14,9 @@ struct AccelerationSample {
     using A = AccelerationSample;
     return std::tuple(
         Field("taken_ns", "ns", "at the sensor, on the touchpad's clock as well as it is known", &A::taken),
-        Field("x_g", "g", "multiples of standard gravity", inside(&A::acceleration_g, &Vec3::x)),
-        Field("y_g", "g", "the same", inside(&A::acceleration_g, &Vec3::y)),
-        Field("z_g", "g", "the same", inside(&A::acceleration_g, &Vec3::z)));
+        Field("x_g", "g", "x, in multiples of standard gravity", inside(&A::acceleration_g, &Vec3::x)),
+        Field("y_g", "g", "y, in multiples of standard gravity", inside(&A::acceleration_g, &Vec3::y)),
+        Field("z_g", "g", "z, in multiples of standard gravity", inside(&A::acceleration_g, &Vec3::z)));
   }
   template <class Archive>
   void serialize(Archive& archive) {
