@@ -93,24 +93,13 @@ struct Mending {
 };
 
 Mending mendingOf(pipeline::Lack lack) {
-  using enum pipeline::Lack;
-  switch (lack) {
-    case motors_stale:
-    case ir_stale:
-    case bridge_stale:
-    case camera_stale: return {"place.devices", QT_TRANSLATE_NOOP("Views", "Look at the devices")};
-    case ir_invalid:
-    case bridge_invalid:
-    case camera_blind: return {"place.calibrate", QT_TRANSLATE_NOOP("Views", "Look at its signal")};
-    case robot_waiting:
-    case robot_lost:
-    case robot_closed:
-    case robot_frozen: return {"view.link", QT_TRANSLATE_NOOP("Views", "Show the link")};
-    case no_target: return {"session.target_by_hand", QT_TRANSLATE_NOOP("Views", "Set the target by hand")};
-    case none:
-    case step_gap:
-    case steps_missed:
-    case operator_silent: break;
+  using enum pipeline::Help;
+  switch (pipeline::infoOf(lack).help) {
+    case devices: return {"place.devices", QT_TRANSLATE_NOOP("Views", "Look at the devices")};
+    case signal: return {"place.calibrate", QT_TRANSLATE_NOOP("Views", "Look at its signal")};
+    case link: return {"view.link", QT_TRANSLATE_NOOP("Views", "Show the link")};
+    case target: return {"session.target_by_hand", QT_TRANSLATE_NOOP("Views", "Set the target by hand")};
+    case none: break;
   }
   return {};
 }
@@ -188,20 +177,15 @@ std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::Readin
   return out;
 }
 
-Telling tellingOf(const pipeline::Event& event) {
-  using enum pipeline::EventKind;
-  switch (event.kind) {
-    case state_changed:
-      // The state bar says every state; only a fall out of rendering also slides in.
-      return event.state == pipeline::SafetyState::held ? Telling{Severity::warning, true} : Telling{};
-    case arm_refused:
-    case tare_failed: return {Severity::warning, true};
-    case tare_done: return {Severity::information, true};
-    case parameter_refused: return {Severity::warning, true};
-    case time_reversed: return {Severity::error, true};
-    case target_clamped: return {Severity::warning, false};
-    case parameter_changed:
-    case robot_command: return {Severity::information, false};
+Telling tellingOf(const pipeline::Event& e) {
+  using enum Severity;
+  using pipeline::EventKind, pipeline::SafetyState;
+  switch (e.kind) {
+#define EVENT(name, number, label, severity, slides_in, weight, said, logged) \
+  case EventKind::name:                                                       \
+    return {severity, slides_in};
+#include "core/pipeline/event_list.h"
+#undef EVENT
   }
   return {};
 }

@@ -72,12 +72,12 @@ class StiffnessController {
   static constexpr std::uint16_t kStateVersion = 2;
   template <class Archive>
   void serialize(Archive& archive) {
-    restoreOlder(archive, 1);
+    restore(archive, 1);
     archive(trust_, place_log_, place_known_);
   }
   /// 1: without place and trust, which then stand as after a reset.
   template <class Archive>
-  void restoreOlder(Archive& archive, std::uint16_t /*version*/) {
+  void restore(Archive& archive, std::uint16_t /*version*/) {
     archive(lag_, scale_, pid_, thesis_pid_, reference_deg_, clamped_, still_s_, rest_deg_, rest_known_, was_enabled_,
             was_observable_, started_, last_, thesis_next_);
   }

@@ -13,17 +13,11 @@
 
 namespace fyd::pipeline {
 
-/// The numbers are what a file holds: they stay, and a new one takes the next.
+/// They stand in event_list.h, with what they carry and all that is said of them anywhere.
 enum class EventKind : std::uint8_t {
-  state_changed = 0,      ///< state, lack
-  arm_refused = 1,        ///< lack: what is missing
-  tare_done = 2,          ///< value: largest change of an offset, mm
-  tare_failed = 3,        ///< the cloth was touched or a sensor unavailable
-  parameter_changed = 4,  ///< index, value
-  parameter_refused = 5,  ///< index, value: not live, not finite or out of range
-  robot_command = 6,      ///< value: the command
-  target_clamped = 7,     ///< value: nearest reachable stiffness, N/mm
-  time_reversed = 8,      ///< value: by how many seconds
+#define EVENT(name, number, ...) name = number,
+#include "core/pipeline/event_list.h"
+#undef EVENT
 };
 
 struct Event {

@@ -60,13 +60,10 @@ void Pipeline::takeTime(const Inputs& inputs) {
     second_start_ = inputs.now;
     missed_at_second_start_ = inputs.missed_cycles;
   }
-  step_gap_ = elapsed_ > kLongestGap;
   if (inputs.now - second_start_ >= std::chrono::seconds(1)) {
     second_start_ = inputs.now;
     missed_at_second_start_ = inputs.missed_cycles;
   }
-  steps_missed_ = inputs.missed_cycles > missed_at_second_start_ &&
-                  static_cast<double>(inputs.missed_cycles - missed_at_second_start_) > kMostMissedPerSecond;
   last_now_ = inputs.now;
   ++steps_;
 }
@@ -211,18 +208,23 @@ double Pipeline::target(const Inputs& inputs) const {
 
 void Pipeline::judge(const Inputs& inputs) {
   using sensing::IndentationReason;
-  lacks_ = health_.judge(inputs,
-                         {.bridge_valid = std::isfinite(force_N_.value),
-                          .indentation_usable = indent_.reason != IndentationReason::too_few_sensors,
-                          .needs_robot = !target_by_hand_,
-                          .target_known = target_by_hand_ || inputs.robot.phase != LinkPhase::none},
-                         parameters_.step);
+  const Judgement judged = health_.judge(
+      inputs,
+      {.bridge_valid = std::isfinite(force_N_.value),
+       .indentation_usable = indent_.reason != IndentationReason::too_few_sensors,
+       .needs_robot = !target_by_hand_,
+       .target_known = target_by_hand_ || inputs.robot.phase != LinkPhase::none,
+       .step_gap = elapsed_ > kLongestGap,
+       .steps_missed = inputs.missed_cycles > missed_at_second_start_ &&
+                       static_cast<double>(inputs.missed_cycles - missed_at_second_start_) > kMostMissedPerSecond},
+      parameters_.step);
+  lacks_ = judged.lacks;
+  faults_ = judged.faults;
   outputs_.lacks = lacks_;
 }
 
 std::optional<Lack> Pipeline::fault(const Inputs& inputs) const {
-  if (step_gap_) return Lack::step_gap;
-  if (steps_missed_) return Lack::steps_missed;
+  if (faults_.any()) return InputHealth::first(faults_);
   // A robot that is moved, though its stiffness is not followed, is still driven by this finger.
   if (inputs.robot.phase == LinkPhase::lost && last_phase_ != LinkPhase::lost) return Lack::robot_lost;
   if (lacks_.any()) return InputHealth::first(lacks_);

@@ -136,8 +136,6 @@ class Pipeline {
 
   // of this step
   Duration elapsed_{};
-  bool step_gap_ = false;
-  bool steps_missed_ = false;
   Timed<double> force_N_;
   sensing::IndentationEstimate indent_;
   sensing::StiffnessEstimate stiff_;
@@ -145,6 +143,7 @@ class Pipeline {
   control::ControlOutput control_;
   texture::TextureOutput texture_;
   Lacks lacks_;
+  Lacks faults_;
   Outputs outputs_;
 };
 

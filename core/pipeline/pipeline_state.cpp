@@ -16,8 +16,7 @@ Digest digestOfSurface(const std::optional<texture::VirtualTexture>& surface) {
   return digestOf(std::string_view(surface ? formatSurface(surface->model()) : ""));
 }
 
-/// A class whose saved content has changed says `kStateVersion` and reads older ones in `restoreOlder(archive,
-/// version)`.
+/// A class whose saved content has changed says `kStateVersion` and reads older content in `restore(archive, version)`.
 template <class Module>
 consteval std::uint16_t stateVersion() {
   if constexpr (requires { Module::kStateVersion; }) {
@@ -29,13 +28,10 @@ consteval std::uint16_t stateVersion() {
 
 template <class Module>
 void readModule(StateReader& archive, Module& module, std::uint16_t version) {
-  if constexpr (stateVersion<Module>() == 1) {
-    archive(module);
-  } else if (version == stateVersion<Module>()) {
-    archive(module);
-  } else {
-    module.restoreOlder(archive, version);
+  if constexpr (stateVersion<Module>() > 1) {
+    if (version < stateVersion<Module>()) return module.restore(archive, version);
   }
+  archive(module);
 }
 
 void writeParameters(StateWriter& archive, std::span<const Parameter> parameters) {

@@ -7,6 +7,7 @@
 // Leaving Held or Stopped takes an operator's arm; nothing re-engages by itself.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -46,35 +47,48 @@ inline constexpr std::size_t kSafetyEventCount = 7;
   return kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(event)];
 }
 
-/// What is missing or went wrong; several may hold at once. The number is what a file holds: it stays, and a new one
-/// takes the next, whatever its place in the order in which they are shown (safety.cpp).
+/// What is missing or went wrong; several may hold at once. They stand in lack_list.h, with all that is said of them
+/// anywhere. The number is what a file holds.
 enum class Lack : std::uint8_t {
   none = 0,
-  step_gap = 1,          ///< more than 20 ms without a step
-  steps_missed = 2,      ///< more than 5 % of the cycles of one second missed
-  motors_stale = 3,      ///< the motor board is silent
-  ir_stale = 4,          ///< the distance sensors are silent
-  ir_invalid = 5,        ///< too few distance sensors within their span
-  bridge_stale = 6,      ///< the load cell is silent
-  bridge_invalid = 7,    ///< the load cell's value is outside its span
-  camera_stale = 8,      ///< no new picture
-  camera_blind = 9,      ///< pictures arrive, but black, white, of one grey or empty
-  robot_waiting = 10,    ///< a robot is wanted and has not connected
-  robot_lost = 11,       ///< the robot went silent
-  robot_closed = 12,     ///< the robot said goodbye
-  robot_frozen = 13,     ///< the robot's link stands but its stiffness is not a number
-  no_target = 14,        ///< no stiffness target: neither robot nor operator gives one
-  operator_silent = 15,  ///< the operator's window does not answer
+#define LACK(name, number, ...) name = number,
+#include "core/pipeline/lack_list.h"
+#undef LACK
 };
-inline constexpr std::size_t kLackCount = 16;
+/// One more than the largest number of a Lack.
+inline constexpr std::size_t kLackCount = 1 + std::max({
+#define LACK(name, number, ...) std::size_t{number},
+#include "core/pipeline/lack_list.h"
+#undef LACK
+                                              });
+
+/// When something is needed.
+enum class Need : std::uint8_t {
+  always,
+  robot,      ///< while the target comes from the robot
+  rendering,  ///< its lack ends rendering, and keeps nobody from arming
+};
+/// The lines of the readiness list.
+enum class Part : std::uint8_t { none, motors, distances, load_cell, camera, robot, target };
+/// Where a window helps with what is missing.
+enum class Help : std::uint8_t { none, devices, signal, link, target };
+
+struct LackInfo {
+  Lack lack = Lack::none;
+  Need need = Need::always;
+  Part part = Part::none;
+  Help help = Help::none;
+  std::string_view what;    ///< what is wrong, as a phrase: "the robot is silent"
+  std::string_view remedy;  ///< what the operator does about it: "Check the robot's cable and program."
+};
+/// Of a number that this program does not know, words that say so.
+[[nodiscard]] const LackInfo& infoOf(Lack lack);
 /// All of them but none, the most urgent first: of several, the first is shown.
-[[nodiscard]] std::span<const Lack> lacksByUrgency();
+[[nodiscard]] std::span<const LackInfo> lacksByUrgency();
 
 [[nodiscard]] std::string_view toString(SafetyState state);
-/// What is wrong, as a phrase: "robot silent"; of a number that this program does not know, that.
-[[nodiscard]] std::string_view toString(Lack lack);
-/// What the operator does about it: "Check the robot's cable and program."
-[[nodiscard]] std::string_view remedy(Lack lack);
+[[nodiscard]] inline std::string_view toString(Lack lack) { return infoOf(lack).what; }
+[[nodiscard]] inline std::string_view remedy(Lack lack) { return infoOf(lack).remedy; }
 
 /// Keeps the state; every change goes through the table.
 class Safety {

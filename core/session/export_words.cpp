@@ -24,27 +24,34 @@ std::string describeChange(const pipeline::Event& event) {
   return fmt::format("{} = {}{}", parameter.id, event.value, unit);
 }
 
-LogWeight weigh(const pipeline::Event& event) {
-  const bool ends = event.state == SafetyState::held || event.state == SafetyState::stopped;
-  if (event.kind == EventKind::state_changed) return ends ? LogWeight::serious : LogWeight::plain;
-  if (event.kind == EventKind::time_reversed) return LogWeight::serious;
-  if (event.kind == EventKind::parameter_changed) return LogWeight::marked;
-  return LogWeight::plain;
+std::string withLack(std::string_view text, const pipeline::Event& event) {
+  if (event.lack == pipeline::Lack::none) return std::string(text);
+  const bool known = static_cast<std::size_t>(event.lack) < pipeline::kLackCount;
+  const std::string code = known ? std::string() : fmt::format(" (code {})", static_cast<int>(event.lack));
+  return fmt::format("{}: {}{}", text, pipeline::toString(event.lack), code);
+}
+
+LogWeight weigh(const pipeline::Event& e) {
+  using enum LogWeight;
+  switch (e.kind) {
+#define EVENT(name, number, label, severity, slides_in, weight, said, logged) \
+  case EventKind::name:                                                       \
+    return weight;
+#include "core/pipeline/event_list.h"
+#undef EVENT
+  }
+  return plain;
 }
 
 }  // namespace
 
 std::string_view toString(EventKind kind) {
   switch (kind) {
-    case EventKind::state_changed: return "state changed";
-    case EventKind::arm_refused: return "arm refused";
-    case EventKind::tare_done: return "tare done";
-    case EventKind::tare_failed: return "tare failed";
-    case EventKind::parameter_changed: return "parameter changed";
-    case EventKind::parameter_refused: return "parameter refused";
-    case EventKind::robot_command: return "robot command";
-    case EventKind::target_clamped: return "target clamped";
-    case EventKind::time_reversed: return "time reversed";
+#define EVENT(name, number, label, severity, slides_in, weight, said, logged) \
+  case EventKind::name:                                                       \
+    return label;
+#include "core/pipeline/event_list.h"
+#undef EVENT
   }
   return "unknown";
 }
@@ -60,25 +67,15 @@ std::string_view toString(NoteKind kind) {
   return "unknown";
 }
 
-std::string describeEvent(const pipeline::Event& event) {
-  const auto with_lack = [&](std::string_view text) {
-    if (event.lack == pipeline::Lack::none) return std::string(text);
-    const bool known = static_cast<std::size_t>(event.lack) < pipeline::kLackCount;
-    const std::string code = known ? std::string() : fmt::format(" (code {})", static_cast<int>(event.lack));
-    return fmt::format("{}: {}{}", text, pipeline::toString(event.lack), code);
-  };
-  switch (event.kind) {
-    case EventKind::state_changed: return with_lack(pipeline::toString(event.state));
-    case EventKind::arm_refused: return with_lack("not armed");
-    case EventKind::tare_done: return fmt::format("largest change of an offset {:.3f} mm", event.value);
-    case EventKind::tare_failed: return "cloth touched or a sensor unavailable";
-    case EventKind::parameter_changed: return describeChange(event);
-    case EventKind::parameter_refused: return describeChange(event) + " (refused)";
-    case EventKind::robot_command: return fmt::format("command {}", event.value);
-    case EventKind::target_clamped: return fmt::format("nearest reachable {:.3f} N/mm", event.value);
-    case EventKind::time_reversed: return fmt::format("by {} s", event.value);
+std::string describeEvent(const pipeline::Event& e) {
+  switch (e.kind) {
+#define EVENT(name, number, label, severity, slides_in, weight, said, logged) \
+  case EventKind::name:                                                       \
+    return logged;
+#include "core/pipeline/event_list.h"
+#undef EVENT
   }
-  return fmt::format("code {}, value {}", static_cast<int>(event.kind), event.value);
+  return fmt::format("code {}, value {}", static_cast<int>(e.kind), e.value);
 }
 
 std::string cleanText(std::string_view text) {

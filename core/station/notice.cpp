@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/message.h"
 #include "core/sensing/tare.h"
 
 namespace fyd::station {
@@ -20,19 +21,49 @@ constexpr std::array<std::string_view, 12> kRobotCommands = {"none",
                                                              "motor reference on",
                                                              "motor reference off"};
 
-std::string stateSentence(const pipeline::Event& event) {
+Message stateSentence(const pipeline::Event& event) {
   using enum pipeline::SafetyState;
-  const std::string name{pipeline::toString(event.state)};
+  const Message name = phrase(toString(event.state));
   switch (event.state) {
-    case held:
-      return fmt::format("{}: {}. {} Then re-arm.", name, pipeline::toString(event.lack), pipeline::remedy(event.lack));
-    case stopped: return name + " by the operator. Motors are off. Arm to start again.";
-    case active: return name + ": rendering.";
-    case ready: return name + ": everything needed is there. Arm to start.";
-    case connected: return name + ": sensors are live, motors are off.";
-    case disconnected: return name + ": the touchpad does not answer.";
+    case held: return say("{}: {}. {} Then re-arm.", name, phrase(toString(event.lack)), phrase(remedy(event.lack)));
+    case stopped: return say("{} by the operator. Motors are off. Arm to start again.", name);
+    case active: return say("{}: rendering.", name);
+    case ready: return say("{}: everything needed is there. Arm to start.", name);
+    case connected: return say("{}: sensors are live, motors are off.", name);
+    case disconnected: return say("{}: the touchpad does not answer.", name);
   }
   return name;
+}
+
+Message whyNoTare(const pipeline::Event& event) {
+  return phrase(sensing::toString(static_cast<sensing::TareState>(static_cast<int>(event.value))));
+}
+
+Message nameOf(const pipeline::Event& event, std::span<const Parameter> parameters) {
+  if (event.index >= parameters.size()) return phrase(sentence("a parameter"));
+  return verbatim(std::string(parameters[event.index].id));
+}
+
+Message changeSentence(const pipeline::Event& event, std::span<const Parameter> parameters) {
+  Message name = nameOf(event, parameters);
+  if (event.index < parameters.size() && parameters[event.index].kind == ParameterKind::choice) {
+    const std::string_view word = parameters[event.index].choices[static_cast<std::size_t>(event.value)];
+    return say("{} is now {}.", std::move(name), std::string(word));
+  }
+  return say("{} is now {:.4g}.", std::move(name), event.value);
+}
+
+Message messageOf(const pipeline::Event& e, std::span<const Parameter> parameters) {
+  using pipeline::EventKind;
+  using pipeline::RobotCommand;
+  switch (e.kind) {
+#define EVENT(name, number, label, severity, slides_in, weight, said, logged) \
+  case EventKind::name:                                                       \
+    return said;
+#include "core/pipeline/event_list.h"
+#undef EVENT
+  }
+  return {};
 }
 
 }  // namespace
@@ -43,31 +74,7 @@ std::string_view toString(pipeline::RobotCommand command) {
 }
 
 std::string describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters) {
-  using enum pipeline::EventKind;
-  const std::string_view id = event.index < parameters.size() ? parameters[event.index].id : "a parameter";
-  switch (event.kind) {
-    case state_changed: return stateSentence(event);
-    case arm_refused:
-      return fmt::format("Not armed: {}. {}", pipeline::toString(event.lack), pipeline::remedy(event.lack));
-    case tare_done: return fmt::format("Tare done; the largest offset moved by {:.2f} mm.", event.value);
-    case tare_failed:
-      return fmt::format("Tare failed: {}. Keep the cloth untouched and try again.",
-                         sensing::toString(static_cast<sensing::TareState>(static_cast<int>(event.value))));
-    case parameter_changed: {
-      const Parameter* parameter = event.index < parameters.size() ? &parameters[event.index] : nullptr;
-      if (parameter != nullptr && parameter->kind == ParameterKind::choice) {
-        return fmt::format("{} is now {}.", id, parameter->choices[static_cast<std::size_t>(event.value)]);
-      }
-      return fmt::format("{} is now {:.4g}.", id, event.value);
-    }
-    case parameter_refused: return fmt::format("{} = {} was refused.", id, event.value);
-    case robot_command:
-      return fmt::format("The robot's operator asks: {}.", toString(static_cast<pipeline::RobotCommand>(event.value)));
-    case target_clamped:
-      return fmt::format("The target is out of reach; rendering the nearest, {:.3f} N/mm.", event.value);
-    case time_reversed: return fmt::format("The clock went back by {:.3f} s; that step moved nothing.", event.value);
-  }
-  return {};
+  return messageOf(event, parameters).text();
 }
 
 }  // namespace fyd::station

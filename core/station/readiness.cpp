@@ -4,31 +4,28 @@
 namespace fyd::station {
 
 std::vector<ReadinessLine> Station::readiness() const {
-  using pipeline::Lack;
+  using pipeline::Part;
   struct Line {
+    Part part;
     const char* what;
-    std::vector<Lack> lacks;
-    bool of_robot = false;  // left out when none is wanted
   };
-  static const std::vector<Line> kLines = {
-      {"Motors answer", {Lack::motors_stale}},
-      {"Distance sensors measure", {Lack::ir_stale, Lack::ir_invalid}},
-      {"Load cell measures", {Lack::bridge_stale, Lack::bridge_invalid}},
-      {"Camera sees", {Lack::camera_stale, Lack::camera_blind}},
-      {"Robot connected", {Lack::robot_waiting, Lack::robot_lost, Lack::robot_closed, Lack::robot_frozen}, true},
-      {"Stiffness target known", {Lack::no_target}},
+  static constexpr std::array kLines = {
+      Line{Part::motors, "Motors answer"},         Line{Part::distances, "Distance sensors measure"},
+      Line{Part::load_cell, "Load cell measures"}, Line{Part::camera, "Camera sees"},
+      Line{Part::robot, "Robot connected"},        Line{Part::target, "Stiffness target known"},
   };
   const pipeline::Lacks lacks(impl_->lacks.load(std::memory_order_relaxed));
   std::vector<ReadinessLine> out;
   for (const Line& line : kLines) {
-    if (line.of_robot && !impl_->link) continue;
+    if (line.part == Part::robot && !impl_->link) continue;
     ReadinessLine shown{.what = line.what, .ok = true};
-    for (const Lack lack : line.lacks) {
-      if (!lacks.test(static_cast<std::size_t>(lack)) || !shown.ok) continue;
+    for (const pipeline::LackInfo& info : pipeline::lacksByUrgency()) {
+      if (info.part != line.part || !lacks.test(static_cast<std::size_t>(info.lack))) continue;
       shown.ok = false;
-      shown.why = pipeline::toString(lack);
-      shown.remedy = pipeline::remedy(lack);
-      shown.lack = lack;
+      shown.why = info.what;
+      shown.remedy = info.remedy;
+      shown.lack = info.lack;
+      break;
     }
     out.push_back(std::move(shown));
   }

@@ -4216,6 +4216,10 @@ Pour commencer : %1</translation>
         <translation>un nombre de %1 à %2</translation>
     </message>
     <message>
+        <source>a parameter</source>
+        <translation>un paramètre</translation>
+    </message>
+    <message>
         <source>a reason that this program does not know</source>
         <translation>une raison que ce programme ne connaît pas</translation>
     </message>

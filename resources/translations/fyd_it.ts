@@ -4216,6 +4216,10 @@ Per cominciare: %1</translation>
         <translation>un numero da %1 a %2</translation>
     </message>
     <message>
+        <source>a parameter</source>
+        <translation>un parametro</translation>
+    </message>
+    <message>
         <source>a reason that this program does not know</source>
         <translation>un motivo che questo programma non conosce</translation>
     </message>

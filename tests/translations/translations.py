@@ -25,8 +25,13 @@ SPEAKERS = ["core", *SOURCES]
 def found(root, lupdate, sources, options):
     with tempfile.TemporaryDirectory() as folder:
         ts = Path(folder) / "all_it.ts"
+        # A list that is read several times stands in no namespace, and lupdate passes over what does.
+        lists = Path(folder) / "lists.h"
+        texts = [path.read_text(encoding="utf-8") for s in sources for path in sorted((root / s).rglob("*.h"))]
+        lists.write_text("\n".join(f"namespace fyd {{\n{text}\n}}" for text in texts
+                                   if not re.search("^#pragma once", text, re.MULTILINE)), encoding="utf-8")
         subprocess.run([lupdate, "-silent", "-locations", "none", "-I", str(root), *options, *[str(root / s) for s in sources],
-                        "-ts", str(ts)], check=True, capture_output=True)
+                        str(lists), "-ts", str(ts)], check=True, capture_output=True)
         return {key: message.get("numerus") == "yes" for key, message in messages(ts)}
 
 

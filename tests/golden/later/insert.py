@@ -4,6 +4,7 @@ release may have them.
 usage: insert.py PROJECT OUT | insert.py --list    (the names of the files)
 """
 import pathlib
+import shutil
 import sys
 
 # What must stand exactly once in a file -> what stands there in the later release.
@@ -22,17 +23,17 @@ CHANGES = {
         "                                 .depth_scale = step.motion_depth_scale,\n":
             "                                 .depth_scale = step.motion_depth_scale * step.inserted_gain,\n",
     },
-    # A lack in the middle of the order of urgency, and of the list.
-    "core/pipeline/safety.h": {
-        "  bridge_stale = 6,": "  inserted = 16,\n  bridge_stale = 6,",
-        "kLackCount = 16;": "kLackCount = 17;",
+    # A lack in the middle of the order of urgency: one line, with a number of its own.
+    "core/pipeline/lack_list.h": {
+        "LACK(bridge_stale, ":
+            'LACK(inserted, 16, always, load_cell, signal, sentence("inserted"), sentence("Nothing."), false)\n'
+            "LACK(bridge_stale, ",
     },
-    "core/pipeline/safety.cpp": {
-        '    {Lack::bridge_stale, ': '    {Lack::inserted, "inserted", "Nothing."},\n    {Lack::bridge_stale, ',
-    },
-    # An event in the middle of the list.
-    "core/pipeline/outputs.h": {
-        "  tare_failed = 3,": "  inserted = 9,\n  tare_failed = 3,",
+    # An event in the middle of the list: one line, with a number of its own.
+    "core/pipeline/event_list.h": {
+        "EVENT(tare_failed, ":
+            'EVENT(inserted, 9, "inserted", information, false, plain, say("Inserted."), std::string())\n'
+            "EVENT(tare_failed, ",
     },
     # Inputs: a field in the middle of the finger detection, a number among the step's own, a value with its own table.
     "core/sensing/finger_types.h": {
@@ -61,6 +62,7 @@ def main():
         print(";".join(CHANGES), end="")
         return
     project, out = map(pathlib.Path, sys.argv[1:])
+    shutil.rmtree(out, ignore_errors=True)  # of a list that was longer
     for name, places in CHANGES.items():
         text = (project / name).read_text(encoding="utf-8")
         for now, later in places.items():

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace fyd::pipeline {
 namespace {
 
@@ -57,10 +59,39 @@ TEST(Safety, HeldRemembersTheFirstCause) {
 }
 
 TEST(Safety, EveryLackSaysWhatAndWhatToDo) {
-  for (std::size_t i = 1; i < kLackCount; ++i) {
-    EXPECT_FALSE(toString(static_cast<Lack>(i)).empty()) << i;
-    EXPECT_FALSE(remedy(static_cast<Lack>(i)).empty()) << i;
+  for (const LackInfo& info : lacksByUrgency()) {
+    const auto number = static_cast<int>(info.lack);
+    EXPECT_NE(info.lack, Lack::none);
+    EXPECT_LT(static_cast<std::size_t>(number), kLackCount);
+    EXPECT_FALSE(info.what.empty() || info.what.ends_with('.')) << number;
+    EXPECT_TRUE(info.remedy.ends_with('.')) << number;
+    EXPECT_EQ(info.part == Part::none, info.need == Need::rendering)
+        << number << ": what is needed has a line to be in";
+    EXPECT_EQ(toString(info.lack), info.what);
   }
+  EXPECT_EQ(toString(static_cast<Lack>(200)), "a reason that this program does not know");
+  EXPECT_EQ(toString(Lack::none), "nothing missing");
+}
+
+TEST(Safety, TheNumbersOfLacksInFilesStay) {
+  // As written by the program that gave them numbers; a new one is added here and never changed.
+  const std::map<int, std::string_view> words{
+      {1, "the haptic loop stood still for more than 20 ms"},
+      {2, "more than 5 % of the haptic cycles of one second were missed"},
+      {3, "the motor board is silent"},
+      {4, "the distance sensors are silent"},
+      {5, "too few distance sensors read within their span"},
+      {6, "the load cell is silent"},
+      {7, "the load cell's value is outside its span"},
+      {8, "the camera sends no pictures"},
+      {9, "the camera sees nothing: picture black, white, of one grey or empty"},
+      {10, "no robot has connected"},
+      {11, "the robot is silent"},
+      {12, "the robot has said goodbye"},
+      {13, "the robot's stiffness is not a number"},
+      {14, "no stiffness target"},
+      {15, "the window did not answer for half a second"}};
+  for (const auto& [number, what] : words) EXPECT_EQ(toString(static_cast<Lack>(number)), what);
 }
 
 }  // namespace

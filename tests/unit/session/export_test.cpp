@@ -285,5 +285,16 @@ TEST(ExportWords, ANumberThatThisProgramDoesNotKnowIsShown) {
   EXPECT_EQ(toString(static_cast<pipeline::EventKind>(41)), "unknown");
 }
 
+TEST(ExportWords, TheNumbersOfEventsInFilesStay) {
+  // As written by the program that gave them numbers; a new one is added here and never changed.
+  const std::array<std::string_view, 9> names{"state changed", "arm refused",       "tare done",
+                                              "tare failed",   "parameter changed", "parameter refused",
+                                              "robot command", "target clamped",    "time reversed"};
+  for (std::size_t number = 0; number < names.size(); ++number) {
+    EXPECT_EQ(toString(static_cast<pipeline::EventKind>(number)), names[number]);
+  }
+  EXPECT_EQ(toString(static_cast<pipeline::EventKind>(200)), "unknown");
+}
+
 }  // namespace
 }  // namespace fyd::session
