@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/icon.h"
+#include "widgets/tuning_text.h"
 #include "widgets/upright_scroll.h"
 
 namespace fyd::widgets {
@@ -67,9 +68,11 @@ void TuningPanel::addSection(QVBoxLayout* layout, const TuningSection& section, 
   title->setContentsMargins(kGrid + kGrid / 2, rows_.empty() ? 0 : kGrid, 0, 0);
   layout->addWidget(title);
   for (const TuningSection::Row& entry : section.rows) {
-    if (model_.find(entry.id.toStdString()) == nullptr) continue;
+    const TunedParameter* tuned = model_.find(entry.id.toStdString());
+    if (tuned == nullptr) continue;
     if (entry.id == target_id) layout->addWidget(buildTargetChoice());
-    auto* row = new TuningRow(model_, entry.id, entry.label, section.quantity, this);
+    const QString label = entry.label.isEmpty() ? tunedName(tuned->info) : entry.label;
+    auto* row = new TuningRow(model_, entry.id, label, section.quantity, this);
     connect(row, &TuningRow::refused, this, &TuningPanel::refused);
     layout->addWidget(row);
     rows_.push_back(row);

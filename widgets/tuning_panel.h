@@ -18,7 +18,7 @@ namespace fyd::widgets {
 struct TuningSection {
   struct Row {
     QString id;
-    QString label;
+    QString label;  ///< empty: the parameter's own name
   };
   QString title;
   Quantity quantity = Quantity::none;

@@ -6,7 +6,6 @@
 
 #include "widgets/core_text.h"
 #include "widgets/number_text.h"
-#include "widgets/parameter_names.h"
 
 namespace fyd::widgets {
 namespace {
@@ -27,26 +26,7 @@ constexpr std::array kRooms = {
 
 }  // namespace
 
-QString tunedName(const Parameter& parameter) {
-  const QString id = fromView(parameter.id);
-  QString name = id.mid(id.indexOf(QLatin1Char('.')) + 1);
-  const QString unit = fromView(parameter.info.unit);
-  // The unit at the identifier's end, in any of the ways a unit becomes a part of a name.
-  QStringList endings = {unit, QString(unit).replace(QLatin1String("/"), QLatin1String("_per_")),
-                         QString(unit).replace(QLatin1Char('/'), QLatin1Char('_'))};
-  endings << endings[1].replace(QStringLiteral("√"), QLatin1String("sqrt_"));
-  if (unit == QLatin1String("%")) endings << QStringLiteral("percent");
-  if (unit == QStringLiteral("°")) endings << QStringLiteral("deg");
-  for (const QString& ending : endings) {
-    if (name.endsWith(QLatin1Char('_') + ending)) {
-      name.chop(ending.size() + 1);
-      break;
-    }
-  }
-  name.replace(QLatin1Char('_'), QLatin1Char(' '));
-  if (!name.isEmpty()) name[0] = name[0].toUpper();
-  return parameterName(name);
-}
+QString tunedName(const Parameter& parameter) { return coreText(parameter.info.name); }
 
 QString roomTitle(std::string_view id) {
   const std::string_view room = id.substr(0, id.find('.'));

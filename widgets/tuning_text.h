@@ -7,7 +7,7 @@
 
 namespace fyd::widgets {
 
-/// A short name from the identifier: "control.measurement_lag_s" is "Measurement lag"; the unit stands beside it.
+/// Its short name: "Measurement lag"; the unit stands beside it.
 [[nodiscard]] QString tunedName(const Parameter& parameter);
 /// "Stiffness control" for "control.kp"; an unknown room's own name otherwise.
 [[nodiscard]] QString roomTitle(std::string_view id);

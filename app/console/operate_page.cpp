@@ -22,15 +22,15 @@ std::vector<widgets::TuningSection> sections() {
       {OperatePage::tr("Softness"),
        Quantity::stiffness,
        {{QLatin1String(kHandTarget), OperatePage::tr("By hand")},
-        {QStringLiteral("control.kp"), OperatePage::tr("Kp")},
-        {QStringLiteral("control.ki"), OperatePage::tr("Ki")},
-        {QStringLiteral("control.kd"), OperatePage::tr("Kd")}}},
+        {QStringLiteral("control.kp"), {}},
+        {QStringLiteral("control.ki"), {}},
+        {QStringLiteral("control.kd"), {}}}},
       {OperatePage::tr("Texture"),
        Quantity::vibration,
-       {{QStringLiteral("texture.method"), OperatePage::tr("Method")},
-        {QStringLiteral("texture.k_vib"), OperatePage::tr("Gain k_vib")},
-        {QStringLiteral("texture.dead_zone_percent"), OperatePage::tr("Dead zone")},
-        {QStringLiteral("texture.maximum_percent"), OperatePage::tr("Maximum")}}},
+       {{QStringLiteral("texture.method"), {}},
+        {QStringLiteral("texture.k_vib"), {}},
+        {QStringLiteral("texture.dead_zone_percent"), {}},
+        {QStringLiteral("texture.maximum_percent"), {}}}},
   };
 }
 

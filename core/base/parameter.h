@@ -6,7 +6,8 @@
 //     double k_vib = 1.0;
 //     template <class Visitor>
 //     void describe(Visitor& v) {
-//       v.real("texture.k_vib", k_vib, {.unit = "1", .minimum = 0, .maximum = 10, .help = "…", .live = true});
+//       v.real("texture.k_vib", k_vib, {.name = sentence("Gain"), .minimum = 0, .maximum = 10,
+//                                       .help = sentence("Gain of the vibration."), .live = true});
 //     }
 //   };
 //
@@ -27,6 +28,7 @@
 
 #include "core/base/batch.h"
 #include "core/base/error.h"
+#include "core/base/message.h"
 
 namespace fyd {
 
@@ -34,10 +36,11 @@ enum class ParameterKind : std::uint8_t { real, integer, boolean, choice, list, 
 
 /// What a room says of a parameter, beside its id and its default.
 struct ParameterInfo {
+  std::string_view name;        ///< short, for the window, without its unit; only of those that may change live
   std::string_view unit = "1";  ///< "1" for a pure number
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  std::string_view help;  ///< one sentence, for the tuning panel and the manual
+  std::string_view help;  ///< one sentence, for the window and the manual; `sentence("…")` where the window shows it
   bool live = false;      ///< may change while the pipeline is active
   /// In recordings made before there was this parameter: the value that gives what they felt like. None: the default.
   std::optional<double> before_it_was = std::nullopt;

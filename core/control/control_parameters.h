@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/message.h"
 #include "core/base/parameter.h"
 
 namespace fyd::control {
@@ -60,61 +61,76 @@ struct ControlParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.choice("control.mode", mode, kControlModeNames,
-             {.help = "How the stretch follows the stiffness target: law and PID, or as the thesis prints it."});
+    v.choice(
+        "control.mode", mode, kControlModeNames,
+        {.help = sentence("How the stretch follows the stiffness target: law and PID, or as the thesis prints it.")});
     v.choice("control.law", law, kStaticLawNames,
-             {.help = "Static law between stretch angle and stiffness; interpolated uses the points below."});
-    v.list(
-        "control.law_angle_deg", law_angle_deg,
-        {.unit = "deg", .minimum = -180, .maximum = 180, .help = "Stretch angles of the calibration points, rising."});
+             {.help = sentence("Static law between stretch angle and stiffness; interpolated uses the points below.")});
+    v.list("control.law_angle_deg", law_angle_deg,
+           {.unit = "deg",
+            .minimum = -180,
+            .maximum = 180,
+            .help = sentence("Stretch angles of the calibration points, rising.")});
     v.list("control.law_stiffness_N_per_mm", law_stiffness_N_per_mm,
            {.unit = "N/mm",
             .minimum = 0.01,
             .maximum = 10,
-            .help = "Stiffness measured at each of those angles, rising."});
+            .help = sentence("Stiffness measured at each of those angles, rising.")});
     v.real("control.kp", kp,
-           {.minimum = 0,
-            .maximum = 1e12,
-            .help = "Proportional gain: relative correction for relative error.",
-            .live = true});
-    v.real(
-        "control.ki", ki_per_s,
-        {.unit = "1/s", .minimum = 0, .maximum = 1e12, .help = "Integral gain, of the relative error.", .live = true});
-    v.real("control.kd", kd_s,
-           {.unit = "s",
+           {.name = sentence("Kp"),
             .minimum = 0,
             .maximum = 1e12,
-            .help = "Derivative gain, on the measured stiffness and not on the target.",
+            .help = sentence("Proportional gain: relative correction for relative error."),
+            .live = true});
+    v.real("control.ki", ki_per_s,
+           {.name = sentence("Ki"),
+            .unit = "1/s",
+            .minimum = 0,
+            .maximum = 1e12,
+            .help = sentence("Integral gain, of the relative error."),
+            .live = true});
+    v.real("control.kd", kd_s,
+           {.name = sentence("Kd"),
+            .unit = "s",
+            .minimum = 0,
+            .maximum = 1e12,
+            .help = sentence("Derivative gain, on the measured stiffness and not on the target."),
             .live = true});
     v.real("control.derivative_filter_s", derivative_filter_s,
-           {.unit = "s",
+           {.name = sentence("Derivative filter"),
+            .unit = "s",
             .minimum = 0.001,
             .maximum = 10,
-            .help = "Time constant of the derivative's low-pass.",
+            .help = sentence("Time constant of the derivative's low-pass."),
             .live = true});
     v.real("control.dead_band_N_per_mm", dead_band_N_per_mm,
-           {.unit = "N/mm",
+           {.name = sentence("Dead band"),
+            .unit = "N/mm",
             .minimum = 0,
             .maximum = 0.5,
-            .help = "Errors of the stiffness up to this are left alone (the thesis, in its own mode, 0.01).",
+            .help = sentence("Errors of the stiffness up to this are left alone (the thesis, in its own mode, 0.01)."),
             .live = true});
     v.real("control.measurement_lag_s", measurement_lag_s,
-           {.unit = "s",
+           {.name = sentence("Measurement lag"),
+            .unit = "s",
             .minimum = 0,
             .maximum = 10,
-            .help = "How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.",
+            .help = sentence(
+                "How slowly the measured stiffness follows the true one (time constant); auto-tune measures it."),
             .live = true});
     v.real("control.measurement_delay_s", measurement_delay_s,
-           {.unit = "s",
+           {.name = sentence("Measurement delay"),
+            .unit = "s",
             .minimum = 0,
             .maximum = 1,
-            .help = "Dead time of the measured stiffness behind the stretch; auto-tune measures it.",
+            .help = sentence("Dead time of the measured stiffness behind the stretch; auto-tune measures it."),
             .live = true});
     v.real("control.noise_correlation_s", noise_correlation_s,
-           {.unit = "s",
+           {.name = sentence("Noise correlation"),
+            .unit = "s",
             .minimum = 0.005,
             .maximum = 10,
-            .help = "Time over which the measured stiffness' noise repeats itself; auto-tune measures it.",
+            .help = sentence("Time over which the measured stiffness' noise repeats itself; auto-tune measures it."),
             .live = true});
     v.real("control.measurement_bias", measurement_bias,
            {.minimum = 0,
@@ -129,45 +145,61 @@ struct ControlParameters {
             .live = true,
             .before_it_was = kNoCorrectionLimit});
     v.real("control.travel_minimum_deg", travel_minimum_deg,
-           {.unit = "deg", .minimum = -30, .maximum = 180, .help = "Least stretch the controller commands."});
-    v.real("control.travel_maximum_deg", travel_maximum_deg,
-           {.unit = "deg", .minimum = -30, .maximum = 180, .help = "Greatest stretch the controller commands."});
+           {.unit = "deg", .minimum = -30, .maximum = 180, .help = sentence("Least stretch the controller commands.")});
+    v.real(
+        "control.travel_maximum_deg", travel_maximum_deg,
+        {.unit = "deg", .minimum = -30, .maximum = 180, .help = sentence("Greatest stretch the controller commands.")});
     v.real("control.rate_limit_deg_per_s", rate_limit_deg_per_s,
-           {.unit = "deg/s",
+           {.name = sentence("Rate limit"),
+            .unit = "deg/s",
             .minimum = 1,
             .maximum = 1000,
-            .help = "Fastest change of the commanded stretch.",
+            .help = sentence("Fastest change of the commanded stretch."),
             .live = true});
     v.real("control.motor_limit_deg", motor_limit_deg,
            {.unit = "deg",
             .minimum = 10,
             .maximum = 700,
-            .help = "No motor is sent further than this from its zero, whatever stretch and translation add up to."});
+            .help = sentence(
+                "No motor is sent further than this from its zero, whatever stretch and translation add up to.")});
     v.real("control.thesis_kp", thesis_kp,
-           {.unit = "deg/(N/mm)",
+           {.name = sentence("Thesis kp"),
+            .unit = "deg/(N/mm)",
             .minimum = 0,
             .maximum = 1e12,
-            .help = "Proportional gain in thesis mode.",
+            .help = sentence("Proportional gain in thesis mode."),
             .live = true});
-    v.real(
-        "control.thesis_ki", thesis_ki,
-        {.unit = "deg/(N/mm)/s", .minimum = 0, .maximum = 1e12, .help = "Integral gain in thesis mode.", .live = true});
-    v.real("control.thesis_kd", thesis_kd,
-           {.unit = "deg/(N/mm)*s",
+    v.real("control.thesis_ki", thesis_ki,
+           {.name = sentence("Thesis ki"),
+            .unit = "deg/(N/mm)/s",
             .minimum = 0,
             .maximum = 1e12,
-            .help = "Derivative gain in thesis mode (the thesis used none).",
+            .help = sentence("Integral gain in thesis mode."),
+            .live = true});
+    v.real("control.thesis_kd", thesis_kd,
+           {.name = sentence("Thesis kd"),
+            .unit = "deg/(N/mm)*s",
+            .minimum = 0,
+            .maximum = 1e12,
+            .help = sentence("Derivative gain in thesis mode (the thesis used none)."),
             .live = true});
     v.real("control.thesis_period_ms", thesis_period_ms,
-           {.unit = "ms", .minimum = 1, .maximum = 1000, .help = "Period of the thesis' control law."});
+           {.unit = "ms", .minimum = 1, .maximum = 1000, .help = sentence("Period of the thesis' control law.")});
     v.integer("control.encoder_zero_first_counts", encoder_zero_first_counts,
-              {.unit = "counts", .minimum = 0, .maximum = 4095, .help = "First encoder's reading at zero stretch."});
+              {.unit = "counts",
+               .minimum = 0,
+               .maximum = 4095,
+               .help = sentence("First encoder's reading at zero stretch.")});
     v.integer("control.encoder_zero_second_counts", encoder_zero_second_counts,
-              {.unit = "counts", .minimum = 0, .maximum = 4095, .help = "Second encoder's reading at zero stretch."});
+              {.unit = "counts",
+               .minimum = 0,
+               .maximum = 4095,
+               .help = sentence("Second encoder's reading at zero stretch.")});
     v.boolean("control.encoder_first_inverted", encoder_first_inverted,
-              {.help = "The first encoder counts against its motor's reference (firmware of 2014 and later differ)."});
+              {.help = sentence(
+                   "The first encoder counts against its motor's reference (firmware of 2014 and later differ).")});
     v.boolean("control.encoder_second_inverted", encoder_second_inverted,
-              {.help = "The second encoder counts against its motor's reference."});
+              {.help = sentence("The second encoder counts against its motor's reference.")});
   }
 };
 

@@ -1,6 +1,7 @@
 // The step's parameters, gathered from the rooms that declare them.
 #pragma once
 
+#include "core/base/message.h"
 #include "core/control/control_parameters.h"
 #include "core/sensing/sensing_parameters.h"
 #include "core/texture/texture_parameters.h"
@@ -22,32 +23,50 @@ struct StepParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.real("pipeline.finger_maximum_age_ms", finger_maximum_age_ms,
-           {.unit = "ms", .minimum = 20, .maximum = 2000, .help = "Oldest picture the step still trusts."});
+           {.unit = "ms", .minimum = 20, .maximum = 2000, .help = sentence("Oldest picture the step still trusts.")});
     v.real("pipeline.ir_maximum_age_ms", ir_maximum_age_ms,
-           {.unit = "ms", .minimum = 20, .maximum = 1000, .help = "Oldest distance reading the step still trusts."});
+           {.unit = "ms",
+            .minimum = 20,
+            .maximum = 1000,
+            .help = sentence("Oldest distance reading the step still trusts.")});
     v.real("pipeline.bridge_maximum_age_ms", bridge_maximum_age_ms,
-           {.unit = "ms", .minimum = 10, .maximum = 1000, .help = "Oldest load-cell reading the step still trusts."});
+           {.unit = "ms",
+            .minimum = 10,
+            .maximum = 1000,
+            .help = sentence("Oldest load-cell reading the step still trusts.")});
     v.real("pipeline.motors_maximum_age_ms", motors_maximum_age_ms,
-           {.unit = "ms", .minimum = 5, .maximum = 1000, .help = "Oldest encoder reading the step still trusts."});
+           {.unit = "ms",
+            .minimum = 5,
+            .maximum = 1000,
+            .help = sentence("Oldest encoder reading the step still trusts.")});
     v.boolean("pipeline.absolute_motion", absolute_motion,
-              {.help = "Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: "
-                       "each touch moves it from where it stands."});
+              {.help = sentence("Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: "
+                                "each touch moves it from where it stands.")});
     v.real("pipeline.motion_scale", motion_scale,
-           {.minimum = 0.05, .maximum = 5, .help = "Robot's travel for the finger's along the cloth.", .live = true});
-    v.real(
-        "pipeline.motion_depth_scale", motion_depth_scale,
-        {.minimum = 0.05, .maximum = 5, .help = "Robot's travel downward for the finger's indentation.", .live = true});
+           {.name = sentence("Motion scale"),
+            .minimum = 0.05,
+            .maximum = 5,
+            .help = sentence("Robot's travel for the finger's along the cloth."),
+            .live = true});
+    v.real("pipeline.motion_depth_scale", motion_depth_scale,
+           {.name = sentence("Motion depth scale"),
+            .minimum = 0.05,
+            .maximum = 5,
+            .help = sentence("Robot's travel downward for the finger's indentation."),
+            .live = true});
     v.real("pipeline.motion_speed_limit_mm_s", motion_speed_limit_mm_s,
-           {.unit = "mm/s",
+           {.name = sentence("Motion speed limit"),
+            .unit = "mm/s",
             .minimum = 1,
             .maximum = 1000,
-            .help = "Fastest the position sent to the robot moves.",
+            .help = sentence("Fastest the position sent to the robot moves."),
             .live = true});
     v.real("pipeline.hand_target_N_per_mm", hand_target_N_per_mm,
-           {.unit = "N/mm",
+           {.name = sentence("Hand target"),
+            .unit = "N/mm",
             .minimum = 0.05,
             .maximum = 3,
-            .help = "Stiffness target while it is set by hand.",
+            .help = sentence("Stiffness target while it is set by hand."),
             .live = true});
   }
 };

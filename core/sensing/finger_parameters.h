@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/base/parameter.h"
 
 namespace fyd::sensing {
@@ -31,66 +32,92 @@ struct FingerParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.choice("sensing.finger_mode", mode, kFingerModeNames,
-             {.help = "adaptive follows uneven and changing light; thesis is the printed algorithm.", .live = true});
+             {.name = sentence("Finger mode"),
+              .help = sentence("adaptive follows uneven and changing light; thesis is the printed algorithm."),
+              .live = true});
     v.integer("sensing.roi_x_px", roi_x_px,
-              {.unit = "px", .minimum = 0, .maximum = 4000, .help = "Left edge of the cloth in the camera's picture."});
+              {.unit = "px",
+               .minimum = 0,
+               .maximum = 4000,
+               .help = sentence("Left edge of the cloth in the camera's picture.")});
     v.integer("sensing.roi_y_px", roi_y_px,
-              {.unit = "px", .minimum = 0, .maximum = 4000, .help = "Top edge of the cloth in the camera's picture."});
+              {.unit = "px",
+               .minimum = 0,
+               .maximum = 4000,
+               .help = sentence("Top edge of the cloth in the camera's picture.")});
     v.integer("sensing.roi_width_px", roi_width_px,
-              {.unit = "px", .minimum = 16, .maximum = 1920, .help = "Width of the cloth in the camera's picture."});
+              {.unit = "px",
+               .minimum = 16,
+               .maximum = 1920,
+               .help = sentence("Width of the cloth in the camera's picture.")});
     v.integer("sensing.roi_height_px", roi_height_px,
-              {.unit = "px", .minimum = 16, .maximum = 1080, .help = "Height of the cloth in the camera's picture."});
-    v.integer(
-        "sensing.finger_threshold", threshold,
-        {.minimum = 1, .maximum = 255, .help = "Thesis mode: grey values below it are the finger.", .live = true});
+              {.unit = "px",
+               .minimum = 16,
+               .maximum = 1080,
+               .help = sentence("Height of the cloth in the camera's picture.")});
+    v.integer("sensing.finger_threshold", threshold,
+              {.name = sentence("Finger threshold"),
+               .minimum = 1,
+               .maximum = 255,
+               .help = sentence("Thesis mode: grey values below it are the finger."),
+               .live = true});
     v.real("sensing.finger_minimum_area_px", minimum_area_px,
-           {.unit = "px",
+           {.name = sentence("Finger minimum area"),
+            .unit = "px",
             .minimum = 1,
             .maximum = 19200,
-            .help = "Smallest dark area that counts as a touch, in pixels of the 160 × 120 working picture.",
+            .help = sentence("Smallest dark area that counts as a touch, in pixels of the 160 × 120 working picture."),
             .live = true});
     v.real("sensing.finger_minimum_contrast", minimum_contrast,
-           {.minimum = 0.05,
+           {.name = sentence("Finger minimum contrast"),
+            .minimum = 0.05,
             .maximum = 0.9,
-            .help = "Adaptive mode: a finger is darker than the lit cloth by at least this part of it.",
+            .help = sentence("Adaptive mode: a finger is darker than the lit cloth by at least this part of it."),
             .live = true});
     v.integer("sensing.finger_stride_px", stride_px,
               {.unit = "px",
                .minimum = 1,
                .maximum = 8,
-               .help = "Adaptive mode: use every n-th pixel and row, for slow computers."});
+               .help = sentence("Adaptive mode: use every n-th pixel and row, for slow computers.")});
     v.real("sensing.finger_centre_x_px", centre_x_px,
-           {.unit = "px",
+           {.name = sentence("Finger centre x"),
+            .unit = "px",
             .minimum = -4000,
             .maximum = 8000,
-            .help = "Picture column of the touchpad's origin.",
+            .help = sentence("Picture column of the touchpad's origin."),
             .live = true});
     v.real("sensing.finger_centre_y_px", centre_y_px,
-           {.unit = "px",
+           {.name = sentence("Finger centre y"),
+            .unit = "px",
             .minimum = -4000,
             .maximum = 8000,
-            .help = "Picture row of the touchpad's origin.",
+            .help = sentence("Picture row of the touchpad's origin."),
             .live = true});
     v.real("sensing.finger_scale_x_mm_per_px", scale_x_mm_per_px,
-           {.unit = "mm/px",
+           {.name = sentence("Finger scale x"),
+            .unit = "mm/px",
             .minimum = 0.01,
             .maximum = 10,
-            .help = "Millimetres per pixel along a picture row.",
+            .help = sentence("Millimetres per pixel along a picture row."),
             .live = true});
     v.real("sensing.finger_scale_y_mm_per_px", scale_y_mm_per_px,
-           {.unit = "mm/px",
+           {.name = sentence("Finger scale y"),
+            .unit = "mm/px",
             .minimum = 0.01,
             .maximum = 10,
-            .help = "Millimetres per pixel along a picture column.",
+            .help = sentence("Millimetres per pixel along a picture column."),
             .live = true});
     v.real("sensing.finger_rotation_deg", rotation_deg,
-           {.unit = "°",
+           {.name = sentence("Finger rotation"),
+            .unit = "°",
             .minimum = -180,
             .maximum = 180,
-            .help = "Turn from the picture's axes to the touchpad's, counter-clockwise seen from above.",
+            .help = sentence("Turn from the picture's axes to the touchpad's, counter-clockwise seen from above."),
             .live = true});
     v.boolean("sensing.finger_mirror", mirror,
-              {.help = "The camera sees the cloth mirrored left to right.", .live = true});
+              {.name = sentence("Finger mirror"),
+               .help = sentence("The camera sees the cloth mirrored left to right."),
+               .live = true});
   }
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/base/parameter.h"
 #include "core/sensing/ir_distance.h"
 #include "core/sensing/readings.h"
@@ -46,65 +47,78 @@ struct IndentationParameters {
         "sensing.ir1_curve_form", "sensing.ir2_curve_form", "sensing.ir3_curve_form", "sensing.ir4_curve_form",
         "sensing.ir5_curve_form", "sensing.ir6_curve_form", "sensing.ir7_curve_form", "sensing.ir8_curve_form"};
     v.choice("sensing.indentation_mode", mode, kIndentationModeNames,
-             {.help = "membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a "
-                      "2 mm gate.",
+             {.name = sentence("Indentation mode"),
+              .help = sentence(
+                  "membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a "
+                  "2 mm gate."),
               .live = true});
-    v.list(
-        "sensing.ir_x_mm", ir_x_mm,
-        {.unit = "mm", .minimum = -100, .maximum = 100, .help = "Distance sensors: x of each; as many as there are."});
-    v.list("sensing.ir_y_mm", ir_y_mm,
-           {.unit = "mm", .minimum = -100, .maximum = 100, .help = "Distance sensors: y of each."});
-    v.list("sensing.ir_offset_mm", ir_offset_mm,
+    v.list("sensing.ir_x_mm", ir_x_mm,
            {.unit = "mm",
+            .minimum = -100,
+            .maximum = 100,
+            .help = sentence("Distance sensors: x of each; as many as there are.")});
+    v.list("sensing.ir_y_mm", ir_y_mm,
+           {.unit = "mm", .minimum = -100, .maximum = 100, .help = sentence("Distance sensors: y of each.")});
+    v.list("sensing.ir_offset_mm", ir_offset_mm,
+           {.name = sentence("Ir offset"),
+            .unit = "mm",
             .minimum = 0,
             .maximum = 400,
-            .help = "Distance sensors: distance to the untouched cloth; the tare sets it.",
+            .help = sentence("Distance sensors: distance to the untouched cloth; the tare sets it."),
             .live = true});
     v.list("sensing.ir_lowest_code", ir_lowest_code,
-           {.minimum = 0, .maximum = 4095, .help = "Distance sensors: lowest valid ADC code of each."});
+           {.minimum = 0, .maximum = 4095, .help = sentence("Distance sensors: lowest valid ADC code of each.")});
     v.list("sensing.ir_highest_code", ir_highest_code,
-           {.minimum = 0, .maximum = 4095, .help = "Distance sensors: highest valid ADC code of each."});
+           {.minimum = 0, .maximum = 4095, .help = sentence("Distance sensors: highest valid ADC code of each.")});
     for (std::size_t i = 0; i < kMaximumIrSensors; ++i) {
       v.list(kCurveIds[i], ir_curve_mm[i],
              {.unit = "mm",
               .minimum = -1e6,
               .maximum = 1e6,
-              .help = "Distance sensor's curve of volts, as its form says; empty: the thesis polynomial."});
+              .help = sentence("Distance sensor's curve of volts, as its form says; empty: the thesis polynomial.")});
       v.choice(kFormIds[i], ir_curve_form[i], kIrCurveFormNames,
-               {.help = "polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2."});
+               {.help = sentence("polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2.")});
     }
     v.real("sensing.ir_noise_mV", ir_noise_mV,
-           {.unit = "mV",
+           {.name = sentence("Ir noise"),
+            .unit = "mV",
             .minimum = 0.1,
             .maximum = 200,
-            .help = "Distance sensors: noise of one reading.",
+            .help = sentence("Distance sensors: noise of one reading."),
             .live = true});
-    v.real(
-        "sensing.ir_condition_limit", ir_condition_limit,
-        {.minimum = 2, .maximum = 1e6, .help = "Sensors nearer to one line than this condition number make no plane."});
+    v.real("sensing.ir_condition_limit", ir_condition_limit,
+           {.minimum = 2,
+            .maximum = 1e6,
+            .help = sentence("Sensors nearer to one line than this condition number make no plane.")});
     v.real("sensing.frame_half_width_mm", frame_half_width_mm,
-           {.unit = "mm", .minimum = 10, .maximum = 200, .help = "Half the usable cloth's width."});
+           {.unit = "mm", .minimum = 10, .maximum = 200, .help = sentence("Half the usable cloth's width.")});
     v.real("sensing.frame_half_depth_mm", frame_half_depth_mm,
-           {.unit = "mm", .minimum = 10, .maximum = 200, .help = "Half the usable cloth's depth."});
+           {.unit = "mm", .minimum = 10, .maximum = 200, .help = sentence("Half the usable cloth's depth.")});
     v.real("sensing.finger_radius_mm", finger_radius_mm,
-           {.unit = "mm", .minimum = 1, .maximum = 20, .help = "Radius of the finger's contact with the cloth."});
+           {.unit = "mm",
+            .minimum = 1,
+            .maximum = 20,
+            .help = sentence("Radius of the finger's contact with the cloth.")});
     v.real("sensing.indentation_holding_mm_per_sqrt_s", holding_mm_per_sqrt_s,
-           {.unit = "mm/√s",
+           {.name = sentence("Indentation holding"),
+            .unit = "mm/√s",
             .minimum = 0.01,
             .maximum = 100,
-            .help = "Kalman filter: how much the indentation wanders while the finger holds still.",
+            .help = sentence("Kalman filter: how much the indentation wanders while the finger holds still."),
             .live = true});
     v.real("sensing.indentation_moving_mm_per_sqrt_s", moving_mm_per_sqrt_s,
-           {.unit = "mm/√s",
+           {.name = sentence("Indentation moving"),
+            .unit = "mm/√s",
             .minimum = 0.1,
             .maximum = 1000,
-            .help = "Kalman filter: how much it wanders while the finger presses or lifts.",
+            .help = sentence("Kalman filter: how much it wanders while the finger presses or lifts."),
             .live = true});
     v.real("sensing.indentation_sigma_limit_mm", sigma_limit_mm,
-           {.unit = "mm",
+           {.name = sentence("Indentation sigma limit"),
+            .unit = "mm",
             .minimum = 0.1,
             .maximum = 100,
-            .help = "An indentation less certain than this is unavailable.",
+            .help = sentence("An indentation less certain than this is unavailable."),
             .live = true});
   }
 };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "core/base/message.h"
 #include "core/base/parameter.h"
 
 namespace fyd::sensing {
@@ -25,20 +26,21 @@ struct LoadCellParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.real("sensing.force_slope_g", slope_g_per_mV_per_V,
-           {.unit = "g/(mV/V)", .minimum = -1e5, .maximum = 1e5, .help = "Load cell: grams per mV/V."});
+           {.unit = "g/(mV/V)", .minimum = -1e5, .maximum = 1e5, .help = sentence("Load cell: grams per mV/V.")});
     v.real("sensing.force_offset_g", offset_g,
-           {.unit = "g", .minimum = -1e4, .maximum = 1e4, .help = "Load cell: grams at 0 mV/V."});
+           {.unit = "g", .minimum = -1e4, .maximum = 1e4, .help = sentence("Load cell: grams at 0 mV/V.")});
     v.real("sensing.force_zero_N", zero_N,
-           {.unit = "N",
+           {.name = sentence("Force zero"),
+            .unit = "N",
             .minimum = -80,
             .maximum = 80,
-            .help = "Load cell: force that is read with nothing on the cloth; the tare sets it.",
+            .help = sentence("Load cell: force that is read with nothing on the cloth; the tare sets it."),
             .live = true});
     v.real("sensing.force_limit_mV_per_V", limit_mV_per_V,
            {.unit = "mV/V",
             .minimum = 0.1,
             .maximum = 1000,
-            .help = "Load cell: readings beyond it are invalid; those at the converter's end always are."});
+            .help = sentence("Load cell: readings beyond it are invalid; those at the converter's end always are.")});
   }
 };
 

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/base/parameter.h"
 #include "core/base/timed.h"
 #include "core/sensing/indentation.h"
@@ -34,35 +35,50 @@ struct StiffnessParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.choice(
-        "sensing.stiffness_mode", mode, kStiffnessModeNames,
-        {.help = "slope fits force against indentation with uncertainty; thesis is the bare ratio.", .live = true});
+    v.choice("sensing.stiffness_mode", mode, kStiffnessModeNames,
+             {.name = sentence("Stiffness mode"),
+              .help = sentence("slope fits force against indentation with uncertainty; thesis is the bare ratio."),
+              .live = true});
     v.real("sensing.stiffness_minimum_indentation_mm", minimum_indentation_mm,
-           {.unit = "mm",
+           {.name = sentence("Stiffness minimum indentation"),
+            .unit = "mm",
             .minimum = 0.1,
             .maximum = 20,
-            .help = "Stiffness is not observable with less indentation than this.",
+            .help = sentence("Stiffness is not observable with less indentation than this."),
             .live = true});
     v.real("sensing.stiffness_minimum_force_N", minimum_force_N,
-           {.unit = "N",
+           {.name = sentence("Stiffness minimum force"),
+            .unit = "N",
             .minimum = 0.01,
             .maximum = 5,
-            .help = "Stiffness is not observable with less force than this.",
+            .help = sentence("Stiffness is not observable with less force than this."),
             .live = true});
     v.real("sensing.stiffness_pace", pace_N_per_mm_per_sqrt_s,
-           {.unit = "N/mm/√s",
+           {.name = sentence("Stiffness pace"),
+            .unit = "N/mm/√s",
             .minimum = 0.001,
             .maximum = 10,
-            .help = "How fast the cloth's stiffness may wander while the motors move.",
+            .help = sentence("How fast the cloth's stiffness may wander while the motors move."),
             .live = true});
     v.real("sensing.force_noise_N", force_noise_N,
-           {.unit = "N", .minimum = 0.001, .maximum = 2, .help = "Load cell: noise of one reading.", .live = true});
-    v.real("sensing.force_tare_sigma_N", tare_sigma_N,
-           {.unit = "N", .minimum = 0, .maximum = 2, .help = "Load cell: how far its zero may be off.", .live = true});
-    v.real("sensing.stiffness_relative_sigma_limit", relative_sigma_limit,
-           {.minimum = 0.01,
+           {.name = sentence("Force noise"),
+            .unit = "N",
+            .minimum = 0.001,
             .maximum = 2,
-            .help = "Stiffness is not observable while its relative uncertainty is above this.",
+            .help = sentence("Load cell: noise of one reading."),
+            .live = true});
+    v.real("sensing.force_tare_sigma_N", tare_sigma_N,
+           {.name = sentence("Force tare sigma"),
+            .unit = "N",
+            .minimum = 0,
+            .maximum = 2,
+            .help = sentence("Load cell: how far its zero may be off."),
+            .live = true});
+    v.real("sensing.stiffness_relative_sigma_limit", relative_sigma_limit,
+           {.name = sentence("Stiffness relative sigma limit"),
+            .minimum = 0.01,
+            .maximum = 2,
+            .help = sentence("Stiffness is not observable while its relative uncertainty is above this."),
             .live = true});
   }
 };

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace fyd::texture {
 
 enum class MethodChoice : std::uint8_t { single, soc, magnitude, principal, dft321, recolour, dft321_thesis };
@@ -54,64 +56,88 @@ struct TextureParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.choice("texture.method", method, kMethodNames,
-             {.help = "How three axes of vibration become one signal.", .live = true});
-    v.choice("texture.filter", filter, kFilterNames,
-             {.help = "High-pass in front of the method; thesis is the printed one, with its leak of gravity.",
-              .live = true});
-    v.real(
-        "texture.corner_Hz", corner_Hz,
-        {.unit = "Hz", .minimum = 1, .maximum = 400, .help = "Corner (-3 dB) of the default high-pass.", .live = true});
+    v.choice(
+        "texture.method", method, kMethodNames,
+        {.name = sentence("Method"), .help = sentence("How three axes of vibration become one signal."), .live = true});
+    v.choice(
+        "texture.filter", filter, kFilterNames,
+        {.name = sentence("Filter"),
+         .help = sentence("High-pass in front of the method; thesis is the printed one, with its leak of gravity."),
+         .live = true});
+    v.real("texture.corner_Hz", corner_Hz,
+           {.name = sentence("Corner"),
+            .unit = "Hz",
+            .minimum = 1,
+            .maximum = 400,
+            .help = sentence("Corner (-3 dB) of the default high-pass."),
+            .live = true});
     v.real("texture.sample_rate_Hz", sample_rate_Hz,
            {.unit = "Hz",
             .minimum = 50,
             .maximum = 10000,
-            .help = "Rate at which the texture step is called and its filters are designed."});
+            .help = sentence("Rate at which the texture step is called and its filters are designed.")});
     v.choice("texture.frame", frame, kFrameNames,
-             {.help = "Samples in a frame of dft321: more resolution for more delay.", .live = true});
+             {.name = sentence("Frame"),
+              .help = sentence("Samples in a frame of dft321: more resolution for more delay."),
+              .live = true});
     v.choice("texture.hop", hop, kHopNames,
-             {.help = "Advance from a frame to the next: whole frames are blocks, less overlaps them.", .live = true});
+             {.name = sentence("Hop"),
+              .help = sentence("Advance from a frame to the next: whole frames are blocks, less overlaps them."),
+              .live = true});
     v.real("texture.k_vib", k_vib,
-           {.minimum = 0,
+           {.name = sentence("Gain k_vib"),
+            .minimum = 0,
             .maximum = 10,
-            .help = "Gain of the vibration; the robot's operator moves it by 0.1.",
+            .help = sentence("Gain of the vibration; the robot's operator moves it by 0.1."),
             .live = true});
     v.real("texture.dead_zone_percent", dead_zone_percent,
-           {.unit = "%",
+           {.name = sentence("Dead zone"),
+            .unit = "%",
             .minimum = 0,
             .maximum = 100,
-            .help = "Duties smaller than this become zero, as the motors would not turn.",
+            .help = sentence("Duties smaller than this become zero, as the motors would not turn."),
             .live = true});
     v.real("texture.maximum_percent", maximum_percent,
-           {.unit = "%", .minimum = 0, .maximum = 100, .help = "Largest duty that vibration may use.", .live = true});
+           {.name = sentence("Maximum"),
+            .unit = "%",
+            .minimum = 0,
+            .maximum = 100,
+            .help = sentence("Largest duty that vibration may use."),
+            .live = true});
     v.real("texture.full_scale_g", full_scale_g,
-           {.unit = "g",
+           {.name = sentence("Full scale"),
+            .unit = "g",
             .minimum = 0.001,
             .maximum = 100,
-            .help = "Signal that asks for the largest duty (s_max of the thesis).",
+            .help = sentence("Signal that asks for the largest duty (s_max of the thesis)."),
             .live = true});
     v.choice("texture.pwm", pwm, kPwmNames,
-             {.help = "Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit.",
+             {.name = sentence("Pwm"),
+              .help = sentence(
+                  "Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit."),
               .live = true});
-    v.real(
-        "texture.input_delay_ms", input_delay_ms,
-        {.unit = "ms",
-         .minimum = 0,
-         .maximum = 200,
-         .help = "How long accelerations wait (plus up to one period), so that jittery packets still arrive in time; "
-                 "FYD Link raises it to what its batches need.",
-         .live = true});
+    v.real("texture.input_delay_ms", input_delay_ms,
+           {.name = sentence("Input delay"),
+            .unit = "ms",
+            .minimum = 0,
+            .maximum = 200,
+            .help = sentence(
+                "How long accelerations wait (plus up to one period), so that jittery packets still arrive in time; "
+                "FYD Link raises it to what its batches need."),
+            .live = true});
     v.real("texture.maximum_gap_ms", maximum_gap_ms,
-           {.unit = "ms",
+           {.name = sentence("Maximum gap"),
+            .unit = "ms",
             .minimum = 0.1,
             .maximum = 25,
-            .help = "Accelerations further apart than this are a gap, during which the texture is silent.",
+            .help = sentence("Accelerations further apart than this are a gap, during which the texture is silent."),
             .live = true});
     v.real("texture.crossfade_ms", crossfade_ms,
-           {.unit = "ms",
+           {.name = sentence("Crossfade"),
+            .unit = "ms",
             .minimum = 1,
             .maximum = 500,
-            .help = "Time over which a new method, filter or gain takes over.",
+            .help = sentence("Time over which a new method, filter or gain takes over."),
             .live = true});
   }
 };

@@ -1964,10 +1964,6 @@ Robot : %2
         <translation>Gigue</translation>
     </message>
     <message>
-        <source>K vib</source>
-        <translation>K vib</translation>
-    </message>
-    <message>
         <source>Kalman filter: how much it wanders while the finger presses or lifts.</source>
         <translation>Filtre de Kalman : combien elle varie pendant que le doigt appuie ou se lève.</translation>
     </message>

@@ -1964,10 +1964,6 @@ Robot: %2
         <translation>Fluttuazione</translation>
     </message>
     <message>
-        <source>K vib</source>
-        <translation>K vib</translation>
-    </message>
-    <message>
         <source>Kalman filter: how much it wanders while the finger presses or lifts.</source>
         <translation>Filtro di Kalman: quanto varia mentre il dito preme o si alza.</translation>
     </message>

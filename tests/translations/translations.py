@@ -106,7 +106,7 @@ def faults(language, texts, known):
 
 def stale_core_sentences(root):
     """Each row of the tables of what the core says is still said somewhere."""
-    tables = [root / "widgets" / name for name in ("core_sentences.cpp", "core_help.cpp")]
+    tables = [root / "widgets" / name for name in ("core_sentences.cpp",)]
     core = ""
     for path in [path for folder in ("core", *SOURCES) for path in (root / folder).rglob("*.[ch]*") if path not in tables]:
         core += path.read_text(encoding="utf-8")
@@ -122,14 +122,18 @@ def stale_core_sentences(root):
 
 
 def untold_help(root, texts):
-    """The help of each parameter of the step (core/pipeline/parameters.h), from the manual's table, is in the core's."""
+    """The help of each parameter of the step (core/pipeline/parameters.h), as the manual's table has it, is translated."""
     rows = re.findall(r"^\| `(pipeline|sensing|control|texture)\.(\w+)` \|(?:[^|]*\|){3} (.+) \|$",
                       (root / "resources/manual/parameters.md").read_text(encoding="utf-8"), re.MULTILINE)
     if len(rows) < 50:
         yield f"parameters.md: only {len(rows)} parameters of the step found"
     for room, name, text in rows:
         if (text, "") not in texts:
-            yield f"core_help.cpp: the help of {room}.{name} is missing: {text!r}"
+            yield f"the help of {room}.{name} is no sentence(…): {text!r}"
+    for path in [path for room in ("pipeline", "sensing", "control", "texture") for path in (root / "core" / room).glob("*.h")]:
+        text = path.read_text(encoding="utf-8")
+        for name in re.findall(r'\.name = ("[^"]*")', text) if "void describe(" in text else []:
+            yield f"{path.name}: the name of a parameter is no sentence(…): {name}"
 
 
 def main():

@@ -19,7 +19,7 @@ struct Tuned {
   void describe(Visitor& v) {
     v.real("a.target", target, {.unit = "N/mm", .minimum = 0.05, .maximum = 3, .help = "Target.", .live = true});
     v.real("a.gain", gain, {.minimum = 0, .maximum = 1e12, .help = "Gain.", .live = true});
-    v.integer("a.count", count, {.minimum = 1, .maximum = 9, .help = "Count.", .live = true});
+    v.integer("a.count", count, {.name = "Count", .minimum = 1, .maximum = 9, .help = "Count.", .live = true});
     v.real("a.percent", percent, {.unit = "%", .minimum = 0, .maximum = 100, .help = "Share.", .live = true});
     v.choice("a.method", method, kMethods, {.help = "Method.", .live = true});
   }
@@ -35,7 +35,7 @@ struct Fixture {
                                                            widgets::Quantity::stiffness,
                                                            {{QStringLiteral("a.target"), QStringLiteral("Target")},
                                                             {QStringLiteral("a.gain"), QStringLiteral("Kp")},
-                                                            {QStringLiteral("a.count"), QStringLiteral("Count")},
+                                                            {QStringLiteral("a.count"), {}},
                                                             {QStringLiteral("a.absent"), QStringLiteral("Absent")}}},
                                                           {QStringLiteral("Texture"),
                                                            widgets::Quantity::vibration,
@@ -174,6 +174,7 @@ class TuningTest : public QObject {
     Fixture f;
     QCOMPARE(f.panel->row(QStringLiteral("a.target"))->slider()->accessibleName(), QStringLiteral("Target in N/mm"));
     for (widgets::TuningRow* row : f.panel->rows()) QVERIFY(!row->accessibleName().isEmpty());
+    QCOMPARE(f.panel->row(QStringLiteral("a.count"))->accessibleName(), QStringLiteral("Count"));  // its own name
   }
 };
 

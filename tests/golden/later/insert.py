@@ -14,10 +14,11 @@ CHANGES = {
         "  double motion_depth_scale = 1.0;\n":
             "  double inserted_gain = 2.0;\n"
             "  double motion_depth_scale = 1.0;\n",
-        '    v.real(\n        "pipeline.motion_depth_scale", motion_depth_scale,\n':
+        '    v.real("pipeline.motion_depth_scale", ':
             '    v.real("pipeline.inserted_gain", inserted_gain,\n'
-            '           {.minimum = 0, .maximum = 4, .help = "Inserted.", .live = true, .before_it_was = 1.0});\n'
-            '    v.real(\n        "pipeline.motion_depth_scale", motion_depth_scale,\n',
+            '           {.name = "Inserted", .minimum = 0, .maximum = 4, .help = "Inserted.", .live = true,\n'
+            '            .before_it_was = 1.0});\n'
+            '    v.real("pipeline.motion_depth_scale", ',
     },
     "core/pipeline/pipeline_outputs.cpp": {
         "                                 .depth_scale = step.motion_depth_scale,\n":
