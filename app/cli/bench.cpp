@@ -3,6 +3,7 @@
 #include <functional>
 #include <iostream>
 
+#include "app/cli/bench/cloths.h"
 #include "app/cli/bench/table.h"
 #include "app/cli/command.h"
 #include "app/cli/output_file.h"
@@ -36,6 +37,7 @@ void add_bench(CLI::App& app) {
   struct Options {
     std::string name;
     std::string out;
+    std::string cloth;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("bench", "Measure speed beside error, against a baseline in the same run");
@@ -43,7 +45,12 @@ void add_bench(CLI::App& app) {
   for (const Subject& subject : subjects()) names.push_back(subject.name);
   command->add_option("name", options->name, "Subject; all of them when left out")->check(CLI::IsMember(names));
   command->add_option("--out", options->out, "Folder for one Markdown and one CSV file per subject");
+  command
+      ->add_option("--cloth", options->cloth,
+                   "The simulated cloth of indentation and controller; membrane and ideal when left out")
+      ->check(CLI::IsMember(std::vector<std::string>(sim::kClothNames.begin(), sim::kClothNames.end())));
   command->callback([options] {
+    if (!options->cloth.empty()) bench::benchCloths() = {bench::clothOf(options->cloth)};
     for (const Subject& subject : subjects()) {
       if (!options->name.empty() && options->name != subject.name) continue;
       const bench::Table table = subject.run();

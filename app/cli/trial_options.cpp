@@ -1,5 +1,6 @@
 #include "app/cli/trial_options.h"
 
+#include "app/cli/bench/cloths.h"
 #include "app/cli/command.h"
 
 namespace fyd::cli {
@@ -11,6 +12,8 @@ void requireRange(const char* option, double value, double minimum, double maxim
 
 void TrialOptions::addTo(CLI::App& command) {
   profile.addTo(command);
+  command.add_option("--cloth", cloth, "Which cloth is simulated; the profile's when left out")
+      ->check(CLI::IsMember(std::vector<std::string>(sim::kClothNames.begin(), sim::kClothNames.end())));
   command.add_option("--plant-scale", plant_scale, "Stiffness of the simulated cloth over that of the nominal one");
   command.add_option("--noise", noise, "Factor on the noise of the simulated sensors (1)");
   command.add_option("--delay", delay_ms, "Dead time of every simulated sensor, ms");
@@ -27,6 +30,7 @@ sim::StiffnessTrial TrialOptions::load() const {
   if (auto checked = control::checkControlParameters(trial.parameters.control); !checked) {
     throw Failure(checked.error().message);
   }
+  if (cloth) trial.sim.cloth = bench::clothOf(*cloth);
   if (plant_scale) {
     requireRange("--plant-scale", *plant_scale, 0.5, 2.0);
     trial.sim.fabric_stiffness_scale = *plant_scale;

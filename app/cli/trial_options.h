@@ -10,6 +10,7 @@ namespace fyd::cli {
 
 struct TrialOptions {
   ProfileOptions profile;
+  std::optional<std::string> cloth;
   std::optional<double> plant_scale;
   double noise = 1.0;
   std::optional<double> delay_ms;

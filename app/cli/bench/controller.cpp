@@ -4,6 +4,7 @@
 #include <future>
 #include <random>
 
+#include "app/cli/bench/cloths.h"
 #include "app/cli/bench/table.h"
 #include "core/control/stiffness_controller.h"
 #include "core/sim/stiffness_trial.h"
@@ -56,11 +57,13 @@ std::vector<Case> cases() {
   return all;
 }
 
-std::vector<sim::TrialResult> runAll(const std::vector<sim::StiffnessTrial>& trials, bool thesis) {
+std::vector<sim::TrialResult> runAll(const std::vector<sim::StiffnessTrial>& trials, bool thesis,
+                                     sim::ClothKind cloth) {
   const auto run = [&](std::size_t begin, std::size_t step) {
     std::vector<sim::TrialResult> out;
     for (std::size_t i = begin; i < trials.size(); i += step) {
       sim::StiffnessTrial trial = trials[i];
+      trial.sim.cloth = cloth;
       if (thesis) sim::useThesisController(trial.parameters.control);
       out.push_back(sim::runTrial(trial));
     }
@@ -72,7 +75,7 @@ std::vector<sim::TrialResult> runAll(const std::vector<sim::StiffnessTrial>& tri
   return results;
 }
 
-std::vector<std::string> row(const std::string& name, const std::string& controller,
+std::vector<std::string> row(sim::ClothKind cloth, const std::string& name, const std::string& controller,
                              const std::vector<sim::TrialResult>& results) {
   std::vector<double> settling;
   double overshoot = 0.0, error = 0.0, worst_error = 0.0, swing = 0.0;
@@ -88,7 +91,8 @@ std::vector<std::string> row(const std::string& name, const std::string& control
   }
   const Quantiles q = quantiles(settling);
   const auto time = [](double value) { return value > 1e8 ? std::string("never") : number(value); };
-  return {name,
+  return {std::string(sim::kClothNames[static_cast<std::size_t>(cloth)]),
+          name,
           controller,
           fmt::format("{}", results.size()),
           time(q.p50),
@@ -127,11 +131,13 @@ Table bench_controller() {
   Table table;
   table.subject = "controller";
   table.title = "Stiffness controller against the thesis' PI";
-  table.columns = {"case",          "controller",       "runs",      "settling p50 (s)",  "worst (s)", "settled",
-                   "overshoot (%)", "steady error (%)", "worst (%)", "stretch swing (°)", "unstable"};
-  for (const Case& each : cases()) {
-    table.rows.push_back(row(each.name, "baseline: thesis PI", runAll(each.trials, true)));
-    table.rows.push_back(row(each.name, "default", runAll(each.trials, false)));
+  table.columns = {"cloth",   "case",          "controller",       "runs",      "settling p50 (s)",  "worst (s)",
+                   "settled", "overshoot (%)", "steady error (%)", "worst (%)", "stretch swing (°)", "unstable"};
+  for (const sim::ClothKind cloth : benchCloths()) {
+    for (const Case& each : cases()) {
+      table.rows.push_back(row(cloth, each.name, "baseline: thesis PI", runAll(each.trials, true, cloth)));
+      table.rows.push_back(row(cloth, each.name, "default", runAll(each.trials, false, cloth)));
+    }
   }
   const double thesis_ns = stepTime_ns(true), default_ns = stepTime_ns(false);
   table.notes = {
