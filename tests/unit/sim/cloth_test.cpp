@@ -1,0 +1,188 @@
+// The simulated cloths against the finite elements they were tabulated from (resources/cloths), at places, depths and
+// stretches between the tables' nodes; and what any cloth must do.
+#include "core/sim/cloth.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/sim/cloth_tables.h"
+#include "core/sim/picture.h"
+#include "core/sim/touchpad_world.h"
+
+namespace fyd::sim {
+namespace {
+
+FingerState at(double x_mm, double y_mm, double depth_mm) {
+  return {.x_mm = x_mm, .y_mm = y_mm, .indentation_mm = depth_mm, .lifted = !(depth_mm > 0.0)};
+}
+
+SimParameters of(ClothKind kind, FingerShape finger = FingerShape::sphere) {
+  SimParameters out;
+  out.cloth = kind;
+  out.finger = finger;
+  return out;
+}
+
+ClothTable tableOf(std::string_view name) {
+  auto parsed = ClothTable::parse(clothTableText(name));
+  EXPECT_TRUE(parsed) << parsed.error().message;
+  return std::move(*parsed);
+}
+
+TEST(Cloth, MeetsTheFourPointsOfTheThesisInTheMiddleThreeMillimetresDeep) {
+  for (const ClothKind kind : {ClothKind::membrane, ClothKind::rollers}) {
+    Cloth cloth(of(kind));
+    for (const auto& [deg, k] : {std::pair{20.0, 0.501}, {45.0, 0.550}, {60.0, 0.673}, {90.0, 0.715}}) {
+      EXPECT_NEAR(cloth.stiffness(deg, at(0, 0, 3)), k, 0.01 * k) << deg << "°";
+    }
+  }
+}
+
+TEST(Cloth, StiffensWithDepthAndTowardsTheFrame) {
+  Cloth cloth(of(ClothKind::membrane));
+  const auto k = [&](double x, double y, double depth) { return cloth.stiffness(45.0, at(x, y, depth)); };
+  // A finite-element solution of its own for pre-stretch 1.337 (E·h 0.5 N/mm); the thesis' 0.550 N/mm at 45°.
+  EXPECT_NEAR(k(0, 0, 1), 0.454, 0.01);
+  EXPECT_NEAR(k(0, 0, 8), 0.704, 0.01);
+  EXPECT_NEAR(k(0, 0, 4), 0.585, 0.01);
+  EXPECT_NEAR(k(40, 0, 4), 0.908, 0.03);
+  EXPECT_NEAR(k(40, 25, 4), 1.143, 0.05);
+}
+
+TEST(Cloth, ForceNeverFallsOnTheWayDownAndIsSmoothFromTheSurfaceOn) {
+  for (const std::string_view name : {"frame_sphere8", "frame_disc7", "rollers_sphere8"}) {
+    const ClothTable table = tableOf(name);
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {-21.0, 9.0}, {36.0, -17.0}, {45.0, 30.0}}) {
+      double before = 0.0;
+      for (double depth = 0.02; depth <= table.deepest_mm(); depth += 0.02) {
+        const double force = table.press(x, y, depth, 0.6).force_N;
+        ASSERT_GT(force, before) << name << " " << x << " " << y << " " << depth;
+        ASSERT_LT(force - before, 0.2) << name << " " << x << " " << y << " " << depth;
+        before = force;
+      }
+    }
+  }
+}
+
+TEST(Cloth, PlacesThatMirrorEachOtherFeelTheSame) {
+  const ClothTable table = tableOf("frame_sphere8");
+  const Pressing one = table.press(17, 8, 4, 0.6), other = table.press(-17, -8, 4, 0.6);
+  EXPECT_EQ(one.force_N, other.force_N);
+  EXPECT_EQ(one.centre_x_mm, -other.centre_x_mm);
+  EXPECT_EQ(one.centre_y_mm, -other.centre_y_mm);
+  EXPECT_NEAR(table.shape(22, -3, 17, 8, 4), table.shape(-22, 3, -17, -8, 4), 1e-12);
+}
+
+TEST(Cloth, UnderTheFingerItIsAsDeepAsTheFingerAndAtTheFrameItStays) {
+  Cloth cloth(of(ClothKind::membrane));
+  for (const double depth : {1.0, 4.0, 7.0}) {
+    EXPECT_NEAR(cloth.deflection_mm(12, -9, at(12, -9, depth)), depth, 0.01 * depth);
+    EXPECT_NEAR(cloth.deflection_mm(50, 10, at(12, -9, depth)), 0.0, 0.01);
+    EXPECT_NEAR(cloth.deflection_mm(0, -35, at(12, -9, depth)), 0.0, 0.01);
+  }
+  EXPECT_EQ(cloth.deflection_mm(0, 0, at(0, 0, 0)), 0.0);
+}
+
+TEST(Cloth, TheContactOfASphereGrowsWithDepthAndThatOfADiscIsTheDisc) {
+  Cloth sphere(of(ClothKind::membrane)), disc(of(ClothKind::membrane, FingerShape::disc));
+  double before = 0.0;
+  for (const double depth : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+    const double area = sphere.press(45, at(0, 0, depth), 1e-3).area_mm2;
+    EXPECT_GT(area, before);
+    EXPECT_LT(area, std::numbers::pi * 64.0);
+    EXPECT_NEAR(disc.press(45, at(0, 0, depth), 1e-3).area_mm2, std::numbers::pi * 49.0, 0.01);
+    before = area;
+  }
+}
+
+TEST(Cloth, WithoutAFingerItIsTheReferenceAndNothingPresses) {
+  Cloth cloth(of(ClothKind::membrane));
+  EXPECT_NEAR(cloth.stiffness(45, at(0, 0, 0)), 0.550, 0.005);
+  EXPECT_EQ(cloth.press(45, at(0, 0, 0), 1e-3).force_N, 0.0);
+  EXPECT_EQ(cloth.press(45, at(0, 0, NAN), 1e-3).force_N, 0.0);
+}
+
+TEST(Cloth, ViscosityAddsOnTheWayDownAndTakesOnTheWayUpAndNothingToAHeldFinger) {
+  for (const ClothKind kind : {ClothKind::ideal, ClothKind::membrane}) {
+    SimParameters parameters = of(kind);
+    parameters.fabric_viscosity_ms = 20.0;
+    Cloth viscous(parameters), plain(of(kind));
+    const auto both = [&](double depth) {
+      return std::pair{viscous.press(45, at(0, 0, depth), 1e-3).force_N,
+                       plain.press(45, at(0, 0, depth), 1e-3).force_N};
+    };
+    both(3.9);
+    const auto [down, slow_down] = both(4.0);  // 100 mm/s · 20 ms over 4 mm: half as much again
+    EXPECT_NEAR(down / slow_down, 1.5, 1e-9);
+    const auto [held, slow_held] = both(4.0);
+    EXPECT_DOUBLE_EQ(held, slow_held);
+    const auto [up, slow_up] = both(3.0);
+    EXPECT_EQ(up, 0.0) << "it does not pull";
+    EXPECT_GT(slow_up, 0.0);
+  }
+}
+
+TEST(Cloth, ATableThatIsDamagedSaysWhereAndAnUnknownOneIsEmpty) {
+  EXPECT_TRUE(clothTableText("silk").empty());
+  const std::string good(clothTableText("frame_sphere8"));
+  ASSERT_TRUE(ClothTable::parse(good));
+  for (const auto& [damaged, named] : {std::pair{std::string(), "fyd-cloth"},
+                                       {good.substr(0, good.size() / 2), "numbers"},
+                                       {"fyd-cloth 2" + good.substr(11), "fyd-cloth"}}) {
+    const auto parsed = ClothTable::parse(damaged);
+    ASSERT_FALSE(parsed);
+    EXPECT_NE(parsed.error().message.find(named), std::string::npos) << parsed.error().message;
+  }
+  for (const auto& [was, is, named] : {std::tuple{"\nx 0 ", "\nx nan ", "x"},
+                                       {"\ndepth 0.5", "\ndepth 9", "depth"},
+                                       {"\nhalf 50", "\nhalf -50", "half"},
+                                       {"\nshape 15", "\nshape 1500", "shape"},
+                                       {"\nreference ", "\nreference 1 ", "reference"}}) {
+    std::string damaged = good;
+    damaged.replace(damaged.find(was), std::string(was).size(), is);
+    const auto parsed = ClothTable::parse(damaged);
+    ASSERT_FALSE(parsed) << is;
+    EXPECT_NE(parsed.error().message.find(named), std::string::npos) << parsed.error().message;
+  }
+}
+
+TEST(Cloth, ACameraOfFiniteHeightSeesADeepContactFartherOutAndLarger) {
+  WorldSnapshot world;
+  world.finger = at(20, 0, 6);
+  world.force_N = 3.0;
+  world.contact_area_mm2 = std::numbers::pi * 36.0;
+  world.contact_x_mm = 20.0;
+  const auto darkness = [&](ClothKind kind) {
+    SimParameters parameters = of(kind);
+    parameters.camera_noise = parameters.camera_vignette = 0.0;
+    std::mt19937_64 random(1);
+    cv::Mat picture;
+    PictureRenderer(parameters).render(world, random, picture);
+    double sum = 0.0, moment = 0.0;
+    for (int u = 0; u < picture.cols; ++u) {
+      for (int v = 0; v < picture.rows; ++v) {
+        const double dark = 245.0 - picture.at<std::uint8_t>(v, u);
+        sum += dark;
+        moment += dark * u;
+      }
+    }
+    return std::pair{sum / 185.0 * (100.0 / 220.0) * (70.0 / 150.0), (moment / sum - 150.0) * 100.0 / 220.0};
+  };
+  const auto [area, x] = darkness(ClothKind::membrane);
+  EXPECT_NEAR(x, 20.0 * 100.0 / 94.0, 0.05);
+  EXPECT_NEAR(area, std::numbers::pi * 36.0 * std::pow(100.0 / 94.0, 2), 2.5);
+  EXPECT_NEAR(darkness(ClothKind::ideal).second, 20.0, 0.05) << "the ideal cloth's camera stands far away";
+}
+
+TEST(Cloth, OnlyTheClothThatIsNamedIsRead) {
+  SimParameters ideal;
+  ideal.cloth = ClothKind::ideal;
+  TouchpadWorld world(ideal, FingerPath::constant(0, 0, 3), instantAt(1));
+  EXPECT_DOUBLE_EQ(world.truth().force_N, 3 * 0.501);
+}
+
+}  // namespace
+}  // namespace fyd::sim
