@@ -133,17 +133,21 @@ struct ControlParameters {
             .help = sentence("Time over which the measured stiffness' noise repeats itself; auto-tune measures it."),
             .live = true});
     v.real("control.measurement_bias", measurement_bias,
-           {.minimum = 0,
+           {.name = sentence("Lasting measurement error"),
+            .minimum = 0,
             .maximum = 1,
-            .help = "Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.",
+            .help = sentence(
+                "Relative error of the measured stiffness that may last; the loop corrects only what exceeds it."),
             .live = true,
             .before_it_was = 0.0});
-    v.real("control.correction_limit", correction_limit,
-           {.minimum = 0,
-            .maximum = kNoCorrectionLimit,
-            .help = "Largest relative correction of the law; a measurement that asks for more contradicts it.",
-            .live = true,
-            .before_it_was = kNoCorrectionLimit});
+    v.real(
+        "control.correction_limit", correction_limit,
+        {.name = sentence("Correction limit"),
+         .minimum = 0,
+         .maximum = kNoCorrectionLimit,
+         .help = sentence("Largest relative correction of the law; a measurement that asks for more contradicts it."),
+         .live = true,
+         .before_it_was = kNoCorrectionLimit});
     v.real("control.travel_minimum_deg", travel_minimum_deg,
            {.unit = "deg", .minimum = -30, .maximum = 180, .help = sentence("Least stretch the controller commands.")});
     v.real(

@@ -51,7 +51,9 @@ struct ControlOutput {
   bool holding = false;           ///< no target or not enabled: the reference stands
   double correction = 0.0;        ///< PID's part: relative in default mode, degrees in thesis mode
   double fabric_scale = 1.0;      ///< S: 1.3 is a cloth 30 % stiffer than calibrated; 1 while not sure
+  double measured_scale = 1.0;    ///< S as measured, before trust
   bool law_contradicted = false;  ///< the measurement asks for more than the calibration allows: the law drives alone
+  bool contradiction_begins = false;
 };
 
 class StiffnessController {

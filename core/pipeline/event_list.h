@@ -44,4 +44,9 @@ EVENT(target_clamped, 7, "target clamped",  // value: nearest reachable stiffnes
 EVENT(time_reversed, 8, "time reversed",  // value: by how many seconds
       error, true, serious,
       say("The clock went back by {:.3f} s; that step moved nothing.", e.value), fmt::format("by {} s", e.value))
+EVENT(law_contradicted, 9, "law contradicted",  // value: measured stiffness over that of the law
+      warning, true, marked,
+      say("The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and "
+          "calibration.", e.value),
+      fmt::format("measured {:.3f} times the law", e.value))
 // clang-format on

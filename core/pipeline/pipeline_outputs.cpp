@@ -38,6 +38,9 @@ void Pipeline::stepControl(const Inputs& inputs) {
     report({.kind = EventKind::target_clamped, .value = control_.reachable_target_N_per_mm});
   }
   target_was_clamped_ = control_.target_clamped;
+  if (enabled && control_.contradiction_begins) {
+    report({.kind = EventKind::law_contradicted, .value = control_.measured_scale});
+  }
   outputs_.motors.active = safety_.state() == SafetyState::active || safety_.state() == SafetyState::held;
   mixing_.mix(stretch_deg_, translation_deg_, outputs_.motors);
 }

@@ -33,7 +33,7 @@ CHANGES = {
     # An event in the middle of the list: one line, with a number of its own.
     "core/pipeline/event_list.h": {
         "EVENT(tare_failed, ":
-            'EVENT(inserted, 9, "inserted", information, false, plain, say("Inserted."), std::string())\n'
+            'EVENT(inserted, 99, "inserted", information, false, plain, say("Inserted."), std::string())\n'
             "EVENT(tare_failed, ",
     },
     # Inputs: a field in the middle of the finger detection, a number among the step's own, a value with its own table.
