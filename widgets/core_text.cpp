@@ -2,104 +2,38 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QRegularExpression>
-#include <algorithm>
-#include <vector>
-
-#include "widgets/core_sentences.h"
 
 namespace fyd::widgets {
 namespace {
 
-QString translated(const QString& english) { return QCoreApplication::translate("Core", english.toUtf8().constData()); }
-
-/// A sentence with values, as what to look for.
-struct Pattern {
-  QString english;
-  QRegularExpression form;
-  qsizetype fixed = 0;  ///< characters that are no value
-};
-
-/// Those with the most fixed text first: "%1. %2" fits many sentences, and should be the last to be tried.
-const std::vector<Pattern>& patterns() {
-  static const std::vector<Pattern> kPatterns = [] {
-    std::vector<Pattern> out;
-    static const QRegularExpression kValue(QStringLiteral("%[1-9]"));
-    for (const char* each : coreSentenceTable()) {
-      const QString english = QString::fromUtf8(each);
-      if (!english.contains(kValue)) continue;
-      QString form = QRegularExpression::escape(english);
-      const qsizetype values = english.count(kValue);
-      form.replace(QRegularExpression(QStringLiteral("\\\\%\\\\?[1-9]|%[1-9]")), QStringLiteral("(.+?)"));
-      out.push_back({english,
-                     QRegularExpression(QRegularExpression::anchoredPattern(form),
-                                        QRegularExpression::DotMatchesEverythingOption),
-                     english.size() - 2 * values});
-    }
-    std::ranges::stable_sort(out, std::ranges::greater{}, &Pattern::fixed);
-    return out;
-  }();
-  return kPatterns;
+std::string translated(std::string_view english) {
+  return QCoreApplication::translate("Core", std::string(english).c_str()).toStdString();
 }
 
-constexpr qsizetype kWordy = 6;  // characters: less is punctuation, and translates nothing by itself
+std::string inWords(const Message& message);
 
-bool speaksEnglish() {
-  const QString probe = QString::fromUtf8(coreSentenceTable()[0]);
-  return translated(probe) == probe;
+std::string shownHere(const Value& value, std::string_view spec) {
+  if (const auto* message = std::get_if<Message>(&value.is)) return inWords(*message);
+  std::string text = shown(value, spec);
+  if (!std::holds_alternative<double>(value.is)) return text;
+  const std::string point = QString(QLocale().decimalPoint()).toStdString();
+  if (const auto at = text.find('.'); at != std::string::npos) text.replace(at, 1, point);
+  return text;
 }
 
-/// In one pass: a value may hold a %1 of its own.
-template <class Value>
-QString filledIn(const QString& form, const Value& value) {
-  QString out;
-  for (qsizetype i = 0; i < form.size(); ++i) {
-    const int number = form[i] == QLatin1Char('%') && i + 1 < form.size() ? form[i + 1].digitValue() : -1;
-    if (number >= 1) {
-      out += value(number);
-      ++i;
-    } else {
-      out += form[i];
-    }
-  }
-  return out;
-}
-
-/// With the decimal sign of the language.
-QString numberInWords(const QString& value) {
-  static const QRegularExpression kNumber(QStringLiteral("[-+]?\\d+\\.\\d+"));
-  return kNumber.match(value).hasMatch() && kNumber.match(value).capturedLength() == value.size()
-             ? QString(value).replace(QLatin1Char('.'), QLocale().decimalPoint())
-             : value;
-}
-
-/// @param depth how often a value may itself be a sentence with values
-QString inWords(const QString& english, int depth) {
-  const QString whole = numberInWords(translated(english));
-  if (whole != english || depth == 0) return whole;
-  for (const Pattern& pattern : patterns()) {
-    const QRegularExpressionMatch match = pattern.form.match(english);
-    if (!match.hasMatch()) continue;
-    bool any = pattern.fixed >= kWordy;
-    const QString out = filledIn(translated(pattern.english), [&](int i) {
-      const QString value = inWords(match.captured(i), depth - 1);
-      any = any || value != match.captured(i);
-      return value;
-    });
-    if (any) return out;
-  }
-  return english;
+std::string inWords(const Message& message) {
+  if (message.empty()) return {};
+  const std::string form = translated(message.format);
+  const bool has_words = form != message.format || !message.values.empty();
+  return has_words ? filledIn(form, message, shownHere).value_or(message.text()) : message.text();
 }
 
 }  // namespace
 
-QString coreText(const QString& english) {
-  constexpr int kDepth = 3;
-  return english.isEmpty() || speaksEnglish() ? english : inWords(english, kDepth);
-}
+QString coreText(const Message& message) { return QString::fromStdString(inWords(message)); }
 
-QString coreText(std::string_view english) {
-  return coreText(QString::fromUtf8(english.data(), static_cast<qsizetype>(english.size())));
+QString coreText(std::string_view phrase) {
+  return phrase.empty() ? QString() : QString::fromStdString(translated(phrase));
 }
 
 }  // namespace fyd::widgets

@@ -16,9 +16,9 @@ namespace {
 constexpr int kSymbol = 24;
 constexpr int kWide = 52 * kGrid;  // from here on two columns of values have room
 
-QString iconOf(const std::string& name) {
-  if (name == "Camera") return QStringLiteral("camera");
-  if (name == "Motor board") return QStringLiteral("arm");
+QString iconOf(device::Part part) {
+  if (part == device::Part::camera) return QStringLiteral("camera");
+  if (part == device::Part::motor_board) return QStringLiteral("arm");
   return QStringLiteral("touchpad");
 }
 
@@ -128,7 +128,7 @@ void DeviceCard::fill(Section& section, const std::vector<Entry>& entries) {
 }
 
 std::vector<DeviceCard::Entry> DeviceCard::figures(const device::DeviceReport& report) {
-  const bool camera = report.name == "Camera";
+  const bool camera = report.part == device::Part::camera;
   const double rate = report.rate_hz > 0.0 ? report.rate_hz : std::nan("");
   return {{camera ? tr("Pictures") : tr("Answers"), quantityText(rate, 0, tr("a second"))},
           {camera ? tr("Last picture") : tr("Last answer"),
@@ -138,7 +138,7 @@ std::vector<DeviceCard::Entry> DeviceCard::figures(const device::DeviceReport& r
 
 std::vector<DeviceCard::Entry> DeviceCard::controls(const device::DeviceReport& report) {
   std::vector<Entry> out;
-  if (report.name == "Camera" && report.controls.empty()) {
+  if (report.part == device::Part::camera && report.controls.empty()) {
     out.push_back({tr("Brightness, contrast, exposure"), tr("this source has none")});
   }
   for (const device::CameraControl& control : report.controls) {
@@ -152,11 +152,11 @@ std::vector<DeviceCard::Entry> DeviceCard::controls(const device::DeviceReport& 
 }
 
 void DeviceCard::setReport(const device::DeviceReport& report) {
-  setAccessibleName(deviceWord(report.name));
-  symbol_->setPixmap(icon(iconOf(report.name), theme().text).pixmap(QSize(kSymbol, kSymbol), devicePixelRatioF()));
-  name_->setText(deviceWord(report.name));
+  setAccessibleName(coreText(toString(report.part)));
+  symbol_->setPixmap(icon(iconOf(report.part), theme().text).pixmap(QSize(kSymbol, kSymbol), devicePixelRatioF()));
+  name_->setText(coreText(toString(report.part)));
   kind_->setText(coreText(report.kind));
-  description_->setText(breakable(QString::fromStdString(report.description)));
+  description_->setText(breakable(coreText(report.description)));
   problem_->setText(deviceWord(report.problem));
   problem_->setVisible(!report.problem.empty());
   showState(report.ok);

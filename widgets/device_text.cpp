@@ -20,7 +20,7 @@ int decimalsOf(const std::string& unit) {
 
 }  // namespace
 
-QString deviceWord(const std::string& words) {
+QString deviceWord(const Message& words) {
   QString text = coreText(words);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;

@@ -15,7 +15,7 @@ QString tr(const char* text) { return QCoreApplication::translate("StateText", t
 
 }  // namespace
 
-QString sentence(std::string_view phrase) {
+QString asSentence(std::string_view phrase) {
   QString text = coreText(phrase);
   if (text.isEmpty()) return text;
   text[0] = text[0].toUpper();
@@ -24,7 +24,7 @@ QString sentence(std::string_view phrase) {
 }
 
 StateWords describeState(SafetyState state, Lack lack) {
-  const QString reason = lack == Lack::none ? QString() : sentence(toString(lack));
+  const QString reason = lack == Lack::none ? QString() : asSentence(toString(lack));
   const QString remedy = lack == Lack::none ? QString() : coreText(pipeline::remedy(lack));
   const QString word = coreText(toString(state));
   switch (state) {

@@ -21,6 +21,6 @@ struct StateWords {
 /// "Arm" before the first start and "Re-arm" after Held or Stopped.
 [[nodiscard]] QString armText(pipeline::SafetyState state);
 /// A core phrase as a sentence: first letter large, full stop.
-[[nodiscard]] QString sentence(std::string_view phrase);
+[[nodiscard]] QString asSentence(std::string_view phrase);
 
 }  // namespace fyd::widgets

@@ -7,6 +7,7 @@
 #include "app/cli/bench/table.h"
 #include "app/cli/command.h"
 #include "app/cli/output_file.h"
+#include "core/base/system_reason.h"
 
 namespace fyd::bench {
 #define FYD_BENCH(name) Table bench_##name();
@@ -58,7 +59,7 @@ void add_bench(CLI::App& app) {
       if (options->out.empty()) continue;
       std::error_code problem;
       std::filesystem::create_directories(options->out, problem);
-      if (problem) throw Failure(fmt::format("{}: {}", options->out, problem.message()));
+      if (problem) throw Failure(about(options->out, systemReason(problem)));
       writeTextFile(std::filesystem::path(options->out) / (table.subject + ".md"), bench::toMarkdown(table));
       writeTextFile(std::filesystem::path(options->out) / (table.subject + ".csv"), bench::toCsv(table));
     }

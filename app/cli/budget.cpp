@@ -19,7 +19,7 @@ struct BudgetOptions {
 
 Vec3 parseWorkspace(const std::string& text) {
   const auto wrong = [&] {
-    return UsageError(fmt::format("--workspace \"{}\": expected three lengths in mm such as 160x130x130", text));
+    return UsageError(say("--workspace \"{}\": expected three lengths in mm such as 160x130x130", text));
   };
   std::array<double, 3> side{};
   const char* at = text.data();
@@ -38,7 +38,7 @@ void runBudget(const BudgetOptions& options) {
   const protocol::TouchFields all{.force = true, .indentation = true, .orientation = true};
   const auto budget = protocol::messageBudget(parseWorkspace(options.workspace), options.precision_mm,
                                               options.flow_bit_per_s, options.period_ms, all);
-  if (!budget) throw UsageError("budget: " + budget.error().message);
+  if (!budget) throw UsageError(say("budget: {}", budget.error().message));
   const nlohmann::ordered_json out{{"points_per_axis", budget->points_per_axis},
                                    {"bits_per_axis", budget->bits_per_axis},
                                    {"max_message_bits", jsonNumber(budget->max_message_bits)},

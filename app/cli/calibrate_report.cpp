@@ -107,9 +107,9 @@ nlohmann::ordered_json describe(const calibration::CalibrationResult& result, co
 
 void finish(const CalibrateOptions& options, const calibration::CalibrationResult& result, const CsvTable& table,
             nlohmann::ordered_json json, int sensor) {
-  std::string reason = result.verdict.reason;
+  Message reason = result.verdict.reason;
   if (result.bad_row < table.rows()) {
-    reason = fmt::format("{}:{}: {}", options.samples, table.lines[result.bad_row], reason);
+    reason = about(fmt::format("{}:{}", options.samples, table.lines[result.bad_row]), reason);
   }
   json["changes"] = nlohmann::ordered_json::array();
   for (const calibration::ParameterChange& change : result.changes) {
@@ -119,7 +119,7 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
   json["accepted"] = result.verdict.accepted;
   json["reason"] = reason;
   if (!options.report.empty() && std::filesystem::exists(options.report)) {
-    throw Failure(fmt::format("{}: exists already; nothing was written", options.report));
+    throw Failure(say("{}: exists already; nothing was written", options.report));
   }
   const auto former = recordsBefore(options);
   auto record = calibration::makeRecord(result, {}, sensor, options.who, nowUtc(), options.conditions);
@@ -157,7 +157,7 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
   }
   std::cout.flush();
   if (!result.verdict.accepted) {
-    throw Failure(fmt::format("{}{}", result.bad_row < table.rows() ? "" : options.samples + ": ", reason));
+    throw Failure(result.bad_row < table.rows() ? reason : about(options.samples, reason));
   }
 }
 

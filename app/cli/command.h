@@ -2,7 +2,7 @@
 // options and a callback; the callback writes results to standard output and throws Failure when it failed.
 #pragma once
 
-#include <stdexcept>
+#include <exception>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -12,30 +12,55 @@
 
 namespace fyd::cli {
 
-/// The operation failed: exit 1, the message on standard error.
-struct Failure : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// The operation failed: the message on standard error, and with --json as "error" in what is printed.
+struct Failure : std::exception {
+  explicit Failure(Message why, int with = 1) : message(std::move(why)), code(with) {}
+  Message message;
+  int code;  ///< the exit code
 };
 
-/// Wrong usage that only the callback can see: exit 2, the message on standard error.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// Wrong usage that only the callback can see: exit 2.
+struct UsageError : Failure {
+  explicit UsageError(Message why) : Failure(std::move(why), 2) {}
 };
 
 /// The value, or Failure with the error's message.
 template <class T>
 T valueOrFail(Result<T> result) {
-  if (!result) throw Failure(result.error().message);
+  if (!result) throw Failure(std::move(result.error().message));
   if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
 
 /// Doubles that are not finite become null, as JSON has no NaN.
 [[nodiscard]] nlohmann::ordered_json jsonNumber(double value);
 
-/// Writes `json` and a line end to standard output.
+/// The one document that this program prints on standard output; `printErrorJson` may still add to it.
 void printJson(const nlohmann::ordered_json& json);
+/// Adds "error" with its kind, format, values and text: to the object that was printed; beside an array ("result");
+/// alone when nothing was printed.
+void printErrorJson(const Message& message);
+/// Writes the document. @return false when it could not be written
+[[nodiscard]] bool flushOutput();
 
 /// Whole file as bytes; Failure when it cannot be read.
 [[nodiscard]] std::string readTextFile(const std::string& path);
 
 }  // namespace fyd::cli
+
+namespace fyd {
+
+/// In what is printed a message is its English; `printErrorJson` tells its parts.
+template <class Json>
+void to_json(Json& json, const Message& message) {
+  json = message.text();
+}
+
+}  // namespace fyd
+
+template <>
+struct fmt::formatter<fyd::Message> : fmt::formatter<std::string_view> {
+  template <class Context>
+  auto format(const fyd::Message& message, Context& context) const {
+    return fmt::formatter<std::string_view>::format(message.text(), context);
+  }
+};

@@ -24,15 +24,15 @@ struct DevicesOptions {
 
 struct Answer {
   std::string address;
-  std::string description;
-  std::string problem;  ///< empty: it answers
+  Message description;
+  Message problem;  ///< empty: it answers
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
 };
 
 /// One exchange with the motors off.
 Answer askTouchpad(const std::string& text, const device::DeviceParameters& parameters) {
   const auto address = device::parseModbusAddress(text);
-  if (!address) throw UsageError("--touchpad " + address.error().message);
+  if (!address) throw UsageError(say("--touchpad {}", address.error().message));
   device::ModbusTouchpad touchpad(*address, parameters);
   Answer out{.address = text};
   const auto readings = touchpad.exchange({}, Clock::now());
@@ -55,7 +55,7 @@ Answer askTouchpad(const std::string& text, const device::DeviceParameters& para
 
 Answer askMotors(const std::string& text, const device::DeviceParameters& parameters) {
   constexpr std::string_view kPrefix = "qbmove:";
-  if (!text.starts_with(kPrefix)) throw UsageError(fmt::format("--motors '{}': expected qbmove:TTY", text));
+  if (!text.starts_with(kPrefix)) throw UsageError(say("--motors '{}': expected qbmove:TTY", text));
   device::QbmoveMotors motors(text.substr(kPrefix.size()), parameters);
   Answer out{.address = text, .description = motors.description()};
   const auto feedback = motors.exchange({});
@@ -72,14 +72,14 @@ Answer askMotors(const std::string& text, const device::DeviceParameters& parame
 Answer askCamera(const std::string& source, const device::DeviceParameters& parameters) {
   Answer out{.address = source};
   const auto camera = device::openCamera(source, parameters);
-  const auto frame = camera ? (*camera)->next() : fail("{}", camera.error().message);
+  const auto frame = camera ? (*camera)->next() : fail(camera.error().message);
   if (camera) out.description = (*camera)->description();
   if (!frame) {
     out.problem = frame.error().message;
     return out;
   }
   out.values["picture"] = fmt::format("{} × {}", frame->picture.cols, frame->picture.rows);
-  for (const device::CameraControl& control : (*camera)->controls()) out.values[control.name] = control.words;
+  for (const device::CameraControl& control : (*camera)->controls()) out.values[control.name.text()] = control.words;
   return out;
 }
 
@@ -95,7 +95,7 @@ void printFound(const char* what, const std::vector<device::FoundDevice>& found)
   if (found.empty()) std::cout << fmt::format("{:<16} none\n", what);
   for (const device::FoundDevice& device : found) {
     std::cout << fmt::format("{:<16} {}{}{}\n", what, device.path, device.name.empty() ? "" : "  " + device.name,
-                             device.problem.empty() ? "" : "\n                 " + device.problem);
+                             device.problem.empty() ? "" : "\n                 " + device.problem.text());
   }
 }
 
@@ -130,14 +130,14 @@ void runDevices(DevicesOptions& options) {
     printFound("camera", cameras);
     for (const Answer& answer : answers) {
       std::cout << fmt::format("{:<16} {}  {}\n", "asked", answer.address,
-                               answer.problem.empty() ? answer.description : "no: " + answer.problem);
+                               answer.problem.empty() ? answer.description : say("no: {}", answer.problem));
       for (const auto& [key, value] : answer.values.items()) {
         std::cout << fmt::format("                 {:<24} {}\n", key,
                                  value.is_string() ? value.get<std::string>() : value.dump());
       }
     }
   }
-  if (!all_answer) throw Failure("not every device that was asked answers");
+  if (!all_answer) throw Failure(say("not every device that was asked answers"));
 }
 
 }  // namespace

@@ -37,13 +37,13 @@ std::string joined(const Names& names) {
 device::TimedCommand parseCommandAt(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) {
-    throw UsageError(fmt::format("--command-at \"{}\": expected SECONDS:NAME such as 2.5:vibration-up", text));
+    throw UsageError(say("--command-at \"{}\": expected SECONDS:NAME such as 2.5:vibration-up", text));
   }
   const double at_s = numberOrUsageError("--command-at", text.substr(0, colon));
   const auto found = std::ranges::find(kCommandNames, text.substr(colon + 1));
   if (at_s < 0.0 || found == kCommandNames.end()) {
     throw UsageError(
-        fmt::format("--command-at \"{}\": expected a time of 0 or later and one of {}", text, joined(kCommandNames)));
+        say("--command-at \"{}\": expected a time of 0 or later and one of {}", text, joined(kCommandNames)));
   }
   return {.at_s = at_s, .command = static_cast<pipeline::RobotCommand>(found - kCommandNames.begin())};
 }
@@ -91,7 +91,7 @@ class Teller {
   void tell(const device::RobotRunnerStatus& s) {
     const bool problem = !s.robot_problem.empty();
     if (problem && (!problem_ || Clock::now() - told_ >= kTellAgain)) {
-      std::cerr << s.robot_problem + "\n";
+      std::cerr << s.robot_problem.text() + "\n";
       told_ = Clock::now();
     } else if (!problem && problem_) {
       std::cerr << "the arm follows\n";
@@ -148,8 +148,8 @@ device::RobotRunnerOptions runnerOptions(const EndOptions& given, std::string_vi
   if (given.waits == "wired") options.link = protocol::ClassicRobotSettings::wired();
   if (given.waits == "wireless") options.link = protocol::ClassicRobotSettings::wireless();
   if (given.link != !given.key.empty()) {
-    throw UsageError(given.link ? "--link: FYD Link needs --key FILE; fyd link keygen makes one"
-                                : "--key: only FYD Link takes a key; add --link");
+    throw UsageError(given.link ? say("--link: FYD Link needs --key FILE; fyd link keygen makes one")
+                                : say("--key: only FYD Link takes a key; add --link"));
   }
   if (given.link) options.key = valueOrFail(protocol::readKeyFile(given.key));
   options.secure.rates.state_Hz = given.state_rate_Hz;
@@ -171,12 +171,12 @@ void runRobotEnd(const EndOptions& given, const device::RobotRunnerOptions& opti
   if (arm_summary) summary["arm"] = arm_summary();
   printSummary(summary, given.json);
   if (!status.prepared || (status.connections == 0 && !status.robot_problem.empty())) {
-    throw Failure(fmt::format("{}: the arm was not ready in {:.1f} s: {}", status.description, status.seconds,
-                              status.robot_problem.empty() ? "stopped before" : status.robot_problem));
+    throw Failure(say("{}: the arm was not ready in {:.1f} s: {}", status.description, status.seconds,
+                      status.robot_problem.empty() ? say("stopped before") : status.robot_problem));
   }
   if (status.connections == 0) {
     throw Failure(
-        fmt::format("{}: {} in {:.1f} s", protocol::toString(options.touchpad), status.problem, status.seconds));
+        say("{}: {} in {:.1f} s", protocol::toString(options.touchpad), phrase(status.problem), status.seconds));
   }
 }
 

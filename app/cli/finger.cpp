@@ -54,10 +54,10 @@ void add_finger(CLI::App& app) {
   command->callback([options] {
     const sensing::FingerParameters parameters = options->profile.load().step.sensing.finger;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    std::string problem;
+    std::vector<Message> problems;
     for (const std::string& path : options->images) {
       const auto read = device::readPicture(path);
-      if (!read) problem += (problem.empty() ? "" : "\n") + read.error().message;
+      if (!read) problems.push_back(read.error().message);
       const cv::Mat picture = read ? *read : cv::Mat();
       const sensing::FingerDetection found = sensing::FingerDetector(parameters).detect(device::viewOf(picture));
       if (options->json) {
@@ -67,7 +67,8 @@ void add_finger(CLI::App& app) {
       }
     }
     if (options->json) printJson(all);
-    if (!problem.empty()) throw Failure(problem);  // the other pictures have their answer
+    if (!problems.empty())
+      throw Failure(listed(std::move(problems), "{}\n{}"));  // the other pictures have their answer
   });
 }
 

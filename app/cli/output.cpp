@@ -2,6 +2,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <optional>
 
 #include "app/cli/command.h"
 
@@ -12,11 +13,52 @@ nlohmann::ordered_json jsonNumber(double value) {
   return value;
 }
 
-void printJson(const nlohmann::ordered_json& json) { std::cout << json.dump(2) << '\n'; }
+namespace {
+
+std::optional<nlohmann::ordered_json> document;  // NOLINT: one process, one document
+
+nlohmann::ordered_json partsOf(const Message& message);
+
+nlohmann::ordered_json partsOf(const Value& value) {
+  return std::visit(
+      [](const auto& is) -> nlohmann::ordered_json {
+        using Is = std::remove_cvref_t<decltype(is)>;
+        if constexpr (std::is_same_v<Is, Message>) return partsOf(is);
+        if constexpr (std::is_same_v<Is, double>) return jsonNumber(is);
+        if constexpr (!std::is_same_v<Is, Message> && !std::is_same_v<Is, double>) return is;
+      },
+      value.is);
+}
+
+nlohmann::ordered_json partsOf(const Message& message) {
+  auto values = nlohmann::ordered_json::array();
+  for (const Value& value : message.values) values.push_back(partsOf(value));
+  return {{"kind", toString(message.kind)}, {"format", message.format}, {"values", values}, {"text", message.text()}};
+}
+
+}  // namespace
+
+void printJson(const nlohmann::ordered_json& json) { document = json; }
+
+void printErrorJson(const Message& message) {
+  if (!document) {
+    document = nlohmann::ordered_json::object();
+  } else if (!document->is_object()) {
+    document = nlohmann::ordered_json{{"result", *document}};
+  }
+  (*document)["error"] = partsOf(message);
+}
+
+bool flushOutput() {
+  // What a file or a device calls itself may be no UTF-8.
+  if (document) std::cout << document->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  document.reset();
+  return static_cast<bool>(std::cout.flush());
+}
 
 std::string readTextFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw Failure(fmt::format("{}: cannot be opened for reading", path));
+  if (!file) throw Failure(say("{}: cannot be opened for reading", path));
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -12,13 +12,13 @@ void writeTextFile(const std::string& path, const std::string& text) {
     return;
   }
   std::ofstream out = openForWriting(path);
-  if (!(out << text).flush()) throw Failure(fmt::format("{}: cannot be written", path));
+  if (!(out << text).flush()) throw Failure(say("{}: cannot be written", path));
 }
 
 std::ofstream openForWriting(const std::string& path) {
   const std::string target = isOwnDescriptor(path) ? path : valueOrFail(writeTargetOf(path)).path;
   std::ofstream out(target, std::ios::binary);
-  if (!out) throw Failure(fmt::format("{}: cannot be opened for writing", path));
+  if (!out) throw Failure(say("{}: cannot be opened for writing", path));
   return out;
 }
 

@@ -79,7 +79,7 @@ void add_params(CLI::App& app) {
         printParameter(values[i], standards[i]);
       }
     }
-    if (!found) throw UsageError(fmt::format("params: no parameter '{}'; 'fyd params' lists them all", options->id));
+    if (!found) throw UsageError(say("params: no parameter '{}'; 'fyd params' lists them all", options->id));
     if (options->json) printJson(json);
   });
 }

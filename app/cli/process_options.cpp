@@ -26,7 +26,7 @@ void printLines(const nlohmann::ordered_json& object, const std::string& prefix)
 
 protocol::Endpoint endpointOrUsageError(const std::string& option, const std::string& text) {
   auto endpoint = protocol::parseEndpoint(text);
-  if (!endpoint) throw UsageError(fmt::format("{}: {}", option, endpoint.error().message));
+  if (!endpoint) throw UsageError(about(option, endpoint.error().message));
   return *endpoint;
 }
 
@@ -34,7 +34,7 @@ double numberOrUsageError(const std::string& option, std::string_view text) {
   double value = 0.0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw UsageError(fmt::format("{}: \"{}\" is not a number", option, text));
+    throw UsageError(say("{}: \"{}\" is not a number", option, text));
   }
   return value;
 }
@@ -48,7 +48,7 @@ std::vector<double> numbersOrUsageError(const std::string& option, std::string_v
     rest.remove_prefix(comma + 1);
   }
   if (numbers.size() != count) {
-    throw UsageError(fmt::format("{} \"{}\": expected {} numbers separated by commas", option, text, count));
+    throw UsageError(say("{} \"{}\": expected {} numbers separated by commas", option, text, count));
   }
   return numbers;
 }

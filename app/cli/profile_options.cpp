@@ -18,12 +18,11 @@ station::Profile ProfileOptions::load() const {
   const auto parameters = bindParameters(profile);
   for (const std::string& setting : settings) {
     const auto equals = setting.find('=');
-    if (equals == std::string::npos) throw UsageError(fmt::format("--set {}: expected id=value", setting));
+    if (equals == std::string::npos) throw UsageError(say("--set {}: expected id=value", setting));
     const Parameter* parameter = findParameter(parameters, setting.substr(0, equals));
-    if (parameter == nullptr)
-      throw UsageError(fmt::format("--set {}: unknown parameter; 'fyd params' lists them", setting));
+    if (parameter == nullptr) throw UsageError(say("--set {}: unknown parameter; 'fyd params' lists them", setting));
     if (auto assigned = assignParameter(*parameter, setting.substr(equals + 1)); !assigned) {
-      throw UsageError("--set " + assigned.error().message);
+      throw UsageError(say("--set {}", assigned.error().message));
     }
   }
   return profile;
@@ -33,7 +32,7 @@ void ProfileOptions::sayWhatIsOutdated(const station::Profile& profile) const {
   if (file.empty()) return;
   const auto outdated = station::outdatedParts(file, profile);
   if (!outdated) {
-    std::cerr << fmt::format("warning: {}\n", outdated.error().message);
+    std::cerr << fmt::format("warning: {}\n", outdated.error().text());
     return;
   }
   for (const station::OutdatedPart& each : *outdated) {

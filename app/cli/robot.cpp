@@ -31,10 +31,10 @@ protocol::TouchMappingSettings mappingOf(const RobotCliOptions& given) {
   const auto scale = numbersOrUsageError("--scale", given.scale, 2);
   const auto keep = numbersOrUsageError("--smoothing", given.smoothing, 2);
   if (std::ranges::min(scale) < 0.0 || std::ranges::max(scale) > 20.0) {
-    throw UsageError(fmt::format("--scale {}: expected two factors of 0 to 20", given.scale));
+    throw UsageError(say("--scale {}: expected two factors of 0 to 20", given.scale));
   }
   if (std::ranges::min(keep) < 0.0 || std::ranges::max(keep) >= 1.0) {
-    throw UsageError(fmt::format("--smoothing {}: expected two shares of 0 to below 1", given.smoothing));
+    throw UsageError(say("--smoothing {}: expected two shares of 0 to below 1", given.smoothing));
   }
   return {.scale_xy = scale[0], .scale_z = scale[1], .keep_xy = keep[0], .keep_z = keep[1]};
 }
@@ -76,13 +76,13 @@ void runRobot(const RobotCliOptions& given) {
     return;
   }
   if (!given.arm.starts_with(kKuka)) {
-    throw UsageError(fmt::format("--arm \"{}\": expected simulated or kuka:HOST:PORT", given.arm));
+    throw UsageError(say("--arm \"{}\": expected simulated or kuka:HOST:PORT", given.arm));
   }
   device::FriSettings settings;
   settings.bind = endpointOrUsageError("--arm", given.arm.substr(kKuka.size()));
   if (!given.krc.empty()) settings.krc = endpointOrUsageError("--krc", given.krc + ":0");
   const auto axes = device::parseAxisMap(given.axes);
-  if (!axes) throw UsageError("--" + axes.error().message);
+  if (!axes) throw UsageError(about("--axes", axes.error().message));
   settings.axes = *axes;
   auto arm = valueOrFail(device::FriRobot::open(settings));
   // The runner owns it from here on and is alive when the summary is made.

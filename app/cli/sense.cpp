@@ -18,7 +18,7 @@ double parseNumber(std::string_view option, std::string_view text) {
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (problem == std::errc::result_out_of_range) return std::numeric_limits<double>::quiet_NaN();
   if (problem != std::errc() || end != text.data() + text.size()) {
-    throw UsageError(fmt::format("{}: \"{}\" is not a number", option, text));
+    throw UsageError(say("{}: \"{}\" is not a number", option, text));
   }
   return value;
 }
@@ -31,7 +31,7 @@ std::vector<double> parseNumbers(std::string_view option, std::string_view text,
     begin = end + 1;
   }
   if (out.size() != expected) {
-    throw UsageError(fmt::format("{}: {} numbers, expected {} with commas between", option, out.size(), expected));
+    throw UsageError(say("{}: {} numbers, expected {} with commas between", option, out.size(), expected));
   }
   return out;
 }

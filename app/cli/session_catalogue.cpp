@@ -43,7 +43,7 @@ void runAdd(const SessionCatalogueOptions& options) {
     }
     const auto entry = session::readCatalogueEntry(path);
     if (!entry) {
-      report.unreadable.push_back(fmt::format("{}: {}", path, entry.error().message));
+      report.unreadable.push_back(about(path, entry.error().message));
       continue;
     }
     const bool known = !valueOrFail(catalogue.search({.id = entry->id})).empty();
@@ -73,7 +73,7 @@ void runTag(const SessionCatalogueOptions& options) {
   std::set<std::string> tags(entry.tags.begin(), entry.tags.end());
   tags.insert(options.add.begin(), options.add.end());
   for (const std::string& tag : options.remove) {
-    if (tags.erase(tag) == 0) throw Failure(fmt::format("session {}: has no tag '{}'", entry.id, tag));
+    if (tags.erase(tag) == 0) throw Failure(say("session {}: has no tag '{}'", entry.id, tag));
   }
   valueOrFail(catalogue.setTags(entry.id, {tags.begin(), tags.end()}));
   const auto now = valueOrFail(catalogue.get(entry.id));

@@ -19,9 +19,9 @@ struct ExportCommand {
 /// Two files are at work here: an error that names neither is the recording's.
 template <class T>
 Result<T> naming(const ExportCommand& command, Result<T> result) {
-  const auto names = [&](const std::string& file) { return result.error().message.find(file) != std::string::npos; };
+  const auto names = [&](const std::string& file) { return result.error().text().find(file) != std::string::npos; };
   if (result || names(command.session.file) || names(command.out)) return result;
-  return fail("{}: {}", command.session.file, result.error().message);
+  return fail(about(command.session.file, result.error().message));
 }
 
 void runExport(const ExportCommand& command) {

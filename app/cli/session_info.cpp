@@ -9,7 +9,7 @@ namespace {
 nlohmann::ordered_json describe(const std::string& path, const session::Recording& recording) {
   const session::RecordingInfo& info = recording.info();
   auto [health, why] = session::healthOf(info);
-  if (health == "good") why = "as far as opening it shows; fyd session verify reads every block";
+  if (health == "good") why = say("as far as opening it shows; fyd session verify reads every block");
   const auto notes = recording.notes();
   if (!notes) std::tie(health, why) = std::pair("damaged", notes.error().message);
   nlohmann::ordered_json out;

@@ -53,9 +53,9 @@ void runSessionList(const SessionListOptions& options) {
     return;
   }
   if (!options.folder.empty() && !options.catalogue.empty()) {
-    throw UsageError("session list: a FOLDER or --catalogue, not both (`fyd session add FOLDER` puts one in)");
+    throw UsageError(say("session list: a FOLDER or --catalogue, not both (`fyd session add FOLDER` puts one in)"));
   }
-  if (!options.folder.empty() && options.check) throw UsageError("session list: --check looks after a catalogue");
+  if (!options.folder.empty() && options.check) throw UsageError(say("session list: --check looks after a catalogue"));
   session::ScanReport scan;
   session::Catalogue catalogue =
       options.folder.empty() ? openCatalogue(options.catalogue) : catalogueOfFolder(options.folder, scan);
@@ -75,7 +75,7 @@ void runSessionList(const SessionListOptions& options) {
   filter.descending = !options.ascending;
   const auto found = valueOrFail(catalogue.search(filter));
   const std::size_t all = valueOrFail(catalogue.count(filter));
-  for (const std::string& problem : scan.unreadable) std::cerr << fmt::format("fyd: {}\n", problem);
+  for (const Message& problem : scan.unreadable) std::cerr << fmt::format("fyd: {}\n", problem);
   if (options.json) {
     nlohmann::ordered_json sessions = nlohmann::ordered_json::array();
     for (const session::CatalogueEntry& entry : found) sessions.push_back(toJson(entry));

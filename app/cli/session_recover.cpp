@@ -1,5 +1,4 @@
 // fyd session verify | recover FILE: is a recording whole, and making it so.
-#include "app/cli/exit_code.h"
 #include "app/cli/session_cli.h"
 #include "core/session/catalogue_types.h"
 #include "core/session/recording_health.h"
@@ -40,9 +39,9 @@ void addSessionVerify(CLI::App& parent) {
                   {"first_damage", checked.first_damage}},
                  options->json);
     if (!checked.intact()) {
-      throw Failure(fmt::format("{}: damaged: {} of {} commits, {} of {} blocks, {} rows are unproven; the first: {}",
-                                options->file, checked.damaged_commits, checked.commits, checked.damaged,
-                                checked.blocks, checked.unproven_rows, checked.first_damage));
+      throw Failure(say("{}: damaged: {} of {} commits, {} of {} blocks, {} rows are unproven; the first: {}",
+                        options->file, checked.damaged_commits, checked.commits, checked.damaged, checked.blocks,
+                        checked.unproven_rows, checked.first_damage));
     }
   });
 }
@@ -56,7 +55,7 @@ void addSessionRecover(CLI::App& parent) {
     const auto outcome = valueOrFail(session::recover(options->file));
     if (outcome.result == session::RecoverResult::nothing) {
       throw Failure(
-          fmt::format("{}: nothing can be read; the file was left as it is: {}", options->file, outcome.first_damage));
+          say("{}: nothing can be read; the file was left as it is: {}", options->file, outcome.first_damage));
     }
     auto missing = nlohmann::ordered_json::array();
     for (const session::MissingRows& rows : outcome.missing) missing.push_back(session::wordsOf(rows));
@@ -69,11 +68,11 @@ void addSessionRecover(CLI::App& parent) {
                   {"first_damage", outcome.first_damage}},
                  options->json);
     if (outcome.result == session::RecoverResult::part_lost) {
-      throw ExitCode(
-          3, fmt::format("{}: a part is lost ({} steps; {}); what can be read is saved in {}, the original is {}",
-                         options->file, outcome.lost_steps,
-                         outcome.missing.empty() ? outcome.first_damage : session::wordsOf(outcome.missing.front()),
-                         outcome.file, outcome.kept));
+      throw Failure(say("{}: a part is lost ({} steps; {}); what can be read is saved in {}, the original is {}",
+                        options->file, outcome.lost_steps,
+                        outcome.missing.empty() ? outcome.first_damage : session::wordsOf(outcome.missing.front()),
+                        outcome.file, outcome.kept),
+                    3);
     }
   });
 }

@@ -69,12 +69,12 @@ void sayArithmetic(const std::string& file, const session::ReplayResult& result)
              result.max_abs_difference, result.max_difference_field, judged);
 }
 
-std::string whyNotIdentical(const session::ReplayResult& result) {
-  if (!result.why_not_exact.empty()) return "cannot be proven bit for bit: " + result.why_not_exact;
+Message whyNotIdentical(const session::ReplayResult& result) {
+  if (!result.why_not_exact.empty()) return say("cannot be proven bit for bit: {}", result.why_not_exact);
   if (result.different > 0)
-    return fmt::format("{} of {} steps came out otherwise, the first at {:.3f} s in {}", result.different,
-                       result.samples, result.first_difference_s, result.first_difference_field);
-  return fmt::format("only {} of {} steps could be replayed: after them steps were lost", result.samples, result.of);
+    return say("{} of {} steps came out otherwise, the first at {:.3f} s in {}", result.different, result.samples,
+               result.first_difference_s, result.first_difference_field);
+  return say("only {} of {} steps could be replayed: after them steps were lost", result.samples, result.of);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void addSessionReplay(CLI::App& parent) {
       };
     }
     const auto replayed = session::replay(*recording, options->replay, observer);
-    if (!replayed) throw Failure(fmt::format("{}: {}", options->session.file, replayed.error().message));
+    if (!replayed) throw Failure(about(options->session.file, replayed.error().message));
     const session::ReplayResult& result = *replayed;
     if (csv) csv->close();
     printSession(toJson(result, recording->info()), options->session.json);
@@ -109,7 +109,7 @@ void addSessionReplay(CLI::App& parent) {
       if (result.samples == result.of && result.why_not_exact.empty()) return;
     }
     if (proves && !result.identical) {
-      throw Failure(fmt::format("{}: {}", options->session.file, whyNotIdentical(result)));
+      throw Failure(about(options->session.file, whyNotIdentical(result)));
     }
   });
 }

@@ -66,7 +66,7 @@ nlohmann::ordered_json toJson(const session::ScanReport& report) {
 void printScan(const session::ScanReport& report) {
   std::cout << fmt::format("{} added, {} known already\n", report.added, report.known);
   for (const std::string& path : report.copies) std::cout << fmt::format("copy, left out: {}\n", path);
-  for (const std::string& problem : report.unreadable) std::cout << fmt::format("not read: {}\n", problem);
+  for (const Message& problem : report.unreadable) std::cout << fmt::format("not read: {}\n", problem);
 }
 
 void printEntries(const std::vector<session::CatalogueEntry>& entries) {

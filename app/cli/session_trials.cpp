@@ -26,7 +26,7 @@ void addSessionTrials(CLI::App& parent) {
   command->callback([options] {
     const auto order = options->latin_square ? session::TrialOrder::latin_square : session::TrialOrder::permuted_blocks;
     const auto trials = session::orderTrials(options->conditions, options->repetitions, options->seed, order);
-    if (!trials) throw UsageError("session trials: " + trials.error().message);
+    if (!trials) throw UsageError(say("session trials: {}", trials.error().message));
     auto json = nlohmann::ordered_json::array();
     for (const session::Trial& trial : *trials) {
       json.push_back({{"number", trial.number}, {"block", trial.block}, {"condition", trial.condition}});

@@ -24,7 +24,7 @@ sim::TimedMode parseModeAt(std::string_view text) {
     const double at_s = numberOrUsageError("--mode-at", text.substr(0, colon));
     if (at_s >= 0.0) return {.at_s = at_s, .mode = mode};
   }
-  throw UsageError(fmt::format("--mode-at \"{}\": expected SECONDS:off, SECONDS:monitor or SECONDS:command", text));
+  throw UsageError(say("--mode-at \"{}\": expected SECONDS:off, SECONDS:monitor or SECONDS:command", text));
 }
 
 nlohmann::ordered_json controllerJson(const sim::KrcStatus& s) {
@@ -71,7 +71,7 @@ void runKrc(const KrcCliOptions& given) {
   const sim::KrcStatus status = krc->status();
   printSummary(controllerJson(status), given.json);
   if (status.counters.answers == 0) {
-    throw Failure(fmt::format("{}: no answer in {:.1f} s", given.remote, status.seconds));
+    throw Failure(say("{}: no answer in {:.1f} s", given.remote, status.seconds));
   }
 }
 

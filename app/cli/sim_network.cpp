@@ -32,11 +32,11 @@ sim::NetworkProfile makePath(const NetworkCliOptions& given) {
     path = valueOrFail(sim::networkProfile(given.profile));
   } else if (!given.profile.empty()) {
     if (!given.profile.ends_with(".csv")) {
-      throw UsageError(fmt::format("--profile \"{}\": expected isdn, adsl, lan or a CSV file", given.profile));
+      throw UsageError(say("--profile \"{}\": expected isdn, adsl, lan or a CSV file", given.profile));
     }
     path.forward.trace = valueOrFail(sim::readDelayTrace(given.profile));
     path.backward.trace = path.forward.trace;
-    if (given.delay_ms) throw UsageError("--delay: a recorded profile has its own");
+    if (given.delay_ms) throw UsageError(say("--delay: a recorded profile has its own"));
   }
   for (sim::NetworkSettings* direction : {&path.forward, &path.backward}) {
     const auto set = [](const std::optional<double>& from, double& to) { to = from.value_or(to); };

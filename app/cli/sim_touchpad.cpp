@@ -25,7 +25,7 @@ struct SimTouchpadOptions {
 std::optional<protocol::Endpoint> endpoint(const char* option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   auto parsed = protocol::parseEndpoint(text);
-  if (!parsed) throw UsageError(fmt::format("{}: {}", option, parsed.error().message));
+  if (!parsed) throw UsageError(about(option, parsed.error().message));
   return *parsed;
 }
 
@@ -62,10 +62,11 @@ void runSimTouchpad(SimTouchpadOptions& options) {
   options.process.camera_mjpeg = endpoint("--camera-mjpeg", options.camera_mjpeg);
   const bool served = options.process.modbus_tcp || options.process.camera_mjpeg ||
                       !options.process.modbus_rtu.empty() || !options.process.qbmove.empty();
-  if (!served) throw UsageError("sim touchpad: expected one of --modbus-tcp, --modbus-rtu, --qbmove, --camera-mjpeg");
+  if (!served)
+    throw UsageError(say("sim touchpad: expected one of --modbus-tcp, --modbus-rtu, --qbmove, --camera-mjpeg"));
   for (const std::string& text : options.faults) {
     auto fault = sim::parseTimedFault(text);
-    if (!fault) throw UsageError("--fault: " + fault.error().message);
+    if (!fault) throw UsageError(say("--fault: {}", fault.error().message));
     options.process.faults.push_back(*fault);
   }
   if (!options.finger.empty()) options.process.finger = valueOrFail(sim::FingerPath::fromCsv(options.finger));

@@ -106,7 +106,7 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
   json["telemetry_lost"] = station.telemetryLost();
   if (options.station.record) json["recording"] = recordingOf(station.recorderStatus());
   for (const station::PartStatus& part : status.parts) {
-    json["parts"].push_back({{"name", part.name},
+    json["parts"].push_back({{"name", toString(part.part)},
                              {"description", part.description},
                              {"ok", part.ok},
                              {"problem", part.problem},
@@ -123,8 +123,8 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
       std::cout << fmt::format("{:<32} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
   for (const station::PartStatus& part : status.parts) {
-    std::cout << fmt::format("{:<32} {}\n", part.name,
-                             part.ok ? part.description : part.description + ": " + part.problem);
+    std::cout << fmt::format("{:<32} {}\n", toString(part.part),
+                             part.ok ? part.description : about(part.description, part.problem));
   }
 }
 
@@ -151,7 +151,7 @@ void runStation(const StationOptions& options) {
       }
     }
     for (const station::Notice& notice : station->takeNotices()) {
-      spdlog::info("{:9.3f} s  {}", toSeconds(notice.when - start), notice.text);
+      spdlog::info("{:9.3f} s  {}", toSeconds(notice.when - start), notice.message.text());
     }
   };
   while (endSignal() == 0 && (options.duration_s <= 0.0 || toSeconds(Clock::now() - start) < options.duration_s)) {
@@ -165,10 +165,10 @@ void runStation(const StationOptions& options) {
   station->shutDown();
   if (options.station.record) {
     const session::RecorderStatus recorded = station->recorderStatus();
-    if (recorded.state == session::RecorderState::failed) throw Failure("recording: " + recorded.problem);
+    if (recorded.state == session::RecorderState::failed) throw Failure(say("recording: {}", recorded.problem));
     // The recording is closed and safe whatever becomes of its entry.
     const auto entered = session::catalogueRecording(options.catalogue, options.station.record->path);
-    if (!entered) spdlog::warn("catalogue: {}", entered.error().message);
+    if (!entered) spdlog::warn("catalogue: {}", entered.error().text());
   }
   if (csv) csv->close();
 }
@@ -200,17 +200,17 @@ void add_station(CLI::App& app) {
   command->add_flag("--json", options->json, "Result as JSON");
   command->callback([options] {
     if (options->simulate && !options->touchpad.empty() && options->touchpad != "simulated") {
-      throw UsageError(fmt::format("station: {}{}", words::kContradiction, options->touchpad));
+      throw UsageError(say("station: {}", words::contradiction(options->touchpad)));
     }
     if (!options->simulate && options->touchpad.empty() && options->profile.file.empty()) {
-      throw UsageError("station: which touchpad? Add --simulate, --touchpad or a --profile that says it");
+      throw UsageError(say("station: which touchpad? Add --simulate, --touchpad or a --profile that says it"));
     }
     options->station.touchpad = options->simulate ? "simulated" : options->touchpad;
     if (!options->record.path.empty()) {
       options->station.record = options->record;
     } else if (!options->record.operator_name.empty() || !options->record.subject.empty() ||
                !options->record.notes.empty() || !options->record.tags.empty()) {
-      throw UsageError(fmt::format("station: {}", words::kRecordMissing));
+      throw UsageError(say("station: {}", phrase(words::kRecordMissing)));
     }
     options->station.profile = options->profile.load();
     options->profile.sayWhatIsOutdated(options->station.profile);

@@ -26,7 +26,7 @@ void TelemetryCsv::write(const pipeline::TelemetrySample& sample) {
 
 void TelemetryCsv::close() {
   file_.close();
-  if (!file_) throw Failure(fmt::format("{}: writing failed; is the disk full?", path_));
+  if (!file_) throw Failure(say("{}: writing failed; is the disk full?", path_));
 }
 
 }  // namespace fyd::cli

@@ -43,7 +43,7 @@ void fit(const FitOptions& options) {
                                   .sample_rate_Hz = rate_Hz,
                                   .speed_mm_s = options.speed_mm_s,
                                   .force_N = options.force_N});
-  if (!result) throw Failure(fmt::format("{}: {}", options.input, result.error().message));
+  if (!result) throw Failure(about(options.input, result.error().message));
   const std::string text = formatSurface(result->model);
   if (!options.output.empty()) writeTextFile(options.output, text);
   if (options.json) {

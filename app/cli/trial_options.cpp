@@ -7,7 +7,7 @@ namespace fyd::cli {
 
 void requireRange(const char* option, double value, double minimum, double maximum) {
   if (value >= minimum && value <= maximum) return;
-  throw UsageError(fmt::format("{} {}: expected {} … {}", option, value, minimum, maximum));
+  throw UsageError(say("{} {}: expected {} … {}", option, value, minimum, maximum));
 }
 
 void TrialOptions::addTo(CLI::App& command) {

@@ -5,6 +5,7 @@
 
 #include "app/console/calibrate_step.h"
 #include "core/calibration/threshold_suggestion.h"
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -73,21 +74,23 @@ class CameraRegionStep : public CalibrationStep {
     }
     const auto suggestion = calibration::suggestThreshold(histogram);
     CalibrationResult& result = out.result;
-    result = {.procedure = procedure(), .curve = "histogram", .unit = "px", .points = 1, .valid_unit = "px"};
+    result = {.procedure = procedure(), .curve = say("histogram"), .unit = "px", .points = 1, .valid_unit = "px"};
     result.changes = {{"sensing.roi_x_px", fmt::format("{:.0f}", point[0])},
                       {"sensing.roi_y_px", fmt::format("{:.0f}", point[1])},
                       {"sensing.roi_width_px", fmt::format("{:.0f}", point[2])},
                       {"sensing.roi_height_px", fmt::format("{:.0f}", point[3])}};
-    result.verdict = {true, fmt::format("region {:.0f} × {:.0f} px", point[2], point[3]), {}};
+    result.verdict = {
+        .accepted = true, .reason = say("region {:.0f} × {:.0f} px", point[2], point[3]), .threshold = {}};
     if (suggestion.plausible) {
       result.changes.push_back({"sensing.finger_threshold", fmt::format("{}", suggestion.threshold)});
-      result.verdict.reason += fmt::format("; finger at {:.0f}, cloth at {:.0f}, threshold {}", suggestion.finger_grey,
-                                           suggestion.cloth_grey, suggestion.threshold);
+      result.verdict.reason =
+          listed({result.verdict.reason, say("finger at {:.0f}, cloth at {:.0f}, threshold {}", suggestion.finger_grey,
+                                             suggestion.cloth_grey, suggestion.threshold)});
       const double x = suggestion.threshold;
       out.plot.former_curve = {{x, 0.0}, {x, most}};
       out.legend = tr("Line: grey values of the region. Dashed: the suggested threshold between finger and cloth.");
     } else {
-      result.notes.push_back("no threshold is suggested, the present one stays: " + suggestion.reason);
+      result.notes.push_back(say("no threshold is suggested, the present one stays: {}", suggestion.reason));
     }
     return out;
   }

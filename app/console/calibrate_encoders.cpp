@@ -46,8 +46,8 @@ class EncoderStep : public CalibrationStep {
   }
   Result<std::vector<double>> read(const CalibrationScene& scene) const override {
     std::vector<double> out;
-    for (const char* name : {"encoder 1", "encoder 2"}) {
-      const auto counts = liveValue(scene.devices, name);
+    for (const int motor : {1, 2}) {
+      const auto counts = liveValue(scene.devices, say("encoder {}", motor));
       if (!counts) return tl::unexpected(counts.error());
       out.push_back(*counts);
     }

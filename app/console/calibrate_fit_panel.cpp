@@ -167,7 +167,7 @@ void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, 
                           widgets::quantityText(result.valid_to, 1, QString::fromStdString(result.valid_unit)));
     }
     figures << fit.figures;
-    for (const std::string& note : result.notes) figures << widgets::coreText(note);
+    for (const Message& note : result.notes) figures << widgets::coreText(note);
   }
   figures_->setText(figures.join(QStringLiteral(" · ")));
 }

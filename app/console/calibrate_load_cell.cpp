@@ -41,7 +41,7 @@ class LoadCellStep : public CalibrationStep {
     return {{tr("Bridge"), QStringLiteral("mV/V"), 4, kMoving_mV_per_V}};
   }
   Result<std::vector<double>> read(const CalibrationScene& scene) const override {
-    const auto value = liveValue(scene.devices, "load cell");
+    const auto value = liveValue(scene.devices, say("load cell"));
     if (!value) return tl::unexpected(value.error());
     const double span = sensing::LoadCell(scene.profile.step.sensing.load_cell).span_mV_per_V();
     if (!(std::abs(*value) <= span)) return fail("{:.3f} mV/V is beyond the load cell's span of {:g}", *value, span);

@@ -49,7 +49,7 @@ class NoTouchStep : public CalibrationStep {
     const auto& p = scene.profile.step.sensing;
     std::vector<double> out;
     for (std::size_t i = 0; i < p.indentation.ir_x_mm.size(); ++i) {
-      const auto code = liveValue(scene.devices, fmt::format("IR sensor {}", i + 1));
+      const auto code = liveValue(scene.devices, say("IR sensor {}", i + 1));
       if (!code) return tl::unexpected(code.error());
       const auto read =
           distanceSensorOf(p.indentation, i).read(static_cast<std::uint16_t>(std::clamp(*code, 0.0, 4095.0)));
@@ -59,7 +59,7 @@ class NoTouchStep : public CalibrationStep {
       }
       out.push_back(read.distance_mm);
     }
-    const auto bridge = liveValue(scene.devices, "load cell");
+    const auto bridge = liveValue(scene.devices, say("load cell"));
     if (!bridge) return tl::unexpected(bridge.error());
     const double force_N = sensing::LoadCell(p.load_cell).force_N(*bridge);
     if (std::isnan(force_N)) return fail("load cell: {:.3f} mV/V lies beyond the bridge's span", *bridge);

@@ -70,10 +70,10 @@ void CalibratePage::endMotion() {
 void CalibratePage::takeByItself(const std::vector<CalibrationSignal>& wanted) {
   if (!hold_timer_.isActive()) return;
   if (!motion_.running) {
-    const std::string why = motion_.words;
+    const station::DeviceTestStatus ended = motion_;
     endMotion();
-    say(tr("The motors are off: %1. %2 points so far.").arg(widgets::coreText(why)).arg(points().size()),
-        why != "finished");
+    say(tr("The motors are off: %1. %2 points so far.").arg(widgets::coreText(ended.words)).arg(points().size()),
+        !ended.finished);
     return;
   }
   const QString moving = recent_.full() ? recent_.moving(wanted) : QString();

@@ -8,8 +8,6 @@ namespace {
 
 constexpr int kLiftedFinger_ms = 1000;  // until the camera has seen the simulated finger leave
 
-QString words(const std::string& text) { return QString::fromStdString(text); }
-
 }  // namespace
 
 void CalibratePage::startPoint() {
@@ -112,7 +110,7 @@ void CalibratePage::simulate() {
 void CalibratePage::accept() {
   if (points().empty() || !fit_.result.verdict.accepted) {
     say(tr("There is nothing to accept yet: %1.")
-            .arg(points().empty() ? tr("take points first") : words(fit_.result.verdict.reason)),
+            .arg(points().empty() ? tr("take points first") : widgets::coreText(fit_.result.verdict.reason)),
         true);
     return;
   }

@@ -60,8 +60,9 @@ PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records
                                           : tr("changed since it was calibrated %1 days ago").arg(age->days)};
   }
   switch (age->age) {
-    case calibration::Age::ageing: return {PartState::Kind::ageing, tr("ageing: %1").arg(words(age->warning))};
-    case calibration::Age::old: return {PartState::Kind::old, tr("old: %1").arg(words(age->warning))};
+    case calibration::Age::ageing:
+      return {PartState::Kind::ageing, tr("ageing: %1").arg(widgets::coreText(age->warning))};
+    case calibration::Age::old: return {PartState::Kind::old, tr("old: %1").arg(widgets::coreText(age->warning))};
     case calibration::Age::fresh: break;
   }
   return {PartState::Kind::fine,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -17,14 +18,14 @@ QStringList CalibrationStep::row(const CalibrationPoint& point) const {
   return out;
 }
 
-Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const std::string& name) {
+Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const Message& name) {
   constexpr double kStale_ms = 500.0;
   for (const device::DeviceReport& device : devices) {
     for (const device::ReportValue& value : device.values) {
       if (value.name != name || !value.text.empty()) continue;
-      if (!device.ok) return fail("{} does not answer: {}", device.name, device.problem);
+      if (!device.ok) return fail("{} does not answer: {}", phrase(toString(device.part)), device.problem);
       if (!(device.age_ms <= kStale_ms))
-        return fail("{}'s newest reading is {:.0f} ms old", device.name, device.age_ms);
+        return fail("{}'s newest reading is {:.0f} ms old", phrase(toString(device.part)), device.age_ms);
       if (!std::isfinite(value.number)) return fail("{} is not known: check its cable", name);
       return value.number;
     }
@@ -42,10 +43,7 @@ sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& p, st
 }
 
 QString missingOf(const calibration::CalibrationResult& result) {
-  const bool too_few = result.verdict.threshold.find("_fewest_") != std::string::npos ||
-                       result.verdict.threshold.find("_least_") != std::string::npos ||
-                       result.verdict.threshold == "calibration.widest_gap_percent";
-  return !result.verdict.accepted && too_few ? QString::fromStdString(result.verdict.reason) : QString();
+  return result.verdict.too_few ? widgets::coreText(result.verdict.reason) : QString();
 }
 
 std::vector<double> columnOf(const std::vector<CalibrationPoint>& points, std::size_t column) {

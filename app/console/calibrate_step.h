@@ -130,7 +130,7 @@ template <class Step, class... Arguments>
 [[nodiscard]] CalibrationSteps makeCalibrationSteps(const station::Profile& profile);
 
 /// The named value of the first device that has it; an error says what was looked for.
-[[nodiscard]] Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const std::string& name);
+[[nodiscard]] Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const Message& name);
 
 /// A distance sensor with its curve and span in force.
 [[nodiscard]] sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& parameters,

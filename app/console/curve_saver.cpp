@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include "widgets/core_text.h"
+
 namespace fyd::console {
 namespace {
 
@@ -36,7 +38,7 @@ void CurveSaver::savePicture(const widgets::CurveStack& stack, widgets::PictureK
       stem_ + QStringLiteral(", ") + QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
   auto picture = widgets::pictureOf(stack, kind, title);
   if (!picture) {
-    tell_(Severity::warning, QString::fromStdString(picture.error().message));
+    tell_(Severity::warning, widgets::coreText(picture.error().message));
     return;
   }
   write(widgets::wordOf(kind), [bytes = std::move(*picture)] { return bytes; });

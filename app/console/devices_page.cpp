@@ -19,7 +19,7 @@ constexpr int kKeep_ms = 100;  // the station gives up a held button after 0.5 s
 QStringList testWords() {
   QStringList out;
   for (std::size_t i = 0; i < device::kPartTests; ++i) {
-    out << widgets::deviceWord(std::string(device::kDeviceTestNames[i]));
+    out << widgets::deviceWord(phrase(device::kDeviceTestNames[i]));
   }
   return out;
 }
@@ -97,7 +97,9 @@ void DevicesPage::refresh() {
     cards_[i]->setVisible(i < reports.size());
     if (i >= reports.size()) continue;
     cards_[i]->setReport(reports[i]);
-    if (reports[i].name == "Motor board" || (tested == nullptr && reports[i].name == "Touchpad")) tested = cards_[i];
+    if (reports[i].part == device::Part::motor_board ||
+        (tested == nullptr && reports[i].part == device::Part::touchpad))
+      tested = cards_[i];
   }
   if (tested != nullptr && tested_ == nullptr) {
     tested_ = tested;

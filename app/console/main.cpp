@@ -18,8 +18,8 @@ namespace {
 
 using fyd::console::Options;
 
-int complain(const std::string& message, int code) {
-  std::fprintf(stderr, "fyd-console: %s\n", message.c_str());
+int complain(const fyd::Message& message, int code) {
+  std::fprintf(stderr, "fyd-console: %s\n", message.text().c_str());
   return code;
 }
 

@@ -223,7 +223,7 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
 void MainWindow::takeNotice(const station::Notice& notice) {
   tuning_.hear(notice.event);
   const Telling telling = tellingOf(notice.event);
-  tell(telling.severity, widgets::coreText(notice.text), telling.slides_in);
+  tell(telling.severity, widgets::coreText(notice.message), telling.slides_in);
 }
 
 void MainWindow::tell(Severity severity, const QString& text, bool slide_in) {

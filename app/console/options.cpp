@@ -113,7 +113,7 @@ Result<station::StationOptions> readStation(const QCommandLineParser& parser) {
   station::StationOptions out;
   out.touchpad = value("touchpad");
   if (parser.isSet(QStringLiteral("simulate"))) {
-    if (!out.touchpad.empty() && out.touchpad != "simulated") return fail("{}{}", words::kContradiction, out.touchpad);
+    if (!out.touchpad.empty() && out.touchpad != "simulated") return fail(words::contradiction(out.touchpad));
     out.touchpad = "simulated";
   }
   out.motors = value("motors");
@@ -130,7 +130,7 @@ Result<station::StationOptions> readStation(const QCommandLineParser& parser) {
   for (const QString& tag : parser.values(QStringLiteral("tag"))) record.tags.push_back(tag.toStdString());
   const bool described =
       !record.operator_name.empty() || !record.subject.empty() || !record.notes.empty() || !record.tags.empty();
-  if (record.path.empty() && described) return fail("{}", words::kRecordMissing);
+  if (record.path.empty() && described) return fail(phrase(words::kRecordMissing));
   if (!record.path.empty()) out.record = record;
   if (const auto ok = checkReadable("--finger", out.finger_csv); !ok) return tl::unexpected(ok.error());
   return out;
@@ -146,7 +146,7 @@ Result<Options> readOptions(const QStringList& arguments) {
     if (names.first() == QLatin1String("help")) names.prepend(QStringLiteral("h"));
     parser.addOption(QCommandLineOption(names, QString::fromUtf8(each.help), QLatin1String(each.argument)));
   }
-  if (!parser.parse(arguments)) return fail("{}", parser.errorText().toStdString());
+  if (!parser.parse(arguments)) return fail(verbatim(parser.errorText().toStdString()));
   Options options;
   if (parser.isSet(QStringLiteral("help"))) {
     // There is no application yet whose name Qt could put there.

@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include "widgets/core_text.h"
 
 namespace fyd::console {
 namespace {
@@ -89,7 +90,7 @@ void ReviewCurves::redraw() {
   stack_->draw(source_);
   stack_->showValuesAt(source_, cursor_s());
   emit drawn();
-  if (const std::string what = source_.takeProblem(); !what.empty()) emit problem(QString::fromStdString(what));
+  if (const Message what = source_.takeProblem(); !what.empty()) emit problem(widgets::coreText(what));
 }
 
 }  // namespace fyd::console

@@ -56,7 +56,7 @@ void ReviewMarks::show(const session::Recording& recording) {
     for (const session::EventRow& row : *events) {
       add(session::secondsInto(info, row.when),
           movesNothingMore(row.event) ? OverviewMarkKind::alarm : OverviewMarkKind::event, tr("event"),
-          QString::fromStdString(station::describeEvent(row.event, bound)));
+          widgets::coreText(station::describeEvent(row.event, bound)));
     }
   }
   if (const auto notes = recording.notes()) {

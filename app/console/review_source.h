@@ -56,7 +56,7 @@ class ReviewSource : public widgets::CurveSource {
   [[nodiscard]] widgets::CurveRows rows(std::span<const std::size_t> channels, double from_s,
                                         double to_s) const override;
   /// What could not be read since the last call; empty: nothing.
-  [[nodiscard]] std::string takeProblem() const { return std::exchange(problem_, {}); }
+  [[nodiscard]] Message takeProblem() const { return std::exchange(problem_, {}); }
 
  private:
   struct Layer {
@@ -65,7 +65,7 @@ class ReviewSource : public widgets::CurveSource {
   };
   std::array<Layer, 2> layers_;
   std::shared_ptr<const widgets::CurveBuffer> what_if_;
-  mutable std::string problem_;
+  mutable Message problem_;
 };
 
 }  // namespace fyd::console

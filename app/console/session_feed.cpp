@@ -1,6 +1,7 @@
 #include "app/console/session_feed.h"
 
 #include "app/console/views.h"
+#include "widgets/core_text.h"
 
 namespace fyd::console {
 namespace {
@@ -77,10 +78,10 @@ void SessionFeed::lookAtParts() {
   emit recorder(session_.recorderStatus());
   emit readiness(toReadiness(session_.readiness()));
   for (const station::PartStatus& part : status.parts) {
-    if (part.name != "Camera" || part.ok) continue;
+    if (part.part != device::Part::camera || part.ok) continue;
     emit cameraMissing(
         tr("Looked for: %1\n%2\n\nTo work without it, start with the simulated camera: leave --camera out.")
-            .arg(QString::fromStdString(part.description), QString::fromStdString(part.problem)));
+            .arg(widgets::coreText(part.description), widgets::coreText(part.problem)));
   }
 }
 

@@ -44,7 +44,7 @@ std::vector<ReadbackLine> readbackLines(const widgets::TuningModel& model, const
   for (const device::DeviceReport& report : reports) {
     for (const device::CameraControl& control : report.controls) {
       if (std::isnan(control.wanted)) continue;  // left as it is
-      const QString what = tr("%1: %2").arg(widgets::coreText(report.name), widgets::coreText(control.name));
+      const QString what = tr("%1: %2").arg(widgets::coreText(toString(report.part)), widgets::coreText(control.name));
       out.push_back(compare(what, control.wanted, control.supported ? control.actual : std::nan(""), kSame_percent,
                             QStringLiteral("%")));
     }

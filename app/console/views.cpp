@@ -14,17 +14,17 @@ using widgets::Severity;
 QString tr(const char* text) { return QCoreApplication::translate("Views", text); }
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
-QString iconOf(const std::string& part) {
-  if (part == "Camera") return QStringLiteral("camera");
-  if (part == "Robot") return QStringLiteral("robot");
+QString iconOf(device::Part part) {
+  if (part == device::Part::camera) return QStringLiteral("camera");
+  if (part == device::Part::robot) return QStringLiteral("robot");
   return QStringLiteral("touchpad");
 }
 
 PartView toPart(const station::PartStatus& part) {
-  PartView view{.icon = iconOf(part.name), .name = widgets::coreText(part.name)};
+  PartView view{.icon = iconOf(part.part), .name = widgets::coreText(toString(part.part))};
   view.health = part.ok ? PartView::Health::well : PartView::Health::missing;
   view.figures = part.ok ? widgets::rateAndAge(part.rate_hz, part.age_ms) : widgets::coreText(part.problem);
-  view.detail = text(part.description);
+  view.detail = widgets::coreText(part.description);
   if (part.errors > 0) view.detail += QLatin1Char('\n') + tr("%1 errors since the start").arg(part.errors);
   return view;
 }
@@ -156,7 +156,7 @@ widgets::LinkView toLink(const station::StationStatus& status) {
     out.refusals.push_back({.reason = widgets::coreText(each.reason), .count = each.count});
   }
   for (const station::PartStatus& part : status.parts) {
-    if (part.name == "Robot" && link.states_received > 0) out.rate_hz = part.rate_hz;
+    if (part.part == device::Part::robot && link.states_received > 0) out.rate_hz = part.rate_hz;
   }
   return out;
 }

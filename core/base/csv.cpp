@@ -20,7 +20,7 @@ struct Reader {
   std::size_t columns_seen = 0;
   std::size_t line = 1;
   bool has_header = false;
-  std::string problem;
+  Message problem;
 
   void field(std::string_view text) {
     if (!problem.empty()) return;
@@ -41,7 +41,7 @@ struct Reader {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || error != std::errc{} || end != text.data() + text.size()) {
-      problem = fmt::format("{}:{}: column {}: '{}' is not a number", source, line, column, text.substr(0, 40));
+      problem = say("{}:{}: column {}: '{}' is not a number", source, line, column, text.substr(0, 40));
     }
     return value;
   }
@@ -51,7 +51,7 @@ struct Reader {
       if (!has_header) {
         takeHeader();
       } else if (columns_seen != header.size()) {
-        problem = fmt::format("{}:{}: {} fields; the header has {}", source, line, columns_seen, header.size());
+        problem = say("{}:{}: {} fields; the header has {}", source, line, columns_seen, header.size());
       } else {
         for (std::size_t i = 0; i < row.size(); ++i) table.values[i].push_back(row[i]);
         table.lines.push_back(line);
@@ -66,7 +66,7 @@ struct Reader {
       std::size_t i = 0;
       while (i < header.size() && header[i] != name) ++i;
       if (i == header.size()) {
-        problem = fmt::format("{}:{}: no column '{}'; expected {}", source, line, name, fmt::join(wanted, ","));
+        problem = say("{}:{}: no column '{}'; expected {}", source, line, name, fmt::join(wanted, ","));
         return;
       }
       position.push_back(i);
@@ -101,10 +101,11 @@ Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, c
   parsed = parsed && csv_fini(&parser, on_field, on_row, &reader) == 0;
   const char* parser_problem = csv_strerror(csv_error(&parser));
   csv_free(&parser);
-  if (!reader.problem.empty()) return fail("{}", reader.problem);
-  if (!parsed) return fail("{}:{}: not valid CSV: {}", source_name, reader.line, parser_problem);
+  if (!reader.problem.empty()) return fail(std::move(reader.problem));
+  if (!parsed) return fail("{}:{}: not valid CSV: {}", source_name, reader.line, verbatim(parser_problem));
   if (!reader.has_header) return fail("{}: empty; expected a header with {}", source_name, fmt::join(wanted, ","));
   if (reader.table.rows() == 0) return fail("{}: a header but no rows", source_name);
+  reader.table.header = std::move(reader.header);
   return std::move(reader.table);
 }
 

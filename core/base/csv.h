@@ -11,6 +11,7 @@ namespace fyd {
 
 struct CsvTable {
   std::vector<std::string> columns;
+  std::vector<std::string> header;          ///< all columns of the file, in its order
   std::vector<std::vector<double>> values;  ///< one vector per column, all of the same length
   std::vector<std::size_t> lines;           ///< the file's line of each row, for messages
 

@@ -4,13 +4,16 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
 #include <tl/expected.hpp>
+
+#include "core/base/message.h"
 
 namespace fyd {
 
 struct Error {
-  std::string message;
+  Message message;
+
+  [[nodiscard]] std::string text() const { return message.text(); }  ///< in English
 };
 
 template <class T>
@@ -18,8 +21,11 @@ using Result = tl::expected<T, Error>;
 
 /// Makes the failed side of a Result from a format string: `return fail("{}: …", name);`
 template <class... Args>
-[[nodiscard]] tl::unexpected<Error> fail(fmt::format_string<Args...> format, Args&&... args) {
-  return tl::unexpected<Error>(Error{fmt::format(format, std::forward<Args>(args)...)});
+[[nodiscard]] tl::unexpected<Error> fail(MessageFormat<Args...> format, Args&&... args) {
+  return tl::unexpected<Error>(Error{say<Args...>(format, std::forward<Args>(args)...)});
+}
+[[nodiscard]] inline tl::unexpected<Error> fail(Message message) {
+  return tl::unexpected<Error>(Error{std::move(message)});
 }
 
 }  // namespace fyd

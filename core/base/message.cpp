@@ -66,6 +66,14 @@ std::optional<std::vector<std::string_view>> specsOf(const std::vector<Piece>& f
   return out;
 }
 
+/// Of a message of two.
+Message pair(std::string_view format, Message first, Message second) {
+  Message out{.kind = second.kind, .format = format, .values = {}};
+  out.values.push_back({std::move(first)});
+  out.values.push_back({std::move(second)});
+  return out;
+}
+
 }  // namespace
 
 std::string_view toString(MessageKind kind) {
@@ -115,17 +123,28 @@ std::optional<std::string> filledIn(std::string_view form, const Message& messag
 
 std::string Message::text() const { return filledIn(format, *this).value_or(std::string(format)); }
 
-Message verbatim(std::string text) {
+Message verbatim(std::string_view text) {
   if (text.empty()) return {};
-  Message out{.format = "{}", .values = {}};
-  out.values.push_back({std::move(text)});
+  Message out{.kind = MessageKind::input, .format = "{}", .values = {}};
+  out.values.push_back({std::string(text)});
   return out;
 }
 
-Message within(std::string name, Message message) {
-  Message out{.kind = message.kind, .format = "{}: {}", .values = {}};
-  out.values.push_back({std::move(name)});
-  out.values.push_back({std::move(message)});
+Message about(std::string_view name, Message message) { return about(verbatim(name), std::move(message)); }
+
+Message about(Message what, Message message) { return pair("{}: {}", std::move(what), std::move(message)); }
+
+Message explained(Message message, Message by) { return pair("{} ({})", std::move(message), std::move(by)); }
+
+Message listed(std::vector<Message> messages, std::string_view format) {
+  Message out;
+  for (Message& each : messages) {
+    if (out.empty()) {
+      out = std::move(each);
+    } else if (!each.empty()) {
+      out = pair(format, std::move(out), std::move(each));
+    }
+  }
   return out;
 }
 

@@ -54,6 +54,7 @@ struct Message {
   [[nodiscard]] bool empty() const { return format.empty(); }
   /// In English.
   [[nodiscard]] std::string text() const;
+  /// The same words, whoever speaks them.
   friend bool operator==(const Message& a, const Message& b);
 };
 
@@ -64,9 +65,7 @@ struct Value {
   friend bool operator==(const Value&, const Value&) = default;
 };
 
-inline bool operator==(const Message& a, const Message& b) {
-  return a.kind == b.kind && a.format == b.format && a.values == b.values;
-}
+inline bool operator==(const Message& a, const Message& b) { return a.format == b.format && a.values == b.values; }
 
 /// A value as a place with this spec ("" or ".2f") shows it, in English.
 [[nodiscard]] std::string shown(const Value& value, std::string_view spec);
@@ -86,10 +85,18 @@ using ShowValue = std::function<std::string(const Value& value, std::string_view
 [[nodiscard]] inline Message phrase(std::string_view english) { return {.format = english, .values = {}}; }
 
 /// Words that are not the program's own (of the system, of a library, of a file) and that no language changes.
-[[nodiscard]] Message verbatim(std::string text);
+[[nodiscard]] Message verbatim(std::string_view text);
 
 /// "{}: {}": what was wrong with what, when the message alone does not name it.
-[[nodiscard]] Message within(std::string name, Message message);
+[[nodiscard]] Message about(std::string_view name, Message message);
+[[nodiscard]] Message about(Message what, Message message);
+
+/// "{} ({})": the reason, or what else belongs to it, in brackets.
+[[nodiscard]] Message explained(Message message, Message by);
+
+/// One after the other; empty ones are left out.
+/// @param format "{}; {}" or "{}, {}": what stands between
+[[nodiscard]] Message listed(std::vector<Message> messages, std::string_view format = "{}; {}");
 
 namespace message_detail {
 
@@ -127,11 +134,18 @@ constexpr bool hasWords(std::string_view format) {
 }
 
 template <class T>
+inline constexpr bool kIsList = false;
+template <class Iterator, class End, class Char>
+inline constexpr bool kIsList<fmt::join_view<Iterator, End, Char>> = true;
+
+template <class T>
 Value valueOf(T&& from) {
   using Plain = std::remove_cvref_t<T>;
   static_assert(!std::is_same_v<Plain, float>, "a float and a double show other digits: say which is meant");
   if constexpr (std::is_same_v<Plain, Message>) {
     return {std::forward<T>(from)};
+  } else if constexpr (kIsList<Plain>) {
+    return {fmt::format("{}", std::forward<T>(from))};
   } else if constexpr (std::is_same_v<Plain, bool>) {
     return {std::string(from ? "true" : "false")};
   } else if constexpr (std::is_same_v<Plain, char>) {
@@ -147,8 +161,10 @@ Value valueOf(T&& from) {
   }
 }
 
+/// What a place for it may ask for: messages and lists (fmt::join) are shown as a text.
 template <class T>
-using Checked = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, Message>, std::string_view, T>;
+using Checked = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, Message> || kIsList<std::remove_cvref_t<T>>,
+                                   std::string_view, T>;
 
 /// A literal, checked as it is compiled: its places fit the arguments, and it says something beside them.
 template <class... Args>
@@ -159,7 +175,7 @@ struct Format {
   consteval Format(const char* literal, const char* file = __builtin_FILE())  // NOLINT: a literal becomes one
       : text(literal), kind(kindOf(file)) {
     static_cast<void>(fmt::format_string<Checked<Args>...>(literal));
-    if (!hasWords(text)) throw "a format of places only: there is nothing to translate; see verbatim and within";
+    if (!hasWords(text)) throw "a format of places only: there is nothing to translate; see verbatim and about";
   }
 };
 

@@ -50,8 +50,8 @@ Result<std::string> checkText(const Parameter& parameter, std::string_view text)
   const bool one_line =
       std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   if (one_line && text.size() <= kParameterTextLimit) return std::string(text);
-  return fail("{}: {} bytes{}; expected {}", parameter.id, text.size(), one_line ? "" : " with control characters",
-              describeRange(parameter));
+  if (one_line) return fail("{}: {} bytes; expected {}", parameter.id, text.size(), describeRange(parameter));
+  return fail("{}: {} bytes with control characters; expected {}", parameter.id, text.size(), describeRange(parameter));
 }
 
 Result<void> assignParameter(const Parameter& parameter, std::string_view text, Ranges ranges) {
@@ -115,20 +115,20 @@ std::string formatParameter(const Parameter& parameter) {
   return fmt::format("{}", parameter.value());
 }
 
-std::string describeRange(const Parameter& parameter) {
-  if (parameter.kind == ParameterKind::boolean) return "true or false";
-  if (parameter.kind == ParameterKind::choice) return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
-  if (parameter.kind == ParameterKind::text) return fmt::format("a line of at most {} bytes", kParameterTextLimit);
+Message describeRange(const Parameter& parameter) {
+  if (parameter.kind == ParameterKind::boolean) return say("true or false");
+  if (parameter.kind == ParameterKind::choice) return say("one of {}", fmt::join(parameter.choices, ", "));
+  if (parameter.kind == ParameterKind::text) return say("a line of at most {} bytes", kParameterTextLimit);
   const double lowest = parameter.info.minimum;
   const double highest = parameter.info.maximum;
   const std::string unit = parameter.info.unit == "1" ? "" : fmt::format(" {}", parameter.info.unit);
   if (parameter.kind == ParameterKind::list) {
-    return fmt::format("a list of numbers, each from {} to {}{}", lowest, highest, unit);
+    return say("a list of numbers, each from {} to {}{}", lowest, highest, unit);
   }
   if (parameter.kind == ParameterKind::integer) {
-    return fmt::format("a whole number from {} to {}{}", lowest, highest, unit);
+    return say("a whole number from {} to {}{}", lowest, highest, unit);
   }
-  return fmt::format("a number from {} to {}{}", lowest, highest, unit);
+  return say("a number from {} to {}{}", lowest, highest, unit);
 }
 
 const Parameter* findParameter(std::span<const Parameter> parameters, std::string_view id) {

@@ -154,7 +154,7 @@ template <class Parameters>
 [[nodiscard]] std::string formatParameter(const Parameter& parameter);
 
 /// "0 … 10 1" or "a | b": what may stand there, for messages and tables.
-[[nodiscard]] std::string describeRange(const Parameter& parameter);
+[[nodiscard]] Message describeRange(const Parameter& parameter);
 
 /// nullptr when there is none.
 [[nodiscard]] const Parameter* findParameter(std::span<const Parameter> parameters, std::string_view id);

@@ -116,7 +116,7 @@ Result<void> parseProfile(std::string_view text, std::string_view source_name, s
   try {
     root = parseToml(text, source_name);
   } catch (const toml::parse_error& error) {
-    return fail("{}:{}: {}", source_name, error.source().begin.line, error.description());
+    return fail(about(fmt::format("{}:{}", source_name, error.source().begin.line), verbatim(error.description())));
   }
   std::vector<Assignment> assignments;
   for (const auto& [room, node] : root) {
@@ -132,7 +132,7 @@ Result<void> parseProfile(std::string_view text, std::string_view source_name, s
         return fail("{}: unknown parameter '{}'; 'fyd params' lists those there are", place(source_name, value), id);
       }
       const auto assignment = readAssignment(*parameter, value, ranges);
-      if (!assignment) return fail("{}: {}", place(source_name, value), assignment.error().message);
+      if (!assignment) return fail(about(place(source_name, value), assignment.error().message));
       assignments.push_back(*assignment);
     }
   }
@@ -159,7 +159,7 @@ std::string formatProfile(std::span<const Parameter> parameters) {
     }
     std::string value = formatParameter(parameter);
     if (parameter.kind == ParameterKind::choice || parameter.kind == ParameterKind::text) value = quoted(value);
-    out += fmt::format("{} = {}  # {}\n", parameter.id.substr(dot + 1), value, describeRange(parameter));
+    out += fmt::format("{} = {}  # {}\n", parameter.id.substr(dot + 1), value, describeRange(parameter).text());
   }
   return out;
 }

@@ -12,6 +12,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/system_reason.h"
+
 namespace fyd {
 namespace {
 
@@ -38,7 +40,7 @@ Result<WriteTarget> writeTargetOf(const std::string& path) {
   struct stat status {};
   if (::lstat(end->c_str(), &status) != 0) {
     if (errno == ENOENT) return target;
-    return fail("{}: cannot be written: {}", path, std::strerror(errno));
+    return fail("{}: cannot be written: {}", path, systemReason(errno));
   }
   switch (status.st_mode & S_IFMT) {
     case S_IFREG: break;
@@ -48,7 +50,7 @@ Result<WriteTarget> writeTargetOf(const std::string& path) {
     default: return fail("{}: is a device, not a file", path);
   }
   if (::faccessat(AT_FDCWD, end->c_str(), W_OK, AT_EACCESS) != 0)
-    return fail("{}: cannot be written: {}", path, std::strerror(errno));
+    return fail("{}: cannot be written: {}", path, systemReason(errno));
   target.exists = true;
   target.mode = status.st_mode & kModeBits;
   target.owner = status.st_uid;
@@ -59,13 +61,13 @@ Result<WriteTarget> writeTargetOf(const std::string& path) {
 Result<void> takeOver(const WriteTarget& replaced, int descriptor) {
   if (!replaced.exists) return {};
   struct stat own {};
-  if (::fstat(descriptor, &own) != 0) return fail("{}: cannot be written: {}", replaced.path, std::strerror(errno));
+  if (::fstat(descriptor, &own) != 0) return fail("{}: cannot be written: {}", replaced.path, systemReason(errno));
   const bool another = own.st_uid != replaced.owner || own.st_gid != replaced.group;
   if (another && ::fchown(descriptor, replaced.owner, replaced.group) != 0)
     return fail("{}: belongs to another user (uid {}, gid {}), who would lose it; choose another name", replaced.path,
                 replaced.owner, replaced.group);
   if (::fchmod(descriptor, replaced.mode) != 0)  // after the owner, whose change takes bits away
-    return fail("{}: cannot be written: {}", replaced.path, std::strerror(errno));
+    return fail("{}: cannot be written: {}", replaced.path, systemReason(errno));
   return {};
 }
 

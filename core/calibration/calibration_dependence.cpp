@@ -65,21 +65,21 @@ std::vector<NewerBasis> newerBases(Records records, std::string_view procedure, 
   return out;
 }
 
-std::string nameOf(const NewerBasis& basis) {
-  if (basis.procedure == "ir") return fmt::format("distance sensor {}", basis.sensor);
-  return basis.procedure == "load-cell" ? "load cell" : basis.procedure;
+Message nameOf(const NewerBasis& basis) {
+  if (basis.procedure == "ir") return say("distance sensor {}", basis.sensor);
+  return basis.procedure == "load-cell" ? say("load cell") : say("encoders");
 }
 
-std::string_view remedyOf(std::string_view procedure) {
-  return procedure == kNoTouch ? "taken with another curve: take it again"
-                               : "measured with another calibration: measure it again";
+Message remedyOf(std::string_view procedure) {
+  return procedure == kNoTouch ? say("taken with another curve: take it again")
+                               : say("measured with another calibration: measure it again");
 }
 
-std::string describeBases(std::string_view procedure, std::span<const NewerBasis> bases) {
+Message describeBases(std::string_view procedure, std::span<const NewerBasis> bases) {
   if (bases.empty()) return {};
-  std::vector<std::string> names;
+  std::vector<Message> names;
   for (const NewerBasis& each : bases) names.push_back(nameOf(each));
-  return fmt::format("{} ({})", remedyOf(procedure), fmt::join(names, ", "));
+  return explained(remedyOf(procedure), listed(std::move(names), "{}, {}"));
 }
 
 bool isTared(std::string_view procedure, std::string_view parameter_id) {

@@ -33,11 +33,11 @@ struct NewerBasis {
 [[nodiscard]] std::vector<NewerBasis> newerBases(std::span<const CalibrationRecord> records, std::string_view procedure,
                                                  std::span<const Parameter> parameters);
 
-[[nodiscard]] std::string nameOf(const NewerBasis& basis);  ///< "distance sensor 2"
+[[nodiscard]] Message nameOf(const NewerBasis& basis);  ///< "distance sensor 2"
 /// What is wrong with a part that has a newer basis, and what to do: "taken with another curve: take it again".
-[[nodiscard]] std::string_view remedyOf(std::string_view procedure);
+[[nodiscard]] Message remedyOf(std::string_view procedure);
 /// "taken with another curve: take it again (distance sensor 2, load cell)"; empty without a newer basis.
-[[nodiscard]] std::string describeBases(std::string_view procedure, std::span<const NewerBasis> bases);
+[[nodiscard]] Message describeBases(std::string_view procedure, std::span<const NewerBasis> bases);
 
 /// Whether a tare may change the value without taking the calibration that it rests on out of force.
 [[nodiscard]] bool isTared(std::string_view procedure, std::string_view parameter_id);

@@ -41,35 +41,37 @@ class RecordReader {
     CalibrationRecord record;
     std::size_t known = 0;
     eachField(
-        record, [&](const char* key, std::string& field) { known += take(table, key, field, "a text"); },
-        [&](const char* key, std::int64_t& field) { known += take(table, key, field, "a whole number"); },
-        [&](const char* key, double& field) { known += take(table, key, field, "a number with a point, or nan"); });
+        record, [&](const char* key, std::string& field) { known += take(table, key, field, say("a text")); },
+        [&](const char* key, std::int64_t& field) { known += take(table, key, field, say("a whole number")); },
+        [&](const char* key, double& field) {
+          known += take(table, key, field, say("a number with a point, or nan"));
+        });
     std::int64_t sensor = 0;
-    known += take(table, "sensor", sensor, "a whole number");
-    if (sensor < 0 || sensor > 8) complain(table, "sensor: expected 0 to 8");
+    known += take(table, "sensor", sensor, say("a whole number"));
+    if (sensor < 0 || sensor > 8) complain(table, say("sensor: expected 0 to 8"));
     record.sensor = static_cast<int>(sensor);
     known += readResiduals(table, record);
     known += readChanges(table, record);
-    if (known != table.size()) complain(table, "a key that no record has");
+    if (known != table.size()) complain(table, say("a key that no record has"));
     return record;
   }
-  void complain(const toml::node& node, std::string_view what) {
-    if (problem_.empty()) problem_ = fmt::format("{}:{}: {}", source_, node.source().begin.line, what);
+  void complain(const toml::node& node, Message what) {
+    if (problem_.empty()) problem_ = about(fmt::format("{}:{}", source_, node.source().begin.line), std::move(what));
   }
-  [[nodiscard]] const std::string& problem() const { return problem_; }
+  [[nodiscard]] const Message& problem() const { return problem_; }
 
  private:
   template <class T>
-  std::size_t take(const toml::table& table, const char* key, T& field, std::string_view expected) {
+  std::size_t take(const toml::table& table, const char* key, T& field, Message expected) {
     const toml::node* node = table.get(key);
     if (node == nullptr) {
-      complain(table, fmt::format("{} is missing", key));
+      complain(table, say("{} is missing", key));
       return 0;
     }
     if (const auto value = node->value_exact<T>()) {
       field = *value;
     } else {
-      complain(*node, fmt::format("{}: expected {}", key, expected));
+      complain(*node, say("{}: expected {}", key, std::move(expected)));
     }
     return 1;
   }
@@ -78,12 +80,12 @@ class RecordReader {
     if (node == nullptr) return 0;
     const toml::array* array = node->as_array();
     if (array == nullptr) {
-      complain(*node, "residuals: expected a list of numbers");
+      complain(*node, say("residuals: expected a list of numbers"));
       return 1;
     }
     for (const toml::node& item : *array) {
       const auto value = item.value_exact<double>();
-      if (!value) complain(item, "residuals: expected numbers with a point");
+      if (!value) complain(item, say("residuals: expected numbers with a point"));
       record.residuals.push_back(value.value_or(kUnknown));
     }
     return 1;
@@ -93,25 +95,25 @@ class RecordReader {
     if (node == nullptr) return 0;
     const toml::array* array = node->as_array();
     if (array == nullptr) {
-      complain(*node, "change: expected [[record.change]]");
+      complain(*node, say("change: expected [[record.change]]"));
       return 1;
     }
     for (const toml::node& item : *array) {
       const toml::table* change = item.as_table();
       if (change == nullptr || change->size() != 3) {
-        complain(item, "change: expected id, before and after");
+        complain(item, say("change: expected id, before and after"));
         continue;
       }
       AppliedChange& applied = record.changes.emplace_back();
-      take(*change, "id", applied.id, "a text");
-      take(*change, "before", applied.before, "a text");
-      take(*change, "after", applied.after, "a text");
+      take(*change, "id", applied.id, say("a text"));
+      take(*change, "before", applied.before, say("a text"));
+      take(*change, "after", applied.after, say("a text"));
     }
     return 1;
   }
 
   std::string_view source_;
-  std::string problem_;
+  Message problem_;
 };
 
 Result<std::chrono::sys_days> parseDay(std::string_view text) {
@@ -139,9 +141,9 @@ CalibrationRecord makeRecord(const CalibrationResult& result, std::vector<Applie
           .who = std::move(who),
           .when = std::move(when),
           .conditions = std::move(conditions),
-          .curve = result.curve,
+          .curve = result.curve.text(),
           .unit = result.unit,
-          .verdict = result.verdict.reason,
+          .verdict = result.verdict.reason.text(),
           .points = static_cast<std::int64_t>(result.points),
           .outliers = static_cast<std::int64_t>(result.outliers.size()),
           .rmse = result.rmse,
@@ -178,7 +180,7 @@ Result<std::vector<CalibrationRecord>> parseRecords(std::string_view text, std::
   try {
     root = toml::parse(text, source_name);
   } catch (const toml::parse_error& error) {
-    return fail("{}:{}: {}", source_name, error.source().begin.line, error.description());
+    return fail(about(fmt::format("{}:{}", source_name, error.source().begin.line), verbatim(error.description())));
   }
   const auto format = root["format"].value_exact<std::int64_t>();
   if (!format) return fail("{}: no 'format'; expected a record of calibrations, format = {}", source_name, kFormat);
@@ -189,18 +191,18 @@ Result<std::vector<CalibrationRecord>> parseRecords(std::string_view text, std::
     if (key.str() == "format") continue;
     const toml::array* list = node.as_array();
     if (key.str() != "record" || list == nullptr) {
-      reader.complain(node, fmt::format("'{}': expected [[record]]", key.str()));
+      reader.complain(node, say("'{}': expected [[record]]", key.str()));
       continue;
     }
     for (const toml::node& item : *list) {
       if (const toml::table* table = item.as_table()) {
         records.push_back(reader.read(*table));
       } else {
-        reader.complain(item, "expected [[record]]");
+        reader.complain(item, say("expected [[record]]"));
       }
     }
   }
-  if (!reader.problem().empty()) return fail("{}", reader.problem());
+  if (!reader.problem().empty()) return fail(reader.problem());
   return records;
 }
 
@@ -262,13 +264,13 @@ Result<AgeOfRecord> ageOf(const CalibrationRecord& record, std::string_view toda
   AgeOfRecord out{.days = std::max(0, days), .warning = {}};
   if (days < 0) {
     out.age = Age::old;
-    out.warning = fmt::format("calibrated {} days in the future: the computer's clock was or is wrong", -days);
+    out.warning = say("calibrated {} days in the future: the computer's clock was or is wrong", -days);
   } else if (days > p.old_days) {
     out.age = Age::old;
-    out.warning = fmt::format("calibrated {} days ago: repeat it", days);
+    out.warning = say("calibrated {} days ago: repeat it", days);
   } else if (days > p.ageing_days) {
     out.age = Age::ageing;
-    out.warning = fmt::format("calibrated {} days ago: repeat it soon", days);
+    out.warning = say("calibrated {} days ago: repeat it soon", days);
   }
   return out;
 }

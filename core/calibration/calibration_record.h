@@ -56,7 +56,7 @@ enum class Age : std::uint8_t { fresh, ageing, old };
 struct AgeOfRecord {
   int days = 0;  ///< 0 for a record of the future: a clock was wrong, and that is said in `warning`
   Age age = Age::fresh;
-  std::string warning;  ///< empty while fresh
+  Message warning;  ///< empty while fresh
 };
 /// @param today "2026-11-21" or longer, as `when`; @return an error for a date that is none
 [[nodiscard]] Result<AgeOfRecord> ageOf(const CalibrationRecord& record, std::string_view today,

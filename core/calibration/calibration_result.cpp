@@ -5,26 +5,30 @@
 
 namespace fyd::calibration {
 
-CalibrationResult refused(CalibrationResult result, std::string reason, std::string_view threshold) {
-  result.verdict = {.accepted = false, .reason = std::move(reason), .threshold = std::string(threshold)};
+CalibrationResult refused(CalibrationResult result, Message reason, std::string_view threshold) {
+  result.verdict = {.reason = std::move(reason), .threshold = std::string(threshold)};
   result.changes.clear();
   return result;
+}
+
+CalibrationResult tooFew(CalibrationResult result, Message reason, std::string_view threshold) {
+  CalibrationResult out = refused(std::move(result), std::move(reason), threshold);
+  out.verdict.too_few = true;
+  return out;
 }
 
 bool checkColumn(CalibrationResult& result, std::string_view column, std::span<const double> values, double lowest,
                  double highest) {
   if (values.size() > kMostPoints) {
-    result = refused(std::move(result),
-                     fmt::format("{} points; at most {}: take fewer, or means", values.size(), kMostPoints));
+    result = refused(std::move(result), say("{} points; at most {}: take fewer, or means", values.size(), kMostPoints));
     return false;
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i]) && values[i] >= lowest && values[i] <= highest) continue;
     if (i >= result.bad_row) return false;  // an earlier point is named already
     result.bad_row = i;
-    result =
-        refused(std::move(result), fmt::format("{} = {}: expected a number from {} to {}; correct or delete the row",
-                                               column, values[i], lowest, highest));
+    result = refused(std::move(result), say("{} = {}: expected a number from {} to {}; correct or delete the row",
+                                            column, values[i], lowest, highest));
     return false;
   }
   return true;

@@ -34,14 +34,15 @@ struct ParameterChange {
 
 struct Verdict {
   bool accepted = false;
-  std::string reason;     ///< accepted: what was reached; refused: the cause and what to do next
+  bool too_few = false;   ///< refused for want of points: more of them help
+  Message reason;         ///< accepted: what was reached; refused: the cause and what to do next
   std::string threshold;  ///< id of the parameter that decided, empty when none did
 };
 
 /// NaN stands for what a refused fit does not know.
 struct CalibrationResult {
   std::string procedure;  ///< "ir", "load-cell", …
-  std::string curve;      ///< the form that was fitted, in words
+  Message curve;          ///< the form that was fitted, in words
   std::string unit;       ///< of residuals and errors
   std::size_t points = 0;
   std::vector<Coefficient> coefficients;
@@ -54,7 +55,7 @@ struct CalibrationResult {
   double valid_to = kUnknown;
   std::vector<double> residuals;      ///< measured less fitted, one per point
   std::vector<std::size_t> outliers;  ///< points the others contradict; kept in the fit unless said otherwise
-  std::vector<std::string> notes;     ///< what the operator should know beside the verdict
+  std::vector<Message> notes;         ///< what the operator should know beside the verdict
   std::vector<ParameterChange> changes;
   Verdict verdict;
   std::size_t bad_row = kNoRow;  ///< the point that made the samples unusable
@@ -63,7 +64,10 @@ struct CalibrationResult {
 };
 
 /// A result refused before or after its fit; keeps what is known.
-[[nodiscard]] CalibrationResult refused(CalibrationResult result, std::string reason, std::string_view threshold = {});
+[[nodiscard]] CalibrationResult refused(CalibrationResult result, Message reason, std::string_view threshold = {});
+
+/// The same, for want of points.
+[[nodiscard]] CalibrationResult tooFew(CalibrationResult result, Message reason, std::string_view threshold);
 
 /// First point that is not finite or outside lowest…highest: refuses the result and names it.
 /// @return true when all points are good

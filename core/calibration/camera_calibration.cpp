@@ -86,9 +86,9 @@ bool findTurn(CameraCalibration& out, const Frame& f) {
   const auto x = fitLinear(design, f.x), y = fitLinear(design, f.y);
   CalibrationResult& result = out.result;
   if (!x || !y || x->condition_number > kLineCondition) {
-    result =
-        refused(std::move(result),
-                "the points lie on one line in the picture: add points off that line, at the corners of the cloth");
+    result = refused(
+        std::move(result),
+        say("the points lie on one line in the picture: add points off that line, at the corners of the cloth"));
     return false;
   }
   result.condition_number = x->condition_number;
@@ -97,7 +97,7 @@ bool findTurn(CameraCalibration& out, const Frame& f) {
   const double sx = std::hypot(m00, m10), sy = std::hypot(m01, m11);
   if (!(std::abs(determinant) > 1e-6 * sx * sy) || !(sx > 0) || !(sy > 0)) {
     result = refused(std::move(result),
-                     "the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm");
+                     say("the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm"));
     return false;
   }
   out.mirrored = determinant > 0;
@@ -119,12 +119,12 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
   CameraCalibration out;
   CalibrationResult& result = out.result;
   result = {.procedure = "camera",
-            .curve = "a line for each axis",
+            .curve = say("a line for each axis"),
             .unit = "mm",
             .points = s.x_px.size(),
             .valid_unit = "px"};
   if (s.y_px.size() != s.x_px.size() || s.x_mm.size() != s.x_px.size() || s.y_mm.size() != s.x_px.size()) {
-    result = refused(std::move(result), "the four columns differ in length");
+    result = refused(std::move(result), say("the four columns differ in length"));
     return out;
   }
   bool good = checkColumn(result, "x_px", s.x_px, -kLargest_px, kLargest_px);
@@ -141,20 +141,19 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
     if (!seen) different.push_back(i);
   }
   if (different.size() < static_cast<std::size_t>(p.camera_fewest_points)) {
-    result = refused(std::move(result),
-                     fmt::format("{} different points; expected at least {}: add points, best at the corners of "
-                                 "the cloth",
-                                 different.size(), p.camera_fewest_points),
-                     "calibration.camera_fewest_points");
+    result = tooFew(std::move(result),
+                    say("{} different points; expected at least {}: add points, best at the corners of "
+                        "the cloth",
+                        different.size(), p.camera_fewest_points),
+                    "calibration.camera_fewest_points");
     return out;
   }
   for (const auto& [name, values] : {std::pair{"x_px", &s.x_px}, std::pair{"y_px", &s.y_px}}) {
     if (spanOf(*values) >= p.camera_least_span_px) continue;
-    result =
-        refused(std::move(result),
-                fmt::format("{} spans only {:.3g} px; expected at least {:g}: add points farther {}", name,
-                            spanOf(*values), p.camera_least_span_px, *name == 'x' ? "left and right" : "up and down"),
-                "calibration.camera_least_span_px");
+    result = tooFew(std::move(result),
+                    say("{} spans only {:.3g} px; expected at least {:g}: add points farther {}", name, spanOf(*values),
+                        p.camera_least_span_px, *name == 'x' ? say("left and right") : say("up and down")),
+                    "calibration.camera_least_span_px");
     return out;
   }
   if (!findTurn(out, frameOf(s, 0.0))) return out;
@@ -205,21 +204,21 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
       });
   result.held_out_rmse = rootMeanSquare(held);
   if (std::abs(out.shear_deg) > 1.0) {
-    result.notes.push_back(fmt::format(
-        "the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant", out.shear_deg));
+    result.notes.push_back(
+        say("the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant", out.shear_deg));
   }
   if (out.mirrored) {
     result.notes.push_back(
-        "picture and target are mirror images; if the camera shows no mirrored picture, the signs of "
-        "y_mm are wrong: it grows to the back, upward in the picture");
+        say("picture and target are mirror images; if the camera shows no mirrored picture, the signs of "
+            "y_mm are wrong: it grows to the back, upward in the picture"));
   }
   if (!(result.held_out_rmse <= p.camera_held_out_mm)) {
-    result = refused(std::move(result),
-                     fmt::format("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse,
-                                 p.camera_held_out_mm,
-                                 !hasFewOutliers(result) ? "lay the target flat and set the camera square to it"
-                                                         : "measure the outliers again"),
-                     "calibration.camera_held_out_mm");
+    result = refused(
+        std::move(result),
+        say("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse, p.camera_held_out_mm,
+            !hasFewOutliers(result) ? say("lay the target flat and set the camera square to it")
+                                    : say("measure the outliers again")),
+        "calibration.camera_held_out_mm");
     return out;
   }
   const double rotation = out.rotated ? out.rotation_deg : half_turn;
@@ -230,8 +229,9 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
                     {"sensing.finger_rotation_deg", fmt::format("{}", rotation)},
                     {"sensing.finger_mirror", out.mirrored ? "true" : "false"}};
   result.verdict = {
-      true, fmt::format("held-out error {:.3f} mm of at most {:g} mm", result.held_out_rmse, p.camera_held_out_mm),
-      "calibration.camera_held_out_mm"};
+      .accepted = true,
+      .reason = say("held-out error {:.3f} mm of at most {:g} mm", result.held_out_rmse, p.camera_held_out_mm),
+      .threshold = "calibration.camera_held_out_mm"};
   return out;
 }
 

@@ -10,7 +10,7 @@ namespace fyd::calibration {
 namespace {
 
 constexpr double kTurn = control::kEncoderCountsPerTurn;
-constexpr std::array<std::string_view, control::kMotorCount> kNames = {"first", "second"};
+constexpr std::array<std::string_view, control::kMotorCount> kNames = {sentence("first"), sentence("second")};
 
 std::vector<double> unwrapped(const std::vector<double>& counts) {
   std::vector<double> out;
@@ -36,8 +36,9 @@ Sweep rowsOf(const std::vector<double>& command, const std::vector<double>& coun
 }
 
 struct Problem {
-  std::string words;  ///< what is wrong with this encoder; empty when nothing is
+  Message words;  ///< what is wrong with this encoder; empty when nothing is
   std::string_view threshold;
+  bool too_few = false;
 };
 
 Problem calibrateOne(std::size_t motor, const EncoderSamples& s, const CalibrationParameters& p,
@@ -48,16 +49,16 @@ Problem calibrateOne(std::size_t motor, const EncoderSamples& s, const Calibrati
   found.from_deg = *low;
   found.to_deg = *high;
   if (found.to_deg - found.from_deg < p.encoder_least_sweep_deg || command.size() < 5) {
-    return {fmt::format("{} encoder: {} points over {:.3g} deg; expected at least 5 over {:g} deg: sweep farther",
-                        kNames[motor], command.size(), found.to_deg - found.from_deg, p.encoder_least_sweep_deg),
-            "calibration.encoder_least_sweep_deg"};
+    return {say("{} encoder: {} points over {:.3g} deg; expected at least 5 over {:g} deg: sweep farther",
+                phrase(kNames[motor]), command.size(), found.to_deg - found.from_deg, p.encoder_least_sweep_deg),
+            "calibration.encoder_least_sweep_deg", true};
   }
   const std::vector<double> counts = unwrapped(s.counts[motor]);
   std::vector<std::size_t> rows(command.size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
   const Sweep sweep = rowsOf(command, counts, rows);
   const auto fit = fitLinear(sweep.design, sweep.counts);
-  if (!fit) return {fmt::format("{} encoder: {}", kNames[motor], fit.error().message), {}};
+  if (!fit) return {say("{} encoder: {}", phrase(kNames[motor]), fit.error().message), {}};
   found.counts_per_deg = fit->coefficients[0];
   found.inverted = found.counts_per_deg < 0;
   const double zero = fit->coefficients[1] - kTurn * std::floor(fit->coefficients[1] / kTurn);
@@ -81,9 +82,10 @@ Problem calibrateOne(std::size_t motor, const EncoderSamples& s, const Calibrati
     held_out.push_back((counts[row] - predicted[row]) / control::kEncoderCountsPerDegree);
   const double departure = 100.0 * (std::abs(found.counts_per_deg) / control::kEncoderCountsPerDegree - 1.0);
   if (!(std::abs(departure) <= p.encoder_scale_percent)) {
-    return {fmt::format("{} encoder turns {:.1f} % {} than commanded; expected within {:g} %: check that the motor is "
-                        "free, and that both are wired to the same roller",
-                        name, std::abs(departure), departure < 0 ? "less" : "more", p.encoder_scale_percent),
+    return {say("{} encoder turns {:.1f} % {} than commanded; expected within {:g} %: check that the motor is "
+                "free, and that both are wired to the same roller",
+                phrase(kNames[motor]), std::abs(departure), departure < 0 ? say("less") : say("more"),
+                p.encoder_scale_percent),
             "calibration.encoder_scale_percent"};
   }
   return {};
@@ -95,7 +97,7 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   EncoderCalibration out;
   CalibrationResult& result = out.result;
   result = {.procedure = "encoders",
-            .curve = "a line for each encoder",
+            .curve = say("a line for each encoder"),
             .unit = "deg",
             .points = s.counts[0].size(),
             .valid_unit = "deg"};
@@ -103,7 +105,7 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   for (std::size_t motor = 0; motor < control::kMotorCount; ++motor) {
     if (s.command_deg[motor].size() != s.counts[0].size() || s.counts[motor].size() != s.counts[0].size() ||
         s.counts[0].empty()) {
-      result = refused(std::move(result), "commands and counts differ in number, or there are none");
+      result = refused(std::move(result), say("commands and counts differ in number, or there are none"));
       return out;
     }
     good = checkColumn(result, fmt::format("{}_deg", kNames[motor]), s.command_deg[motor], -3600, 3600) && good;
@@ -123,15 +125,15 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   result.valid_from = std::max(out.encoders[0].from_deg, out.encoders[1].from_deg);
   result.valid_to = std::min(out.encoders[0].to_deg, out.encoders[1].to_deg);
   if (!problem.words.empty()) {
-    result = refused(std::move(result), problem.words, problem.threshold);
+    result = problem.too_few ? tooFew(std::move(result), problem.words, problem.threshold)
+                             : refused(std::move(result), problem.words, problem.threshold);
     return out;
   }
   if (!(result.held_out_rmse <= p.encoder_held_out_deg)) {
-    result =
-        refused(std::move(result),
-                fmt::format("held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle",
-                            result.held_out_rmse, p.encoder_held_out_deg),
-                "calibration.encoder_held_out_deg");
+    result = refused(std::move(result),
+                     say("held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle",
+                         result.held_out_rmse, p.encoder_held_out_deg),
+                     "calibration.encoder_held_out_deg");
     return out;
   }
   for (std::size_t motor = 0; motor < control::kMotorCount; ++motor) {
@@ -141,8 +143,9 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
         {fmt::format("control.encoder_{}_inverted", kNames[motor]), out.encoders[motor].inverted ? "true" : "false"});
   }
   result.verdict = {
-      true, fmt::format("held-out error {:.3f} deg of at most {:g} deg", result.held_out_rmse, p.encoder_held_out_deg),
-      "calibration.encoder_held_out_deg"};
+      .accepted = true,
+      .reason = say("held-out error {:.3f} deg of at most {:g} deg", result.held_out_rmse, p.encoder_held_out_deg),
+      .threshold = "calibration.encoder_held_out_deg"};
   return out;
 }
 

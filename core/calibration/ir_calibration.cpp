@@ -14,7 +14,7 @@ constexpr double kSensorNearest_mm = 40.0, kSensorFarthest_mm = 300.0;
 constexpr double kFoldSigmas = 3.0;
 
 /// Under some 4 cm the sensor's voltage falls again: two distances for one code. Names the first fold, if there is one.
-std::string foldIn(const IrSamples& samples, double noise_counts) {
+Message foldIn(const IrSamples& samples, double noise_counts) {
   struct Group {
     double distance = 0.0, sum = 0.0;
     double count = 0.0;
@@ -36,11 +36,16 @@ std::string foldIn(const IrSamples& samples, double noise_counts) {
     const Group &near = groups[i - 1], &far = groups[i];
     const double allowed = kFoldSigmas * noise_counts * std::sqrt(1 / near.count + 1 / far.count);
     if (far.mean() - near.mean() > allowed) {
-      return fmt::format(
+      if (near.distance < kSensorNearest_mm) {
+        return say(
+            "adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both "
+            "again, and leave out distances the sensor is too near for",
+            near.mean(), near.distance, far.mean(), far.distance);
+      }
+      return say(
           "adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both "
-          "again{}",
-          near.mean(), near.distance, far.mean(), far.distance,
-          near.distance < kSensorNearest_mm ? ", and leave out distances the sensor is too near for" : "");
+          "again",
+          near.mean(), near.distance, far.mean(), far.distance);
     }
   }
   return {};
@@ -64,7 +69,7 @@ void takeCurve(IrCalibration& out, const IrSamples& samples, const IrChoice& cho
   const IrCurve& curve = out.curve;
   const auto [lowest, highest] = codeSpan(choice.points);
   CalibrationResult& result = out.result;
-  result.curve = toString(curve.candidate);
+  result.curve = phrase(toString(curve.candidate));
   result.valid_from = lowest;
   result.valid_to = highest;
   const sensing::IrDistance sensor = curve.sensor(lowest, highest);
@@ -103,31 +108,29 @@ bool enoughDistances(CalibrationResult& result, const IrSamples& samples, const 
   const double to = std::max(kSensorFarthest_mm, distinct.back());
   if (distinct.size() < static_cast<std::size_t>(p.ir_fewest_distances)) {
     const Gap gap = widestGap(distinct, from, to);
-    result =
-        refused(std::move(result),
-                fmt::format("{} different distances in {} points; expected at least {}: add points between {:g} and "
-                            "{:g} mm (the same distance again tells only the noise)",
-                            distinct.size(), samples.adc.size(), p.ir_fewest_distances, gap.from, gap.to),
-                "calibration.ir_fewest_distances");
+    result = tooFew(std::move(result),
+                    say("{} different distances in {} points; expected at least {}: add points between {:g} and "
+                        "{:g} mm (the same distance again tells only the noise)",
+                        distinct.size(), samples.adc.size(), p.ir_fewest_distances, gap.from, gap.to),
+                    "calibration.ir_fewest_distances");
     return false;
   }
   const double span = distinct.back() - distinct.front();
   if (span < p.ir_least_span_mm) {
     const Gap gap = widestGap(distinct, from, to);
-    result = refused(std::move(result),
-                     fmt::format("the distances span only {:.3g} mm, {:g} to {:g}; expected at least {:g}: add points "
-                                 "between {:g} and {:g} mm",
-                                 span, distinct.front(), distinct.back(), p.ir_least_span_mm, gap.from, gap.to),
-                     "calibration.ir_least_span_mm");
+    result = tooFew(std::move(result),
+                    say("the distances span only {:.3g} mm, {:g} to {:g}; expected at least {:g}: add points "
+                        "between {:g} and {:g} mm",
+                        span, distinct.front(), distinct.back(), p.ir_least_span_mm, gap.from, gap.to),
+                    "calibration.ir_least_span_mm");
     return false;
   }
   const Gap gap = widestGap(distinct, distinct.front(), distinct.back());
   if (gap.width() > p.widest_gap_percent / 100.0 * span) {
-    result = refused(
-        std::move(result),
-        fmt::format("no point between {:g} and {:g} mm, {:.0f} % of the span: add points between {:g} and {:g} mm",
-                    gap.from, gap.to, 100 * gap.width() / span, gap.from, gap.to),
-        "calibration.widest_gap_percent");
+    result = tooFew(std::move(result),
+                    say("no point between {:g} and {:g} mm, {:.0f} % of the span: add points between {:g} and {:g} mm",
+                        gap.from, gap.to, 100 * gap.width() / span, gap.from, gap.to),
+                    "calibration.widest_gap_percent");
     return false;
   }
   return true;
@@ -141,16 +144,16 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
   CalibrationResult& result = out.result;
   result = {.procedure = "ir", .curve = {}, .unit = "mm", .points = samples.adc.size(), .valid_unit = "adc"};
   if (options.sensor >= sensing::kMaximumIrSensors || samples.distance_mm.size() != samples.adc.size()) {
-    result = refused(
-        std::move(result),
-        fmt::format("sensor {} with {} codes and {} distances; expected 1 to {} and as many of each",
+    result =
+        refused(std::move(result),
+                say("sensor {} with {} codes and {} distances; expected 1 to {} and as many of each",
                     options.sensor + 1, samples.adc.size(), samples.distance_mm.size(), sensing::kMaximumIrSensors));
     return out;
   }
   const bool codes_good = checkColumn(result, "adc", samples.adc, 0, sensing::kAdcCodes - 1);
   if (!checkColumn(result, "distance_mm", samples.distance_mm, 1, 1000) || !codes_good) return out;
   if (samples.adc.empty()) {
-    result = refused(std::move(result), "no points: add points between 40 and 300 mm");
+    result = refused(std::move(result), say("no points: add points between 40 and 300 mm"));
     return out;
   }
   if (!enoughDistances(result, samples, p)) return out;
@@ -169,15 +172,15 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
   if (!enoughDistances(result, kept, p)) return out;
   out.attempts = choice.attempts;
   const double counts_per_mV = sensing::kAdcCodes / (1000.0 * sensing::kAdcReference_V);
-  if (std::string fold = foldIn(kept, present.ir_noise_mV * counts_per_mV); !fold.empty()) {
+  if (Message fold = foldIn(kept, present.ir_noise_mV * counts_per_mV); !fold.empty()) {
     result = refused(std::move(result), std::move(fold));
     return out;
   }
   if (!choice.curve) {
-    std::vector<std::string> problems;
-    for (const IrAttempt& a : out.attempts) problems.push_back(fmt::format("{}: {}", toString(a.candidate), a.problem));
-    result = refused(std::move(result), fmt::format("no curve can be used ({}): add points, spread over 40 to 300 mm",
-                                                    fmt::join(problems, "; ")));
+    std::vector<Message> problems;
+    for (const IrAttempt& a : out.attempts) problems.push_back(about(phrase(toString(a.candidate)), a.problem));
+    result = refused(std::move(result), say("no curve can be used ({}): add points, spread over 40 to 300 mm",
+                                            listed(std::move(problems))));
     return out;
   }
   out.curve = *choice.curve;
@@ -188,24 +191,24 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
   }
   if (out.valid_from_mm > kSensorNearest_mm + 30 || out.valid_to_mm < 150) {
     result.notes.push_back(
-        fmt::format("outside {:.0f} to {:.0f} mm the sensor will count as invalid: the cloth rests at "
-                    "about 100 mm",
-                    out.valid_from_mm, out.valid_to_mm));
+        say("outside {:.0f} to {:.0f} mm the sensor will count as invalid: the cloth rests at "
+            "about 100 mm",
+            out.valid_from_mm, out.valid_to_mm));
   }
   if (!(result.held_out_rmse <= p.ir_held_out_mm)) {
-    result = refused(
-        std::move(result),
-        fmt::format("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse, p.ir_held_out_mm,
-                    !hasFewOutliers(result) ? "average more readings at each distance, target square to the sensor"
-                                            : "measure the outliers again, or leave them out"),
-        "calibration.ir_held_out_mm");
+    result =
+        refused(std::move(result),
+                say("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse, p.ir_held_out_mm,
+                    !hasFewOutliers(result) ? say("average more readings at each distance, target square to the sensor")
+                                            : say("measure the outliers again, or leave them out")),
+                "calibration.ir_held_out_mm");
     return out;
   }
   result.verdict = {
-      true,
-      fmt::format("{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}",
-                  result.curve, result.held_out_rmse, p.ir_held_out_mm, result.valid_from, result.valid_to),
-      "calibration.ir_held_out_mm"};
+      .accepted = true,
+      .reason = say("{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}",
+                    result.curve, result.held_out_rmse, p.ir_held_out_mm, result.valid_from, result.valid_to),
+      .threshold = "calibration.ir_held_out_mm"};
   return out;
 }
 

@@ -94,17 +94,17 @@ IrChoice chooseIrCurve(const IrPoints& all, std::vector<std::size_t> rows, const
     IrAttempt attempt{.candidate = candidate, .problem = {}};
     const std::size_t needed = freedomOf(candidate) + 2;
     if (distances < needed) {
-      attempt.problem = fmt::format("{} distances; needs {}", distances, needed);
+      attempt.problem = say("{} distances; needs {}", distances, needed);
     } else if (const auto curve = fitIrCurve(candidate, points); !curve) {
       attempt.problem = curve.error().message;
     } else {
       const Judged judged = judge(*curve, points, attempt);
       if (curve->condition_number > p.condition_limit) {
-        attempt.problem = fmt::format("condition number {:.3g}", curve->condition_number);
+        attempt.problem = say("condition number {:.3g}", curve->condition_number);
       } else if (!fallsAtEveryCode(*curve, lowest, highest)) {
-        attempt.problem = "does not fall over its whole span";
+        attempt.problem = say("does not fall over its whole span");
       } else if (std::isnan(judged.weighted_held_out)) {
-        attempt.problem = "cannot be judged on held-out distances";
+        attempt.problem = say("cannot be judged on held-out distances");
       } else {
         best = std::min(best, judged.weighted_held_out);
         usable.push_back(judged);

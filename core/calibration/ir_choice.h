@@ -22,7 +22,7 @@ struct IrAttempt {
   double rmse_mm = kUnknown;
   double held_out_rmse_mm = kUnknown;
   double condition_number = kUnknown;
-  std::string problem;  ///< why it cannot be chosen; empty when it can
+  Message problem;  ///< why it cannot be chosen; empty when it can
 };
 
 /// The candidates tried on some of the points, and the one to take.

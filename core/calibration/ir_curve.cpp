@@ -108,14 +108,14 @@ Result<IrCurve> fitInverse(IrCurve curve, const IrPoints& points) {
 
 std::string_view toString(IrCandidate candidate) {
   switch (candidate) {
-    case IrCandidate::thesis_scaled: return "thesis polynomial, scaled and shifted";
-    case IrCandidate::inverse: return "inverse, a/(v + b) + c";
-    case IrCandidate::degree2: return "polynomial of degree 2";
-    case IrCandidate::degree3: return "polynomial of degree 3";
-    case IrCandidate::degree4: return "polynomial of degree 4";
-    case IrCandidate::degree5: return "polynomial of degree 5";
+    case IrCandidate::thesis_scaled: return sentence("thesis polynomial, scaled and shifted");
+    case IrCandidate::inverse: return sentence("inverse, a/(v + b) + c");
+    case IrCandidate::degree2: return sentence("polynomial of degree 2");
+    case IrCandidate::degree3: return sentence("polynomial of degree 3");
+    case IrCandidate::degree4: return sentence("polynomial of degree 4");
+    case IrCandidate::degree5: return sentence("polynomial of degree 5");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 std::size_t freedomOf(IrCandidate candidate) {
@@ -161,7 +161,7 @@ IrPoints rowsOf(const IrPoints& points, std::span<const std::size_t> rows) {
 Result<IrCurve> fitIrCurve(IrCandidate candidate, const IrPoints& points) {
   IrCurve curve{.candidate = candidate, .coefficients = {}, .standard_errors = {}};
   if (points.volts.size() < freedomOf(candidate)) {
-    return fail("{} points for a {}; expected at least {}", points.volts.size(), toString(candidate),
+    return fail("{} points for a {}; expected at least {}", points.volts.size(), phrase(toString(candidate)),
                 freedomOf(candidate));
   }
   const auto [low, high] = std::minmax_element(points.volts.begin(), points.volts.end());

@@ -99,12 +99,12 @@ void pointOut(LoadCellCalibration& out, double span_N, double allowed_percent) {
   const double allowed_N = allowed_percent / 100.0 * span_N;
   if (std::abs(out.drift_N) > std::max(allowed_N, kSure * out.drift_error_N)) {
     out.result.notes.push_back(
-        fmt::format("the reading drifts by {:.3f} N over the measurement: let the bridge warm up", out.drift_N));
+        say("the reading drifts by {:.3f} N over the measurement: let the bridge warm up", out.drift_N));
   }
   if (std::abs(out.hysteresis_N) > allowed_N) {
     out.result.notes.push_back(
-        fmt::format("loading reads {:.3f} N apart from unloading: look for friction between the cell and its plate",
-                    out.hysteresis_N));
+        say("loading reads {:.3f} N apart from unloading: look for friction between the cell and its plate",
+            out.hysteresis_N));
   }
 }
 
@@ -113,10 +113,11 @@ void pointOut(LoadCellCalibration& out, double span_N, double allowed_percent) {
 LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const CalibrationParameters& p) {
   LoadCellCalibration out;
   CalibrationResult& result = out.result;
-  result = {.procedure = "load-cell", .curve = "line", .unit = "N", .points = s.force_N.size(), .valid_unit = "mV/V"};
+  result = {
+      .procedure = "load-cell", .curve = say("line"), .unit = "N", .points = s.force_N.size(), .valid_unit = "mV/V"};
   if (s.force_N.size() != s.value_mV_per_V.size()) {
-    result = refused(std::move(result), fmt::format("{} values and {} forces; expected as many of each",
-                                                    s.value_mV_per_V.size(), s.force_N.size()));
+    result = refused(std::move(result), say("{} values and {} forces; expected as many of each",
+                                            s.value_mV_per_V.size(), s.force_N.size()));
     return out;
   }
   const bool values_good = checkColumn(result, "value", s.value_mV_per_V, -kLargestValue, kLargestValue);
@@ -127,19 +128,19 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   const double same_N = std::max(1e-9, 1e-3 * span_N);
   const auto loads = distinctValues(s.force_N, same_N);
   const Gap gap = widestGap(loads, 0.0, loads.empty() ? kCellFullScale_N : std::max(kCellFullScale_N, loads.back()));
-  const std::string advice = fmt::format("add weights between {:.3g} and {:.3g} N", gap.from, gap.to);
+  const Message advice = say("add weights between {:.3g} and {:.3g} N", gap.from, gap.to);
   if (loads.size() < static_cast<std::size_t>(p.force_fewest_loads)) {
-    result = refused(std::move(result),
-                     fmt::format("{} different weights in {} points; expected at least {}: {}", loads.size(),
-                                 s.force_N.size(), p.force_fewest_loads, advice),
-                     "calibration.force_fewest_loads");
+    result = tooFew(std::move(result),
+                    say("{} different weights in {} points; expected at least {}: {}", loads.size(), s.force_N.size(),
+                        p.force_fewest_loads, advice),
+                    "calibration.force_fewest_loads");
     return out;
   }
   if (span_N < p.force_least_span_N) {
-    result = refused(
-        std::move(result),
-        fmt::format("the weights span only {:.3g} N; expected at least {:g}: {}", span_N, p.force_least_span_N, advice),
-        "calibration.force_least_span_N");
+    result =
+        tooFew(std::move(result),
+               say("the weights span only {:.3g} N; expected at least {:g}: {}", span_N, p.force_least_span_N, advice),
+               "calibration.force_least_span_N");
     return out;
   }
   const auto rows = everyRow(s.force_N.size());
@@ -150,10 +151,10 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   centred.col(0).array() -= centre;
   const double width = centred.col(0).cwiseAbs().maxCoeff();
   if (!(width > 1e-9 * std::max(1.0, std::abs(centre)))) {
-    result = refused(std::move(result),
-                     fmt::format("the value stays at {:.6g} mV/V whatever the weight: check the cell's cable "
-                                 "and the bridge's channel",
-                                 centre));
+    result =
+        refused(std::move(result), say("the value stays at {:.6g} mV/V whatever the weight: check the cell's cable "
+                                       "and the bridge's channel",
+                                       centre));
     return out;
   }
   const auto fit = fitLinear(centred, line.force);
@@ -193,25 +194,25 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   pointOut(out, span_N, p.force_hysteresis_percent);
 
   if (!(result.held_out_rmse <= p.force_held_out_N)) {
-    result = refused(
-        std::move(result),
-        fmt::format("held-out error {:.3f} N; expected at most {:g} N: {}", result.held_out_rmse, p.force_held_out_N,
-                    !hasFewOutliers(result) ? "check the weights, and that nothing rubs on the cell"
-                                            : "the outliers are kept in the fit; measure them again"),
-        "calibration.force_held_out_N");
+    result =
+        refused(std::move(result),
+                say("held-out error {:.3f} N; expected at most {:g} N: {}", result.held_out_rmse, p.force_held_out_N,
+                    !hasFewOutliers(result) ? say("check the weights, and that nothing rubs on the cell")
+                                            : say("the outliers are kept in the fit; measure them again")),
+                "calibration.force_held_out_N");
     return out;
   }
   if (!(std::abs(slope) > kSure * fit->standardError(0)) && fit->sigma > 0) {
-    result = refused(std::move(result), "the value does not follow the weight: check the cell's cable");
+    result = refused(std::move(result), say("the value does not follow the weight: check the cell's cable"));
     return out;
   }
   result.changes = {{"sensing.force_slope_g", fmt::format("{}", slope * 1000.0 / kStandardGravity)},
                     {"sensing.force_offset_g", fmt::format("{}", offset * 1000.0 / kStandardGravity)},
                     {"sensing.force_zero_N", "0"}};
-  result.verdict = {true,
-                    fmt::format("held-out error {:.4f} N of at most {:g} N over {} weights", result.held_out_rmse,
-                                p.force_held_out_N, loads.size()),
-                    "calibration.force_held_out_N"};
+  result.verdict = {.accepted = true,
+                    .reason = say("held-out error {:.4f} N of at most {:g} N over {} weights", result.held_out_rmse,
+                                  p.force_held_out_N, loads.size()),
+                    .threshold = "calibration.force_held_out_N"};
   return out;
 }
 

@@ -9,15 +9,15 @@ namespace {
 constexpr double kLargest_g = 1000.0;
 constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
 
-std::string nextAction(sensing::TareState state) {
+Message nextAction(sensing::TareState state) {
   using sensing::TareState;
   switch (state) {
-    case TareState::touched: return "take the hand away and start again";
-    case TareState::invalid_sensor: return "look at the distance sensors' curves and at the load cell's cable";
-    case TareState::unsteady: return "let the motors and the cloth come to rest, and start again";
-    case TareState::too_slow: return "check the touchpad's connection";
-    case TareState::idle: return "start it";
-    case TareState::running: return "wait until it is done";
+    case TareState::touched: return say("take the hand away and start again");
+    case TareState::invalid_sensor: return say("look at the distance sensors' curves and at the load cell's cable");
+    case TareState::unsteady: return say("let the motors and the cloth come to rest, and start again");
+    case TareState::too_slow: return say("check the touchpad's connection");
+    case TareState::idle: return say("start it");
+    case TareState::running: return say("wait until it is done");
     case TareState::done: break;
   }
   return {};
@@ -29,20 +29,20 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
   RestCalibration out;
   CalibrationResult& result = out.result;
   const std::size_t count = s.axis_g[0].size();
-  result = {.procedure = "rest", .curve = "mean", .unit = "g", .points = count, .valid_unit = "g"};
+  result = {.procedure = "rest", .curve = say("mean"), .unit = "g", .points = count, .valid_unit = "g"};
   bool good = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (s.axis_g[axis].size() != count) {
-      result = refused(std::move(result), "the three axes differ in length");
+      result = refused(std::move(result), say("the three axes differ in length"));
       return out;
     }
     good = checkColumn(result, fmt::format("{}_g", kAxes[axis]), s.axis_g[axis], -kLargest_g, kLargest_g) && good;
   }
   if (!good) return out;
   if (count < static_cast<std::size_t>(p.rest_fewest_samples)) {
-    result = refused(std::move(result),
-                     fmt::format("{} samples; expected at least {}: wait longer", count, p.rest_fewest_samples),
-                     "calibration.rest_fewest_samples");
+    result =
+        tooFew(std::move(result), say("{} samples; expected at least {}: wait longer", count, p.rest_fewest_samples),
+               "calibration.rest_fewest_samples");
     return out;
   }
   const auto n = static_cast<double>(count);
@@ -65,35 +65,36 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
   const double widest = *std::max_element(out.sigma_g.begin(), out.sigma_g.end());
   if (widest > p.rest_sigma_g) {
     result = refused(std::move(result),
-                     fmt::format("an axis spreads by {:.3f} g; expected at most {:g}: it moves: put the robot to rest",
-                                 widest, p.rest_sigma_g),
+                     say("an axis spreads by {:.3f} g; expected at most {:g}: it moves: put the robot to rest", widest,
+                         p.rest_sigma_g),
                      "calibration.rest_sigma_g");
     return out;
   }
   if (out.magnitude_g <= p.rest_magnitude_g && widest > 0.0) {
-    result.notes.emplace_back(
-        "the robot's end has taken rest away before it sends: whether 1 g is 1 g is not seen here");
-    result.verdict = {true, fmt::format("at rest {:.4f} g, spread {:.4f} g", out.magnitude_g, widest),
-                      "calibration.rest_magnitude_g"};
+    result.notes.push_back(
+        say("the robot's end has taken rest away before it sends: whether 1 g is 1 g is not seen here"));
+    result.verdict = {.accepted = true,
+                      .reason = say("at rest {:.4f} g, spread {:.4f} g", out.magnitude_g, widest),
+                      .threshold = "calibration.rest_magnitude_g"};
     return out;
   }
   if (!(std::abs(out.magnitude_g - 1.0) <= p.rest_magnitude_g)) {
-    result = refused(
-        std::move(result),
-        fmt::format("at rest it measures {:.3f} g; expected 1 within {:g}: check the counts per g of the sensor",
-                    out.magnitude_g, p.rest_magnitude_g),
-        "calibration.rest_magnitude_g");
+    result = refused(std::move(result),
+                     say("at rest it measures {:.3f} g; expected 1 within {:g}: check the counts per g of the sensor",
+                         out.magnitude_g, p.rest_magnitude_g),
+                     "calibration.rest_magnitude_g");
     return out;
   }
-  result.verdict = {true, fmt::format("at rest {:.4f} g, spread {:.4f} g", out.magnitude_g, widest),
-                    "calibration.rest_magnitude_g"};
+  result.verdict = {.accepted = true,
+                    .reason = say("at rest {:.4f} g, spread {:.4f} g", out.magnitude_g, widest),
+                    .threshold = "calibration.rest_magnitude_g"};
   return out;
 }
 
 CalibrationResult judgeTare(sensing::TareState state, const sensing::TareResult& tare, double zero_N) {
-  CalibrationResult result{.procedure = "no-touch", .curve = "mean", .unit = "mm", .valid_unit = "mm"};
+  CalibrationResult result{.procedure = "no-touch", .curve = say("mean"), .unit = "mm", .valid_unit = "mm"};
   if (state != sensing::TareState::done) {
-    return refused(std::move(result), fmt::format("{}: {}", sensing::toString(state), nextAction(state)));
+    return refused(std::move(result), about(phrase(sensing::toString(state)), nextAction(state)));
   }
   std::vector<double> offsets, spreads;
   for (std::size_t i = 0; i < tare.sensors; ++i) {
@@ -105,10 +106,10 @@ CalibrationResult judgeTare(sensing::TareState state, const sensing::TareResult&
   result.rmse = rootMeanSquare(spreads);
   result.changes = {{"sensing.ir_offset_mm", fmt::format("[{}]", fmt::join(offsets, ", "))},
                     {"sensing.force_zero_N", fmt::format("{}", zero_N + tare.force_N)}};
-  result.verdict = {true,
-                    fmt::format("distances to the untouched cloth {:.1f} mm, spread {:.2f} mm; force {:.3f} N",
-                                fmt::join(offsets, ", "), result.rmse, tare.force_N),
-                    {}};
+  result.verdict = {.accepted = true,
+                    .reason = say("distances to the untouched cloth {} mm, spread {:.2f} mm; force {:.3f} N",
+                                  fmt::format("{:.1f}", fmt::join(offsets, ", ")), result.rmse, tare.force_N),
+                    .threshold = {}};
   return result;
 }
 

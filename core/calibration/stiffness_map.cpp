@@ -63,33 +63,33 @@ bool enoughPresses(CalibrationResult& result, const Groups& groups, const Calibr
     std::vector<double> present;
     for (const AngleStiffness& a : angles) present.push_back(a.angle_deg);
     const Gap gap = widestGap(present, 20.0, 90.0);
-    result = refused(std::move(result),
-                     fmt::format("{} different angles; expected at least {}: add presses at an angle "
-                                 "between {:.3g} and {:.3g} deg",
-                                 angles.size(), p.stiffness_fewest_angles, gap.from, gap.to),
-                     "calibration.stiffness_fewest_angles");
+    result = tooFew(std::move(result),
+                    say("{} different angles; expected at least {}: add presses at an angle "
+                        "between {:.3g} and {:.3g} deg",
+                        angles.size(), p.stiffness_fewest_angles, gap.from, gap.to),
+                    "calibration.stiffness_fewest_angles");
     return false;
   }
   for (const AngleStiffness& a : angles) {
     if (a.points >= static_cast<std::size_t>(p.stiffness_fewest_presses)) continue;
-    result = refused(std::move(result),
-                     fmt::format("{} points at {:.3g} deg; expected at least {}: press there again, to "
-                                 "different depths",
-                                 a.points, a.angle_deg, p.stiffness_fewest_presses),
-                     "calibration.stiffness_fewest_presses");
+    result = tooFew(std::move(result),
+                    say("{} points at {:.3g} deg; expected at least {}: press there again, to "
+                        "different depths",
+                        a.points, a.angle_deg, p.stiffness_fewest_presses),
+                    "calibration.stiffness_fewest_presses");
     return false;
   }
   return true;
 }
 
 /// Two angles where the stiffness falls beyond doubt; empty when there are none.
-std::string fallIn(const std::vector<AngleStiffness>& angles) {
+Message fallIn(const std::vector<AngleStiffness>& angles) {
   for (std::size_t i = 0; i < angles.size(); ++i) {
     for (std::size_t j = i + 1; j < angles.size(); ++j) {
       const double doubt = kSure * std::hypot(angles[i].standard_error, angles[j].standard_error);
       const double fall = angles[i].stiffness_N_per_mm - angles[j].stiffness_N_per_mm;
       if (!(fall > doubt) || !(fall > 1e-9)) continue;
-      return fmt::format(
+      return say(
           "stiffness falls from {:.3f} N/mm at {:.3g} deg to {:.3f} at {:.3g} deg, though stretching "
           "stiffens the cloth: press at both angles again, and look whether the cloth slips",
           angles[i].stiffness_N_per_mm, angles[i].angle_deg, angles[j].stiffness_N_per_mm, angles[j].angle_deg);
@@ -109,7 +109,7 @@ void makeLaw(StiffnessMap& out) {
   auto law = poolViolators(points);
   if (law.size() < points.size()) {
     out.result.notes.push_back(
-        fmt::format("{} angles are not told apart by their stiffness and were pooled", points.size() - law.size() + 1));
+        say("{} angles are not told apart by their stiffness and were pooled", points.size() - law.size() + 1));
   }
   while (law.size() > kParameterListCapacity) {  // the profile's list holds no more: join the nearest neighbours
     std::size_t nearest = 0;
@@ -152,12 +152,12 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
   StiffnessMap out;
   CalibrationResult& result = out.result;
   result = {.procedure = "stiffness",
-            .curve = "slope per angle, monotone law",
+            .curve = say("slope per angle, monotone law"),
             .unit = "N",
             .points = s.force_N.size(),
             .valid_unit = "deg"};
   if (s.angle_deg.size() != s.force_N.size() || s.indentation_mm.size() != s.force_N.size()) {
-    result = refused(std::move(result), "angles, indentations and forces differ in number");
+    result = refused(std::move(result), say("angles, indentations and forces differ in number"));
     return out;
   }
   const bool angles_good = checkColumn(result, "angle_deg", s.angle_deg, -180, 180);
@@ -174,10 +174,10 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
       if (groups.of[row] == a) deepest = std::max(deepest, s.indentation_mm[row]);
     }
     if (deepest >= kLeastPress_mm) continue;
-    result = refused(std::move(result),
-                     fmt::format("no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: "
-                                 "press deeper there",
-                                 groups.angles[a].angle_deg, deepest, kLeastPress_mm));
+    result =
+        refused(std::move(result), say("no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: "
+                                       "press deeper there",
+                                       groups.angles[a].angle_deg, deepest, kLeastPress_mm));
     return out;
   }
   Presses presses = pressesOf(s, groups, rows, true);
@@ -187,7 +187,8 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
     presses = pressesOf(s, groups, rows, false);
     fit = fitLinear(presses.design, presses.force);
     result.notes.push_back(
-        "all presses are about equally deep, so a wrong tare cannot be told from stiffness: press to different depths");
+        say("all presses are about equally deep, so a wrong tare cannot be told from stiffness: press to different "
+            "depths"));
   }
   if (!fit) {
     result = refused(std::move(result), fit.error().message);
@@ -231,31 +232,29 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
   if (!(result.held_out_rmse <= p.stiffness_held_out_N)) {
     result = refused(
         std::move(result),
-        fmt::format("held-out error {:.3f} N; expected at most {:g} N: {}", result.held_out_rmse,
-                    p.stiffness_held_out_N,
-                    !hasFewOutliers(result) ? "press slower, and hold each depth" : "measure the outliers again"),
+        say("held-out error {:.3f} N; expected at most {:g} N: {}", result.held_out_rmse, p.stiffness_held_out_N,
+            !hasFewOutliers(result) ? say("press slower, and hold each depth") : say("measure the outliers again")),
         "calibration.stiffness_held_out_N");
     return out;
   }
   for (const AngleStiffness& a : out.angles) {
     const double half = 100.0 * (a.high_95 - a.low_95) / 2 / std::abs(a.stiffness_N_per_mm);
     if (a.stiffness_N_per_mm > 0 && half <= p.stiffness_interval_percent) continue;
-    result =
-        refused(std::move(result),
-                fmt::format("{:.3f} N/mm at {:.3g} deg is known only to {:.0f} %; expected at most {:g} %: press there "
-                            "more often and deeper",
-                            a.stiffness_N_per_mm, a.angle_deg, half, p.stiffness_interval_percent),
-                "calibration.stiffness_interval_percent");
+    result = refused(std::move(result),
+                     say("{:.3f} N/mm at {:.3g} deg is known only to {:.0f} %; expected at most {:g} %: press there "
+                         "more often and deeper",
+                         a.stiffness_N_per_mm, a.angle_deg, half, p.stiffness_interval_percent),
+                     "calibration.stiffness_interval_percent");
     return out;
   }
-  if (std::string fall = fallIn(out.angles); !fall.empty()) {
+  if (Message fall = fallIn(out.angles); !fall.empty()) {
     result = refused(std::move(result), fall);
     return out;
   }
   makeLaw(out);
   if (out.law_angle_deg.size() < 2) {
     result = refused(std::move(result),
-                     "the stiffness does not change with the angle: check that the motors stretch the cloth");
+                     say("the stiffness does not change with the angle: check that the motors stretch the cloth"));
     return out;
   }
   result.valid_from = out.law_angle_deg.front();
@@ -263,11 +262,12 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
   result.changes = {{"control.law", "interpolated"},
                     {"control.law_angle_deg", listOfValues(out.law_angle_deg)},
                     {"control.law_stiffness_N_per_mm", listOfValues(out.law_stiffness_N_per_mm)}};
-  result.verdict = {true,
-                    fmt::format("held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm",
-                                result.held_out_rmse, p.stiffness_held_out_N, out.law_stiffness_N_per_mm.front(),
-                                out.law_stiffness_N_per_mm.back()),
-                    "calibration.stiffness_held_out_N"};
+  result.verdict = {
+      .accepted = true,
+      .reason = say("held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm",
+                    result.held_out_rmse, p.stiffness_held_out_N, out.law_stiffness_N_per_mm.front(),
+                    out.law_stiffness_N_per_mm.back()),
+      .threshold = "calibration.stiffness_held_out_N"};
   return out;
 }
 

@@ -49,7 +49,7 @@ ThresholdSuggestion suggestThreshold(const std::array<std::uint64_t, 256>& histo
     }
   }
   if (split == 0) {
-    out.reason = "the picture has one grey value only: check the camera and the light";
+    out.reason = say("the picture has one grey value only: check the camera and the light");
     return out;
   }
   const Side dark = sideOf(histogram, 0, split), bright = sideOf(histogram, split, 256);
@@ -78,13 +78,12 @@ ThresholdSuggestion suggestThreshold(const std::array<std::uint64_t, 256>& histo
   out.finger_share = finger.count / (finger.count + cloth.count);
   out.separation = (cloth.mean - finger.mean) / std::max({finger.sigma, cloth.sigma, 1.0});
   if (out.separation < kLeastSeparation || cloth.mean - finger.mean < kLeastContrast) {
-    out.reason = fmt::format(
-        "finger ({:.0f}) and cloth ({:.0f}) are not told apart: put a finger on the cloth, or more light behind it",
-        finger.mean, cloth.mean);
-  } else if (out.finger_share < kSmallestFinger || out.finger_share > kLargestFinger) {
     out.reason =
-        fmt::format("{:.1f} % of the picture is dark; a finger takes {:.1f} to {:.0f} %: check the region of interest",
-                    100 * out.finger_share, 100 * kSmallestFinger, 100 * kLargestFinger);
+        say("finger ({:.0f}) and cloth ({:.0f}) are not told apart: put a finger on the cloth, or more light behind it",
+            finger.mean, cloth.mean);
+  } else if (out.finger_share < kSmallestFinger || out.finger_share > kLargestFinger) {
+    out.reason = say("{:.1f} % of the picture is dark; a finger takes {:.1f} to {:.0f} %: check the region of interest",
+                     100 * out.finger_share, 100 * kSmallestFinger, 100 * kLargestFinger);
   } else {
     out.plausible = true;
   }

@@ -6,7 +6,8 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
+
+#include "core/base/message.h"
 
 namespace fyd::calibration {
 
@@ -17,7 +18,7 @@ struct ThresholdSuggestion {
   double cloth_grey = 0.0;    ///< mean of the brighter side
   double finger_share = 0.0;  ///< of all pixels
   double separation = 0.0;    ///< difference of the means over the wider side's standard deviation
-  std::string reason;         ///< when not plausible: cause and what to do
+  Message reason;             ///< when not plausible: cause and what to do
 };
 
 [[nodiscard]] ThresholdSuggestion suggestThreshold(const std::array<std::uint64_t, 256>& histogram);

@@ -32,10 +32,10 @@ struct CameraFrame {
 class Camera {
  public:
   virtual ~Camera() = default;
-  [[nodiscard]] virtual std::string description() const = 0;
+  [[nodiscard]] virtual Message description() const = 0;
 
   /// "simulated", "camera device", "video file", "folder", "stream".
-  [[nodiscard]] virtual std::string kind() const = 0;
+  [[nodiscard]] virtual Message kind() const = 0;
 
   /// What became of the profile's brightness, contrast and exposure, newest opening.
   [[nodiscard]] virtual std::vector<CameraControl> controls() const { return {}; }

@@ -9,15 +9,15 @@ namespace fyd::device {
 namespace {
 
 struct Control {
-  const char* name;
+  std::string_view name;
   int property;
   double CameraSettings::*wanted;
 };
 
 constexpr std::array<Control, 3> kControls = {
-    {{"brightness", cv::CAP_PROP_BRIGHTNESS, &CameraSettings::brightness_percent},
-     {"contrast", cv::CAP_PROP_CONTRAST, &CameraSettings::contrast_percent},
-     {"exposure", cv::CAP_PROP_EXPOSURE, &CameraSettings::exposure_percent}}};
+    {{sentence("brightness"), cv::CAP_PROP_BRIGHTNESS, &CameraSettings::brightness_percent},
+     {sentence("contrast"), cv::CAP_PROP_CONTRAST, &CameraSettings::contrast_percent},
+     {sentence("exposure"), cv::CAP_PROP_EXPOSURE, &CameraSettings::exposure_percent}}};
 
 constexpr double kManualExposure = 0.25;  // OpenCV's word for V4L2_EXPOSURE_MANUAL when ranges are shares
 constexpr double kTolerance_percent = 2.0;
@@ -25,7 +25,7 @@ constexpr double kTolerance_percent = 2.0;
 bool isWanted(double percent) { return percent >= 0.0; }
 
 CameraControl apply(const Control& control, double wanted, const ControlAccess& access) {
-  CameraControl out{.name = control.name};
+  CameraControl out{.name = phrase(control.name)};
   const bool asked = isWanted(wanted);
   bool granted = false;
   if (asked) {
@@ -41,13 +41,13 @@ CameraControl apply(const Control& control, double wanted, const ControlAccess& 
   out.supported = asked ? granted : readable && share > 0.0;
   if (out.supported && readable) out.actual = 100.0 * share;
   if (!asked) {
-    out.words = "left as it is";
+    out.words = say("left as it is");
   } else if (!granted) {
-    out.words = "this camera has none, or refuses the value";
+    out.words = say("this camera has none, or refuses the value");
   } else if (readable && std::abs(out.actual - wanted) > kTolerance_percent) {
-    out.words = fmt::format("asked for {:.0f} %, the camera took {:.0f} %", wanted, out.actual);
+    out.words = say("asked for {:.0f} %, the camera took {:.0f} %", wanted, out.actual);
   } else {
-    out.words = fmt::format("set to {:.0f} %", wanted);
+    out.words = say("set to {:.0f} %", wanted);
   }
   return out;
 }
@@ -66,24 +66,24 @@ std::vector<CameraControl> applyControls(const CameraSettings& settings, const C
   return out;
 }
 
-std::vector<CameraControl> noControls(const CameraSettings& settings, std::string_view what) {
+std::vector<CameraControl> noControls(const CameraSettings& settings, const Message& words) {
   std::vector<CameraControl> out;
   for (const Control& control : kControls) {
-    CameraControl none{.name = control.name};
+    CameraControl none{.name = phrase(control.name)};
     if (isWanted(settings.*control.wanted)) none.wanted = settings.*control.wanted;
-    none.words = fmt::format("{} has none", what);
+    none.words = words;
     out.push_back(std::move(none));
   }
   return out;
 }
 
-std::string missingControls(const std::vector<CameraControl>& controls) {
-  std::string out;
+Message missingControls(const std::vector<CameraControl>& controls) {
+  std::vector<Message> out;
   for (const CameraControl& control : controls) {
     if (std::isnan(control.wanted) || control.supported) continue;
-    out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", control.name, control.words);
+    out.push_back(about(control.name, control.words));
   }
-  return out;
+  return listed(std::move(out));
 }
 
 }  // namespace fyd::device

@@ -31,10 +31,10 @@ struct ControlAccess {
 [[nodiscard]] std::vector<CameraControl> applyControls(const CameraSettings& settings, const ControlAccess& access);
 
 /// For a source without controls.
-/// @param what "a video file"
-[[nodiscard]] std::vector<CameraControl> noControls(const CameraSettings& settings, std::string_view what);
+/// @param words "a video file has none"
+[[nodiscard]] std::vector<CameraControl> noControls(const CameraSettings& settings, const Message& words);
 
 /// "brightness: a video file has none": what is wanted and was not granted; empty when all was.
-[[nodiscard]] std::string missingControls(const std::vector<CameraControl>& controls);
+[[nodiscard]] Message missingControls(const std::vector<CameraControl>& controls);
 
 }  // namespace fyd::device

@@ -10,14 +10,14 @@
 namespace fyd::device {
 namespace {
 
-std::string devicesPresent() {
+Message devicesPresent() {
   std::vector<std::string> found;
   std::error_code error;
   for (std::filesystem::directory_iterator entry("/dev", error), end; !error && entry != end; entry.increment(error)) {
     if (entry->path().filename().string().starts_with("video")) found.push_back(entry->path().string());
   }
   std::sort(found.begin(), found.end());
-  return found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", "));
+  return found.empty() ? say("none") : verbatim(fmt::format("{}", fmt::join(found, ", ")));
 }
 
 std::optional<int> deviceNumber(const std::string& source) {

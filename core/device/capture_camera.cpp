@@ -50,25 +50,25 @@ Result<std::unique_ptr<Camera>> CaptureCamera::open(const CaptureChoice& choice,
   return camera;
 }
 
-std::string CaptureCamera::name() const {
+Message CaptureCamera::name() const {
   switch (kind_) {
-    case CaptureKind::device: return fmt::format("camera device '{}'", source_);
-    case CaptureKind::video: return fmt::format("video file '{}'", source_);
-    case CaptureKind::stream: return fmt::format("camera stream '{}'", source_);
+    case CaptureKind::device: return say("camera device '{}'", source_);
+    case CaptureKind::video: return say("video file '{}'", source_);
+    case CaptureKind::stream: return say("camera stream '{}'", source_);
   }
-  return source_;
+  return verbatim(source_);
 }
 
-std::string CaptureCamera::kind() const {
-  static constexpr std::array<std::string_view, 3> kKinds = {"camera device", "video file", "stream"};
-  return std::string(kKinds[static_cast<std::size_t>(kind_)]);
+Message CaptureCamera::kind() const {
+  static constexpr std::array<std::string_view, 3> kKinds = {sentence("camera device"), sentence("video file"),
+                                                             sentence("stream")};
+  return phrase(kKinds[static_cast<std::size_t>(kind_)]);
 }
 
-std::string CaptureCamera::description() const {
+Message CaptureCamera::description() const {
   const std::string size = fmt::format("{} × {}", size_.width, size_.height);
-  if (kind_ == CaptureKind::video)
-    return fmt::format("{}, {} at {:.4g} fps, repeating", name(), size, pacer_.rate_Hz());
-  return size_.empty() ? name() : fmt::format("{}, {}", name(), size);
+  if (kind_ == CaptureKind::video) return say("{}, {} at {:.4g} fps, repeating", name(), size, pacer_.rate_Hz());
+  return size_.empty() ? name() : listed({name(), verbatim(size)}, "{}, {}");
 }
 
 void CaptureCamera::openDevice(const std::string& path) {
@@ -104,16 +104,17 @@ Result<void> CaptureCamera::openCapture() {
     }
     if (!capture_.isOpened()) {
       static constexpr std::array<std::string_view, 3> kExpected = {
-          "expected a camera that Video4Linux can read, and the right to open it",
-          "expected a video that FFmpeg can decode",
-          "expected a stream that FFmpeg can play and that starts within 3 s",
+          sentence("expected a camera that Video4Linux can read, and the right to open it"),
+          sentence("expected a video that FFmpeg can decode"),
+          sentence("expected a stream that FFmpeg can play and that starts within 3 s"),
       };
-      return fail("{}: does not open; {}", name(), kExpected[static_cast<std::size_t>(kind_)]);
+      return fail("{}: does not open; {}", name(), phrase(kExpected[static_cast<std::size_t>(kind_)]));
     }
     if (kind_ == CaptureKind::device) {
       setUpDevice();
     } else {
-      controls_ = noControls(settings_, kind_ == CaptureKind::video ? "a video file" : "a stream");
+      controls_ =
+          noControls(settings_, kind_ == CaptureKind::video ? say("a video file has none") : say("a stream has none"));
     }
     size_ = {static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH)),
              static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT))};
@@ -121,7 +122,7 @@ Result<void> CaptureCamera::openCapture() {
     takeJpegsUndecoded();
   } catch (const cv::Exception& problem) {
     capture_.release();
-    return fail("{}: does not open: {}", name(), problem.err);
+    return fail("{}: does not open: {}", name(), verbatim(problem.err));
   }
   return {};
 }
@@ -167,7 +168,8 @@ Result<void> CaptureCamera::rewind() {
 tl::unexpected<Error> CaptureCamera::ended() {
   capture_.release();
   last_attempt_ = Clock::now();
-  return fail("{}: {}", name(), kind_ == CaptureKind::video ? "holds no picture" : "gives no picture any more");
+  return kind_ == CaptureKind::video ? fail("{}: holds no picture", name())
+                                     : fail("{}: gives no picture any more", name());
 }
 
 Result<CameraFrame> CaptureCamera::next() {

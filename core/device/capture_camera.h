@@ -28,8 +28,8 @@ class CaptureCamera final : public Camera {
   [[nodiscard]] static Result<std::unique_ptr<Camera>> open(const CaptureChoice& choice,
                                                             const DeviceParameters& parameters);
 
-  [[nodiscard]] std::string description() const override;
-  [[nodiscard]] std::string kind() const override;
+  [[nodiscard]] Message description() const override;
+  [[nodiscard]] Message kind() const override;
   [[nodiscard]] std::vector<CameraControl> controls() const override { return controls_; }
   [[nodiscard]] bool live() const override { return kind_ != CaptureKind::video; }
   [[nodiscard]] std::uint64_t damaged() const override { return damaged_; }
@@ -55,7 +55,7 @@ class CaptureCamera final : public Camera {
   [[nodiscard]] bool grab(cv::Mat& out);
   [[nodiscard]] Result<void> rewind();
   [[nodiscard]] tl::unexpected<Error> ended();
-  [[nodiscard]] std::string name() const;
+  [[nodiscard]] Message name() const;
 
   CaptureKind kind_;
   std::string source_;
@@ -68,7 +68,7 @@ class CaptureCamera final : public Camera {
   cv::Size size_;
   bool jpegs_ = false;  // the source delivers them undecoded
   DamageWatch watch_;
-  std::string damage_;  // of the newest damaged picture
+  Message damage_;  // of the newest damaged picture
   std::uint64_t damaged_ = 0;
   Instant last_attempt_{};
   std::uint64_t frames_ = 0;

@@ -10,7 +10,7 @@ constexpr Duration kVibrationTimeout = std::chrono::milliseconds(20);
 
 }  // namespace
 
-void CombinedTouchpad::Half::succeeded(Instant now, const std::string& complaint) {
+void CombinedTouchpad::Half::succeeded(Instant now, const Message& complaint) {
   rate_.count(now);
   const std::lock_guard lock(mutex_);
   newest_ = now;
@@ -18,7 +18,7 @@ void CombinedTouchpad::Half::succeeded(Instant now, const std::string& complaint
   problem_ = complaint;
 }
 
-void CombinedTouchpad::Half::failed(const std::string& problem) {
+void CombinedTouchpad::Half::failed(const Message& problem) {
   const std::lock_guard lock(mutex_);
   ++errors_;
   problem_ = problem;
@@ -35,12 +35,12 @@ void CombinedTouchpad::Half::publish(DeviceReport report) {
   report_ = std::move(report);
 }
 
-std::string CombinedTouchpad::Half::problem() const {
+Message CombinedTouchpad::Half::problem() const {
   const std::lock_guard lock(mutex_);
   return problem_;
 }
 
-std::string CombinedTouchpad::Half::description(const std::string& fallback) const {
+Message CombinedTouchpad::Half::description(const Message& fallback) const {
   const std::lock_guard lock(mutex_);
   return report_.description.empty() ? fallback : report_.description;
 }
@@ -60,7 +60,7 @@ CombinedTouchpad::CombinedTouchpad(std::unique_ptr<Touchpad> sensors, std::uniqu
                                    const DeviceParameters& parameters)
     : sensors_(std::move(sensors)),
       motors_(std::move(motors)),
-      names_(fmt::format("{}; {}", sensors_->description(), motors_->description())),
+      names_(listed({sensors_->description(), motors_->description()})),
       longest_silence_(fromSeconds(parameters.qbmove_watchdog_ms / 1e3)) {
   auto known = sensors_->reports();
   if (!known.empty()) sensor_half_.publish(std::move(known.front()));
@@ -72,8 +72,8 @@ CombinedTouchpad::~CombinedTouchpad() {
   motor_thread_.request_stop();
 }
 
-std::string CombinedTouchpad::description() const {
-  return fmt::format("{}; {}", sensor_half_.description(names_), motor_half_.description(""));
+Message CombinedTouchpad::description() const {
+  return listed({sensor_half_.description(names_), motor_half_.description({})});
 }
 
 // The thread above stands between the step and this one: what it has not renewed, the board must not go on doing.
@@ -133,14 +133,14 @@ Result<TouchpadReadings> CombinedTouchpad::exchange(const control::MotorCommand&
   readings_.ir = sensed.ir;
   readings_.bridge = sensed.bridge;
   readings_.motors = moved_.read();
-  const std::string sensors = sensor_half_.problem();
-  const std::string motors = motor_half_.problem();
-  if (!sensors.empty() && !motors.empty()) return fail("{}; {}", sensors, motors);
+  const Message sensors = sensor_half_.problem();
+  const Message motors = motor_half_.problem();
+  if (!sensors.empty() && !motors.empty()) return fail(listed({sensors, motors}));
   return readings_;
 }
 
-std::string CombinedTouchpad::complaint() const {
-  const std::string sensors = sensor_half_.problem();
+Message CombinedTouchpad::complaint() const {
+  const Message sensors = sensor_half_.problem();
   return sensors.empty() ? motor_half_.problem() : sensors;
 }
 

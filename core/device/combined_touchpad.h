@@ -20,12 +20,12 @@ class CombinedTouchpad final : public Touchpad {
   /// Switches the motors off and joins the threads.
   ~CombinedTouchpad() override;
 
-  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] Message description() const override;
   /// The first call starts the threads, which inherit the caller's priority. The sensors' source never sees an active
   /// command. While one half fails the other's readings go on and `complaint` tells what fails.
   /// @return an error when both fail, and before either has answered
   [[nodiscard]] Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
-  [[nodiscard]] std::string complaint() const override;
+  [[nodiscard]] Message complaint() const override;
   [[nodiscard]] std::vector<DeviceReport> reports() const override;
   /// The motor board has no batches: a duty is held until the next exchange.
   [[nodiscard]] Duration period() const override { return std::chrono::milliseconds(1); }
@@ -39,19 +39,19 @@ class CombinedTouchpad final : public Touchpad {
   /// How one half is doing: its thread writes, the others read.
   class Half {
    public:
-    explicit Half(std::string waiting) : problem_(std::move(waiting)) {}
-    void succeeded(Instant now, const std::string& complaint);
-    void failed(const std::string& problem);
+    explicit Half(Message waiting) : problem_(std::move(waiting)) {}
+    void succeeded(Instant now, const Message& complaint);
+    void failed(const Message& problem);
     /// Ten times a second it is worth asking the device for a report.
     [[nodiscard]] bool reportDue(Instant now);
     void publish(DeviceReport report);
-    [[nodiscard]] std::string problem() const;
-    [[nodiscard]] std::string description(const std::string& fallback) const;
+    [[nodiscard]] Message problem() const;
+    [[nodiscard]] Message description(const Message& fallback) const;
     [[nodiscard]] DeviceReport report(Instant now) const;
 
    private:
     mutable std::mutex mutex_;
-    std::string problem_;
+    Message problem_;
     DeviceReport report_;
     std::uint64_t errors_ = 0;
     bool seen_ = false;
@@ -66,14 +66,14 @@ class CombinedTouchpad final : public Touchpad {
 
   std::unique_ptr<Touchpad> sensors_;
   std::unique_ptr<QbmoveMotors> motors_;
-  const std::string names_;  // until they say more
+  const Message names_;  // until they say more
   const Duration longest_silence_;
   LatestValue<Given> command_;
   LatestValue<TouchpadReadings> sensed_;
   LatestValue<Timed<control::MotorFeedback>> moved_;
   TouchpadReadings readings_;
-  Half sensor_half_{"sensors: nothing received yet"};
-  Half motor_half_{"motor board: nothing received yet"};
+  Half sensor_half_{say("sensors: nothing received yet")};
+  Half motor_half_{say("motor board: nothing received yet")};
   std::jthread sensor_thread_;
   std::jthread motor_thread_;
 };

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string problemOf(const std::string& path) {
-  return ::access(path.c_str(), R_OK | W_OK) == 0 ? std::string() : explainPort(path, errno);
+Message problemOf(const std::string& path) {
+  return ::access(path.c_str(), R_OK | W_OK) == 0 ? Message{} : explainPort(path, errno);
 }
 
 std::vector<std::string> filesIn(const std::string& folder) {

@@ -1,42 +1,54 @@
 // What one device says of itself, for the devices page and `fyd devices`: which it is, live values, error counters.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace fyd::device {
 
-/// One live value. `text` where it is a word; otherwise `number` with `unit`, NaN when it is not known.
+enum class Part : std::uint8_t { touchpad, motor_board, camera, robot };
+
+[[nodiscard]] constexpr std::string_view toString(Part part) {
+  constexpr std::array<std::string_view, 4> kNames = {sentence("Touchpad"), sentence("Motor board"), sentence("Camera"),
+                                                      sentence("Robot")};
+  return kNames[static_cast<std::size_t>(part)];
+}
+
+/// One live value. `text` where it is a word (or a serial number); otherwise `number` with `unit`, NaN when it is not
+/// known.
 struct ReportValue {
-  std::string name;
+  Message name;
   double number = std::numeric_limits<double>::quiet_NaN();
-  std::string unit;
-  std::string text;
+  std::string unit;  ///< "counts" is a word, the others are signs
+  Message text;
 };
 
 /// How often one kind of error has happened since the start.
 struct ErrorCount {
-  std::string kind;
+  Message kind;
   std::uint64_t count = 0;
 };
 
 /// A control of a camera: what the profile wants and what the source made of it, percent of the driver's range.
 struct CameraControl {
-  std::string name;                                          ///< "brightness", "contrast", "exposure"
+  Message name;                                              ///< "brightness", "contrast", "exposure"
   double wanted = std::numeric_limits<double>::quiet_NaN();  ///< NaN: left as it is
   double actual = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the source does not tell
   bool supported = false;
-  std::string words;  ///< "set to 100 %", "this source has none", …
+  Message words;  ///< "set to 100 %", "this source has none", …
 };
 
 struct DeviceReport {
-  std::string name;         ///< "Touchpad", "Motor board", "Camera"
-  std::string kind;         ///< "simulated", "Modbus TCP", "Modbus RTU", "qbmove", …
-  std::string description;  ///< which one it is: port, serial number, firmware
+  Part part = Part::touchpad;
+  Message kind;         ///< "simulated", "Modbus TCP", "Modbus RTU", "qbmove", …
+  Message description;  ///< which one it is: port, serial number, firmware
   bool ok = false;
-  std::string problem;                                       ///< empty when ok; says what to do otherwise
+  Message problem;                                           ///< empty when ok; says what to do otherwise
   double rate_hz = 0.0;                                      ///< answers or pictures in the last second
   double age_ms = std::numeric_limits<double>::quiet_NaN();  ///< of the newest; NaN before the first
   std::uint64_t errors = 0;                                  ///< exchanges or pictures that failed

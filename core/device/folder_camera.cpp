@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "core/base/system_reason.h"
 #include "core/device/picture_decoder.h"
 
 namespace fyd::device {
@@ -33,14 +34,14 @@ Result<void> FolderCamera::list() {
   for (std::filesystem::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
     if (isPicture(entry->path()) && entry->is_regular_file(error)) files_.push_back(entry->path().string());
   }
-  if (error) return fail("camera folder '{}': {}", folder_, error.message());
+  if (error) return fail("camera folder '{}': {}", folder_, systemReason(error));
   if (files_.empty()) return fail("camera folder '{}': no pictures; expected {}", folder_, fmt::join(kEndings, " "));
   std::sort(files_.begin(), files_.end());
   return {};
 }
 
-std::string FolderCamera::description() const {
-  return fmt::format("folder {}, {} pictures at {:.0f} fps, repeating", folder_, files_.size(), pacer_.rate_Hz());
+Message FolderCamera::description() const {
+  return say("folder {}, {} pictures at {:.0f} fps, repeating", folder_, files_.size(), pacer_.rate_Hz());
 }
 
 Result<CameraFrame> FolderCamera::next() {

@@ -16,9 +16,11 @@ class FolderCamera final : public Camera {
   [[nodiscard]] static Result<std::unique_ptr<Camera>> open(const std::string& folder,
                                                             const CameraSettings& settings = {});
 
-  [[nodiscard]] std::string description() const override;
-  [[nodiscard]] std::vector<CameraControl> controls() const override { return noControls(settings_, "a folder"); }
-  [[nodiscard]] std::string kind() const override { return "folder"; }
+  [[nodiscard]] Message description() const override;
+  [[nodiscard]] std::vector<CameraControl> controls() const override {
+    return noControls(settings_, say("a folder has none"));
+  }
+  [[nodiscard]] Message kind() const override { return say("folder"); }
   /// @return an error for a picture that cannot be decoded (the next call goes on with the one after it), and when
   ///         at the end of a round the folder has become empty
   [[nodiscard]] Result<CameraFrame> next() override;

@@ -18,7 +18,7 @@ class FollowingRobot final {
   FollowingRobot(std::unique_ptr<Robot> robot, const MotionLimits& limits)
       : robot_(std::move(robot)), limiter_(limits), limits_itself_(robot_->keepLimits(limits)) {}
 
-  [[nodiscard]] std::string description() const { return robot_->description(); }
+  [[nodiscard]] Message description() const { return robot_->description(); }
   [[nodiscard]] bool inVirtualTime() const { return robot_->inVirtualTime(); }
 
   /// @param target_mm not finite: refused, the last one stands

@@ -27,30 +27,31 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 }
 
 /// Values are numbered from 1, as KUKA numbers them.
-Result<void> within(std::span<const float> values, double bound, std::string_view what, std::string_view unit) {
+Result<void> within(std::span<const float> values, double bound, const Message& what, const Message& unit) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::abs(static_cast<double>(values[i])) <= bound) continue;
-    return fail("KRC: {} {} is {:g} {}; expected within ±{:g} {}", what, i + 1, values[i], unit, bound, unit);
+    return fail("KRC: {} {} is {:g} {}; expected within ±{:g} {}", what, i + 1, static_cast<double>(values[i]), unit,
+                bound, unit);
   }
   return {};
 }
 
 Result<void> checkJoints(const protocol::FriMeasurement& m) {
-  if (auto good = within(m.joints, kJoint_rad, "measured joint", "rad"); !good) return good;
-  if (auto good = within(m.commanded_joints, kJoint_rad, "commanded joint", "rad"); !good) return good;
+  if (auto good = within(m.joints, kJoint_rad, say("measured joint"), verbatim("rad")); !good) return good;
+  if (auto good = within(m.commanded_joints, kJoint_rad, say("commanded joint"), verbatim("rad")); !good) return good;
   FriJoints mirrored{};
   for (std::size_t i = 0; i < mirrored.size(); ++i) mirrored[i] = m.commanded_joints[i] + m.joint_offsets[i];
-  return within(mirrored, kJoint_rad, "commanded joint plus its offset", "rad");
+  return within(mirrored, kJoint_rad, say("commanded joint plus its offset"), verbatim("rad"));
 }
 
-Result<void> checkPlace(const FriFrame& frame, std::string_view what) {
+Result<void> checkPlace(const FriFrame& frame, const Message& what) {
   const Vec3 place = placeIn(frame);
   if (place.norm() <= kReach_m) return {};
   return fail("KRC: the {} frame is at ({:g}, {:g}, {:g}) m; expected within {:g} m of the base", what, place.x,
               place.y, place.z, kReach_m);
 }
 
-Result<void> checkFrame(const FriFrame& frame, std::string_view what) {
+Result<void> checkFrame(const FriFrame& frame, const Message& what) {
   const Vec3 x = row(frame, 0);
   const Vec3 y = row(frame, 1);
   const Vec3 z = row(frame, 2);
@@ -73,17 +74,18 @@ Vec3 placeIn(const FriFrame& frame) { return {frame[3], frame[7], frame[11]}; }
 
 Result<void> checkMeasurement(const protocol::FriMeasurement& m) {
   if (auto good = checkJoints(m); !good) return good;
-  if (auto good = checkFrame(m.frame, "measured"); !good) return good;
-  if (auto good = checkFrame(m.commanded_frame, "commanded"); !good) return good;
-  if (auto good = checkPlace(m.frame_offset, "offset of the commanded"); !good) return good;
+  if (auto good = checkFrame(m.frame, say("measured")); !good) return good;
+  if (auto good = checkFrame(m.commanded_frame, say("commanded")); !good) return good;
+  if (auto good = checkPlace(m.frame_offset, say("offset of the commanded")); !good) return good;
   const double apart_m = (placeIn(m.commanded_frame) - placeIn(m.frame)).norm();
   if (!(apart_m <= kApart_m)) {
     return fail("KRC: commanded and measured frame are {:g} m apart; expected at most {:g} m", apart_m, kApart_m);
   }
   const std::span<const float> tool(m.force_torque);
-  if (auto good = within(tool.first(3), kForce_N, "tool force", "N"); !good) return good;
-  if (auto good = within(tool.last(3), kTorque_Nm, "tool torque", "Nm"); !good) return good;
-  return within(std::span(m.krl.reals).first(3), kAcceleration_g, "KRL real", "g (acceleration)");
+  if (auto good = within(tool.first(3), kForce_N, say("tool force"), verbatim("N")); !good) return good;
+  if (auto good = within(tool.last(3), kTorque_Nm, say("tool torque"), verbatim("Nm")); !good) return good;
+  return within(std::span(m.krl.reals).first(3), kAcceleration_g, say("KRL real"),
+                explained(verbatim("g"), say("acceleration")));
 }
 
 Result<void> checkStep(const protocol::FriMeasurement& before, const protocol::FriMeasurement& now, int ahead) {

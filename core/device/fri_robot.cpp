@@ -50,9 +50,7 @@ FriRobot::FriRobot(const FriSettings& settings, protocol::UdpSocket socket)
   command_.cartesian_damping.fill(settings.damping);
 }
 
-std::string FriRobot::description() const {
-  return fmt::format("KUKA LWR over FRI on {}", protocol::toString(socket_.local()));
-}
+Message FriRobot::description() const { return say("KUKA LWR over FRI on {}", protocol::toString(socket_.local())); }
 
 bool FriRobot::keepLimits(const MotionLimits& limits) {
   const Vec3 place = limiter_.position_mm();
@@ -66,7 +64,7 @@ Result<RobotReadings> FriRobot::exchange(const Vec3& target_mm, Instant now) {
   const bool informed = std::exchange(followed_, false);
   began_ = false;
   if (now - heard_at_ > settings_.silence) moving_ = false;
-  if (now - impossible_at_ > settings_.silence) impossible_.clear();
+  if (now - impossible_at_ > settings_.silence) impossible_ = {};
   receive(informed && good_target && !stopping_ ? std::optional(target_mm) : std::nullopt, now);
   if (!good_target) {
     return fail("KRC: target ({}, {}, {}) mm: expected three finite numbers", target_mm.x, target_mm.y, target_mm.z);
@@ -121,7 +119,7 @@ bool FriRobot::accept(const protocol::Endpoint& from, Instant now) {
 /// @param ahead measurements since the last one taken; 0: another session
 void FriRobot::take(int ahead, Instant now) {
   newest_ = incoming_;
-  impossible_.clear();
+  impossible_ = {};
   ++counters_.measurements;
   if (ahead == 0) {
     tick_.reset();
@@ -251,7 +249,7 @@ bool FriRobot::follows(Instant now) const {
 }
 
 tl::unexpected<Error> FriRobot::reasonNotToFollow(Instant now) const {
-  if (!impossible_.empty()) return tl::unexpected(Error{impossible_});
+  if (!impossible_.empty()) return fail(impossible_);
   if (!heard_) {
     return fail("KRC: nothing heard on {}; expected a measurement every 1 to 100 ms: is FRI open on the controller?",
                 protocol::toString(socket_.local()));
@@ -264,18 +262,19 @@ tl::unexpected<Error> FriRobot::reasonNotToFollow(Instant now) const {
   if (newest_.state == FriState::monitor) {
     return fail(
         "KRC in monitor mode: the arm holds; link quality {}; the program on the controller starts command mode",
-        protocol::toString(newest_.quality));
+        phrase(protocol::toString(newest_.quality)));
   }
   if (began_) return fail("KRC: command mode has just begun, the arm holds");
   if (newest_.quality < FriQuality::good) {
     return fail("KRC link quality {}: {:.0f} % of its measurements answered; expected good or perfect",
-                protocol::toString(newest_.quality), 100.0F * std::clamp(newest_.answer_rate, 0.0F, 1.0F));
+                phrase(protocol::toString(newest_.quality)),
+                100.0 * std::clamp(static_cast<double>(newest_.answer_rate), 0.0, 1.0));
   }
   if (newest_.error != 0) {
     return fail("KRC reports drive errors {:#04x}: acknowledge them on the controller", newest_.error);
   }
   if (newest_.control != FriControl::cartesian_impedance) {
-    return fail("KRC control strategy {}: expected Cartesian impedance", protocol::toString(newest_.control));
+    return fail("KRC control strategy {}: expected Cartesian impedance", phrase(protocol::toString(newest_.control)));
   }
   if (not_taken_in_a_row_ >= kNeverTaken) {
     return fail("KRC: none of the last {} answers shows in its commanded frame; expected the place that was commanded",

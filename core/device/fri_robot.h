@@ -68,7 +68,7 @@ class FriRobot final : public Robot {
   /// @return an error when the address is taken
   [[nodiscard]] static Result<std::unique_ptr<FriRobot>> open(const FriSettings& settings);
 
-  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] Message description() const override;
 
   /// Answers what has arrived; does not wait. To be called at least as often as the KRC sends.
   /// @return an error that says in words why the arm does not follow: target not finite (nothing is answered with it),
@@ -108,7 +108,7 @@ class FriRobot final : public Robot {
   protocol::FriMeasurement incoming_;
   protocol::FriMeasurement newest_;
   protocol::FriCommand command_;
-  std::string impossible_;  // why the newest measurement was refused; empty: it was not
+  Message impossible_;  // why the newest measurement was refused; empty: it was not
   Instant impossible_at_{};
   FriTick tick_;
   MotionLimiter limiter_;

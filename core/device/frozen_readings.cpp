@@ -41,15 +41,14 @@ TouchpadReadings FrozenReadings::check(const TouchpadReadings& readings) {
   return {.ir = follow(ir_, readings.ir), .bridge = follow(bridge_, readings.bridge), .motors = readings.motors};
 }
 
-std::string FrozenReadings::complaint() const {
+Message FrozenReadings::complaint() const {
   if (ir_.frozen) {
-    return fmt::format(
-        "the distance sensors repeat the codes {} although their count goes on: switch the touchpad off and on",
-        fmt::join(ir_.seen.value.view(), ", "));
+    return say("the distance sensors repeat the codes {} although their count goes on: switch the touchpad off and on",
+               fmt::join(ir_.seen.value.view(), ", "));
   }
   if (bridge_.frozen) {
-    return fmt::format("the load cell repeats {} mV/V although its count goes on: switch the touchpad off and on",
-                       bridge_.seen.value.value_mV_per_V);
+    return say("the load cell repeats {} mV/V although its count goes on: switch the touchpad off and on",
+               bridge_.seen.value.value_mV_per_V);
   }
   return {};
 }

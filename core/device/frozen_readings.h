@@ -22,7 +22,7 @@ class FrozenReadings {
   /// @return the readings with frozen ones replaced by the last that was believed
   [[nodiscard]] TouchpadReadings check(const TouchpadReadings& readings);
   /// What is frozen and what to do; empty: nothing.
-  [[nodiscard]] std::string complaint() const;
+  [[nodiscard]] Message complaint() const;
 
  private:
   template <class T>

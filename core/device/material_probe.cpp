@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/message.h"
+
 namespace fyd::device {
 namespace {
 
@@ -15,15 +17,15 @@ constexpr double kLeastDepth_mm = 1e-6;
 
 std::string_view toString(ProbeOutcome outcome) {
   switch (outcome) {
-    case ProbeOutcome::measured: return "measured";
-    case ProbeOutcome::no_contact: return "no contact within the travel limit";
-    case ProbeOutcome::too_few: return "limit reached before two samples";
-    case ProbeOutcome::bad_reading: return "reading not a number";
-    case ProbeOutcome::timed_out: return "time limit reached";
-    case ProbeOutcome::aborted: return "aborted";
-    case ProbeOutcome::skipped: return "skipped";
+    case ProbeOutcome::measured: return sentence("measured");
+    case ProbeOutcome::no_contact: return sentence("no contact within the travel limit");
+    case ProbeOutcome::too_few: return sentence("limit reached before two samples");
+    case ProbeOutcome::bad_reading: return sentence("reading not a number");
+    case ProbeOutcome::timed_out: return sentence("time limit reached");
+    case ProbeOutcome::aborted: return sentence("aborted");
+    case ProbeOutcome::skipped: return sentence("skipped");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 MaterialProbe::MaterialProbe(const ProbeSettings& settings, const Vec3& start_mm)

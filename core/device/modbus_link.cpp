@@ -35,18 +35,18 @@ std::uint32_t microsecondsOf(Duration d) {
 }
 
 /// What an exception answer of the device means; empty when `problem` is none.
-std::string_view exceptionText(int problem) {
+Message exceptionText(int problem) {
   switch (problem) {
-    case EMBXILFUN: return "exception 1: it does not know this function; is it a touchpad with this register map?";
-    case EMBXILADD: return "exception 2: it has no such register; is it a touchpad with this register map?";
-    case EMBXILVAL: return "exception 3: it refuses the value";
-    case EMBXSFAIL: return "exception 4: it failed; see the touchpad's own display or log";
-    case EMBXACK: return "exception 5: it needs longer";
-    case EMBXSBUSY: return "exception 6: it is busy, another program drives its motors; close that one";
-    case EMBXNACK: return "exception 7: it cannot do this";
-    case EMBXMEMPAR: return "exception 8: memory parity error";
-    case EMBXGPATH: return "exception 10: the gateway has no path to it";
-    case EMBXGTAR: return "exception 11: the gateway gets no answer from it; is it switched on?";
+    case EMBXILFUN: return say("exception 1: it does not know this function; is it a touchpad with this register map?");
+    case EMBXILADD: return say("exception 2: it has no such register; is it a touchpad with this register map?");
+    case EMBXILVAL: return say("exception 3: it refuses the value");
+    case EMBXSFAIL: return say("exception 4: it failed; see the touchpad's own display or log");
+    case EMBXACK: return say("exception 5: it needs longer");
+    case EMBXSBUSY: return say("exception 6: it is busy, another program drives its motors; close that one");
+    case EMBXNACK: return say("exception 7: it cannot do this");
+    case EMBXMEMPAR: return say("exception 8: memory parity error");
+    case EMBXGPATH: return say("exception 10: the gateway has no path to it");
+    case EMBXGTAR: return say("exception 11: the gateway gets no answer from it; is it switched on?");
     default: return {};
   }
 }
@@ -55,17 +55,16 @@ bool portIsGone(int problem) {
   return problem == EIO || problem == ENXIO || problem == ENODEV || problem == EBADF || problem == EPIPE;
 }
 
-std::string failureText(int problem, Duration timeout) {
+Message failureText(int problem, Duration timeout) {
   switch (problem) {
-    case ETIMEDOUT:
-      return fmt::format("no answer in {:.0f} ms; is it switched on and connected?", toMilliseconds(timeout));
-    case ECONNREFUSED: return "nothing listens there; is the touchpad on and the port right?";
+    case ETIMEDOUT: return say("no answer in {:.0f} ms; is it switched on and connected?", toMilliseconds(timeout));
+    case ECONNREFUSED: return say("nothing listens there; is the touchpad on and the port right?");
     case ECONNRESET:
-    case EPIPE: return "the touchpad closed the connection";
-    case EMBBADCRC: return "an answer with a wrong checksum; is the speed right and the line terminated?";
-    case EMBBADDATA: return "an answer that does not fit the question";
-    case EMBBADSLAVE: return "an answer of another unit";
-    default: return modbus_strerror(problem);
+    case EPIPE: return say("the touchpad closed the connection");
+    case EMBBADCRC: return say("an answer with a wrong checksum; is the speed right and the line terminated?");
+    case EMBBADDATA: return say("an answer that does not fit the question");
+    case EMBBADSLAVE: return say("an answer of another unit");
+    default: return verbatim(modbus_strerror(problem));
   }
 }
 
@@ -83,7 +82,7 @@ Result<ModbusAddress> parseModbusAddress(const std::string& text) {
   }
   if (place.starts_with(kTcpPrefix)) {
     auto host = protocol::parseEndpoint(std::string_view(place).substr(kTcpPrefix.size()));
-    if (!host) return fail("{}: {}", text, host.error().message);
+    if (!host) return fail(about(text, host.error().message));
     out.host = *host;
     return out;
   }
@@ -131,7 +130,7 @@ Result<void> ModbusLink::makeContext() {
   if (speedConstant(address_.baud) == B0) return fail("{}: {} Bd is no speed of this system", name_, address_.baud);
   const auto path = resolveDevice(address_.port, address_.by_id);
   if (!path) return tl::unexpected(path.error());
-  if (::access(path->c_str(), R_OK | W_OK) != 0) return tl::unexpected(Error{explainPort(*path, errno)});
+  if (::access(path->c_str(), R_OK | W_OK) != 0) return fail(explainPort(*path, errno));
   context_.reset(modbus_new_rtu(path->c_str(), address_.baud, 'N', 8, 1));
   return {};
 }
@@ -139,7 +138,7 @@ Result<void> ModbusLink::makeContext() {
 Result<void> ModbusLink::open() {
   close();
   if (auto made = makeContext(); !made) return made;
-  if (!context_) return fail("{}: cannot be opened: {}", name_, modbus_strerror(errno));
+  if (!context_) return fail("{}: cannot be opened: {}", name_, verbatim(modbus_strerror(errno)));
   modbus_t* const context = context_.get();
   modbus_set_slave(context, address_.unit);
   modbus_set_error_recovery(context, MODBUS_ERROR_RECOVERY_NONE);
@@ -149,10 +148,10 @@ Result<void> ModbusLink::open() {
   if (modbus_connect(context) != 0) {
     const int problem = errno;
     context_.reset();
-    if (!address_.tcp) return tl::unexpected(Error{explainPort(address_.port, problem)});
+    if (!address_.tcp) return fail(explainPort(address_.port, problem));
     // A connection that does not come about in time ends with one of these.
     const bool late = problem == ETIMEDOUT || problem == EINPROGRESS;
-    return fail("{}: {}", name_, failureText(late ? ETIMEDOUT : problem, response_timeout_));
+    return fail(about(name_, failureText(late ? ETIMEDOUT : problem, response_timeout_)));
   }
   if (address_.tcp) return {};
   if (auto claimed = claim(); !claimed) {
@@ -188,29 +187,29 @@ void ModbusLink::recover() {
   modbus_flush(context_.get());
 }
 
-Result<void> ModbusLink::finish(int done, std::size_t expected, std::string_view what, std::uint16_t address) {
+Result<void> ModbusLink::finish(int done, std::size_t expected, const Message& what, std::uint16_t address) {
   if (done == static_cast<int>(expected)) return {};
   const int problem = done < 0 ? errno : EMBBADDATA;
-  const std::string_view exception = exceptionText(problem);
+  const Message exception = exceptionText(problem);
   if (!exception.empty()) return fail("{}: {} at register {}: {}", name_, what, address, exception);
   if (!address_.tcp && portIsGone(problem)) {
     close();
-    return tl::unexpected(Error{explainPort(address_.port, EIO)});
+    return fail(explainPort(address_.port, EIO));
   }
   recover();
-  return fail("{}: {}", name_, failureText(problem, response_timeout_));
+  return fail(about(name_, failureText(problem, response_timeout_)));
 }
 
 Result<void> ModbusLink::read(std::uint16_t address, std::span<std::uint16_t> out) {
   if (!context_) return fail("{}: not open", name_);
   const int done = modbus_read_registers(context_.get(), address, static_cast<int>(out.size()), out.data());
-  return finish(done, out.size(), "reading", address);
+  return finish(done, out.size(), say("reading"), address);
 }
 
 Result<void> ModbusLink::write(std::uint16_t address, std::span<const std::uint16_t> values) {
   if (!context_) return fail("{}: not open", name_);
   const int done = modbus_write_registers(context_.get(), address, static_cast<int>(values.size()), values.data());
-  return finish(done, values.size(), "writing", address);
+  return finish(done, values.size(), say("writing"), address);
 }
 
 Result<void> ModbusLink::writeAndRead(std::uint16_t write_address, std::span<const std::uint16_t> values,
@@ -219,7 +218,7 @@ Result<void> ModbusLink::writeAndRead(std::uint16_t write_address, std::span<con
   const int done =
       modbus_write_and_read_registers(context_.get(), write_address, static_cast<int>(values.size()), values.data(),
                                       read_address, static_cast<int>(out.size()), out.data());
-  return finish(done, out.size(), "a cycle", write_address);
+  return finish(done, out.size(), say("a cycle"), write_address);
 }
 
 }  // namespace fyd::device

@@ -69,7 +69,7 @@ class ModbusLink {
   [[nodiscard]] Result<void> makeContext();
   [[nodiscard]] Result<void> claim();
   /// Turns libmodbus' result and errno into a Result, and recovers unless the device itself has answered.
-  [[nodiscard]] Result<void> finish(int done, std::size_t expected, std::string_view what, std::uint16_t address);
+  [[nodiscard]] Result<void> finish(int done, std::size_t expected, const Message& what, std::uint16_t address);
 
   ModbusAddress address_;
   Duration response_timeout_;

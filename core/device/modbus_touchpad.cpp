@@ -15,7 +15,8 @@ constexpr int kAttempts = 4;            // at a block that is torn
 constexpr int kSwitchingOnCycles = 50;  // a healthy drive needs five
 constexpr std::uint16_t kLoopRate_Hz = 1000;
 constexpr Duration kLongestStandstill = std::chrono::milliseconds(250);
-constexpr std::string_view kDisobeys = "the touchpad does not obey what is written to it (bit 9 of its status word)";
+constexpr std::string_view kDisobeys =
+    sentence("the touchpad does not obey what is written to it (bit 9 of its status word)");
 
 ModbusAddress within(ModbusAddress address, const DeviceParameters& parameters) {
   if (!parameters.serial_by_id.empty()) address.by_id = parameters.serial_by_id;
@@ -45,10 +46,10 @@ ModbusTouchpad::ModbusTouchpad(const ModbusAddress& address, const DeviceParamet
 
 ModbusTouchpad::~ModbusTouchpad() = default;
 
-std::string ModbusTouchpad::description() const {
-  if (!identified_) return fmt::format("touchpad at {}", link_.name());
-  return fmt::format("touchpad {}, firmware {}.{}, at {}", identity_.serialText(), identity_.firmware >> 8U,
-                     identity_.firmware & 0xFFU, link_.name());
+Message ModbusTouchpad::description() const {
+  if (!identified_) return say("touchpad at {}", link_.name());
+  return say("touchpad {}, firmware {}.{}, at {}", identity_.serialText(), identity_.firmware >> 8U,
+             identity_.firmware & 0xFFU, link_.name());
 }
 
 Result<void> ModbusTouchpad::checkIdentity() {
@@ -101,7 +102,7 @@ Result<void> ModbusTouchpad::connect() {
 tl::unexpected<Error> ModbusTouchpad::lost(Error error) {
   if (arming_ == Arming::switching_on) {
     arming_ = Arming::refused;
-    refusal_ = "the touchpad was lost while its motors were being switched on";
+    refusal_ = say("the touchpad was lost while its motors were being switched on");
   }
   return tl::unexpected(std::move(error));
 }
@@ -109,7 +110,7 @@ tl::unexpected<Error> ModbusTouchpad::lost(Error error) {
 void ModbusTouchpad::followCommand(bool active) {
   if (!active) {
     arming_ = Arming::off;
-    refusal_.clear();
+    refusal_ = {};
   } else if (!was_active_) {
     arming_ = Arming::switching_on;
     acknowledge_fault_ = true;
@@ -123,10 +124,10 @@ void ModbusTouchpad::followDrive(DriveState state) {
   const bool running = state == DriveState::operation_enabled;
   const auto refuse = [&] {
     arming_ = Arming::refused;
-    refusal_ = fmt::format("the touchpad's motors are in the state {}{}", toString(state),
-                           state_.fault_code == 0
-                               ? std::string()
-                               : fmt::format(" ({})", toString(static_cast<protocol::DriveFault>(state_.fault_code))));
+    refusal_ = say("the touchpad's motors are in the state {}", phrase(toString(state)));
+    if (state_.fault_code != 0) {
+      refusal_ = explained(refusal_, phrase(toString(static_cast<protocol::DriveFault>(state_.fault_code))));
+    }
   };
   if (arming_ == Arming::on && !running) refuse();
   if (arming_ == Arming::switching_on) {
@@ -143,7 +144,7 @@ void ModbusTouchpad::followObedience() {
   obeys_ = (state_.status_word & protocol::status_bit::kRemote) != 0;
   if (obeys_ || arming_ == Arming::off || arming_ == Arming::refused) return;
   arming_ = Arming::refused;
-  refusal_ = kDisobeys;
+  refusal_ = phrase(kDisobeys);
 }
 
 void ModbusTouchpad::queueVibration(std::span<const VibrationDuty> duties) {
@@ -191,7 +192,7 @@ Result<void> ModbusTouchpad::transact() {
           link_.name(), parameters_.response_timeout_ms);
     }
     if (problem == protocol::StateProblem::none) return {};
-    if (problem != protocol::StateProblem::torn) return fail("{}: {}", link_.name(), describe(problem, state_));
+    if (problem != protocol::StateProblem::torn) return fail(about(link_.name(), describe(problem, state_)));
     ++counters_.torn_blocks;
   }
   return fail("{}: {}, {} times in a row", link_.name(), describe(protocol::StateProblem::torn, state_), kAttempts);
@@ -209,7 +210,7 @@ void ModbusTouchpad::take(Instant now) {
     ++counters_.restarts;
     if (arming_ != Arming::off) {
       arming_ = Arming::refused;
-      refusal_ = "the touchpad restarted";
+      refusal_ = say("the touchpad restarted");
     }
   }
   // Taken when the request went out, at the latest: never younger than the truth.
@@ -246,44 +247,43 @@ Result<TouchpadReadings> ModbusTouchpad::exchange(const control::MotorCommand& c
 }
 
 std::vector<DeviceReport> ModbusTouchpad::reports() const {
-  DeviceReport out{.name = "Touchpad",
-                   .kind = link_.name().starts_with("modbus-tcp") ? "Modbus TCP" : "Modbus RTU",
+  DeviceReport out{.part = Part::touchpad,
+                   .kind = verbatim(link_.name().starts_with("modbus-tcp") ? "Modbus TCP" : "Modbus RTU"),
                    .description = description()};
-  out.counters = {{"stale answers", counters_.stale_answers},
-                  {"torn blocks", counters_.torn_blocks},
-                  {"connections", counters_.connections},
-                  {"device restarts", counters_.restarts},
-                  {"vibration duties lost here", counters_.duties_lost},
-                  {"vibration duties lost there", state_.vibration_lost}};
+  out.counters = {{say("stale answers"), counters_.stale_answers},
+                  {say("torn blocks"), counters_.torn_blocks},
+                  {say("connections"), counters_.connections},
+                  {say("device restarts"), counters_.restarts},
+                  {say("vibration duties lost here"), counters_.duties_lost},
+                  {say("vibration duties lost there"), state_.vibration_lost}};
   if (readings_.ir.count == 0 && readings_.motors.count == 0) return {std::move(out)};
   addSensorValues(readings_, out.values);
   addMotorValues(readings_.motors, out.values);
   for (std::size_t i = 0; i < state_.temperature_degC.size(); ++i) {
-    out.values.push_back(
-        {.name = fmt::format("temperature {}", i + 1), .number = state_.temperature_degC[i], .unit = "°C"});
+    out.values.push_back({.name = say("temperature {}", i + 1), .number = state_.temperature_degC[i], .unit = "°C"});
   }
-  const auto text = [&out](std::string name, std::string words) {
+  const auto text = [&out](Message name, Message words) {
     out.values.push_back({.name = std::move(name), .text = std::move(words)});
   };
-  text("motors", std::string(toString(drive_)));
-  text("status word", protocol::statusInWords(state_.status_word));
+  text(say("motors"), phrase(toString(drive_)));
+  text(say("status word"), verbatim(protocol::statusInWords(state_.status_word)));
   if (state_.fault_code != 0) {
-    text("fault", std::string(toString(static_cast<protocol::DriveFault>(state_.fault_code))));
+    text(say("fault"), phrase(toString(static_cast<protocol::DriveFault>(state_.fault_code))));
   }
-  text("serial number", std::string(identity_.serialText()));
-  text("firmware", fmt::format("{}.{}", identity_.firmware >> 8U, identity_.firmware & 0xFFU));
-  out.values.push_back({.name = "clock", .number = state_.uptime_us * 1e-6, .unit = "s"});
+  text(say("serial number"), verbatim(identity_.serialText()));
+  text(say("firmware"), verbatim(fmt::format("{}.{}", identity_.firmware >> 8U, identity_.firmware & 0xFFU)));
+  out.values.push_back({.name = say("clock"), .number = state_.uptime_us * 1e-6, .unit = "s"});
   return {std::move(out)};
 }
 
-std::string ModbusTouchpad::complaint() const {
-  if (arming_ == Arming::refused) return refusal_ + ": stop, then arm again";
-  if (!obeys_) return std::string(kDisobeys) + ": set it to remote, and close what else drives it";
+Message ModbusTouchpad::complaint() const {
+  if (arming_ == Arming::refused) return say("{}: stop, then arm again", refusal_);
+  if (!obeys_) return say("{}: set it to remote, and close what else drives it", phrase(kDisobeys));
   if (stands_still_)
-    return "the touchpad answers, but its clock or its count of value sets stands still: switch it off and on";
+    return say("the touchpad answers, but its clock or its count of value sets stands still: switch it off and on");
   if ((state_.status_word & protocol::status_bit::kWarning) != 0) {
-    return fmt::format("motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool",
-                       state_.temperature_degC[0], state_.temperature_degC[1], parameters_.thermal_limit_degC);
+    return say("motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool", state_.temperature_degC[0],
+               state_.temperature_degC[1], parameters_.thermal_limit_degC);
   }
   return {};
 }

@@ -35,12 +35,12 @@ class ModbusTouchpad final : public Touchpad {
   ModbusTouchpad(const ModbusAddress& address, const DeviceParameters& parameters);
   ~ModbusTouchpad() override;
 
-  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] Message description() const override;
   /// Opens and identifies the device first when that is to be done. Blocks for the response time-out at most, twice
   /// when it opens.
   [[nodiscard]] Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
   void queueVibration(std::span<const VibrationDuty> duties) override;
-  [[nodiscard]] std::string complaint() const override;
+  [[nodiscard]] Message complaint() const override;
   [[nodiscard]] std::vector<DeviceReport> reports() const override;
   [[nodiscard]] Duration period() const override { return period_; }
 
@@ -74,7 +74,7 @@ class ModbusTouchpad final : public Touchpad {
   bool was_active_ = false;
   bool acknowledge_fault_ = false;
   int cycles_switching_on_ = 0;
-  std::string refusal_;  // why the motors are off while the command wants them on
+  Message refusal_;  // why the motors are off while the command wants them on
   protocol::DriveState drive_ = protocol::DriveState::not_ready_to_switch_on;  // as it last said
   bool obeys_ = true;
   bool stands_still_ = false;

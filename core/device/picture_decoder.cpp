@@ -25,8 +25,8 @@ bool isJpeg(std::span<const std::uint8_t> bytes) { return bytes.size() > 1 && by
 Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes) {
   // A new one each time: tables of one picture would serve the next, should that have lost its own.
   const Decoder decoder(tjInitDecompress());
-  if (!decoder) return fail("no JPEG decoder: {}", tjGetErrorStr2(nullptr));
-  const auto refused = [&] { return fail("{}", tjGetErrorStr2(decoder.get())); };
+  if (!decoder) return fail("no JPEG decoder: {}", verbatim(tjGetErrorStr2(nullptr)));
+  const auto refused = [&] { return fail(verbatim(tjGetErrorStr2(decoder.get()))); };
   int width = 0;
   int height = 0;
   int subsampling = 0;
@@ -47,24 +47,22 @@ Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes) {
 }
 
 Result<cv::Mat> readPicture(const std::string& path) {
-  const auto refused = [&](std::string_view why) {
-    return fail("'{}' is not a picture that can be read{}", path, why);
-  };
+  const auto refused = [&] { return fail("'{}' is not a picture that can be read", path); };
   std::ifstream file(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
   if (isJpeg(bytes)) {
     auto decoded = decodeJpeg(bytes);
-    if (!decoded) return refused(": " + decoded.error().message);
+    if (!decoded) return fail("'{}' is not a picture that can be read: {}", path, decoded.error().message);
     return decoded;
   }
-  if (bytes.empty()) return refused("");
+  if (bytes.empty()) return refused();
   cv::Mat picture;
   try {  // these decoders refuse a file that is cut short; PNG has checksums besides
     picture = cv::imdecode(bytes, cv::IMREAD_ANYCOLOR);
   } catch (const cv::Exception&) {  // larger than OpenCV dares to read
     picture.release();
   }
-  if (picture.empty()) return refused("");
+  if (picture.empty()) return refused();
   return picture;
 }
 

@@ -52,7 +52,7 @@ void Plausibility::checkSensors(const Timed<sensing::IrCounts>& ir) {
   }
 }
 
-void Plausibility::disbelieve(std::string why, Instant now) {
+void Plausibility::disbelieve(Message why, Instant now) {
   disbelieved_ = true;
   disbelieved_at_ = now;
   why_ = std::move(why);
@@ -65,10 +65,9 @@ void Plausibility::checkTravel(const Timed<control::MotorFeedback>& motors, Inst
   for (std::size_t i = 0; i < control::kMotorCount; ++i) {
     const double moved = travel_deg(believed_->value.encoder_counts[i], motors.value.encoder_counts[i]);
     if (moved <= allowed_deg) continue;
-    disbelieve(
-        fmt::format("encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again",
-                    i + 1, moved, toMilliseconds(motors.taken - believed_->taken)),
-        now);
+    disbelieve(say("encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again", i + 1,
+                   moved, toMilliseconds(motors.taken - believed_->taken)),
+               now);
   }
 }
 
@@ -90,9 +89,9 @@ void Plausibility::checkFollowing(const Timed<control::MotorFeedback>& motors, c
     } else if (!still.sent_further) {
       still.sent_further = motors.taken;
     } else if (motors.taken - *still.sent_further > kLongestStandstill) {
-      disbelieve(fmt::format("encoder {} stands still although its motor was sent {:.0f}° further: check the motors' "
-                             "supply and the encoder's cable; stop, then arm again",
-                             i + 1, further_deg),
+      disbelieve(say("encoder {} stands still although its motor was sent {:.0f}° further: check the motors' "
+                     "supply and the encoder's cable; stop, then arm again",
+                     i + 1, further_deg),
                  now);
     }
   }
@@ -125,12 +124,11 @@ TouchpadReadings Plausibility::check(const TouchpadReadings& readings, const con
   return out;
 }
 
-std::string Plausibility::complaint() const {
+Message Plausibility::complaint() const {
   if (disbelieved_) return why_;
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     if (!sensors_[i].stuck) continue;
-    return fmt::format("IR sensor {} is stuck at code {} while the others change: check its cable", i + 1,
-                       sensors_[i].code);
+    return say("IR sensor {} is stuck at code {} while the others change: check its cable", i + 1, sensors_[i].code);
   }
   return {};
 }

@@ -31,7 +31,7 @@ class Plausibility {
   [[nodiscard]] TouchpadReadings check(const TouchpadReadings& readings, const control::MotorCommand& command,
                                        Instant now);
   /// What is not believed and why; empty: nothing.
-  [[nodiscard]] std::string complaint() const;
+  [[nodiscard]] Message complaint() const;
 
  private:
   struct Sensor {
@@ -45,7 +45,7 @@ class Plausibility {
   void checkEncoders(const Timed<control::MotorFeedback>& motors, const control::MotorCommand& command, Instant now);
   void checkTravel(const Timed<control::MotorFeedback>& motors, Instant now);
   void checkFollowing(const Timed<control::MotorFeedback>& motors, const control::MotorCommand& command, Instant now);
-  void disbelieve(std::string why, Instant now);
+  void disbelieve(Message why, Instant now);
 
   Duration stuck_after_;
   std::array<Sensor, sensing::kMaximumIrSensors> sensors_{};
@@ -64,7 +64,7 @@ class Plausibility {
   bool following_ = false;  // the motors are on: the above is of use
   bool disbelieved_ = false;
   Instant disbelieved_at_{};
-  std::string why_;
+  Message why_;
 };
 
 }  // namespace fyd::device

@@ -14,7 +14,7 @@ namespace qb = protocol::qbmove;
 
 constexpr int kFailuresUntilLost = 3;
 constexpr int kActivationEvery = 50;  // exchanges
-constexpr std::string_view kLost = "was lost while its motors were on";
+constexpr std::string_view kLost = sentence("was lost while its motors were on");
 
 std::int16_t percentOf(double duty) {
   return std::isnan(duty) ? std::int16_t{0} : static_cast<std::int16_t>(std::lround(std::clamp(duty, -100.0, 100.0)));
@@ -32,23 +32,26 @@ std::uint16_t encoderCountsOf(std::int16_t ticks, const DeviceParameters& parame
 QbmoveMotors::QbmoveMotors(std::string port, const DeviceParameters& parameters)
     : path_(std::move(port)), parameters_(parameters) {}
 
-std::string QbmoveMotors::description() const {
-  return fmt::format(
-      "motor board {} at {}, {} Bd{}", parameters_.qbmove_id, path_, parameters_.qbmove_baud,
-      parameters_.qbmove_vibration_opcode == 0 ? ", no vibration (device.qbmove_vibration_opcode is not set)" : "");
+Message QbmoveMotors::description() const {
+  if (parameters_.qbmove_vibration_opcode != 0) {
+    return say("motor board {} at {}, {} Bd", parameters_.qbmove_id, path_, parameters_.qbmove_baud);
+  }
+  return say("motor board {} at {}, {} Bd, no vibration (device.qbmove_vibration_opcode is not set)",
+             parameters_.qbmove_id, path_, parameters_.qbmove_baud);
 }
 
 DeviceReport QbmoveMotors::report() const {
-  DeviceReport out{.name = "Motor board", .kind = "qbmove", .description = description()};
-  out.counters = {
-      {"answers missing", late_replies_}, {"connections", connections_}, {"switched off by itself", switched_off_}};
+  DeviceReport out{.part = Part::motor_board, .kind = verbatim("qbmove"), .description = description()};
+  out.counters = {{say("answers missing"), late_replies_},
+                  {say("connections"), connections_},
+                  {say("switched off by itself"), switched_off_}};
   addMotorValues(newest_, out.values);
-  out.values.push_back({.name = "motors", .text = energised_ ? "on" : "off"});
+  out.values.push_back({.name = say("motors"), .text = energised_ ? say("on") : say("off")});
   return out;
 }
 
-void QbmoveMotors::lose(std::string why) {
-  if (energised_) refusal_ = std::move(why);
+void QbmoveMotors::lose(std::string_view why) {
+  if (energised_) refusal_ = phrase(why);
   energised_ = false;
   parser_.reset();
 }
@@ -57,9 +60,9 @@ Result<void> QbmoveMotors::send(protocol::QbmoveFrame frame) {
   frame.id = static_cast<std::uint8_t>(parameters_.qbmove_id);
   const protocol::QbmoveBytes bytes = protocol::encode(frame);
   if (port_->write(bytes.view())) return {};
-  lose(std::string(kLost));
+  lose(kLost);
   port_.reset();
-  return tl::unexpected(Error{explainPort(path_, EIO)});
+  return fail(explainPort(path_, EIO));
 }
 
 Result<protocol::QbmoveFrame> QbmoveMotors::ask(std::uint8_t command, std::size_t payload_bytes) {
@@ -72,9 +75,9 @@ Result<protocol::QbmoveFrame> QbmoveMotors::ask(std::uint8_t command, std::size_
   do {
     const int got = port_->read(buffer, deadline);
     if (got < 0) {
-      lose(std::string(kLost));
+      lose(kLost);
       port_.reset();
-      return tl::unexpected(Error{explainPort(path_, EIO)});
+      return fail(explainPort(path_, EIO));
     }
     for (int i = 0; i < got; ++i) {
       const auto frame = parser_.push(buffer[static_cast<std::size_t>(i)]);
@@ -149,16 +152,16 @@ Result<void> QbmoveMotors::checkActivation() {
   if (!mode) return tl::unexpected(mode.error());
   if (mode->payload[0] == qb::kMotorsOff) {
     ++switched_off_;
-    lose("has switched its motors off by itself");
+    lose(sentence("has switched its motors off by itself"));
   }
   return {};
 }
 
 Result<control::MotorFeedback> QbmoveMotors::exchange(const control::MotorCommand& command) {
-  if (!command.active) refusal_.clear();
+  if (!command.active) refusal_ = {};
   if (!port_) {
     if (auto connected = connect(); !connected) {
-      if (command.active) refusal_ = kLost;
+      if (command.active) refusal_ = phrase(kLost);
       return tl::unexpected(connected.error());
     }
   }
@@ -170,7 +173,7 @@ Result<control::MotorFeedback> QbmoveMotors::exchange(const control::MotorComman
     if (auto checked = checkActivation(); !checked) measured = tl::unexpected(checked.error());
   }
   if (!measured) {
-    if (++failures_ >= kFailuresUntilLost) lose(std::string(kLost));
+    if (++failures_ >= kFailuresUntilLost) lose(kLost);
     return measured;
   }
   failures_ = 0;

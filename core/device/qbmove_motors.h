@@ -24,7 +24,7 @@ class QbmoveMotors {
   /// Opens nothing yet; the first exchange does.
   QbmoveMotors(std::string port, const DeviceParameters& parameters);
 
-  [[nodiscard]] std::string description() const;
+  [[nodiscard]] Message description() const;
 
   /// Writes the command, reads positions and currents. The motors are activated by a command that turns active only;
   /// after the board was lost (gone, or three exchanges in a row without a reply) or has switched its motors off by
@@ -44,15 +44,15 @@ class QbmoveMotors {
   [[nodiscard]] Result<void> follow(const control::MotorCommand& command);
   [[nodiscard]] Result<control::MotorFeedback> measure();
   [[nodiscard]] Result<void> checkActivation();
-  void lose(std::string why);
+  void lose(std::string_view why);
 
   std::string path_;
   DeviceParameters parameters_;
   std::optional<SerialPort> port_;
   protocol::QbmoveParser parser_;
   bool energised_ = false;
-  std::string refusal_;  // why the motors stay off although the command wants them on
-  int failures_ = 0;     // in a row
+  Message refusal_;   // why the motors stay off although the command wants them on
+  int failures_ = 0;  // in a row
   int exchanges_ = 0;
   std::uint64_t late_replies_ = 0;
   std::uint64_t connections_ = 0;

@@ -24,7 +24,7 @@ struct RobotReadings {
 class Robot {
  public:
   virtual ~Robot() = default;
-  [[nodiscard]] virtual std::string description() const = 0;
+  [[nodiscard]] virtual Message description() const = 0;
   /// The times handed to `exchange` are its only clock, so that it may be driven faster than time passes.
   [[nodiscard]] virtual bool inVirtualTime() const { return false; }
 

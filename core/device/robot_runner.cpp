@@ -129,7 +129,7 @@ void RobotRunner::exchangeWithRobot(const Vec3& target_mm, Duration tick, Instan
   }
   if (robot_.resumed() && now_.robot_errors > 0) {
     ++now_.robot_resumed;
-    now_.robot_problem.clear();
+    now_.robot_problem = {};
   }
   now_.readings = *readings;
   if (robot_.resumed()) mapping_.resume(robot_.commanded_mm());

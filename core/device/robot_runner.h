@@ -50,7 +50,7 @@ struct RobotRunnerOptions {
 };
 
 struct RobotRunnerStatus {
-  std::string description;
+  Message description;
   protocol::Endpoint local;
   protocol::RobotPhase phase = protocol::RobotPhase::handshake;
   protocol::RobotCounters counters;
@@ -64,7 +64,7 @@ struct RobotRunnerStatus {
   std::uint64_t missed_cycles = 0;    ///< of the loop's own clock
   std::uint64_t robot_errors = 0;     ///< exchanges with the arm that failed
   std::uint64_t robot_resumed = 0;    ///< times the arm followed again after that
-  std::string robot_problem;          ///< why the last exchange failed; empty: it did not
+  Message robot_problem;              ///< why the last exchange failed; empty: it did not
   std::uint64_t send_failures = 0;    ///< datagrams the network did not take
   std::uint64_t commands_lost = 0;    ///< asked for while sixteen were waiting
   std::uint64_t targets_refused = 0;  ///< that were no numbers

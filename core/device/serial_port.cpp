@@ -13,6 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::device {
 namespace {
 
@@ -57,7 +59,7 @@ Result<void> configure(int file, int baud, const std::string& path) {
   mode.c_cc[VTIME] = 0;
   ::cfsetispeed(&mode, speedConstant(baud));
   ::cfsetospeed(&mode, speedConstant(baud));
-  if (::tcsetattr(file, TCSANOW, &mode) != 0) return fail("{}: cannot be set up: {}", path, std::strerror(errno));
+  if (::tcsetattr(file, TCSANOW, &mode) != 0) return fail("{}: cannot be set up: {}", path, systemReason(errno));
   return checkSpeed(file, baud, path);
 }
 
@@ -88,19 +90,18 @@ Result<void> checkSpeed(int file, int baud, const std::string& path) {
   return {};
 }
 
-std::string explainPort(const std::string& path, int problem) {
+Message explainPort(const std::string& path, int problem) {
   switch (problem) {
     case EACCES:
     case EPERM:
-      return fmt::format(
-          "{}: no permission. Add yourself to its group with \"sudo usermod -aG {} $USER\" and log in again", path,
-          groupOf(path));
-    case EBUSY: return fmt::format("{}: in use by another program (\"fuser {}\" names it)", path, path);
-    case ENOENT: return fmt::format("{}: there is no such port; is the cable plugged in?", path);
+      return say("{}: no permission. Add yourself to its group with \"sudo usermod -aG {} $USER\" and log in again",
+                 path, groupOf(path));
+    case EBUSY: return say("{}: in use by another program (\"fuser {}\" names it)", path, path);
+    case ENOENT: return say("{}: there is no such port; is the cable plugged in?", path);
     case ENXIO:
     case ENODEV:
-    case EIO: return fmt::format("{}: the device behind the port is gone; is the cable plugged in?", path);
-    default: return fmt::format("{}: {}", path, std::strerror(problem));
+    case EIO: return say("{}: the device behind the port is gone; is the cable plugged in?", path);
+    default: return about(path, systemReason(problem));
   }
 }
 
@@ -111,7 +112,7 @@ Result<SerialPort> SerialPort::open(const std::string& path, int baud) {
     return fail("{}: {} Bd is no speed of this system; expected one of {}", path, baud, known);
   }
   const int file = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) return tl::unexpected(Error{explainPort(path, errno)});
+  if (file < 0) return fail(explainPort(path, errno));
   SerialPort port(path, file);
   if (auto configured = configure(file, baud, path); !configured) return tl::unexpected(configured.error());
   if (auto alone = claimPort(file, path); !alone) return tl::unexpected(alone.error());
@@ -121,7 +122,7 @@ Result<SerialPort> SerialPort::open(const std::string& path, int baud) {
 
 Result<void> claimPort(int file, const std::string& path) {
   if (::flock(file, LOCK_EX | LOCK_NB) == 0) return {};
-  return tl::unexpected(Error{explainPort(path, errno == EWOULDBLOCK ? EBUSY : errno)});
+  return fail(explainPort(path, errno == EWOULDBLOCK ? EBUSY : errno));
 }
 
 SerialPort::SerialPort(SerialPort&& other) noexcept

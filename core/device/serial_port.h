@@ -23,7 +23,7 @@ namespace fyd::device {
 /// @return an error when one of them holds the port
 [[nodiscard]] Result<void> claimPort(int file, const std::string& path);
 /// Why opening `path` failed with `problem` (an errno), and what to do about it.
-[[nodiscard]] std::string explainPort(const std::string& path, int problem);
+[[nodiscard]] Message explainPort(const std::string& path, int problem);
 
 /// Used by one thread at a time.
 class SerialPort {

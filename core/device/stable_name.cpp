@@ -49,7 +49,7 @@ Result<std::string> resolveDevice(const std::string& text, std::string_view fold
   std::ranges::sort(fitting);
   if (fitting.empty()) {
     return fail("device {}: none is plugged in; {} holds {}", text, folder,
-                all.empty() ? "nothing" : fmt::format("{}", fmt::join(all, ", ")));
+                all.empty() ? say("nothing") : verbatim(fmt::format("{}", fmt::join(all, ", "))));
   }
   return fail("device {}: {} fit: {}; name more of the one that is meant", text, fitting.size(),
               fmt::join(fitting, ", "));

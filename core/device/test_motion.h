@@ -18,14 +18,15 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/message.h"
 #include "core/base/time.h"
 #include "core/control/motor_types.h"
 
 namespace fyd::device {
 
 enum class DeviceTest : std::uint8_t { motor_1, motor_2, vibration, stretch, sweep };
-inline constexpr std::array<std::string_view, 5> kDeviceTestNames = {"motor 1", "motor 2", "vibration", "stretch",
-                                                                     "sweep"};
+inline constexpr std::array<std::string_view, 5> kDeviceTestNames = {
+    sentence("motor 1"), sentence("motor 2"), sentence("vibration"), sentence("stretch"), sentence("sweep")};
 /// The first of them try one part each; stretch and sweep are for calibrations.
 inline constexpr std::size_t kPartTests = 3;
 

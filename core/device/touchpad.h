@@ -30,7 +30,7 @@ class Touchpad {
   virtual ~Touchpad() = default;
 
   /// "simulated touchpad, seed 1" or the port and identity of a real one.
-  [[nodiscard]] virtual std::string description() const = 0;
+  [[nodiscard]] virtual Message description() const = 0;
 
   /// Writes the command and reads what there is, as one exchange.
   /// @param now the station's clock
@@ -45,7 +45,7 @@ class Touchpad {
   [[nodiscard]] virtual bool driven() const { return true; }
 
   /// What the device complains of although it answers (motors switched off by itself, …), and the remedy; or empty.
-  [[nodiscard]] virtual std::string complaint() const { return {}; }
+  [[nodiscard]] virtual Message complaint() const { return {}; }
 
   /// What it consists of, with live values. One device leaves its rate, age, errors and problem to the caller, several
   /// fill in their own.

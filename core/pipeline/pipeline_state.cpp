@@ -242,7 +242,7 @@ Result<void> Pipeline::restoreState(std::string_view state) {
     takeParameters(old_parameters);
     std::istringstream stream{old_modules};
     restoreModules(stream);
-    return fail("state of {} bytes: {}", state.size(), problem.what());
+    return fail("state of {} bytes: {}", state.size(), verbatim(problem.what()));
   }
 }
 

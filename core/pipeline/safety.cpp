@@ -25,14 +25,15 @@ constexpr bool numbersDiffer() {
 }
 static_assert(numbersDiffer(), "lack_list.h: a number stands twice, or is 0");
 
-constexpr std::array<std::string_view, kSafetyStateCount> kStateNames = {"Disconnected", "Connected", "Ready",
-                                                                         "Active",       "Held",      "Stopped"};
+constexpr std::array<std::string_view, kSafetyStateCount> kStateNames = {
+    sentence("Disconnected"), sentence("Connected"), sentence("Ready"),
+    sentence("Active"),       sentence("Held"),      sentence("Stopped")};
 
 }  // namespace
 
 std::string_view toString(SafetyState state) {
   const auto number = static_cast<std::size_t>(state);
-  return number < kStateNames.size() ? kStateNames[number] : "an unknown state";
+  return number < kStateNames.size() ? kStateNames[number] : sentence("an unknown state");
 }
 
 std::span<const LackInfo> lacksByUrgency() { return kLacks; }

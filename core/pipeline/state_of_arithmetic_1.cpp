@@ -84,7 +84,7 @@ Result<std::string> convertStateOfArithmetic1(std::string_view state, std::span<
     name("step");
     return sealed(surface, std::move(out).str().append(content.substr(static_cast<std::size_t>(in.tellg()))));
   } catch (const std::exception& problem) {
-    return fail("state of {} bytes: {}", state.size(), problem.what());
+    return fail("state of {} bytes: {}", state.size(), verbatim(problem.what()));
   }
 }
 

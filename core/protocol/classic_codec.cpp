@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/message.h"
+
 namespace fyd::protocol {
 namespace {
 
@@ -168,17 +170,17 @@ Decoded<std::size_t> decodeLength(Bytes packet, std::size_t maximum) {
 
 std::string_view toString(ClassicRefusal refusal) {
   switch (refusal) {
-    case ClassicRefusal::none: return "taken";
-    case ClassicRefusal::size: return "wrong size";
-    case ClassicRefusal::mark: return "wrong start or end mark";
-    case ClassicRefusal::sign: return "wrong sign";
-    case ClassicRefusal::digit: return "not a digit";
-    case ClassicRefusal::separator: return "wrong separator";
-    case ClassicRefusal::command: return "unknown command";
-    case ClassicRefusal::button: return "wrong button";
-    case ClassicRefusal::range: return "number out of range";
+    case ClassicRefusal::none: return sentence("taken");
+    case ClassicRefusal::size: return sentence("wrong size");
+    case ClassicRefusal::mark: return sentence("wrong start or end mark");
+    case ClassicRefusal::sign: return sentence("wrong sign");
+    case ClassicRefusal::digit: return sentence("not a digit");
+    case ClassicRefusal::separator: return sentence("wrong separator");
+    case ClassicRefusal::command: return sentence("unknown command");
+    case ClassicRefusal::button: return sentence("wrong button");
+    case ClassicRefusal::range: return sentence("number out of range");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 std::array<std::uint8_t, kClassicStateSize> encodeState(const ClassicState& state) {

@@ -64,7 +64,7 @@ class ClassicRobotEnd final : public RobotEnd {
   [[nodiscard]] Bytes image() const { return Bytes(image_).first(image_size_); }
   [[nodiscard]] const RobotCounters& counters() const override { return counters_; }
   [[nodiscard]] std::string_view problem() const override {
-    return phase_ == RobotPhase::handshake ? "no touchpad answered" : "";
+    return phase_ == RobotPhase::handshake ? sentence("no touchpad answered") : "";
   }
 
  private:

@@ -66,10 +66,10 @@ LinkFigures ClassicTouchpadEnd::figures(Instant now) const {
   const auto add = [&out](std::string_view reason, std::uint64_t count) {
     if (count > 0) static_cast<void>(out.refusals.push({.reason = reason, .count = count}));
   };
-  add("other address", counters_.wrong_peer);
-  add("a second robot", counters_.second_robot);
-  add("before a handshake", counters_.before_handshake);
-  add("out of turn", counters_.out_of_turn);
+  add(sentence("other address"), counters_.wrong_peer);
+  add(sentence("a second robot"), counters_.second_robot);
+  add(sentence("before a handshake"), counters_.before_handshake);
+  add(sentence("out of turn"), counters_.out_of_turn);
   for (std::size_t i = 1; i < kClassicRefusalCount; ++i) {
     add(toString(static_cast<ClassicRefusal>(i)), counters_.refusals[i]);
   }

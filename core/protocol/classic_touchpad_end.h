@@ -65,7 +65,7 @@ class ClassicTouchpadEnd final : public TouchpadEnd {
   explicit ClassicTouchpadEnd(const LinkParameters& parameters);
   void configure(const LinkParameters& parameters) { parameters_ = parameters; }
 
-  [[nodiscard]] std::string_view name() const override { return "classic, not secured"; }
+  [[nodiscard]] std::string_view name() const override { return sentence("classic, not secured"); }
   [[nodiscard]] const TouchpadReception& handle(Bytes datagram, const Endpoint& from, Instant now,
                                                 const TouchpadAnswer& answer) override;
   /// Lets time pass: declares a silent peer lost.

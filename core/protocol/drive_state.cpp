@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/base/message.h"
+
 namespace fyd::protocol {
 namespace {
 
@@ -13,14 +15,14 @@ struct Pattern {
 
 // In the order of DriveState. Bit 5, quick stop, counts the other way round: 0 means it is active.
 constexpr std::array<Pattern, kDriveStates> kPatterns = {{
-    {0x4F, 0x00, "not ready to switch on"},
-    {0x4F, 0x40, "switch-on disabled"},
-    {0x6F, 0x21, "ready to switch on"},
-    {0x6F, 0x23, "switched on"},
-    {0x6F, 0x27, "operation enabled"},
-    {0x6F, 0x07, "quick stop active"},
-    {0x4F, 0x0F, "fault reaction active"},
-    {0x4F, 0x08, "fault"},
+    {0x4F, 0x00, sentence("not ready to switch on")},
+    {0x4F, 0x40, sentence("switch-on disabled")},
+    {0x6F, 0x21, sentence("ready to switch on")},
+    {0x6F, 0x23, sentence("switched on")},
+    {0x6F, 0x27, sentence("operation enabled")},
+    {0x6F, 0x07, sentence("quick stop active")},
+    {0x4F, 0x0F, sentence("fault reaction active")},
+    {0x4F, 0x08, sentence("fault")},
 }};
 
 constexpr std::uint16_t kVoltage = 0x02;
@@ -33,12 +35,12 @@ std::string_view toString(DriveState state) { return kPatterns.at(static_cast<st
 
 std::string_view toString(DriveFault fault) {
   switch (fault) {
-    case DriveFault::none: return "none";
-    case DriveFault::undervoltage: return "supply undervoltage";
-    case DriveFault::over_temperature: return "motor over-temperature";
-    case DriveFault::heartbeat: return "heartbeat lost";
+    case DriveFault::none: return sentence("none");
+    case DriveFault::undervoltage: return sentence("supply undervoltage");
+    case DriveFault::over_temperature: return sentence("motor over-temperature");
+    case DriveFault::heartbeat: return sentence("heartbeat lost");
   }
-  return "unknown fault";
+  return sentence("unknown fault");
 }
 
 std::uint16_t statusBits(DriveState state) { return kPatterns.at(static_cast<std::size_t>(state)).bits; }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/message.h"
 #include "core/protocol/byte_io.h"
 
 namespace fyd::protocol {
@@ -174,43 +175,43 @@ FriRefusal decodeFriCommand(Bytes datagram, FriCommand& out) {
 
 std::string_view toString(FriState state) {
   switch (state) {
-    case FriState::off: return "off";
-    case FriState::monitor: return "monitor";
-    case FriState::command: return "command";
+    case FriState::off: return sentence("off");
+    case FriState::monitor: return sentence("monitor");
+    case FriState::command: return sentence("command");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 std::string_view toString(FriQuality quality) {
   switch (quality) {
-    case FriQuality::unacceptable: return "unacceptable";
-    case FriQuality::bad: return "bad";
-    case FriQuality::good: return "good";
-    case FriQuality::perfect: return "perfect";
+    case FriQuality::unacceptable: return sentence("unacceptable");
+    case FriQuality::bad: return sentence("bad");
+    case FriQuality::good: return sentence("good");
+    case FriQuality::perfect: return sentence("perfect");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 std::string_view toString(FriControl control) {
   switch (control) {
-    case FriControl::other: return "other";
-    case FriControl::position: return "position";
-    case FriControl::cartesian_impedance: return "Cartesian impedance";
-    case FriControl::joint_impedance: return "joint impedance";
+    case FriControl::other: return sentence("other");
+    case FriControl::position: return sentence("position");
+    case FriControl::cartesian_impedance: return sentence("Cartesian impedance");
+    case FriControl::joint_impedance: return sentence("joint impedance");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 std::string_view toString(FriRefusal refusal) {
   switch (refusal) {
-    case FriRefusal::none: return "none";
-    case FriRefusal::wrong_size: return "wrong size";
-    case FriRefusal::wrong_size_field: return "wrong size field";
-    case FriRefusal::wrong_id: return "wrong id";
-    case FriRefusal::unknown_value: return "unknown state, quality or strategy";
-    case FriRefusal::not_finite: return "number not finite";
+    case FriRefusal::none: return sentence("none");
+    case FriRefusal::wrong_size: return sentence("wrong size");
+    case FriRefusal::wrong_size_field: return sentence("wrong size field");
+    case FriRefusal::wrong_id: return sentence("wrong id");
+    case FriRefusal::unknown_value: return sentence("unknown state, quality or strategy");
+    case FriRefusal::not_finite: return sentence("number not finite");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 }  // namespace fyd::protocol

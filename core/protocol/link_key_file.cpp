@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::protocol {
 namespace {
 
@@ -26,7 +28,7 @@ class File {
   int descriptor_;
 };
 
-std::string reason() { return std::generic_category().message(errno); }
+Message reason() { return systemReason(errno); }
 
 }  // namespace
 
@@ -68,7 +70,7 @@ Result<void> writeKeyFile(const LinkKey& key, const std::string& path) {
     done += static_cast<std::size_t>(put);
   }
   const bool whole = done == text.size() && ::fsync(file.get()) == 0;
-  const std::string problem = whole ? "" : reason();
+  const Message problem = whole ? Message{} : reason();
   wipe(text);
   if (whole) return {};
   ::unlink(path.c_str());

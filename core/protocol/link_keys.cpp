@@ -131,7 +131,7 @@ Result<LinkKey> LinkKey::parseFile(std::string_view text, std::string_view name)
     if (!key) return fail("{}, from line {}: {}", name, line, key.error().message);
     return key;
   }
-  return fail("{}: no {}; expected \"{}\" and {} words", name, head_seen ? "pairing code" : "key", kFileHead,
+  return fail("{}: no {}; expected \"{}\" and {} words", name, head_seen ? say("pairing code") : say("key"), kFileHead,
               kPairingWords);
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/batch.h"
+#include "core/base/message.h"
 #include "core/base/vec3.h"
 #include "core/control/motor_types.h"
 #include "core/pipeline/messages.h"
@@ -124,7 +125,7 @@ enum class CallStatus : std::uint8_t {
   second_robot = 1,  ///< another robot is served
 };
 [[nodiscard]] constexpr std::string_view toString(CallStatus status) {
-  return status == CallStatus::accepted ? "accepted" : "another robot is served";
+  return status == CallStatus::accepted ? sentence("accepted") : sentence("another robot is served");
 }
 
 /// The touchpad's self-description, in its answer (thesis: board text, k_vib and both motor references).

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/pipeline/messages.h"
 
 namespace fyd::protocol {
@@ -52,8 +53,9 @@ enum class RobotPhase : std::uint8_t {
 };
 inline constexpr std::size_t kRobotPhaseCount = 6;
 [[nodiscard]] constexpr std::string_view toString(RobotPhase phase) {
-  constexpr std::array<std::string_view, kRobotPhaseCount> kNames = {"handshake", "running", "paused",
-                                                                     "closing",   "closed",  "lost"};
+  constexpr std::array<std::string_view, kRobotPhaseCount> kNames = {sentence("handshake"), sentence("running"),
+                                                                     sentence("paused"),    sentence("closing"),
+                                                                     sentence("closed"),    sentence("lost")};
   return kNames[static_cast<std::size_t>(phase)];
 }
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace fyd::protocol {
 
 enum class LinkRefusal : std::uint8_t {
@@ -34,9 +36,12 @@ using LinkRefusalCounters = std::array<std::uint64_t, kLinkRefusalCount>;
 
 [[nodiscard]] constexpr std::string_view toString(LinkRefusal refusal) {
   constexpr std::array<std::string_view, kLinkRefusalCount> kNames = {
-      "taken",   "not FYD Link", "other version",  "unexpected kind", "wrong size",     "wrong key or damaged",
-      "cookie",  "repeated",     "too far behind", "other session",   "stale",          "from the future",
-      "message", "field",        "late",           "other address",   "a second robot", "out of turn"};
+      sentence("taken"),           sentence("not FYD Link"),   sentence("other version"),
+      sentence("unexpected kind"), sentence("wrong size"),     sentence("wrong key or damaged"),
+      sentence("cookie"),          sentence("repeated"),       sentence("too far behind"),
+      sentence("other session"),   sentence("stale"),          sentence("from the future"),
+      sentence("message"),         sentence("field"),          sentence("late"),
+      sentence("other address"),   sentence("a second robot"), sentence("out of turn")};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

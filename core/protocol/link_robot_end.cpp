@@ -35,7 +35,7 @@ bool LinkRobotEnd::command(RobotCommand command) { return command == RobotComman
 std::string_view LinkRobotEnd::problem() const {
   if (phase_ != RobotPhase::handshake) return "";
   if (status_ != CallStatus::accepted) return toString(status_);
-  return caller_ ? "the touchpad does not answer the call" : "no touchpad with this key answered";
+  return caller_ ? sentence("the touchpad does not answer the call") : sentence("no touchpad with this key answered");
 }
 
 void LinkRobotEnd::startOver() {

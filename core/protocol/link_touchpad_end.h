@@ -47,7 +47,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   LinkTouchpadEnd(const LinkParameters& parameters, const LinkKey& key, RandomSource random = systemRandom);
   void configure(const LinkParameters& parameters) { parameters_ = parameters; }
 
-  [[nodiscard]] std::string_view name() const override { return "FYD Link, sealed"; }
+  [[nodiscard]] std::string_view name() const override { return sentence("FYD Link, sealed"); }
   [[nodiscard]] const TouchpadReception& handle(Bytes datagram, const Endpoint& from, Instant now,
                                                 const TouchpadAnswer& answer) override;
   [[nodiscard]] std::span<const Datagram> advance(Instant now, const TouchpadAnswer& answer) override;

@@ -107,27 +107,27 @@ StateRegisters encode(const DeviceState& from) {
   return out;
 }
 
-std::string describe(StateProblem problem, const DeviceState& state) {
+Message describe(StateProblem problem, const DeviceState& state) {
   const auto& motors = state.motors;
   switch (problem) {
-    case StateProblem::none: return "no problem";
-    case StateProblem::torn: return "the block changed while it was read (its two sequence numbers differ)";
-    case StateProblem::bad_status: return fmt::format("the status word 0x{:04X} names no state", state.status_word);
-    case StateProblem::bad_ir:
-      return fmt::format("IR codes {}, expected 0 to {}", fmt::join(state.ir, ", "), kLargestCode);
+    case StateProblem::none: return say("no problem");
+    case StateProblem::torn: return say("the block changed while it was read (its two sequence numbers differ)");
+    case StateProblem::bad_status: return say("the status word 0x{:04X} names no state", state.status_word);
+    case StateProblem::bad_ir: return say("IR codes {}, expected 0 to {}", fmt::join(state.ir, ", "), kLargestCode);
     case StateProblem::bad_encoder:
-      return fmt::format("encoder counts {}, expected 0 to {}", fmt::join(motors.encoder_counts, ", "), kLargestCode);
+      return say("encoder counts {}, expected 0 to {}", fmt::join(motors.encoder_counts, ", "), kLargestCode);
     case StateProblem::bad_current:
-      return fmt::format("motor currents {} mA, expected -{} to {}", fmt::join(motors.current_mA, ", "),
-                         control::kLargestCurrent_mA, control::kLargestCurrent_mA);
+      return say("motor currents {} mA, expected -{} to {}", fmt::join(motors.current_mA, ", "),
+                 control::kLargestCurrent_mA, control::kLargestCurrent_mA);
     case StateProblem::bad_duty:
-      return fmt::format("position duties {:.2f} %, expected -100 to 100",
-                         fmt::join(motors.position_duty_percent, ", "));
+      return say("position duties {} %, expected -100 to 100",
+                 fmt::format("{:.2f}", fmt::join(motors.position_duty_percent, ", ")));
     case StateProblem::bad_temperature:
-      return fmt::format("motor temperatures {:.1f} °C, expected {} to {}", fmt::join(state.temperature_degC, ", "),
-                         kColdestMotor_degC, kHottestMotor_degC);
+      return say("motor temperatures {} °C, expected {} to {}",
+                 fmt::format("{:.1f}", fmt::join(state.temperature_degC, ", ")), kColdestMotor_degC,
+                 kHottestMotor_degC);
   }
-  return "unknown problem";
+  return say("unknown problem");
 }
 
 StateProblem decode(const StateRegisters& in, DeviceState& out) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/batch.h"
+#include "core/base/message.h"
 #include "core/control/motor_types.h"
 #include "core/protocol/register_map.h"
 
@@ -68,7 +69,7 @@ enum class StateProblem : std::uint8_t {
   bad_temperature,
 };
 /// What is wrong, with the values and what was expected.
-[[nodiscard]] std::string describe(StateProblem problem, const DeviceState& state);
+[[nodiscard]] Message describe(StateProblem problem, const DeviceState& state);
 /// @param state filled whatever the problem; a duty that is not known as 0
 [[nodiscard]] StateProblem decode(const StateRegisters& registers, DeviceState& state);
 

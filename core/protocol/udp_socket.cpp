@@ -12,6 +12,8 @@
 #include <asio/io_context.hpp>
 #include <asio/ip/udp.hpp>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::protocol {
 namespace {
 
@@ -55,23 +57,23 @@ Result<UdpSocket> UdpSocket::open(const Endpoint& local) {
   auto impl = std::make_unique<Impl>();
   std::error_code problem;
   const Udp::endpoint wanted = toAsio(local);
-  const auto cannot = [&](std::string_view what) {
-    return fail("UDP {}: {}: {}", toString(local), what, problem.message());
+  const auto cannot = [&](const Message& what) {
+    return fail("UDP {}: {}: {}", toString(local), what, systemReason(problem));
   };
   impl->socket.open(wanted.protocol(), problem);
-  if (problem) return cannot("cannot open a socket");
+  if (problem) return cannot(say("cannot open a socket"));
   impl->socket.bind(wanted, problem);
   if (problem) {
-    return cannot(problem == asio::error::address_in_use ? "cannot listen, another program holds the port"
-                                                         : "cannot listen");
+    return cannot(problem == asio::error::address_in_use ? say("cannot listen, another program holds the port")
+                                                         : say("cannot listen"));
   }
   impl->socket.non_blocking(true, problem);
-  if (problem) return cannot("cannot be set to non-blocking");
+  if (problem) return cannot(say("cannot be set to non-blocking"));
   // A burst of others' datagrams must not push the partner's out of the queue; the system gives what it allows.
   std::error_code ignored;
   impl->socket.set_option(asio::socket_base::receive_buffer_size(kReceiveQueue), ignored);
   const Udp::endpoint bound = impl->socket.local_endpoint(problem);
-  if (problem) return cannot("cannot tell its own address");
+  if (problem) return cannot(say("cannot tell its own address"));
   return UdpSocket(std::move(impl), fromAsio(bound));
 }
 

@@ -1,21 +1,23 @@
 #include "core/sensing/finger_types.h"
 
+#include "core/base/message.h"
+
 namespace fyd::sensing {
 
 std::string_view toString(FingerReason reason) {
   switch (reason) {
-    case FingerReason::found: return "found";
-    case FingerReason::no_finger: return "no finger";
-    case FingerReason::too_small: return "too small";
-    case FingerReason::at_edge: return "at edge";
-    case FingerReason::several: return "several";
-    case FingerReason::flat_picture: return "flat picture";
-    case FingerReason::black_picture: return "black picture";
-    case FingerReason::saturated: return "saturated";
-    case FingerReason::blurred: return "blurred";
-    case FingerReason::no_picture: return "no picture";
+    case FingerReason::found: return sentence("found");
+    case FingerReason::no_finger: return sentence("no finger");
+    case FingerReason::too_small: return sentence("too small");
+    case FingerReason::at_edge: return sentence("at edge");
+    case FingerReason::several: return sentence("several");
+    case FingerReason::flat_picture: return sentence("flat picture");
+    case FingerReason::black_picture: return sentence("black picture");
+    case FingerReason::saturated: return sentence("saturated");
+    case FingerReason::blurred: return sentence("blurred");
+    case FingerReason::no_picture: return sentence("no picture");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 }  // namespace fyd::sensing

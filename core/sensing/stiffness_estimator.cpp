@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/message.h"
 #include "core/base/portable_math.h"
 
 namespace fyd::sensing {
@@ -20,15 +21,15 @@ constexpr double kLargestIndentation_mm = 1e3;
 
 std::string_view toString(StiffnessReason reason) {
   switch (reason) {
-    case StiffnessReason::observed: return "observed";
-    case StiffnessReason::untouched: return "untouched";
-    case StiffnessReason::indentation_unavailable: return "indentation unavailable";
-    case StiffnessReason::force_unavailable: return "force unavailable";
-    case StiffnessReason::indentation_too_small: return "indentation too small";
-    case StiffnessReason::force_too_small: return "force too small";
-    case StiffnessReason::uncertain: return "too uncertain";
+    case StiffnessReason::observed: return sentence("observed");
+    case StiffnessReason::untouched: return sentence("untouched");
+    case StiffnessReason::indentation_unavailable: return sentence("indentation unavailable");
+    case StiffnessReason::force_unavailable: return sentence("force unavailable");
+    case StiffnessReason::indentation_too_small: return sentence("indentation too small");
+    case StiffnessReason::force_too_small: return sentence("force too small");
+    case StiffnessReason::uncertain: return sentence("too uncertain");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 StiffnessEstimator::StiffnessEstimator(const StiffnessParameters& parameters) : parameters_(parameters) { reset(); }

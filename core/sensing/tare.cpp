@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/message.h"
 #include "core/sensing/indentation.h"
 
 namespace fyd::sensing {
@@ -15,15 +16,15 @@ constexpr double kGrace_s = 1.0;
 
 std::string_view toString(TareState state) {
   switch (state) {
-    case TareState::idle: return "idle";
-    case TareState::running: return "running";
-    case TareState::done: return "done";
-    case TareState::touched: return "the cloth was touched";
-    case TareState::invalid_sensor: return "a sensor is outside its span";
-    case TareState::unsteady: return "readings too unsteady";
-    case TareState::too_slow: return "too few readings in time";
+    case TareState::idle: return sentence("idle");
+    case TareState::running: return sentence("running");
+    case TareState::done: return sentence("done");
+    case TareState::touched: return sentence("the cloth was touched");
+    case TareState::invalid_sensor: return sentence("a sensor is outside its span");
+    case TareState::unsteady: return sentence("readings too unsteady");
+    case TareState::too_slow: return sentence("too few readings in time");
   }
-  return "unknown";
+  return sentence("unknown");
 }
 
 void Tare::Sum::add(double value) {

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::session {
 namespace {
 
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 using Hash = std::array<unsigned char, crypto_generichash_BYTES>;
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 
-std::string reason() { return std::strerror(errno); }
+Message reason() { return systemReason(errno); }
 
 class File {
  public:
@@ -121,7 +123,7 @@ Result<void> copyVerified(const std::string& source, const std::string& target) 
                   fmt::format(".{}.storing-{:08x}", fs::path(target).filename().native(), randombytes_random())};
   File out(copy.path, O_WRONLY | O_CREAT | O_EXCL, before.st_mode & 0777);
   if (!out) {
-    const std::string why = reason();
+    const Message why = reason();
     copy.path.clear();
     return fail("{}: cannot be written: {}", folder.native(), why);
   }
@@ -158,7 +160,7 @@ Result<void> copyVerified(const std::string& source, const std::string& target) 
 Result<bool> alreadyThere(const std::string& source, const std::string& target) {
   std::error_code error;
   if (!fs::exists(target, error)) {
-    if (error) return fail("{}: {}", target, error.message());
+    if (error) return fail(about(target, systemReason(error)));
     return false;
   }
   if (fs::file_size(target, error) == fs::file_size(source, error) && !error) {
@@ -175,10 +177,10 @@ Result<StoredFile> moveFile(const std::string& file, const std::string& folder,
                             const std::function<Result<void>(const std::string&)>& stored) {
   std::error_code error;
   const fs::path source = fs::canonical(file, error);
-  if (error) return fail("{}: {}", file, error.message());
+  if (error) return fail(about(file, systemReason(error)));
   if (!fs::is_regular_file(source, error)) return fail("{}: expected an ordinary file", file);
   const fs::path to = fs::canonical(folder, error);
-  if (error) return fail("{}: {}; the recording stays at {}", folder, error.message(), source.native());
+  if (error) return fail("{}: {}; the recording stays at {}", folder, systemReason(error), source.native());
   if (!fs::is_directory(to, error)) return fail("{}: expected a folder", folder);
   const fs::path target = to / source.filename();
   if (target == source) return fail("{}: already in {}", file, to.native());

@@ -38,15 +38,15 @@ struct FileChange {
 struct ScanReport {
   std::size_t added = 0;
   std::size_t known = 0;
-  std::vector<std::string> copies;      ///< files of a recording that stands elsewhere too; the first one stays
-  std::vector<std::string> unreadable;  ///< "path: why"
+  std::vector<std::string> copies;  ///< files of a recording that stands elsewhere too; the first one stays
+  std::vector<Message> unreadable;  ///< "path: why"
 };
 
 /// What became of entries that had waited for this catalogue.
 struct PendingReport {
   std::size_t delivered = 0;
   std::size_t waiting = 0;
-  std::string problem;  ///< why some still wait
+  Message problem;  ///< why some still wait
 };
 
 class Catalogue {

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "core/base/system_reason.h"
 #include "core/base/write_target.h"
 
 namespace fyd::session {
@@ -32,7 +33,7 @@ Result<void> prepareFolder(const std::string& path) {
   std::error_code error;
   if (!fs::exists(folder, error)) {
     fs::create_directories(folder, error);
-    if (error) return fail("{}: the folder cannot be made: {}", path, error.message());
+    if (error) return fail("{}: the folder cannot be made: {}", path, systemReason(error));
     fs::permissions(folder, fs::perms::owner_all, error);  // subjects' codes are nobody else's business
   }
   if (!fs::is_directory(folder, error)) return fail("{}: {} is no folder", path, folder.native());
@@ -108,27 +109,27 @@ Error CatalogueDatabase::explained(const std::exception& error) {
   const std::string what = oneLine(error);
   if (word_.kind == CatalogueWord::Kind::postgresql) {
     lost_ = true;  // a new connection is cheap, and the old one may be dead
-    return {fmt::format("{}: {}", word_.name, what)};
+    return {about(word_.name, verbatim(what))};
   }
   const std::string& path = word_.target;
   switch (sqliteCode(error)) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED: {
       const std::string holders = holdersOf(path);
-      return {fmt::format("{}: locked by another program for more than {} s; it is open in {}", path, kBusy_ms / 1000,
-                          holders.empty() ? "no program that this user can see" : holders)};
+      return {say("{}: locked by another program for more than {} s; it is open in {}", path, kBusy_ms / 1000,
+                  holders.empty() ? say("no program that this user can see") : verbatim(holders))};
     }
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
       return {
-          fmt::format("{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list "
-                      "--rebuild FOLDER` moves the file aside and reads the recordings again",
-                      path, what)};
-    case SQLITE_FULL: return {fmt::format("{}: the disk is full; nothing of this change was kept", path)};
+          say("{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list "
+              "--rebuild FOLDER` moves the file aside and reads the recordings again",
+              path, verbatim(what))};
+    case SQLITE_FULL: return {say("{}: the disk is full; nothing of this change was kept", path)};
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
-      return {fmt::format("{}: cannot be written or opened ({}); check the folder's permissions", path, what)};
-    default: return {fmt::format("{}: {}", path, what)};
+      return {say("{}: cannot be written or opened ({}); check the folder's permissions", path, verbatim(what))};
+    default: return {about(path, verbatim(what))};
   }
 }
 
@@ -164,7 +165,7 @@ Result<bool> isDamaged(const std::string& path) {
   } catch (const std::exception& error) {
     const int code = sqliteCode(error);
     if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) return true;
-    return fail("{}: {}", path, oneLine(error));
+    return fail(about(path, verbatim(oneLine(error))));
   }
 }
 

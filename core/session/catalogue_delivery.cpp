@@ -13,7 +13,7 @@ Result<void> deliverEntry(const std::string& catalogue_word, const CatalogueEntr
   if (auto ok = checkEntry(entry); !ok) return ok;  // waiting would not make it better
   const auto put = Catalogue::open(catalogue_word).and_then([&](Catalogue catalogue) { return catalogue.add(entry); });
   if (put) return {};
-  if (auto queued = queueEntry(word->key, entry, put.error().message); !queued) {
+  if (auto queued = queueEntry(word->key, entry, put.error().text()); !queued) {
     return fail("{}; nor can the entry wait: {}. The recording is safe; put it in later with `fyd session add {}`",
                 put.error().message, queued.error().message, entry.path);
   }

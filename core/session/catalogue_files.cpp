@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/system_reason.h"
 #include "core/session/catalogue.h"
 #include "core/session/catalogue_database.h"
 #include "core/session/catalogue_scan.h"
@@ -64,7 +65,7 @@ Result<std::vector<std::string>> Catalogue::folders() const {
 Result<ScanReport> Catalogue::addFolder(const std::string& path, const EntryReader& read) {
   std::error_code error;
   const std::string folder = std::filesystem::canonical(path, error);
-  if (error) return fail("{}: {}", path, error.message());
+  if (error) return fail(about(path, systemReason(error)));
   if (!std::filesystem::is_directory(folder, error)) return fail("{}: expected a folder", path);
   if (auto ok = checkNotes(folder); !ok) return fail("folder: {}", ok.error().message);
   const auto remembered = database_->write([&](soci::session& sql) -> Result<void> {
@@ -88,7 +89,7 @@ Result<ScanReport> Catalogue::addFolder(const std::string& path, const EntryRead
     }
     auto entry = read(file);
     if (!entry) {
-      report.unreadable.push_back(fmt::format("{}: {}", file, entry.error().message));
+      report.unreadable.push_back(about(file, entry.error().message));
       continue;
     }
     const auto same = known.by_id.find(entry->id);

@@ -30,7 +30,7 @@ Result<CatalogueEntry> parseEntry(const std::string& text) {
   try {
     return nlohmann::json::parse(text).get<CatalogueEntry>();
   } catch (const std::exception& error) {
-    return fail("{}", error.what());
+    return fail(verbatim(error.what()));
   }
 }
 
@@ -87,7 +87,7 @@ PendingReport deliverPending(const std::string& key,
   for (const Waiting& row : *waiting) {
     const auto entry = parseEntry(row.entry);
     if (!entry) {  // keeps its row, and must not hold up the others
-      report.problem = fmt::format("{}: the entry {} is damaged: {}", pendingPath(), row.id, entry.error().message);
+      report.problem = say("{}: the entry {} is damaged: {}", pendingPath(), row.id, entry.error().message);
       continue;
     }
     const auto delivered = deliver(*entry).and_then([&] {

@@ -5,6 +5,7 @@
 
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "core/base/system_reason.h"
 #include "core/session/catalogue.h"
 #include "core/session/catalogue_database.h"
 #include "core/session/catalogue_rows.h"
@@ -68,7 +69,7 @@ Result<std::string> moveAside(const std::string& path) {
   for (const char* part : {"-wal", "-shm", ""}) {  // the log must go with its file, or the new one would take it in
     if (!fs::exists(path + part, error)) continue;
     fs::rename(path + part, aside + part, error);
-    if (error) return fail("{}{}: cannot be moved aside to {}: {}", path, part, aside, error.message());
+    if (error) return fail("{}{}: cannot be moved aside to {}: {}", path, part, aside, systemReason(error));
   }
   return aside;
 }

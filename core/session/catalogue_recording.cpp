@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/base/system_reason.h"
 #include "core/session/catalogue.h"
 #include "core/session/catalogue_text.h"
 #include "core/session/catalogue_word.h"
@@ -17,7 +18,7 @@ Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
   const RecordingHeader& header = info.header;
   std::error_code error;
   std::filesystem::path absolute = std::filesystem::weakly_canonical(path, error);
-  if (error) return fail("{}: {}", path, error.message());
+  if (error) return fail(about(path, systemReason(error)));
   if (!std::filesystem::exists(absolute, error)) absolute += ".partial";  // which Recording::open finds too
   struct stat status {};
   if (stat(absolute.c_str(), &status) != 0) return fail("{}: gone while it was read", path);
@@ -43,7 +44,7 @@ Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
     std::string clean = cleanedText(tag, false);
     if (!splitWords(clean).empty()) entry.tags.push_back(std::move(clean));
   }
-  if (auto ok = checkEntry(entry); !ok) return fail("{}: {}", path, ok.error().message);
+  if (auto ok = checkEntry(entry); !ok) return fail(about(path, ok.error().message));
   return entry;
 }
 

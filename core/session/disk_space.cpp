@@ -8,13 +8,15 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::session {
 
 Result<std::uint64_t> freeBytes(const std::string& path, std::uint64_t written) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const std::string name = folder.empty() ? "." : folder.string();
   struct statvfs disk {};
-  if (::statvfs(name.c_str(), &disk) != 0) return fail("{}: {}", name, std::strerror(errno));
+  if (::statvfs(name.c_str(), &disk) != 0) return fail(about(name, systemReason(errno)));
   const auto free = static_cast<std::uint64_t>(disk.f_bavail) * static_cast<std::uint64_t>(disk.f_frsize);
   rlimit limit{};
   if (::getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return free;

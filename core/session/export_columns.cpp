@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::session {
 
 ColumnStore::~ColumnStore() {
@@ -17,7 +19,7 @@ ColumnStore::~ColumnStore() {
 Result<void> ColumnStore::open(const std::string& folder) {
   std::string name = (folder.empty() ? "." : folder) + "/.fyd-columns-XXXXXX";
   file_ = ::mkstemp(name.data());
-  if (file_ < 0) return fail("{}: no temporary file can be made: {}", folder, std::strerror(errno));
+  if (file_ < 0) return fail("{}: no temporary file can be made: {}", folder, systemReason(errno));
   ::unlink(name.c_str());
   return {};
 }
@@ -27,7 +29,7 @@ Result<void> ColumnStore::put(std::size_t column, std::size_t first_row, std::sp
   auto offset = static_cast<off_t>((column * rows_ + first_row) * sizeof(double));
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t written = ::pwrite(file_, bytes.data() + done, bytes.size() - done, offset);
-    if (written <= 0) return fail("the temporary columns cannot be written: {}", std::strerror(errno));
+    if (written <= 0) return fail("the temporary columns cannot be written: {}", systemReason(errno));
     done += static_cast<std::size_t>(written);
     offset += written;
   }
@@ -36,7 +38,7 @@ Result<void> ColumnStore::put(std::size_t column, std::size_t first_row, std::sp
 
 Result<void> ColumnStore::map() {
   void* memory = ::mmap(nullptr, columns_ * rows_ * sizeof(double), PROT_READ, MAP_SHARED, file_, 0);
-  if (memory == MAP_FAILED) return fail("the temporary columns cannot be mapped: {}", std::strerror(errno));
+  if (memory == MAP_FAILED) return fail("the temporary columns cannot be mapped: {}", systemReason(errno));
   mapped_ = static_cast<const double*>(memory);
   return {};
 }

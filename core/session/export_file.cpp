@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::session {
 namespace {
 
@@ -55,7 +57,7 @@ ExportFile::~ExportFile() {
 }
 
 tl::unexpected<Error> ExportFile::failed(int error) const {
-  const char* why = std::strerror(error);
+  const Message why = systemReason(error);
   if (target_.exists) return fail("{}: writing failed: {}; the file stays as it was", path_, why);
   return fail("{}: writing failed: {}; nothing is left of it", path_, why);
 }

@@ -115,7 +115,7 @@ Result<ExportResult> exportMat(const Recording& recording, const std::string& pa
   if (done) done = fillColumns(recording, *selection, columns);
   if (done) done = columns.map();
   if (done) done = tellProgress(options.progress, kColumnsShare);
-  if (!done) return fail("{}: {}", path, done.error().message);
+  if (!done) return fail(about(path, done.error().message));
 
   Fields telemetry;
   Fields units;

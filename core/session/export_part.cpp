@@ -11,6 +11,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::session {
 namespace {
 
@@ -46,7 +48,7 @@ Result<ExportPart> makeExportPart(const std::filesystem::path& wanted) {
   for (int i = 0; i < kTries; ++i) {
     std::string name = pattern;
     const int file = ::mkostemps(name.data(), static_cast<int>(extension.size()), O_CLOEXEC);
-    if (file < 0) return fail("{}: cannot be written: {}", wanted.string(), std::strerror(errno));
+    if (file < 0) return fail("{}: cannot be written: {}", wanted.string(), systemReason(errno));
     if (!lockOwn(file)) {
       ::close(file);
       continue;

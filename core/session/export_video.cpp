@@ -157,8 +157,8 @@ Result<void> writeFrames(const Recording& recording, std::uint64_t first, const 
     waiting = Waiting{pixels, i, picture->number, picture->time_s};
   }
   if (!waiting) {
-    return fail("no {} from {} s to {} s", options.region ? "region of interest" : "picture", options.from_s,
-                options.to_s);
+    return options.region ? fail("no region of interest from {} s to {} s", options.from_s, options.to_s)
+                          : fail("no picture from {} s to {} s", options.from_s, options.to_s);
   }
   return show(*waiting, waiting->time_s + 1.0 / result.rate_Hz, start_s, video, times, result);
 }
@@ -185,7 +185,7 @@ Result<ExportResult> exportVideo(const Recording& recording, const std::string& 
   FrameWriter video(file->temporary(), extension == ".mkv" || extension == ".MKV", *rate_Hz);
   auto done = writeFrames(recording, *first, options, video, *times, result);
   if (done) done = video.finish(partOf(options.progress, kFramesShare, 1.0));
-  if (!done) return fail("{}: {}", path, done.error().message);
+  if (!done) return fail(about(path, done.error().message));
   done = times->commit();
   if (done) done = file->commit();
   if (!done) return tl::unexpected(done.error());

@@ -73,7 +73,7 @@ cv::Mat decodePicture(Bytes bytes, const char* what) {
     picture = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data())),
                            cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
-    failHard("{}: {}", what, error.what());
+    failHard(about(what, verbatim(error.what())));
   }
   if (picture.empty()) failHard("{}: its {} bytes are no picture", what, bytes.size());
   return picture;

@@ -21,8 +21,8 @@ Result<std::unique_ptr<device::Camera>> RecordedCamera::open(const std::string& 
   return std::unique_ptr<device::Camera>(new RecordedCamera(path, std::move(*recording), std::move(start)));
 }
 
-std::string RecordedCamera::description() const {
-  return fmt::format("recording {}, {} pictures, played once", path_, recording_->info().frames);
+Message RecordedCamera::description() const {
+  return say("recording {}, {} pictures, played once", path_, recording_->info().frames);
 }
 
 Result<device::CameraFrame> RecordedCamera::next() {

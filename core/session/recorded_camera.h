@@ -13,8 +13,8 @@ class RecordedCamera final : public device::Camera {
   [[nodiscard]] static Result<std::unique_ptr<device::Camera>> open(const std::string& path,
                                                                     std::shared_ptr<PlaybackStart> start);
 
-  [[nodiscard]] std::string description() const override;
-  [[nodiscard]] std::string kind() const override { return "recording"; }
+  [[nodiscard]] Message description() const override;
+  [[nodiscard]] Message kind() const override { return say("recording"); }
   /// @return an error once the recording has ended
   [[nodiscard]] Result<device::CameraFrame> next() override;
 

@@ -37,7 +37,7 @@ Result<pipeline::Parameters> recordedParameters(const RecordingHeader& header) {
   try {
     text << onlyKnown(toml::parse(header.profile, kSource), bound);
   } catch (const toml::parse_error& error) {
-    return fail("{}:{}: {}", kSource, error.source().begin.line, error.description());
+    return fail(about(fmt::format("{}:{}", kSource, error.source().begin.line), verbatim(error.description())));
   }
   const std::vector<ProfileEntry> listed = profileEntries(header.profile);
   for (const Parameter& parameter : bound) {

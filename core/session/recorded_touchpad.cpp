@@ -26,9 +26,8 @@ Result<std::unique_ptr<device::Touchpad>> RecordedTouchpad::open(const std::stri
   return touchpad;
 }
 
-std::string RecordedTouchpad::description() const {
-  return fmt::format("recording {}, {:.1f} s, played once; motors are not driven", path_,
-                     recording_->info().duration_s);
+Message RecordedTouchpad::description() const {
+  return say("recording {}, {:.1f} s, played once; motors are not driven", path_, recording_->info().duration_s);
 }
 
 Result<void> RecordedTouchpad::read(std::uint64_t row) {

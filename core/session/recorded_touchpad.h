@@ -13,7 +13,7 @@ class RecordedTouchpad final : public device::Touchpad {
   [[nodiscard]] static Result<std::unique_ptr<device::Touchpad>> open(const std::string& path,
                                                                       std::shared_ptr<PlaybackStart> start);
 
-  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] Message description() const override;
   /// Instants are moved to the present. @return an error once the recording has ended: the touchpad is then silent
   [[nodiscard]] Result<device::TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
   [[nodiscard]] bool driven() const override { return false; }

@@ -40,7 +40,7 @@ enum class RecorderState : std::uint8_t { idle, recording, failed };
 struct RecorderStatus {
   RecorderState state = RecorderState::idle;
   std::string path;
-  std::string problem;  ///< state failed: what happened, what is safe, what to do
+  Message problem;  ///< state failed: what happened, what is safe, what to do
   double seconds = 0.0;
   std::uint64_t bytes = 0;
   double bytes_per_s = 0.0;

@@ -140,14 +140,13 @@ Result<void> Recorder::Impl::everySecond(Instant now) {
   now_recording.minutes_left =
       now_recording.bytes_per_s > 0.0 ? std::max(0.0, left) / now_recording.bytes_per_s / 60.0 : pipeline::kNone;
   if (left > 0.0) return {};
-  const std::string why =
-      fmt::format("the disk has less than {:.0f} MB left: recording stopped", options.smallest_free_MB);
-  if (auto written = writer->append(Note{.when = now, .kind = NoteKind::alarm, .text = why}); !written) return written;
+  const Message why = say("the disk has less than {:.0f} MB left: recording stopped", options.smallest_free_MB);
+  if (auto written = writer->append(Note{.when = now, .kind = NoteKind::alarm, .text = why.text()}); !written)
+    return written;
   if (auto closed = close(); !closed) return closed;
   now_recording.state = RecorderState::failed;
-  now_recording.problem =
-      fmt::format("{}; {} is whole up to here. Make room or choose another disk", why, now_recording.path);
-  spdlog::error("Recording: {}", now_recording.problem);
+  now_recording.problem = say("{}; {} is whole up to here. Make room or choose another disk", why, now_recording.path);
+  spdlog::error("Recording: {}", now_recording.problem.text());
   return {};
 }
 
@@ -167,12 +166,12 @@ Result<void> Recorder::Impl::close() {
   return {};
 }
 
-void Recorder::Impl::failed(const std::string& problem) {
+void Recorder::Impl::failed(const Message& problem) {
   now_recording.state = RecorderState::failed;
   now_recording.problem =
-      fmt::format("{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover",
-                  problem, static_cast<double>(writer->committedSteps()) * 1e-3, now_recording.path);
-  spdlog::error("Recording: {}", now_recording.problem);
+      say("{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover", problem,
+          static_cast<double>(writer->committedSteps()) * 1e-3, now_recording.path);
+  spdlog::error("Recording: {}", now_recording.problem.text());
   writer.reset();
   steps.stopReading();
   pictures.stopReading();

@@ -96,7 +96,7 @@ struct Recorder::Impl {
   [[nodiscard]] Result<void> writeNotes();
   [[nodiscard]] Result<void> everySecond(Instant now);
   [[nodiscard]] Result<void> close();
-  void failed(const std::string& problem);
+  void failed(const Message& problem);
   void publish();
 };
 

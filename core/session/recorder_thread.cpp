@@ -52,7 +52,7 @@ void Recorder::Impl::run(const std::stop_token& stop) {
       if (!written && writer) failed(written.error().message);
     }
     if (ends) {
-      const Result<void> closed = writer ? close() : fail("{}", now_recording.problem);
+      const Result<void> closed = writer ? close() : fail(now_recording.problem);
       const std::lock_guard lock(mutex);
       ends->result = closed;
       ends->done = true;
@@ -65,7 +65,7 @@ void Recorder::Impl::run(const std::stop_token& stop) {
   takeSteps();
   takePictures();
   if (!writer) return;
-  if (const auto closed = close(); !closed) spdlog::error("Recording: {}", closed.error().message);
+  if (const auto closed = close(); !closed) spdlog::error("Recording: {}", closed.error().text());
 }
 
 void Recorder::Impl::takeSteps() {

@@ -32,7 +32,7 @@ struct RecordingInfo {
   std::uint64_t gaps = 0;  ///< samples lost, not missed cycles
   std::uint64_t events = 0;
   std::uint64_t bytes = 0;          ///< of the file
-  std::string damage;               ///< wholeness damaged: what is
+  Message damage;                   ///< wholeness damaged: what is
   std::uint64_t unproven_rows = 0;  ///< of all tables, at their ends, which no sound commit proves: they are not read
   /// "/inputs/finger quality": what this program records and the file's did not, read as the value of a new struct…
   std::vector<std::string> lacking_columns;

@@ -60,7 +60,7 @@ void writeChunk(hid_t set, const TableLayout& layout, std::uint64_t first_row, s
     static std::vector<std::byte> columns;
     columns.resize(rows.size());
     shuffle(rows, layout.row_bytes, columns);
-    if (const auto done = quickDeflate(columns, packed()); !done) failHard("{}: {}", layout.path, done.error().message);
+    if (const auto done = quickDeflate(columns, packed()); !done) failHard(about(layout.path, done.error().message));
     rows = packed();
   }
   const hsize_t first = first_row;

@@ -71,7 +71,7 @@ class Copy {
       if (!record) {
         outcome_.first_lost = outcome_.first_lost || row == 0;
         ++outcome_.lost_steps;
-        missing_.addGone(Table::telemetry, outcome_.steps, 1, known_.why(Table::telemetry));
+        missing_.addGone(Table::telemetry, outcome_.steps, 1, known_.why(Table::telemetry).text());
         continue;
       }
       if (record->missing != 0) addParts(record->missing, row);
@@ -95,7 +95,7 @@ class Copy {
   [[nodiscard]] std::string whyOf(Table table, std::uint64_t row) const {
     for (const MissingRows& rows : from_.info().header.missing)
       if (rows.table == layoutOf(table).path && row >= rows.first && row - rows.first < rows.count) return rows.why;
-    return known_.why(table);
+    return known_.why(table).text();
   }
 
   Result<void> pictures(const Progress& progress) {
@@ -121,7 +121,7 @@ class Copy {
       if (const auto done = copy_row(i); done)
         ++copied;
       else
-        missing_.addGone(table, copied, 1, withoutName(done.error().message));
+        missing_.addGone(table, copied, 1, withoutName(done.error().text()));
     }
     carryOver(table, rows.committed, copied);
     unproven(table, rows, copied);

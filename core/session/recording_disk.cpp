@@ -107,7 +107,7 @@ std::uint64_t JournaledFile::sizeNow() const {
 }
 
 std::uint64_t JournaledFile::diskBytes() const {
-  constexpr std::uint64_t kBlockBytes = 512;       // of st_blocks
+  constexpr std::uint64_t kBlockBytes = 512;      // of st_blocks
   constexpr std::uint64_t kAlways = 8ULL << 20U;  // some file systems count new blocks seconds later
   struct stat status {};
   if (::fstat(file_, &status) != 0) return 0;

@@ -121,7 +121,7 @@ std::unique_lock<std::recursive_mutex> hdf5Lock() {
 }
 
 Handle::Handle(hid_t id, Closer closer, const char* what) : id_(id), closer_(closer) {
-  if (id < 0) failHard("{}: {}", what, reason());
+  if (id < 0) failHard(about(what, verbatim(reason())));
 }
 
 Handle& Handle::operator=(Handle&& other) noexcept {
@@ -137,7 +137,7 @@ void Handle::reset() {
 }
 
 void check(herr_t status, const char* what) {
-  if (status < 0) failHard("{}: {}", what, reason());
+  if (status < 0) failHard(about(what, verbatim(reason())));
 }
 
 Hdf5Table Hdf5Table::create(hid_t file, const TableLayout& layout) {

@@ -6,11 +6,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,14 +23,16 @@ namespace fyd::session {
 /// Every call into HDF5 of this process holds this lock, that of other users of the library (matio) too.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> hdf5Lock();
 
-struct RecordingFailure : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct RecordingFailure : std::exception {
+  explicit RecordingFailure(Message why) : message(std::move(why)) {}
+  Message message;
 };
 
 template <class... Args>
-[[noreturn]] void failHard(fmt::format_string<Args...> format, Args&&... args) {
-  throw RecordingFailure(fmt::format(format, std::forward<Args>(args)...));
+[[noreturn]] void failHard(MessageFormat<Args...> format, Args&&... args) {
+  throw RecordingFailure(say<Args...>(format, std::forward<Args>(args)...));
 }
+[[noreturn]] inline void failHard(Message message) { throw RecordingFailure(std::move(message)); }
 
 /// Runs `work` under the lock; what it throws becomes an error that starts with `subject`.
 template <class Work>
@@ -44,7 +46,7 @@ auto guarded(const std::string& subject, Work&& work) -> Result<decltype(work())
       return work();
     }
   } catch (const RecordingFailure& failure) {
-    return fail("{}: {}", subject, failure.what());
+    return fail(about(subject, failure.message));
   } catch (const std::bad_alloc&) {
     return fail("{}: out of memory", subject);
   } catch (const std::length_error&) {

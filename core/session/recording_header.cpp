@@ -63,7 +63,8 @@ std::vector<MissingRows> missingOf(const std::string& text) {
   for (const std::string& line : parted(text)) {
     MissingRows rows;
     std::istringstream words(line);
-    if (!(words >> rows.table >> rows.first >> rows.count)) failHard("{}: \"{}\"", kMissingPath, line);
+    if (!(words >> rows.table >> rows.first >> rows.count))
+      failHard(about(kMissingPath, verbatim(fmt::format("\"{}\"", line))));
     std::getline(words >> std::ws, rows.why);
     missing.push_back(rows);
   }
@@ -129,7 +130,7 @@ RecordingHeader salvageHeader(hid_t file) {
   try {
     return readHeader(file);
   } catch (const RecordingFailure& failure) {
-    header.missing = {{.table = kHeaderTable, .count = 1, .why = failure.what()}};
+    header.missing = {{.table = kHeaderTable, .count = 1, .why = failure.message.text()}};
   }
   const auto attempt = [](auto&& read) {
     try {

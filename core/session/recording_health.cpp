@@ -21,44 +21,43 @@ constexpr std::uint32_t kLists =
 
 bool isOneOf(std::uint32_t tables, const std::string& path) { return (tables & bitOfPath(path)) != 0; }
 
-std::string lacksOf(const RecordingInfo& info) {
-  std::vector<std::string> lacks;
-  if (info.gaps > 0) lacks.push_back(fmt::format("{} steps were lost", info.gaps));
+Message lacksOf(const RecordingInfo& info) {
+  std::vector<Message> lacks;
+  if (info.gaps > 0) lacks.push_back(say("{} steps were lost", info.gaps));
   for (const MissingRows& missing : info.header.missing) lacks.push_back(wordsOf(missing));
   if (lacks.size() > kMostLacksTold) {
-    lacks[kMostLacksTold] = fmt::format("and {} more", lacks.size() - kMostLacksTold);
+    lacks[kMostLacksTold] = say("and {} more", lacks.size() - kMostLacksTold);
     lacks.resize(kMostLacksTold + 1);
   }
-  return fmt::format("{}", fmt::join(lacks, "; "));
+  return listed(std::move(lacks));
 }
 
 }  // namespace
 
 Health healthOf(const RecordingInfo& info) {
   switch (info.wholeness) {
-    case Wholeness::crashed: return {"damaged", "its recorder is gone; make it whole with: fyd session recover"};
+    case Wholeness::crashed: return {"damaged", say("its recorder is gone; make it whole with: fyd session recover")};
     case Wholeness::damaged:
-      return {"damaged", info.damage + "; make what can be proven whole with: fyd session recover"};
+      return {"damaged", say("{}; make what can be proven whole with: fyd session recover", info.damage)};
     case Wholeness::whole:
     case Wholeness::growing: break;
   }
-  if (const std::string lacks = lacksOf(info); !lacks.empty()) return {"gaps", lacks};
-  if (info.wholeness == Wholeness::whole) return {"good", ""};
+  if (const Message lacks = lacksOf(info); !lacks.empty()) return {"gaps", lacks};
+  if (info.wholeness == Wholeness::whole) return {"good", {}};
   return {"growing", info.samples == info.committed_samples
-                         ? ""
-                         : fmt::format("{} steps are not committed yet", info.samples - info.committed_samples)};
+                         ? Message{}
+                         : say("{} steps are not committed yet", info.samples - info.committed_samples)};
 }
 
-std::string wordsOf(const MissingRows& missing) {
-  if (missing.table == kHeaderTable) return "any text of the header may be wrong: " + missing.why;
+Message wordsOf(const MissingRows& missing) {
+  if (missing.table == kHeaderTable) return say("any text of the header may be wrong: {}", missing.why);
   if (isOneOf(kLists, missing.table))
-    return fmt::format("{} rows of {} are gone before its row {} ({})", missing.count, missing.table, missing.first,
-                       missing.why);
-  return fmt::format("{} is lost for {} steps from row {} on ({})", missing.table, missing.count, missing.first,
-                     missing.why);
+    return say("{} rows of {} are gone before its row {} ({})", missing.count, missing.table, missing.first,
+               missing.why);
+  return say("{} is lost for {} steps from row {} on ({})", missing.table, missing.count, missing.first, missing.why);
 }
 
-std::string whyNoExactReplay(const RecordingInfo& info) {
+Message whyNoExactReplay(const RecordingInfo& info) {
   if (info.wholeness == Wholeness::damaged && info.unproven_rows > 0) return info.damage;
   for (const MissingRows& missing : info.header.missing)
     if (missing.table == kHeaderTable || isOneOf(kReplayed, missing.table)) return wordsOf(missing);

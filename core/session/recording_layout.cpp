@@ -105,7 +105,7 @@ OpenedTable openTable(hid_t file, const TableLayout& today) {
   TableLayout layout = storedLayout(set.id(), today);
   if (layoutClass(set.id(), layout.path) != H5D_CHUNKED || !hasOurChunks(set.id(), layout))
     failHard("{}: not in chunks of {} rows{}, as this program stores it: another program packed it anew", layout.path,
-             layout.chunk_rows, layout.compressed ? ", shuffled and deflated" : "");
+             layout.chunk_rows, layout.compressed ? say(", shuffled and deflated") : Message{});
   const Handle space(H5Dget_space(set.id()), H5Sclose, layout.path);
   const hssize_t rows = H5Sget_simple_extent_npoints(space.id());
   const std::uint64_t bytes = diskBytes(file);

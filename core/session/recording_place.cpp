@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/system_reason.h"
 #include "core/session/recording_format.h"
 
 namespace fyd::session {
@@ -38,7 +39,7 @@ std::string folderOf(const std::string& path) {
   return folder.empty() ? "." : folder.string();
 }
 
-std::string words(int error) { return std::generic_category().message(error); }
+Message words(int error) { return systemReason(error); }
 
 struct flock lockRange(short type) {
   struct flock range {};
@@ -72,12 +73,12 @@ Result<void> checkPlace(const std::string& path) {
 Result<void> syncFolder(const std::string& path) {
   const std::string folder = folderOf(path);
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return fail("{}: {}", folder, words(errno));
+  if (descriptor < 0) return fail(about(folder, words(errno)));
   const int status = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
   // Some file systems cannot sync a folder (EINVAL) and keep names without being asked.
-  if (status != 0 && error != EINVAL) return fail("{}: {}", folder, words(error));
+  if (status != 0 && error != EINVAL) return fail(about(folder, words(error)));
   return {};
 }
 
@@ -86,7 +87,7 @@ Result<void> renameNew(const std::string& from, const std::string& to) {
   if (errno != EINVAL && errno != ENOSYS) return fail("{}: cannot be named {}: {}", from, to, words(errno));
   // File systems without that flag: a second name is refused just as well when it is taken.
   if (::link(from.c_str(), to.c_str()) != 0) return fail("{}: cannot be named {}: {}", from, to, words(errno));
-  if (::unlink(from.c_str()) != 0) return fail("{}: {}", from, words(errno));
+  if (::unlink(from.c_str()) != 0) return fail(about(from, words(errno)));
   return {};
 }
 

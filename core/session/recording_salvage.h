@@ -13,16 +13,16 @@ class KnownDamage {
     const Stretch& known = stretches_[indexOf(table)];
     return row >= known.first && row < known.end;
   }
-  void add(Table table, std::uint64_t first, std::uint64_t end, std::string why) {
+  void add(Table table, std::uint64_t first, std::uint64_t end, Message why) {
     stretches_[indexOf(table)] = {first, end, std::move(why)};
   }
-  [[nodiscard]] const std::string& why(Table table) const { return stretches_[indexOf(table)].why; }
+  [[nodiscard]] const Message& why(Table table) const { return stretches_[indexOf(table)].why; }
 
  private:
   struct Stretch {
     std::uint64_t first = 0;
     std::uint64_t end = 0;
-    std::string why;
+    Message why;
   };
   std::array<Stretch, kTableCount> stretches_;
 };

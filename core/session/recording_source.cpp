@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "core/base/system_reason.h"
 #include "core/session/recording_driver.h"
 #include "core/session/recording_layout.h"
 #include "core/session/recording_place.h"
@@ -16,7 +17,7 @@ namespace {
 
 int opened(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe must not hold us up
-  if (descriptor < 0) failHard("{}", std::generic_category().message(errno));
+  if (descriptor < 0) failHard(systemReason(errno));
   struct stat status {};
   if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) return descriptor;
   ::close(descriptor);
@@ -25,7 +26,7 @@ int opened(const std::string& path) {
 
 int duplicate(int descriptor) {
   const int again = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
-  if (again < 0) failHard("{}", std::generic_category().message(errno));
+  if (again < 0) failHard(systemReason(errno));
   return again;
 }
 

@@ -40,7 +40,7 @@ class StepReader {
       for (std::uint64_t i = 0; i < std::min<std::uint64_t>(count, kMostOfAStep); ++i) checkBlock(table, first + i);
       read();
     } catch (const RecordingFailure& failure) {
-      if (!known_->has(table, first)) known_->add(table, first, first + 1, failure.what());
+      if (!known_->has(table, first)) known_->add(table, first, first + 1, failure.message);
       record_.missing |= bitOf(table);
       value = Value();
     }
@@ -52,7 +52,8 @@ class StepReader {
     try {
       (void)tables_.block(table, row);
     } catch (const RecordingFailure& failure) {
-      known_->add(table, row, row < tables_.rows(table) ? tables_.rowAfterDamage(table, row) : row + 1, failure.what());
+      known_->add(table, row, row < tables_.rows(table) ? tables_.rowAfterDamage(table, row) : row + 1,
+                  failure.message);
       throw;
     }
   }

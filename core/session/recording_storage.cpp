@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "core/base/system_reason.h"
 #include "core/session/recording_driver.h"
 #include "core/session/recording_layout.h"
 #include "core/session/recording_place.h"
@@ -13,11 +14,11 @@
 namespace fyd::session {
 namespace {
 
-std::string words(int error) { return std::generic_category().message(error); }
+Message words(int error) { return systemReason(error); }
 
 int opened(const std::string& path, int flags) {
   const int descriptor = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC, 0644);
-  if (descriptor < 0) failHard("{}", words(errno));
+  if (descriptor < 0) failHard(words(errno));
   if (lockAsRecorder(descriptor)) return descriptor;
   const int error = errno;
   ::close(descriptor);

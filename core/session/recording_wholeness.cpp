@@ -21,15 +21,14 @@ std::vector<std::string> unprovenRows(const RecordingTables& tables, std::uint64
   return words;
 }
 
-std::string damageOf(const RecordingTables& tables, std::uint64_t& unproven_rows) {
-  std::string words;
+Message damageOf(const RecordingTables& tables, std::uint64_t& unproven_rows) {
+  std::vector<Message> out;
   if (const auto& damaged = tables.damagedCommits(); !damaged.empty())
-    words = fmt::format("/commits: {} of {} rows are damaged, the first: row {}", damaged.size(), tables.commits(),
-                        damaged.front());
+    out.push_back(say("/commits: {} of {} rows are damaged, the first: row {}", damaged.size(), tables.commits(),
+                      damaged.front()));
   if (const auto rows = unprovenRows(tables, unproven_rows); !rows.empty())
-    words += fmt::format("{}rows at its end that no sound commit proves: {}", words.empty() ? "" : "; ",
-                         fmt::join(rows, ", "));
-  return words;
+    out.push_back(say("rows at its end that no sound commit proves: {}", fmt::join(rows, ", ")));
+  return listed(std::move(out));
 }
 
 }  // namespace
@@ -42,7 +41,7 @@ void judge(const RecordingSource& source, const RecordingTables& tables, Recordi
   info.events = tables.rows(Table::events);
   info.gaps = std::max(last.jumped, last.lost);  // what the ring lost shows as a jump once a step follows
   info.unproven_rows = 0;
-  info.damage.clear();
+  info.damage = {};
   if (source.growing()) {
     info.wholeness = last.closed != 0         ? Wholeness::whole
                      : source.recorderLives() ? Wholeness::growing

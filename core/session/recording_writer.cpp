@@ -100,7 +100,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
     if (closed) committed_steps_ = rowsOf(Table::telemetry);
     if (closed) closed = renameNew(partialOf(path_), path_);
     if (closed) closed = syncFolder(path_);
-    over_ = closed ? "the recording is closed" : closed.error().message;
+    over_ = closed ? say("the recording is closed") : closed.error().message;
     return closed;
   }
 
@@ -132,7 +132,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
       work();
       return {};
     } catch (const RecordingFailure& failure) {
-      return fail("{}: {}", path_, failure.what());
+      return fail(about(path_, failure.message));
     }
   }
 
@@ -226,7 +226,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   }
 
   std::string path_;
-  std::string over_;  // why nothing more can be recorded
+  Message over_;  // why nothing more can be recorded
   RecordingStorage storage_;
   std::array<GrowingTable, kTableCount> tables_;
   Hdf5Table commits_;

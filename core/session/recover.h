@@ -26,7 +26,7 @@ struct RecoverOutcome {
   std::uint64_t steps = 0;
   std::uint64_t lost_steps = 0;      ///< not readable any more, or proven by nothing
   std::vector<MissingRows> missing;  ///< of `file`: what else is not there, and these steps
-  std::string first_damage;
+  Message first_damage;
 };
 
 /// Steps that are gone show as a gap. Of a step that is kept, what cannot be read is named as missing and never

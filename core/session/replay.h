@@ -34,7 +34,7 @@ struct ReplayResult {
   std::uint64_t samples = 0;    ///< steps run
   std::uint64_t of = 0;         ///< steps recorded
   std::uint64_t gaps = 0;       ///< steps the recording lost; the replay ends at the first gap
-  std::string why_not_exact;    ///< what of the recording is lost, so that it cannot be proven; empty: nothing
+  Message why_not_exact;        ///< what of the recording is lost, so that it cannot be proven; empty: nothing
   std::uint64_t different = 0;  ///< steps
   int arithmetic_recorded = pipeline::kArithmetic;
   /// Set when the recording was made with an older arithmetic, whose bits cannot come out again; see step_compare.h.

@@ -97,7 +97,8 @@ ReportTable healthTable(const RecordingInfo& info, const RowFigures& figures, co
   ReportTable table{.heading = "Health", .columns = {{"What", 1.2}, {"Figure", 2.0}}};
   const auto add = [&](const char* what, std::string text) { table.rows.push_back({what, std::move(text)}); };
   add("File", fmt::format("{}, {:.1f} MB", toString(info.wholeness), static_cast<double>(info.bytes) / 1e6));
-  if (const auto [word, reason] = healthOf(info); !reason.empty()) add("Health", fmt::format("{}: {}", word, reason));
+  if (const auto [word, reason] = healthOf(info); !reason.empty())
+    add("Health", fmt::format("{}: {}", word, reason.text()));
   add("Samples lost", figures.lost == 0 ? "none" : fmt::format("{} (breaks: {})", figures.lost, figures.breaks));
   add("Missed cycles of the loop", reportNumber(figures.missed_cycles, 0));
   add("Pictures", std::to_string(info.frames));

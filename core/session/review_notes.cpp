@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/system_reason.h"
 #include "core/session/export_file.h"
 
 namespace fyd::session {
@@ -41,7 +42,7 @@ Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_pat
   std::error_code problem;
   const std::uintmax_t size = std::filesystem::file_size(path, problem);  // an error for a pipe or a device
   if (problem == std::errc::no_such_file_or_directory) return std::vector<ReviewNote>{};
-  if (problem) return fail("{}: cannot be read: {}", path, problem.message());
+  if (problem) return fail("{}: cannot be read: {}", path, systemReason(problem));
   if (size > kMost_bytes) return fail("{}: {} bytes; notes have at most {}", path, size, kMost_bytes);
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -55,7 +56,7 @@ Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_pat
       notes.push_back(std::move(*note));
     }
   } catch (const nlohmann::json::exception& error) {
-    return fail("{}: note {}: {}", path, notes.size() + 1, error.what());
+    return fail("{}: note {}: {}", path, notes.size() + 1, verbatim(error.what()));
   }
   std::ranges::stable_sort(notes, {}, &ReviewNote::time_s);
   return notes;

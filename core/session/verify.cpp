@@ -43,7 +43,7 @@ std::uint64_t checkBlock(const RecordingTables& tables, Table table, std::uint64
     return block->first + block->count;
   } catch (const RecordingFailure& failure) {
     ++into.damaged;
-    if (into.first_damage.empty()) into.first_damage = failure.what();
+    if (into.first_damage.empty()) into.first_damage = failure.message;
     return tables.rowAfterDamage(table, row);
   }
 }

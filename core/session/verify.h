@@ -19,7 +19,7 @@ struct Verification {
   std::uint64_t bytes = 0;          ///< of rows
   std::uint64_t damaged = 0;        ///< blocks
   /// Which commits and rows, or which table and rows and both checksums; empty when nothing is damaged.
-  std::string first_damage;
+  Message first_damage;
   Health health;  ///< as of `info`, with what was found here
 
   [[nodiscard]] bool intact() const { return damaged == 0 && damaged_commits == 0 && unproven_rows == 0; }

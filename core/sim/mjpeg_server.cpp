@@ -5,6 +5,8 @@
 #include <asio/ip/tcp.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::sim {
 namespace {
 
@@ -87,7 +89,7 @@ Result<std::unique_ptr<MjpegServer>> MjpegServer::start(const protocol::Endpoint
   if (!problem) acceptor->acceptor.bind(*wanted, problem);
   if (!problem) acceptor->acceptor.listen(static_cast<int>(kMaximumReaders), problem);
   if (!problem) acceptor->acceptor.non_blocking(true, problem);
-  if (problem) return fail("MJPEG {}: cannot listen: {}", protocol::toString(local), problem.message());
+  if (problem) return fail("MJPEG {}: cannot listen: {}", protocol::toString(local), systemReason(problem));
   protocol::Endpoint bound = local;
   bound.port = acceptor->acceptor.local_endpoint(problem).port();
   return std::unique_ptr<MjpegServer>(

@@ -12,6 +12,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::sim {
 namespace {
 
@@ -33,7 +35,7 @@ bool readable(int file) {
 
 Result<int> listenOn(const protocol::Endpoint& local) {
   const int file = ::socket(local.v6 ? AF_INET6 : AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (file < 0) return fail("Modbus TCP: no socket: {}", std::strerror(errno));
+  if (file < 0) return fail("Modbus TCP: no socket: {}", systemReason(errno));
   const int yes = 1;
   ::setsockopt(file, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   sockaddr_storage address{};
@@ -55,7 +57,7 @@ Result<int> listenOn(const protocol::Endpoint& local) {
   if (::bind(file, reinterpret_cast<sockaddr*>(&address), size) == 0 && ::listen(file, 8) == 0) return file;
   const int problem = errno;
   ::close(file);
-  return fail("Modbus TCP {}: cannot listen: {}", protocol::toString(local), std::strerror(problem));
+  return fail("Modbus TCP {}: cannot listen: {}", protocol::toString(local), systemReason(problem));
 }
 
 std::uint16_t portOf(int file) {
@@ -74,7 +76,8 @@ ModbusResponder::ModbusResponder(std::shared_ptr<TouchpadElectronics> electronic
       mapping_(modbus_mapping_new_start_address(0, 0, 0, 0, 0, RegisterBank::kSize, 0, 0)),
       tcp_(tcp),
       master_(next_master++) {
-  const auto rest_us = static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(kRestOfRequest).count());
+  const auto rest_us =
+      static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(kRestOfRequest).count());
   modbus_set_byte_timeout(context_, 0, rest_us);
   modbus_set_indication_timeout(context_, 0, rest_us);
 }

@@ -51,17 +51,11 @@ Result<NetworkProfile> networkProfile(std::string_view name) {
 }
 
 Result<DelayTrace> readDelayTrace(const std::string& path) {
-  bool timed = true;
-  auto table = readCsv(path, {"delay_ms", "t_s"});
-  if (!table) {
-    auto untimed = readCsv(path, {"delay_ms"});
-    if (!untimed) return tl::unexpected(untimed.error());
-    const bool has_times = std::ranges::find(untimed->columns, "t_s") != untimed->columns.end() ||
-                           table.error().message.find("no column") == std::string::npos;
-    if (has_times) return tl::unexpected(table.error());
-    table = std::move(untimed);
-    timed = false;
-  }
+  auto table = readCsv(path, {"delay_ms"});
+  if (!table) return tl::unexpected(table.error());
+  const bool timed = std::ranges::find(table->header, "t_s") != table->header.end();
+  if (timed) table = readCsv(path, {"delay_ms", "t_s"});
+  if (!table) return tl::unexpected(table.error());
   DelayTrace trace{.t_s = timed ? table->values[1] : std::vector<double>{}, .delay_ms = table->values[0]};
   for (std::size_t i = 0; i < table->rows(); ++i) {
     if (trace.delay_ms[i] < 0.0 || trace.delay_ms[i] > 60'000.0) {

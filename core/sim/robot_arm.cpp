@@ -37,8 +37,8 @@ RobotArm::RobotArm(const SimParameters& parameters)
                      : material_.stiffness_N_per_mm),
       random_(static_cast<std::uint64_t>(parameters.seed) ^ kRobotStream) {}
 
-std::string RobotArm::description() const {
-  return fmt::format("simulated robot on {}", kMaterialNames[static_cast<std::size_t>(parameters_.material)]);
+Message RobotArm::description() const {
+  return say("simulated robot on {}", kMaterialNames[static_cast<std::size_t>(parameters_.material)]);
 }
 
 Result<device::RobotReadings> RobotArm::exchange(const Vec3& target_mm, Instant now) {

@@ -23,7 +23,7 @@ class RobotArm final : public device::Robot {
  public:
   explicit RobotArm(const SimParameters& parameters);
 
-  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] Message description() const override;
   [[nodiscard]] bool inVirtualTime() const override { return true; }
 
   /// A target beyond the workspace is followed to its edge; time that stands still or goes back moves nothing.

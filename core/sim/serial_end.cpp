@@ -10,6 +10,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "core/base/system_reason.h"
+
 namespace fyd::sim {
 namespace {
 
@@ -17,11 +19,11 @@ namespace fs = std::filesystem;
 
 Result<int> openMaster(const std::string& link) {
   const int master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (master < 0) return fail("{}: no pseudo-terminal to be had: {}", link, std::strerror(errno));
+  if (master < 0) return fail("{}: no pseudo-terminal to be had: {}", link, systemReason(errno));
   if (::grantpt(master) == 0 && ::unlockpt(master) == 0) return master;
   const int problem = errno;
   ::close(master);
-  return fail("{}: pseudo-terminal: {}", link, std::strerror(problem));
+  return fail("{}: pseudo-terminal: {}", link, systemReason(problem));
 }
 
 int openRaw(const char* name) {
@@ -49,7 +51,7 @@ Result<PseudoTerminal> PseudoTerminal::open(const std::string& link) {
   fs::create_symlink(name.data(), link, problem);
   if (problem) {
     ::close(*master);
-    return fail("{}: cannot be made a link to {}: {}", link, name.data(), problem.message());
+    return fail("{}: cannot be made a link to {}: {}", link, name.data(), systemReason(problem));
   }
   return PseudoTerminal(link, *master, openRaw(name.data()));
 }

@@ -16,8 +16,8 @@ SimulatedCamera::SimulatedCamera(std::shared_ptr<TouchpadWorld> world)
       delay_(fromSeconds(world_->parameters().camera_delay_ms / 1000.0)),
       random_(static_cast<std::uint64_t>(world_->parameters().seed) ^ kCameraStream) {}
 
-std::string SimulatedCamera::description() const {
-  return fmt::format("simulated camera, 320 × 240 at {:.0f} fps", world_->parameters().camera_rate_Hz);
+Message SimulatedCamera::description() const {
+  return say("simulated camera, 320 × 240 at {:.0f} fps", world_->parameters().camera_rate_Hz);
 }
 
 Result<device::CameraFrame> SimulatedCamera::next() {

@@ -14,8 +14,8 @@ class SimulatedCamera final : public device::Camera {
  public:
   explicit SimulatedCamera(std::shared_ptr<TouchpadWorld> world);
 
-  [[nodiscard]] std::string description() const override;
-  [[nodiscard]] std::string kind() const override { return "simulated"; }
+  [[nodiscard]] Message description() const override;
+  [[nodiscard]] Message kind() const override { return say("simulated"); }
 
   /// Sleeps until the next picture is due on the steady clock, brings the world there and draws it.
   /// Pictures that came due while the caller was busy are skipped, as a camera's are. Never fails.

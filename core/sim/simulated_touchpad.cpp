@@ -4,9 +4,7 @@
 
 namespace fyd::sim {
 
-std::string SimulatedTouchpad::description() const {
-  return fmt::format("simulated touchpad, seed {}", world_->parameters().seed);
-}
+Message SimulatedTouchpad::description() const { return say("simulated touchpad, seed {}", world_->parameters().seed); }
 
 Result<device::TouchpadReadings> SimulatedTouchpad::exchange(const control::MotorCommand& command, Instant now) {
   world_->advanceTo(now);
@@ -15,7 +13,7 @@ Result<device::TouchpadReadings> SimulatedTouchpad::exchange(const control::Moto
 }
 
 std::vector<device::DeviceReport> SimulatedTouchpad::reports() const {
-  device::DeviceReport out{.name = "Touchpad", .kind = "simulated", .description = description()};
+  device::DeviceReport out{.kind = say("simulated"), .description = description()};
   const device::TouchpadReadings readings = world_->readings();
   addSensorValues(readings, out.values);
   addMotorValues(readings.motors, out.values);

@@ -12,7 +12,7 @@ class SimulatedTouchpad final : public device::Touchpad {
  public:
   explicit SimulatedTouchpad(std::shared_ptr<TouchpadWorld> world) : world_(std::move(world)) {}
 
-  [[nodiscard]] std::string description() const override;
+  [[nodiscard]] Message description() const override;
   /// Advances the world to `now` under the old command, reads, and hands it the new one. Never fails.
   [[nodiscard]] Result<device::TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
   [[nodiscard]] std::vector<device::DeviceReport> reports() const override;

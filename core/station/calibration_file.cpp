@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base/system_reason.h"
 #include "core/base/write_target.h"
 #include "core/calibration/calibration_dependence.h"
 #include "core/control/control_parameters.h"
@@ -26,7 +27,7 @@ Result<RecordFile> readRecordFile(const std::string& path) {
   std::error_code problem;
   const std::uintmax_t size = std::filesystem::file_size(path, problem);
   if (problem == std::errc::no_such_file_or_directory) return RecordFile{};
-  if (problem) return fail("{}: cannot be read: {}", path, problem.message());
+  if (problem) return fail("{}: cannot be read: {}", path, systemReason(problem));
   if (size > kLargestRecord_bytes) {
     return fail("{}: {} bytes; at most {}: move it away, a new one will be begun", path, size, kLargestRecord_bytes);
   }

@@ -25,7 +25,7 @@ namespace fyd::station {
 
 struct OutdatedPart {
   std::string part;  ///< "no-touch"
-  std::string why;   ///< "taken with another curve: take it again (distance sensor 2)"
+  Message why;       ///< "taken with another curve: take it again (distance sensor 2)"
 };
 /// The parts whose values rest on an older calibration than the profile has; see calibration_dependence.h.
 [[nodiscard]] Result<std::vector<OutdatedPart>> outdatedParts(const std::string& profile_path, Profile profile);

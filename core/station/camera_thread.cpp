@@ -20,14 +20,14 @@ void sleepUnlessStopped(const std::stop_token& stop, Duration time) {
 
 }  // namespace
 
-CameraThread::CameraThread(const std::string& description, Opener opener, const sensing::FingerParameters& parameters,
+CameraThread::CameraThread(const Message& description, Opener opener, const sensing::FingerParameters& parameters,
                            const device::DeviceParameters& device)
     : opener_(std::move(opener)),
       detector_(parameters),
-      monitor_("Camera", description, kSilence),
+      monitor_(device::Part::camera, description, kSilence),
       frozen_(fromSeconds(device.camera_freeze_ms / 1e3)),
       flat_cloth_(device.camera_flat_cloth),
-      report_{.name = "Camera", .description = description},
+      report_{.part = device::Part::camera, .description = description},
       parameters_(parameters) {}
 
 CameraThread::~CameraThread() { shutDown(); }
@@ -59,7 +59,7 @@ void CameraThread::run(const std::stop_token& stop) {
     if (!camera) {
       auto opened = opener_();
       if (!opened) {
-        fail(opened.error().message);
+        failed(opened.error().message);
         sleepUnlessStopped(stop, kRetry);
         continue;
       }
@@ -71,7 +71,7 @@ void CameraThread::run(const std::stop_token& stop) {
     if (frame) {
       process(std::move(*frame));
     } else {
-      fail(frame.error().message);
+      failed(frame.error().message);
       sleepUnlessStopped(stop, kRetry);
       frozen_.reset();
       describe(*camera);  // opening again may have found other controls
@@ -82,9 +82,9 @@ void CameraThread::run(const std::stop_token& stop) {
 void CameraThread::describe(const device::Camera& camera) {
   live_ = camera.live();
   auto controls = camera.controls();
-  const std::string description = camera.description();
-  const std::string missing = device::missingControls(controls);
-  monitor_.describe(missing.empty() ? description : fmt::format("{} ({})", description, missing));
+  const Message description = camera.description();
+  const Message missing = device::missingControls(controls);
+  monitor_.describe(missing.empty() ? description : explained(description, missing));
   const std::lock_guard lock(mutex_);
   report_.kind = camera.kind();
   report_.description = description;
@@ -96,12 +96,12 @@ device::DeviceReport CameraThread::report(Instant now) const {
   {
     const std::lock_guard lock(mutex_);
     out = report_;
-    out.counters = {{"repeated pictures", repeated_}, {"damaged pictures", damaged_}};
+    out.counters = {{say("repeated pictures"), repeated_}, {say("damaged pictures"), damaged_}};
     if (!view_.picture.empty()) {
-      out.values = {{.name = "width", .number = static_cast<double>(view_.picture.cols), .unit = "px"},
-                    {.name = "height", .number = static_cast<double>(view_.picture.rows), .unit = "px"},
-                    {.name = "pictures", .number = static_cast<double>(view_.number)},
-                    {.name = "finger", .text = std::string(sensing::toString(view_.finger.reason))}};
+      out.values = {{.name = say("width"), .number = static_cast<double>(view_.picture.cols), .unit = "px"},
+                    {.name = say("height"), .number = static_cast<double>(view_.picture.rows), .unit = "px"},
+                    {.name = say("pictures"), .number = static_cast<double>(view_.number)},
+                    {.name = say("finger"), .text = phrase(sensing::toString(view_.finger.reason))}};
     }
   }
   fillIn(out, monitor_.status(now));
@@ -113,8 +113,8 @@ void CameraThread::countDamaged(const device::Camera& camera) {
   damaged_ = camera.damaged();
 }
 
-void CameraThread::fail(const std::string& problem) {
-  if (monitor_.failed(problem)) spdlog::warn("Camera: {}", problem);
+void CameraThread::failed(const Message& problem) {
+  if (monitor_.failed(problem)) spdlog::warn("Camera: {}", problem.text());
 }
 
 // A picture equal to the last one says nothing of the present: it is not handed on, so that the finger's age grows.
@@ -125,7 +125,7 @@ void CameraThread::process(device::CameraFrame frame) {
     return;
   }
   if (frozen_.frozen() && !was_frozen) {
-    fail("the picture is frozen: the camera sends one and the same; unplug it and plug it in again");
+    failed(say("the picture is frozen: the camera sends one and the same; unplug it and plug it in again"));
   }
   const std::lock_guard lock(mutex_);
   ++repeated_;

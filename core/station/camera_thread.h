@@ -23,7 +23,7 @@ class CameraThread {
   /// Sees every picture with its detection, on the camera thread.
   using Observer = std::function<void(const CameraView&)>;
 
-  CameraThread(const std::string& description, Opener opener, const sensing::FingerParameters& parameters,
+  CameraThread(const Message& description, Opener opener, const sensing::FingerParameters& parameters,
                const device::DeviceParameters& device = {});
   ~CameraThread();
   void observe(Observer observer) { observer_ = std::move(observer); }  ///< before start
@@ -44,7 +44,7 @@ class CameraThread {
   void detect(device::CameraFrame frame);
   void describe(const device::Camera& camera);
   void countDamaged(const device::Camera& camera);
-  void fail(const std::string& problem);
+  void failed(const Message& problem);
 
   Opener opener_;
   Observer observer_;

@@ -16,23 +16,24 @@ bool has(const pipeline::Lacks& lacks, pipeline::Lack lack) { return lacks.test(
 
 }  // namespace
 
-std::string_view DeviceTestRunner::words(End end) {
+Message DeviceTestRunner::words(End end) {
   switch (end) {
-    case End::none: return "";
-    case End::running: return "running";
-    case End::finished: return "finished";
-    case End::released: return "ended: the button was released";
-    case End::operator_acted: return "ended: the session was stopped or armed";
-    case End::state_changed: return "ended: the session's state changed";
-    case End::motors_silent: return "the motors do not answer";
-    case End::steps_missing: return "ended: the haptic loop stood still";
-    case End::off_course: return "ended: a motor was not where it was sent; check its encoder and that it can turn";
-    case End::not_now: return "the motors are not free: stop the session first";
-    case End::beyond_limit: return "a motor stands beyond control.motor_limit_deg: check the encoder's zero";
+    case End::none: return {};
+    case End::running: return say("running");
+    case End::finished: return say("finished");
+    case End::released: return say("ended: the button was released");
+    case End::operator_acted: return say("ended: the session was stopped or armed");
+    case End::state_changed: return say("ended: the session's state changed");
+    case End::motors_silent: return say("the motors do not answer");
+    case End::steps_missing: return say("ended: the haptic loop stood still");
+    case End::off_course:
+      return say("ended: a motor was not where it was sent; check its encoder and that it can turn");
+    case End::not_now: return say("the motors are not free: stop the session first");
+    case End::beyond_limit: return say("a motor stands beyond control.motor_limit_deg: check the encoder's zero");
     case End::beyond_travel:
-      return "the stretch lies outside control.travel_minimum_deg and control.travel_maximum_deg";
+      return say("the stretch lies outside control.travel_minimum_deg and control.travel_maximum_deg");
   }
-  return "";
+  return {};
 }
 
 Result<void> DeviceTestRunner::start(device::DeviceTest test, Instant now, double stretch_deg) {
@@ -40,10 +41,10 @@ Result<void> DeviceTestRunner::start(device::DeviceTest test, Instant now, doubl
   if (index >= device::kDeviceTestNames.size()) return fail("device test {}: there is none of this number", index);
   stop();
   if (const End refused = refused_now_.load(std::memory_order_relaxed); refused != End::none) {
-    return fail("device test '{}': {}", device::kDeviceTestNames[index], words(refused));
+    return fail("device test '{}': {}", phrase(device::kDeviceTestNames[index]), words(refused));
   }
   if (!std::isfinite(stretch_deg))
-    return fail("device test '{}': {}", device::kDeviceTestNames[index], words(End::beyond_travel));
+    return fail("device test '{}': {}", phrase(device::kDeviceTestNames[index]), words(End::beyond_travel));
   keep(now);
   wanted_stretch_deg_.store(stretch_deg, std::memory_order_relaxed);
   asked_ = (++presses_ << 8U) | static_cast<std::uint32_t>(index) | 0x80U;  // never 0
@@ -61,6 +62,7 @@ DeviceTestStatus DeviceTestRunner::status() const {
   const bool waiting = !taken_up && request_.load(std::memory_order_relaxed) == asked_;
   out.running = waiting || end == End::running;
   out.progress = taken_up ? progress_.load(std::memory_order_relaxed) : 0.0;
+  out.finished = !waiting && end == End::finished;
   out.words = words(waiting ? End::running : end);
   if (!taken_up || !out.running) return out;
   for (std::size_t i = 0; i < out.commanded_deg.size(); ++i) {

@@ -23,7 +23,8 @@ struct DeviceTestStatus {
   bool running = false;
   device::DeviceTest test = device::DeviceTest::motor_1;     ///< the last one asked for
   double progress = 0.0;                                     ///< 0…1
-  std::string words;                                         ///< "running", or how the last one ended; empty before it
+  bool finished = false;                                     ///< the last one came to its end
+  Message words;                                             ///< "running", or how the last one ended; empty before it
   std::array<double, control::kMotorCount> commanded_deg{};  ///< where the motors are sent; of the running one
   bool resting = false;                                      ///< and stand there since 0.3 s
 };
@@ -63,7 +64,7 @@ class DeviceTestRunner {
     beyond_limit,
     beyond_travel,
   };
-  [[nodiscard]] static std::string_view words(End end);
+  [[nodiscard]] static Message words(End end);
   [[nodiscard]] static End refusal(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs);
   [[nodiscard]] End check(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs,
                           const std::array<double, control::kMotorCount>& motor_deg) const;

@@ -43,9 +43,10 @@ Result<std::unique_ptr<LinkThread>> LinkThread::open(const protocol::Endpoint& l
 LinkThread::LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured)
     : socket_(std::move(socket)),
       end_(std::move(end)),
-      monitor_("Robot", fmt::format("{} robot, listening on {}", secured ? "FYD Link" : "classic",
-                                    protocol::toString(socket_.local()))) {
-  status_.protocol = end_->name();
+      monitor_(device::Part::robot, secured
+                                        ? say("FYD Link robot, listening on {}", protocol::toString(socket_.local()))
+                                        : say("classic robot, listening on {}", protocol::toString(socket_.local()))) {
+  status_.protocol = phrase(end_->name());
   status_.secured = secured;
   status_.local = protocol::toString(socket_.local());
 }
@@ -147,15 +148,15 @@ PartStatus LinkThread::part(Instant now) const {
   switch (link.phase) {
     case pipeline::LinkPhase::waiting:
       part.ok = false;
-      part.problem = fmt::format("waiting for a robot on {}", link.local);
+      part.problem = say("waiting for a robot on {}", link.local);
       break;
     case pipeline::LinkPhase::lost:
       part.ok = false;
-      part.problem = "silent";
+      part.problem = say("silent");
       break;
     case pipeline::LinkPhase::closed:
       part.ok = false;
-      part.problem = "has said goodbye";
+      part.problem = say("has said goodbye");
       break;
     case pipeline::LinkPhase::paused:
     case pipeline::LinkPhase::running:

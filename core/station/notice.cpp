@@ -8,18 +8,18 @@
 namespace fyd::station {
 namespace {
 
-constexpr std::array<std::string_view, 12> kRobotCommands = {"none",
-                                                             "vibration down",
-                                                             "vibration up",
-                                                             "use DFT321",
-                                                             "use SoC",
-                                                             "send info and pause",
-                                                             "resume",
-                                                             "images on",
-                                                             "images off",
-                                                             "disconnect",
-                                                             "motor reference on",
-                                                             "motor reference off"};
+constexpr std::array<std::string_view, 12> kRobotCommands = {sentence("none"),
+                                                             sentence("vibration down"),
+                                                             sentence("vibration up"),
+                                                             sentence("use DFT321"),
+                                                             sentence("use SoC"),
+                                                             sentence("send info and pause"),
+                                                             sentence("resume"),
+                                                             sentence("images on"),
+                                                             sentence("images off"),
+                                                             sentence("disconnect"),
+                                                             sentence("motor reference on"),
+                                                             sentence("motor reference off")};
 
 Message stateSentence(const pipeline::Event& event) {
   using enum pipeline::SafetyState;
@@ -53,7 +53,14 @@ Message changeSentence(const pipeline::Event& event, std::span<const Parameter> 
   return say("{} is now {:.4g}.", std::move(name), event.value);
 }
 
-Message messageOf(const pipeline::Event& e, std::span<const Parameter> parameters) {
+}  // namespace
+
+std::string_view toString(pipeline::RobotCommand command) {
+  const auto index = static_cast<std::size_t>(command);
+  return index < kRobotCommands.size() ? kRobotCommands[index] : sentence("unknown");
+}
+
+Message describeEvent(const pipeline::Event& e, std::span<const Parameter> parameters) {
   using pipeline::EventKind;
   using pipeline::RobotCommand;
   switch (e.kind) {
@@ -64,17 +71,6 @@ Message messageOf(const pipeline::Event& e, std::span<const Parameter> parameter
 #undef EVENT
   }
   return {};
-}
-
-}  // namespace
-
-std::string_view toString(pipeline::RobotCommand command) {
-  const auto index = static_cast<std::size_t>(command);
-  return index < kRobotCommands.size() ? kRobotCommands[index] : "unknown";
-}
-
-std::string describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters) {
-  return messageOf(event, parameters).text();
 }
 
 }  // namespace fyd::station

@@ -10,7 +10,7 @@
 namespace fyd::station {
 
 /// @param parameters the step's, for the names behind indices
-[[nodiscard]] std::string describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters);
+[[nodiscard]] Message describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters);
 
 /// Of a robot's command: "vibration up".
 [[nodiscard]] std::string_view toString(pipeline::RobotCommand command);

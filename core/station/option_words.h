@@ -1,6 +1,8 @@
 // What the options of a station mean, as their help says it: the same words at the command line and in the window.
 #pragma once
 
+#include "core/base/message.h"
+
 namespace fyd::station::words {
 
 inline constexpr const char* kTouchpad = "simulated, modbus-tcp:HOST:PORT, modbus-rtu:TTY[:BAUD] or recording:FILE";
@@ -21,9 +23,10 @@ inline constexpr const char* kCatalogue =
 inline constexpr const char* kTag = "A word to find the recording by; may be given again";
 
 /// When a recording is described and none is asked for.
-inline constexpr const char* kRecordMissing =
-    "--operator, --subject, --notes and --tag describe a recording; add --record FILE";
-/// "--simulate contradicts --touchpad X".
-inline constexpr const char* kContradiction = "--simulate contradicts --touchpad ";
+inline constexpr std::string_view kRecordMissing =
+    sentence("--operator, --subject, --notes and --tag describe a recording; add --record FILE");
+[[nodiscard]] inline Message contradiction(const std::string& touchpad) {
+  return say("--simulate contradicts --touchpad {}", touchpad);
+}
 
 }  // namespace fyd::station::words

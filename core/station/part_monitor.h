@@ -26,19 +26,19 @@ class PartMonitor {
   static constexpr Duration kSilence = std::chrono::milliseconds(500);
 
   /// @param longest_silence without news until it is shown as a problem
-  PartMonitor(std::string name, std::string description, Duration longest_silence = Duration::max())
-      : name_(std::move(name)), description_(std::move(description)), longest_silence_(longest_silence) {}
+  PartMonitor(device::Part part, Message description, Duration longest_silence = Duration::max())
+      : part_(part), description_(std::move(description)), longest_silence_(longest_silence) {}
 
   void succeeded(Instant taken) {
     rate_.count(taken);
     const std::lock_guard lock(mutex_);
     newest_ = taken;
     seen_ = true;
-    problem_.clear();
+    problem_ = {};
   }
 
   /// @return true when this problem is new, so that it is logged once
-  bool failed(const std::string& problem) {
+  bool failed(const Message& problem) {
     const std::lock_guard lock(mutex_);
     ++errors_;
     const bool is_new = problem_ != problem;
@@ -47,7 +47,7 @@ class PartMonitor {
   }
 
   /// It answers, and complains. @return true when this complaint is new
-  bool complained(const std::string& problem, Instant taken) {
+  bool complained(const Message& problem, Instant taken) {
     rate_.count(taken);
     const std::lock_guard lock(mutex_);
     newest_ = taken;
@@ -58,19 +58,19 @@ class PartMonitor {
     return is_new;
   }
 
-  void describe(const std::string& description) {
+  void describe(const Message& description) {
     const std::lock_guard lock(mutex_);
     description_ = description;
   }
 
   [[nodiscard]] PartStatus status(Instant now) const {
     const std::lock_guard lock(mutex_);
-    PartStatus out{.name = name_, .description = description_, .problem = problem_, .errors = errors_};
+    PartStatus out{.part = part_, .description = description_, .problem = problem_, .errors = errors_};
     out.age_ms = seen_ ? toMilliseconds(now - newest_) : std::numeric_limits<double>::quiet_NaN();
     // Its thread may be waiting for a time-out: the silence shows before that.
-    if (!seen_ && problem_.empty()) out.problem = "nothing received yet";
+    if (!seen_ && problem_.empty()) out.problem = say("nothing received yet");
     if (seen_ && problem_.empty() && now - newest_ > longest_silence_)
-      out.problem = "silent; is it plugged in and switched on?";
+      out.problem = say("silent; is it plugged in and switched on?");
     out.ok = out.problem.empty();
     out.rate_hz = seen_ && now - newest_ < std::chrono::seconds(2) ? rate_.rate_hz() : 0.0;
     return out;
@@ -78,10 +78,10 @@ class PartMonitor {
 
  private:
   mutable std::mutex mutex_;
-  std::string name_;
-  std::string description_;
+  device::Part part_;
+  Message description_;
   const Duration longest_silence_;
-  std::string problem_;
+  Message problem_;
   std::uint64_t errors_ = 0;
   bool seen_ = false;
   Instant newest_{};

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/base/profile_text.h"
+#include "core/base/system_reason.h"
 #include "core/station/replace_file.h"
 
 namespace fyd::station {
@@ -17,7 +18,7 @@ constexpr std::uintmax_t kLargestProfile_bytes = 1 << 20;
 Result<Profile> loadProfile(const std::string& path) {
   std::error_code problem;
   const std::uintmax_t size = std::filesystem::file_size(path, problem);
-  if (problem) return fail("{}: cannot be read: {}", path, problem.message());
+  if (problem) return fail("{}: cannot be read: {}", path, systemReason(problem));
   if (size > kLargestProfile_bytes) {
     return fail("{}: {} bytes; a profile has at most {}", path, size, kLargestProfile_bytes);
   }

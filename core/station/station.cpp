@@ -88,7 +88,7 @@ Station::Impl::Impl(const StationOptions& options, const std::optional<texture::
       world(std::move(simulated_world)),
       touchpad(std::move(opened_touchpad), options.profile.device),
       camera(
-          options.camera.empty() ? "simulated camera" : options.camera,
+          options.camera.empty() ? say("simulated camera") : verbatim(options.camera),
           [source = options.camera, shared = world, device = options.profile.device,
            playback]() -> Result<std::unique_ptr<device::Camera>> {
             if (source.empty()) return std::make_unique<sim::SimulatedCamera>(shared);
@@ -210,7 +210,7 @@ std::vector<Notice> Station::takeNotices() {
   std::vector<Notice> out;
   TimedEvent event;
   while (impl_->events.pop(event)) {
-    out.push_back({.when = event.when, .event = event.event, .text = describeEvent(event.event, impl_->bound)});
+    out.push_back({.when = event.when, .event = event.event, .message = describeEvent(event.event, impl_->bound)});
     // What the robot's operator changed belongs to the profile as well.
     if (event.event.kind == pipeline::EventKind::parameter_changed && event.event.index < impl_->bound.size()) {
       impl_->bound[event.event.index].set(event.event.value);
@@ -229,7 +229,7 @@ StationStatus Station::status() const {
     out.parts.push_back(impl_->link->part(now));
     out.link = impl_->link->status();
   } else {
-    out.link.protocol = "none";
+    out.link.protocol = say("none");
   }
   const StepTimes::Figures times = impl_->step_times.figures();
   out.loop = {.steps = impl_->loop.cycles(),

@@ -48,10 +48,10 @@ struct StationOptions {
 
 /// How one part is doing, in words an operator reads.
 struct PartStatus {
-  std::string name;         ///< "Touchpad", "Camera", "Robot"
-  std::string description;  ///< which one it is
+  device::Part part = device::Part::touchpad;
+  Message description;  ///< which one it is
   bool ok = false;
-  std::string problem;   ///< empty when ok; says what to do otherwise
+  Message problem;       ///< empty when ok; says what to do otherwise
   double rate_hz = 0.0;  ///< exchanges or pictures in the last second
   double age_ms = 0.0;   ///< of the newest value; NaN before the first
   std::uint64_t errors = 0;
@@ -66,7 +66,7 @@ struct LoopStatus {
 };
 
 struct LinkStatus {
-  std::string protocol;  ///< "FYD Link, sealed", "classic, not secured", "none"
+  Message protocol;      ///< "FYD Link, sealed", "classic, not secured", "none"
   bool secured = false;  ///< authenticated and encrypted
   std::string local;     ///< address this end listens on
   std::string peer;      ///< empty before the first
@@ -87,10 +87,10 @@ struct StationStatus {
 
 /// One line of the readiness list: what must hold before arming.
 struct ReadinessLine {
-  std::string what;
+  Message what;
   bool ok = false;
-  std::string why;     ///< what is wrong, as a phrase; empty when ok
-  std::string remedy;  ///< what the operator does about it, as a sentence; empty when ok
+  Message why;     ///< what is wrong, as a phrase; empty when ok
+  Message remedy;  ///< what the operator does about it, as a sentence; empty when ok
   pipeline::Lack lack = pipeline::Lack::none;
 };
 
@@ -108,7 +108,7 @@ struct CameraView {
 struct Notice {
   Instant when{};
   pipeline::Event event;
-  std::string text;
+  Message message;
 };
 
 /// True values of the simulated touchpad; for error figures only.

@@ -23,7 +23,7 @@ TouchpadThread::TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const
     : touchpad_(std::move(touchpad)),
       plausibility_(parameters),
       frozen_(parameters),
-      monitor_("Touchpad", touchpad_->description(), PartMonitor::kSilence) {}
+      monitor_(device::Part::touchpad, touchpad_->description(), PartMonitor::kSilence) {}
 
 TouchpadThread::~TouchpadThread() { shutDown(); }
 
@@ -48,13 +48,13 @@ void TouchpadThread::takeDuties() {
 void TouchpadThread::report(Instant now) {
   if (!answering_) monitor_.describe(touchpad_->description());
   answering_ = true;
-  std::string complaint = touchpad_->complaint();
+  Message complaint = touchpad_->complaint();
   if (complaint.empty()) complaint = plausibility_.complaint();
   if (complaint.empty()) complaint = frozen_.complaint();
   if (complaint.empty()) {
     monitor_.succeeded(now);
   } else if (monitor_.complained(complaint, now)) {
-    spdlog::warn("Touchpad: {}", complaint);
+    spdlog::warn("Touchpad: {}", complaint.text());
   }
 }
 
@@ -95,7 +95,7 @@ void TouchpadThread::run(const std::stop_token& stop) {
       due = std::max(due + touchpad_->period(), Clock::now());
     } else {
       answering_ = false;
-      if (monitor_.failed(exchanged.error().message)) spdlog::warn("Touchpad: {}", exchanged.error().message);
+      if (monitor_.failed(exchanged.error().message)) spdlog::warn("Touchpad: {}", exchanged.error().text());
       due = Clock::now() + retry;
       retry = std::min(2 * retry, kLongestRetry);
     }

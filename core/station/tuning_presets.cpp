@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/base/profile_text.h"
+#include "core/base/system_reason.h"
 #include "core/station/replace_file.h"
 
 namespace fyd::station {
@@ -75,7 +76,7 @@ Result<Profile> parsePreset(std::string_view text, std::string_view source_name,
     }
   }
   if (auto checked = control::checkControlParameters(profile.step.control); !checked) {
-    return fail("{}: {}", source_name, checked.error().message);
+    return fail(about(source_name, checked.error().message));
   }
   return profile;
 }
@@ -85,7 +86,7 @@ Result<std::string> readPreset(const std::string& folder, std::string_view name)
   const std::filesystem::path path = fileOf(folder, name);
   std::error_code problem;
   const std::uintmax_t size = std::filesystem::file_size(path, problem);
-  if (problem) return fail("{}: cannot be read: {}", path.string(), problem.message());
+  if (problem) return fail("{}: cannot be read: {}", path.string(), systemReason(problem));
   if (size > kLargestPreset_bytes) {
     return fail("{}: {} bytes; a preset has at most {}", path.string(), size, kLargestPreset_bytes);
   }
@@ -99,7 +100,7 @@ Result<void> writePreset(const std::string& folder, std::string_view name, std::
   if (auto good = checkPresetName(name); !good) return good;
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
-  if (problem) return fail("{}: the folder cannot be made: {}", folder, problem.message());
+  if (problem) return fail("{}: the folder cannot be made: {}", folder, systemReason(problem));
   return replaceFile(fileOf(folder, name).string(), text);
 }
 
@@ -108,7 +109,7 @@ Result<void> removePreset(const std::string& folder, std::string_view name) {
   const std::filesystem::path path = fileOf(folder, name);
   std::error_code problem;
   if (!std::filesystem::remove(path, problem)) {
-    return fail("{}: cannot be deleted: {}", path.string(), problem ? problem.message() : "no such file");
+    return fail("{}: cannot be deleted: {}", path.string(), problem ? systemReason(problem) : say("no such file"));
   }
   return {};
 }

@@ -115,7 +115,7 @@ Result<SurfaceModel> parseSurface(std::string_view text, std::string_view source
   try {
     root = toml::parse(text, source_name);
   } catch (const toml::parse_error& error) {
-    return fail("{}:{}: {}", source_name, error.source().begin.line, error.description());
+    return fail(about(fmt::format("{}:{}", source_name, error.source().begin.line), verbatim(error.description())));
   }
   const TableReader reader(root, source_name, "the surface");
   if (auto known = reader.onlyKnown(kModelKeys, {"name", "description", "band"}); !known) {

@@ -58,14 +58,6 @@
         <translation>%1 / %2 N/mm</translation>
     </message>
     <message>
-        <source>%1 = %2 was refused.</source>
-        <translation>%1 = %2 a été refusé.</translation>
-    </message>
-    <message>
-        <source>%1 = %2: expected %3</source>
-        <translation>%1 = %2 : attendu %3</translation>
-    </message>
-    <message>
         <source>%1 GB</source>
         <translation>%1 Go</translation>
     </message>
@@ -78,56 +70,12 @@
         <translation>%1 Mo</translation>
     </message>
     <message>
-        <source>%1 N/mm at %2 deg is known only to %3 %; expected at most %4 %: press there more often and deeper</source>
-        <translation>%1 N/mm à %2° n'est connu qu'à %3 % près ; attendu au plus %4 % : y presser plus souvent et plus fort</translation>
-    </message>
-    <message>
         <source>%1 ago</source>
         <translation>il y a %1</translation>
     </message>
     <message>
-        <source>%1 angles are not told apart by their stiffness and were pooled</source>
-        <translation>%1 angles ne se distinguent pas par leur raideur et ont été réunis</translation>
-    </message>
-    <message>
         <source>%1 at %2 s: %3</source>
         <translation>%1 à %2 s : %3</translation>
-    </message>
-    <message>
-        <source>%1 by the operator. Motors are off. Arm to start again.</source>
-        <translation>%1 par l'opérateur. Moteurs coupés. Armer pour recommencer.</translation>
-    </message>
-    <message>
-        <source>%1 cannot change while the station runs</source>
-        <translation>%1 ne peut pas changer pendant que la station fonctionne</translation>
-    </message>
-    <message>
-        <source>%1 different angles; expected at least %2: add presses at an angle between %3 and %4 deg</source>
-        <translation>%1 angles différents ; il en faut au moins %2 : ajouter des pressions à un angle entre %3 et %4°</translation>
-    </message>
-    <message>
-        <source>%1 different distances in %2 points; expected at least %3: add points between %4 and %5 mm (the same distance again tells only the noise)</source>
-        <translation>%1 distances différentes en %2 points ; il en faut au moins %3 : ajouter des points entre %4 et %5 mm (la même distance répétée ne donne que le bruit)</translation>
-    </message>
-    <message>
-        <source>%1 different points; expected at least %2: add points, best at the corners of the cloth</source>
-        <translation>%1 points différents ; il en faut au moins %2 : ajouter des points, de préférence aux coins du tissu</translation>
-    </message>
-    <message>
-        <source>%1 different weights in %2 points; expected at least %3: %4</source>
-        <translation>%1 poids différents en %2 points ; il en faut au moins %3 : %4</translation>
-    </message>
-    <message>
-        <source>%1 does not answer: %2</source>
-        <translation>%1 ne répond pas : %2</translation>
-    </message>
-    <message>
-        <source>%1 encoder turns %2 % %3 than commanded; expected within %4 %: check that the motor is free, and that both are wired to the same roller</source>
-        <translation>le codeur %1 tourne %2 % %3 que commandé ; attendu à %4 % près : vérifier que le moteur est libre et que les deux sont câblés au même rouleau</translation>
-    </message>
-    <message>
-        <source>%1 encoder: %2 points over %3 deg; expected at least 5 over %4 deg: sweep farther</source>
-        <translation>codeur %1 : %2 points sur %3° ; il en faut au moins 5 sur %4° : balayer plus loin</translation>
     </message>
     <message>
         <source>%1 errors since the start</source>
@@ -154,24 +102,12 @@
         <translation>%1 est supprimée.</translation>
     </message>
     <message>
-        <source>%1 is lost for %2 steps from row %3 on (%4)</source>
-        <translation>%1 est perdu pour %2 pas à partir de la ligne %3 (%4)</translation>
-    </message>
-    <message>
-        <source>%1 is not known: check its cable</source>
-        <translation>%1 n'est pas connu : vérifier son câble</translation>
-    </message>
-    <message>
         <source>%1 is not saved: the file of the window's settings cannot be written.</source>
         <translation>%1 n'est pas enregistrée : le fichier des réglages de la fenêtre ne peut être écrit.</translation>
     </message>
     <message>
         <source>%1 is not written: %2</source>
         <translation>%1 n'est pas écrit : %2</translation>
-    </message>
-    <message>
-        <source>%1 is now %2.</source>
-        <translation>%1 vaut maintenant %2.</translation>
     </message>
     <message>
         <source>%1 is saved.</source>
@@ -192,10 +128,6 @@
     <message>
         <source>%1 kB</source>
         <translation>%1 ko</translation>
-    </message>
-    <message>
-        <source>%1 mV/V is beyond the load cell's span of %2</source>
-        <translation>%1 mV/V dépasse la plage de la cellule de charge de %2</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
@@ -228,10 +160,6 @@
     <message>
         <source>%1 over time, %2</source>
         <translation>%1 au cours du temps, %2</translation>
-    </message>
-    <message>
-        <source>%1 points at %2 deg; expected at least %3: press there again, to different depths</source>
-        <translation>%1 points à %2° ; il en faut au moins %3 : presser encore là, à des profondeurs différentes</translation>
     </message>
     <message>
         <source>%1 presses of different depth at %2 or more stretches, the least and the greatest among them.</source>
@@ -290,10 +218,6 @@
         <translation>%1 × %2 px en %3, %4</translation>
     </message>
     <message>
-        <source>%1's newest reading is %2 ms old</source>
-        <translation>la lecture la plus récente de %1 a %2 ms</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
@@ -308,10 +232,6 @@
     <message>
         <source>%1, peak</source>
         <translation>%1, crête</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
     </message>
     <message>
         <source>%1: "%2" is no number.</source>
@@ -334,10 +254,6 @@
         <translation>%1 : %2 est hors limites ; attendu de %3 à %4 %5.</translation>
     </message>
     <message>
-        <source>%1: %2 is still being recorded; stop it first</source>
-        <translation>%1 : %2 est encore en cours d'enregistrement ; l'arrêter d'abord</translation>
-    </message>
-    <message>
         <source>%1: %2 samples are saved, %3 could not be read. The damaged original is kept as %4.</source>
         <translation>%1 : %2 échantillons sauvés, %3 illisibles. L'original endommagé est conservé sous %4.</translation>
     </message>
@@ -346,80 +262,12 @@
         <translation>%1 : %2.</translation>
     </message>
     <message>
-        <source>%1: %2. %3 Then re-arm.</source>
-        <translation>%1 : %2. %3 Puis réarmer.</translation>
-    </message>
-    <message>
-        <source>%1: '%2' is not a number; expected %3</source>
-        <translation>%1 : « %2 » n'est pas un nombre ; attendu : %3</translation>
-    </message>
-    <message>
-        <source>%1: a report ends in .html or .pdf</source>
-        <translation>%1 : un rapport se termine par .html ou .pdf</translation>
-    </message>
-    <message>
         <source>%1: all %2 samples are saved, but not all that belongs to them: %3 could not be read. The damaged original is kept as %4.</source>
         <translation>%1 : les %2 échantillons sont tous sauvés, mais pas tout ce qui les accompagne : %3 illisible. L'original endommagé est conservé sous %4.</translation>
     </message>
     <message>
-        <source>%1: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = %2?</source>
-        <translation>%1 : une réponse à une question antérieure a été refusée ; faut-il au touchpad plus que device.response_timeout_ms = %2 ?</translation>
-    </message>
-    <message>
-        <source>%1: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than %2</source>
-        <translation>%1 : un export finirait avant l'enregistrement ; `fyd session recover` rend d'abord entier ce qui peut être prouvé, ou exportez jusqu'à une seconde antérieure à %2</translation>
-    </message>
-    <message>
-        <source>%1: asked for %2 Bd, the port runs at %3 Bd; choose a speed its driver supports</source>
-        <translation>%1 : demandé %2 Bd, le port fonctionne à %3 Bd ; choisir une vitesse que permet son pilote</translation>
-    </message>
-    <message>
-        <source>%1: belongs to another user (uid %2, gid %3), who would lose it; choose another name</source>
-        <translation>%1 : appartient à un autre utilisateur (uid %2, gid %3), qui le perdrait ; choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened for reading</source>
-        <translation>%1 : impossible à ouvrir en lecture</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened: %2</source>
-        <translation>%1 : impossible à ouvrir : %2</translation>
-    </message>
-    <message>
-        <source>%1: cannot be read: %2</source>
-        <translation>%1 : illisible : %2</translation>
-    </message>
-    <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1 : impossible à écrire : %2</translation>
-    </message>
-    <message>
         <source>%1: difference %2, mean %3</source>
         <translation>%1 : différence %2, moyenne %3</translation>
-    </message>
-    <message>
-        <source>%1: does not open: %2</source>
-        <translation>%1 : ne s'ouvre pas : %2</translation>
-    </message>
-    <message>
-        <source>%1: does not open; %2</source>
-        <translation>%1 : ne s'ouvre pas ; %2</translation>
-    </message>
-    <message>
-        <source>%1: everything needed is there. Arm to start.</source>
-        <translation>%1 : tout le nécessaire est là. Armer pour commencer.</translation>
-    </message>
-    <message>
-        <source>%1: exists already</source>
-        <translation>%1 : existe déjà</translation>
-    </message>
-    <message>
-        <source>%1: exists; move one of the two away first</source>
-        <translation>%1 : existe ; déplacer d'abord l'un des deux</translation>
-    </message>
-    <message>
-        <source>%1: expected %2</source>
-        <translation>%1 : attendu %2</translation>
     </message>
     <message>
         <source>%1: expected a number</source>
@@ -430,172 +278,112 @@
         <translation>%1 : au moins %2 s attendues</translation>
     </message>
     <message>
-        <source>%1: expected true or false</source>
-        <translation>%1 : attendu true ou false</translation>
-    </message>
-    <message>
-        <source>%1: held-out error %2 mm of at most %3 mm, falls at every code from %4 to %5</source>
-        <translation>%1 : erreur de vérification %2 mm (au plus %3 mm), décroît à chaque code de %4 à %5</translation>
-    </message>
-    <message>
-        <source>%1: in use by another program ("fuser %2" names it)</source>
-        <translation>%1 : utilisé par un autre programme (« fuser %2 » le nomme)</translation>
-    </message>
-    <message>
-        <source>%1: is a device, not a file</source>
-        <translation>%1 : c'est un périphérique, pas un fichier</translation>
-    </message>
-    <message>
-        <source>%1: is a folder, not a file</source>
-        <translation>%1 : c'est un dossier, pas un fichier</translation>
-    </message>
-    <message>
-        <source>%1: is a pipe, not a file</source>
-        <translation>%1 : c'est un tube, pas un fichier</translation>
-    </message>
-    <message>
-        <source>%1: is a socket, not a file</source>
-        <translation>%1 : c'est un socket, pas un fichier</translation>
-    </message>
-    <message>
-        <source>%1: is being recorded at this moment</source>
-        <translation>%1 : est en cours d'enregistrement en ce moment</translation>
-    </message>
-    <message>
-        <source>%1: is no serial port</source>
-        <translation>%1 : n'est pas un port série</translation>
-    </message>
-    <message>
-        <source>%1: its links run in a circle</source>
-        <translation>%1 : ses liens tournent en rond</translation>
-    </message>
-    <message>
-        <source>%1: no permission. Add yourself to its group with "sudo usermod -aG %2 $USER" and log in again</source>
-        <translation>%1 : pas de permission. S'ajouter à son groupe par « sudo usermod -aG %2 $USER » et se reconnecter</translation>
-    </message>
-    <message>
-        <source>%1: no such parameter</source>
-        <translation>%1 : ce paramètre n'existe pas</translation>
-    </message>
-    <message>
-        <source>%1: not open</source>
-        <translation>%1 : non ouvert</translation>
-    </message>
-    <message>
-        <source>%1: reads differently each time; copy it to another disk first</source>
-        <translation>%1 : chaque lecture donne autre chose ; copiez-le d'abord sur un autre disque</translation>
-    </message>
-    <message>
-        <source>%1: rendering.</source>
-        <translation>%1 : rendu en cours.</translation>
-    </message>
-    <message>
-        <source>%1: sends damaged pictures: %2</source>
-        <translation>%1 : envoie des images endommagées : %2</translation>
-    </message>
-    <message>
-        <source>%1: sensors are live, motors are off.</source>
-        <translation>%1 : capteurs actifs, moteurs coupés.</translation>
-    </message>
-    <message>
-        <source>%1: set it to remote, and close what else drives it</source>
-        <translation>%1 : le mettre en commande à distance et fermer ce qui le pilote par ailleurs</translation>
-    </message>
-    <message>
-        <source>%1: stop, then arm again</source>
-        <translation>%1 : arrêter, puis armer de nouveau</translation>
-    </message>
-    <message>
-        <source>%1: the device behind the port is gone; is the cable plugged in?</source>
-        <translation>%1 : l'appareil derrière le port a disparu ; le câble est-il branché ?</translation>
-    </message>
-    <message>
-        <source>%1: the disk does not answer; nothing is recorded</source>
-        <translation>%1 : le disque ne répond pas ; rien n'est enregistré</translation>
-    </message>
-    <message>
-        <source>%1: the disk does not answer; the file is closed when it does</source>
-        <translation>%1 : le disque ne répond pas ; le fichier sera fermé quand il répondra</translation>
-    </message>
-    <message>
-        <source>%1: the disk has %2 MB left, fewer than the %3 MB a recording leaves free</source>
-        <translation>%1 : il reste %2 Mo sur le disque, moins que les %3 Mo qu'un enregistrement laisse libres</translation>
-    </message>
-    <message>
-        <source>%1: the folder cannot be used: %2</source>
-        <translation>%1 : dossier inutilisable : %2</translation>
-    </message>
-    <message>
-        <source>%1: the recorder is not running</source>
-        <translation>%1 : l'enregistreur ne fonctionne pas</translation>
-    </message>
-    <message>
-        <source>%1: the recording holds no picture</source>
-        <translation>%1 : l'enregistrement ne contient pas d'image</translation>
-    </message>
-    <message>
-        <source>%1: the session is closed</source>
-        <translation>%1 : la session est fermée</translation>
-    </message>
-    <message>
-        <source>%1: the touchpad does not answer.</source>
-        <translation>%1 : le touchpad ne répond pas.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file</source>
-        <translation>%1 : ce fichier n'existe pas</translation>
-    </message>
-    <message>
-        <source>%1: there is no such port; is the cable plugged in?</source>
-        <translation>%1 : ce port n'existe pas ; le câble est-il branché ?</translation>
-    </message>
-    <message>
         <source>%1: this folder cannot be made</source>
         <translation>%1 : ce dossier ne peut pas être créé</translation>
-    </message>
-    <message>
-        <source>%1: too many changes at once</source>
-        <translation>%1 : trop de changements à la fois</translation>
     </message>
     <message>
         <source>%1: type a number first.</source>
         <translation>%1 : saisir d'abord un nombre.</translation>
     </message>
     <message>
-        <source>%1: writing failed: %2</source>
-        <translation>%1 : échec de l'écriture : %2</translation>
-    </message>
-    <message>
-        <source>%1: writing failed: %2; nothing is left of it</source>
-        <translation>%1 : l'écriture a échoué : %2 ; il n'en reste rien</translation>
-    </message>
-    <message>
-        <source>%1: writing failed: %2; the file stays as it was</source>
-        <translation>%1 : l'écriture a échoué : %2 ; le fichier reste tel quel</translation>
-    </message>
-    <message>
-        <source>%1; %2 is whole up to here. Make room or choose another disk</source>
-        <translation>%1 ; %2 est intact jusqu'ici. Faire de la place ou choisir un autre disque</translation>
-    </message>
-    <message>
         <source>%1; now %2</source>
         <translation>%1 ; maintenant %2</translation>
-    </message>
-    <message>
-        <source>%1; robot %2 could not be had again either: %3</source>
-        <translation>%1 ; le robot %2 n'a pas pu être repris non plus : %3</translation>
-    </message>
-    <message>
-        <source>%1; the former session could not be had again either: %2</source>
-        <translation>%1 ; la session précédente n'a pas pu être reprise non plus : %2</translation>
     </message>
     <message numerus="yes">
         <source>%n sample(s) lost</source>
         <translation><numerusform>%n échantillon perdu</numerusform><numerusform>%n échantillons perdus</numerusform></translation>
     </message>
     <message>
-        <source>/commits: %1 of %2 rows are damaged, the first: row %3</source>
-        <translation>/commits : %1 lignes sur %2 sont endommagées, la première : ligne %3</translation>
+        <source>'{}' is no parameter of this program's step</source>
+        <translation>'{}' n'est pas un paramètre du pas de ce programme</translation>
+    </message>
+    <message>
+        <source>'{}' is not a picture that can be read</source>
+        <translation>'{}' n'est pas une image lisible</translation>
+    </message>
+    <message>
+        <source>'{}' is not a picture that can be read: {}</source>
+        <translation>'{}' n'est pas une image lisible : {}</translation>
+    </message>
+    <message>
+        <source>'{}': expected [[record]]</source>
+        <translation>'{}' : attendu [[record]]</translation>
+    </message>
+    <message>
+        <source>'{}': expected a date such as 2026-11-21</source>
+        <translation>'{}' : attendu une date comme 2026-11-21</translation>
+    </message>
+    <message>
+        <source>'{}': expected a serial number of 1 to {} characters behind serial=</source>
+        <translation>'{}' : attendu un numéro de série de 1 à {} caractères après serial=</translation>
+    </message>
+    <message>
+        <source>'{}': expected id=SERIAL, as it stands in {}</source>
+        <translation>'{}' : attendu id=SERIAL, comme il figure dans {}</translation>
+    </message>
+    <message>
+        <source>'{}': expected id=value</source>
+        <translation>'{}' : attendu id=value</translation>
+    </message>
+    <message>
+        <source>'{}': expected modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]</source>
+        <translation>'{}' : attendu modbus-tcp:HOST:PORT ou modbus-rtu:TTY[:BAUD]</translation>
+    </message>
+    <message>
+        <source>, shuffled and deflated</source>
+        <translation>, mélangées et compressées</translation>
+    </message>
+    <message>
+        <source>--after {}: expected a number of seconds from 0 to 3600</source>
+        <translation>--after {} : attendu un nombre de secondes de 0 à 3600</translation>
+    </message>
+    <message>
+        <source>--catalogue: {}</source>
+        <translation>--catalogue : {}</translation>
+    </message>
+    <message>
+        <source>--language {}: expected one of {}</source>
+        <translation>--language {} : attendu l'une de {}</translation>
+    </message>
+    <message>
+        <source>--operator, --subject, --notes and --tag describe a recording; add --record FILE</source>
+        <translation>--operator, --subject, --notes et --tag décrivent un enregistrement ; ajouter --record FILE</translation>
+    </message>
+    <message>
+        <source>--page {}: expected one of {}</source>
+        <translation>--page {} : attendu l'une de {}</translation>
+    </message>
+    <message>
+        <source>--simulate contradicts --touchpad {}</source>
+        <translation>--simulate contredit --touchpad {}</translation>
+    </message>
+    <message>
+        <source>--theme {}: expected dark, light or system</source>
+        <translation>--theme {} : attendu dark, light ou system</translation>
+    </message>
+    <message>
+        <source>--trial-repetitions: expected a whole number from 1</source>
+        <translation>--trial-repetitions : attendu un nombre entier à partir de 1</translation>
+    </message>
+    <message>
+        <source>--trial-seed: expected a whole number from 0</source>
+        <translation>--trial-seed : attendu un nombre entier à partir de 0</translation>
+    </message>
+    <message>
+        <source>--trials: {}</source>
+        <translation>--trials : {}</translation>
+    </message>
+    <message>
+        <source>/commits: row {} counts backwards</source>
+        <translation>/commits : la ligne {} compte à rebours</translation>
+    </message>
+    <message>
+        <source>/commits: row {} is damaged</source>
+        <translation>/commits : la ligne {} est endommagée</translation>
+    </message>
+    <message>
+        <source>/commits: {} of {} rows are damaged, the first: row {}</source>
+        <translation>/commits : {} lignes sur {} sont endommagées, la première : ligne {}</translation>
     </message>
     <message>
         <source>0 s</source>
@@ -738,6 +526,10 @@
         <translation>Ajouter</translation>
     </message>
     <message>
+        <source>Address already in use</source>
+        <translation>l'adresse est déjà utilisée</translation>
+    </message>
+    <message>
         <source>Address and port to listen on</source>
         <translation>Adresse et port d'écoute</translation>
     </message>
@@ -870,6 +662,10 @@
         <translation>Retour à la valeur enregistrée, %1</translation>
     </message>
     <message>
+        <source>Bad file descriptor</source>
+        <translation>descripteur de fichier non valable</translation>
+    </message>
+    <message>
         <source>Began, UTC</source>
         <translation>Début, UTC</translation>
     </message>
@@ -896,6 +692,10 @@
     <message>
         <source>Brightness, contrast, exposure</source>
         <translation>Luminosité, contraste, exposition</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>tube rompu</translation>
     </message>
     <message>
         <source>By hand</source>
@@ -976,6 +776,18 @@
     <message>
         <source>Cancelling: %1</source>
         <translation>Annulation : %1</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>mémoire insuffisante</translation>
+    </message>
+    <message>
+        <source>Cannot assign requested address</source>
+        <translation>l'adresse demandée ne peut pas être attribuée</translation>
+    </message>
+    <message>
+        <source>Cartesian impedance</source>
+        <translation>impédance cartésienne</translation>
     </message>
     <message>
         <source>Change the robot</source>
@@ -1146,6 +958,18 @@
         <translation>Connecté</translation>
     </message>
     <message>
+        <source>Connection refused</source>
+        <translation>connexion refusée</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>connexion réinitialisée par l'autre côté</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>délai de connexion dépassé</translation>
+    </message>
+    <message>
         <source>Contents</source>
         <translation>Sommaire</translation>
     </message>
@@ -1160,6 +984,10 @@
     <message>
         <source>Corner (-3 dB) of the default high-pass.</source>
         <translation>Fréquence de coupure (-3 dB) du passe-haut par défaut.</translation>
+    </message>
+    <message>
+        <source>Correction limit</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Crossfade</source>
@@ -1240,6 +1068,10 @@ mm</translation>
         <translation>Gain dérivé, sur la raideur mesurée et non sur la consigne.</translation>
     </message>
     <message>
+        <source>Device or resource busy</source>
+        <translation>appareil ou ressource occupés</translation>
+    </message>
+    <message>
         <source>Devices</source>
         <translation>Appareils</translation>
     </message>
@@ -1254,6 +1086,10 @@ mm</translation>
     <message>
         <source>Different from %1 s on (%2).</source>
         <translation>Différent à partir de %1 s (%2).</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>le dossier n'est pas vide</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -1274,6 +1110,10 @@ mm</translation>
     <message>
         <source>Disconnected</source>
         <translation>Déconnecté</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>quota du disque dépassé</translation>
     </message>
     <message>
         <source>Dismiss all notices</source>
@@ -1458,6 +1298,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>FYD Console</translation>
     </message>
     <message>
+        <source>FYD Link robot, listening on {}</source>
+        <translation>robot FYD Link, en écoute sur {}</translation>
+    </message>
+    <message>
         <source>FYD Link with a key</source>
         <translation>FYD Link avec une clé</translation>
     </message>
@@ -1498,8 +1342,20 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Fichier %1 : existe déjà ; un enregistrement n'est jamais écrasé.</translation>
     </message>
     <message>
+        <source>File exists</source>
+        <translation>le fichier existe déjà</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>nom de fichier trop long</translation>
+    </message>
+    <message>
         <source>File of the recording</source>
         <translation>Fichier de l'enregistrement</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>fichier trop grand</translation>
     </message>
     <message>
         <source>File: where is the recording to go?</source>
@@ -1716,6 +1572,10 @@ N</translation>
         <translation>Niveau de gris</translation>
     </message>
     <message>
+        <source>HDF5 does not take the console's driver</source>
+        <translation>HDF5 n'accepte pas le pilote de la console</translation>
+    </message>
+    <message>
         <source>Half a second without a hole is needed.</source>
         <translation>Il faut une demi-seconde sans trou.</translation>
     </message>
@@ -1864,16 +1724,16 @@ Robot : %2
         <translation>IR</translation>
     </message>
     <message>
-        <source>IR codes %1, expected 0 to %2</source>
-        <translation>codes IR %1, attendus de 0 à %2</translation>
+        <source>IR codes {}, expected 0 to {}</source>
+        <translation>codes IR {}, attendus de 0 à {}</translation>
     </message>
     <message>
-        <source>IR sensor %1</source>
-        <translation>Capteur IR %1</translation>
+        <source>IR sensor {}</source>
+        <translation>Capteur IR {}</translation>
     </message>
     <message>
-        <source>IR sensor %1 is stuck at code %2 while the others change: check its cable</source>
-        <translation>le capteur IR %1 est figé au code %2 pendant que les autres changent : vérifier son câble</translation>
+        <source>IR sensor {} is stuck at code {} while the others change: check its cable</source>
+        <translation>le capteur IR {} est figé au code {} pendant que les autres changent : vérifier son câble</translation>
     </message>
     <message>
         <source>Identical, bit for bit, as far as it goes.</source>
@@ -1890,6 +1750,10 @@ Robot : %2
     <message>
         <source>In force</source>
         <translation>En vigueur</translation>
+    </message>
+    <message>
+        <source>Inappropriate ioctl for device</source>
+        <translation>opération qui ne convient pas à l'appareil</translation>
     </message>
     <message>
         <source>Indentation</source>
@@ -1920,6 +1784,10 @@ Robot : %2
         <translation>Retard d'entrée</translation>
     </message>
     <message>
+        <source>Input/output error</source>
+        <translation>erreur d'entrée/sortie</translation>
+    </message>
+    <message>
         <source>Integral gain in thesis mode.</source>
         <translation>Gain intégral en mode thèse.</translation>
     </message>
@@ -1928,12 +1796,24 @@ Robot : %2
         <translation>Gain intégral, de l'erreur relative.</translation>
     </message>
     <message>
+        <source>Invalid argument</source>
+        <translation>argument non valable</translation>
+    </message>
+    <message>
+        <source>Invalid cross-device link</source>
+        <translation>lien entre appareils non valable</translation>
+    </message>
+    <message>
         <source>Ir noise</source>
         <translation>Bruit IR</translation>
     </message>
     <message>
         <source>Ir offset</source>
         <translation>Décalage IR</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>c'est un dossier</translation>
     </message>
     <message>
         <source>It cannot be proven bit for bit, a part of the recording is lost: %1</source>
@@ -1962,6 +1842,98 @@ Robot : %2
     <message>
         <source>Jitter</source>
         <translation>Gigue</translation>
+    </message>
+    <message>
+        <source>KRC control strategy {}: expected Cartesian impedance</source>
+        <translation>stratégie de commande KRC {} : attendu l'impédance cartésienne</translation>
+    </message>
+    <message>
+        <source>KRC in monitor mode: the arm holds; link quality {}; the program on the controller starts command mode</source>
+        <translation>KRC en mode moniteur : le bras tient sa place ; qualité de la liaison {} ; le programme sur le contrôleur lance le mode commande</translation>
+    </message>
+    <message>
+        <source>KRC link quality {}: {:.0f} % of its measurements answered; expected good or perfect</source>
+        <translation>qualité de la liaison KRC {} : {:.0f} % de ses mesures ont eu une réponse ; attendu bonne ou parfaite</translation>
+    </message>
+    <message>
+        <source>KRC off: open FRI in the program on the controller</source>
+        <translation>KRC arrêté : ouvrir FRI dans le programme sur le contrôleur</translation>
+    </message>
+    <message>
+        <source>KRC reports drive errors {:#04x}: acknowledge them on the controller</source>
+        <translation>le KRC signale des défauts d'entraînement {:#04x} : les acquitter sur le contrôleur</translation>
+    </message>
+    <message>
+        <source>KRC silent for {:.0f} ms; expected a measurement every 1 to 100 ms: cable, or FRI closed</source>
+        <translation>KRC muet depuis {:.0f} ms ; attendu une mesure toutes les 1 à 100 ms : câble, ou FRI fermé</translation>
+    </message>
+    <message>
+        <source>KRC: command mode has just begun, the arm holds</source>
+        <translation>KRC : le mode commande vient de commencer, le bras tient sa place</translation>
+    </message>
+    <message>
+        <source>KRC: commanded and measured frame are {:g} m apart; expected at most {:g} m</source>
+        <translation>KRC : les repères commandé et mesuré sont à {:g} m l'un de l'autre ; attendu au plus {:g} m</translation>
+    </message>
+    <message>
+        <source>KRC: leap {} mm/s; expected more than 0</source>
+        <translation>KRC : saut de {} mm/s ; attendu plus de 0</translation>
+    </message>
+    <message>
+        <source>KRC: none of the last {} answers shows in its commanded frame; expected the place that was commanded</source>
+        <translation>KRC : aucune des {} dernières réponses n'apparaît dans son repère commandé ; attendu la place qui avait été commandée</translation>
+    </message>
+    <message>
+        <source>KRC: nothing heard on {}; expected a measurement every 1 to 100 ms: is FRI open on the controller?</source>
+        <translation>KRC : rien reçu sur {} ; attendu une mesure toutes les 1 à 100 ms : FRI est-il ouvert sur le contrôleur ?</translation>
+    </message>
+    <message>
+        <source>KRC: period {} ms; expected 1 to 100</source>
+        <translation>KRC : période {} ms ; attendu de 1 à 100</translation>
+    </message>
+    <message>
+        <source>KRC: target ({}, {}, {}) mm: expected three finite numbers</source>
+        <translation>KRC : cible ({}, {}, {}) mm : attendu trois nombres finis</translation>
+    </message>
+    <message>
+        <source>KRC: the arm is coming to rest</source>
+        <translation>KRC : le bras est en train de s'arrêter</translation>
+    </message>
+    <message>
+        <source>KRC: the measured frame moved {:g} m in {} cycles; expected at most {:g} m</source>
+        <translation>KRC : le repère mesuré a bougé de {:g} m en {} cycles ; attendu au plus {:g} m</translation>
+    </message>
+    <message>
+        <source>KRC: the remote's address {} has no port to send to</source>
+        <translation>KRC : l'adresse {} du côté distant n'a pas de port où envoyer</translation>
+    </message>
+    <message>
+        <source>KRC: the rotation of the {} frame is off by {:g}; expected rows of length 1 at right angles, within {}</source>
+        <translation>KRC : la rotation du repère {} est fausse de {:g} ; attendu des lignes de longueur 1 à angle droit, à {} près</translation>
+    </message>
+    <message>
+        <source>KRC: the {} frame is a mirror; expected a rotation (determinant 1)</source>
+        <translation>KRC : le repère {} est un miroir ; attendu une rotation (déterminant 1)</translation>
+    </message>
+    <message>
+        <source>KRC: the {} frame is at ({:g}, {:g}, {:g}) m; expected within {:g} m of the base</source>
+        <translation>KRC : le repère {} est à ({:g}, {:g}, {:g}) m ; attendu à moins de {:g} m de la base</translation>
+    </message>
+    <message>
+        <source>KRC: {} cannot reach {}: both must be IPv4 or both IPv6</source>
+        <translation>KRC : {} ne peut pas atteindre {} : les deux doivent être IPv4 ou tous deux IPv6</translation>
+    </message>
+    <message>
+        <source>KRC: {} {} is {:g} {}; expected within ±{:g} {}</source>
+        <translation>KRC : {} {} vaut {:g} {} ; attendu à ±{:g} {} près</translation>
+    </message>
+    <message>
+        <source>KRL real</source>
+        <translation>réel KRL</translation>
+    </message>
+    <message>
+        <source>KUKA LWR over FRI on {}</source>
+        <translation>KUKA LWR par FRI sur {}</translation>
     </message>
     <message>
         <source>Kalman filter: how much it wanders while the finger presses or lifts.</source>
@@ -2016,6 +1988,10 @@ Robot : %2
         <translation>Rapport cyclique maximal que la vibration peut utiliser.</translation>
     </message>
     <message>
+        <source>Largest relative correction of the law; a measurement that asks for more contradicts it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Last answer</source>
         <translation>Dernière réponse</translation>
     </message>
@@ -2026,6 +2002,10 @@ Robot : %2
     <message>
         <source>Last picture</source>
         <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>Lasting measurement error</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
@@ -2240,6 +2220,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Borne inférieure de %1</translation>
     </message>
     <message>
+        <source>MJPEG {}: cannot listen: {}</source>
+        <translation>MJPEG {} : écoute impossible : {}</translation>
+    </message>
+    <message>
         <source>Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted.</source>
         <translation>Rend entier un enregistrement dont l'enregistreur s'est interrompu ou qui est endommagé. Rien n'est effacé.</translation>
     </message>
@@ -2316,6 +2300,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Millimètres par pixel le long d'une ligne de l'image.</translation>
     </message>
     <message>
+        <source>Modbus TCP {}: cannot listen: {}</source>
+        <translation>Modbus TCP {} : écoute impossible : {}</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: no socket: {}</source>
+        <translation>Modbus TCP : pas de socket : {}</translation>
+    </message>
+    <message>
         <source>Motion depth scale</source>
         <translation>Échelle en profondeur</translation>
     </message>
@@ -2340,10 +2332,6 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Carte moteurs</translation>
     </message>
     <message>
-        <source>Motors</source>
-        <translation>Moteurs</translation>
-    </message>
-    <message>
         <source>Motors answer</source>
         <translation>Les moteurs répondent</translation>
     </message>
@@ -2364,6 +2352,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>N/mm</translation>
     </message>
     <message>
+        <source>NaN is no time</source>
+        <translation>NaN n'est pas un temps</translation>
+    </message>
+    <message>
         <source>Name</source>
         <translation>Nom</translation>
     </message>
@@ -2382,6 +2374,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Name one with --touchpad, --motors or --camera at the start.</source>
         <translation>En indiquer un avec --touchpad, --motors ou --camera au démarrage.</translation>
+    </message>
+    <message>
+        <source>Network is down</source>
+        <translation>le réseau est arrêté</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>réseau injoignable</translation>
     </message>
     <message>
         <source>New</source>
@@ -2464,6 +2464,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Pas de rapport : %1.</translation>
     </message>
     <message>
+        <source>No route to host</source>
+        <translation>pas de route vers l'hôte</translation>
+    </message>
+    <message>
         <source>No sensor of the touchpad answers.</source>
         <translation>Aucun capteur du touchpad ne répond.</translation>
     </message>
@@ -2478,6 +2482,22 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below.</source>
         <translation>Aucune session n'est encore au catalogue. En enregistrer une dans Conduite (Ctrl+R), ou indiquer ci-dessous le fichier d'un enregistrement.</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>plus de place sur le disque</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>appareil absent</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>appareil ou adresse inexistants</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>aucun fichier ou dossier de ce nom</translation>
     </message>
     <message>
         <source>No trial was begun: nothing is being recorded. Ctrl+R starts.</source>
@@ -2500,12 +2520,16 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Aucun</translation>
     </message>
     <message>
+        <source>Not a directory</source>
+        <translation>ce n'est pas un dossier</translation>
+    </message>
+    <message>
         <source>Not accepted, the old values stay. %1</source>
         <translation>Non accepté, les anciennes valeurs restent. %1</translation>
     </message>
     <message>
-        <source>Not armed: %1. %2</source>
-        <translation>Non armé : %1. %2</translation>
+        <source>Not armed: {}. {}</source>
+        <translation>Non armé : {}. {}</translation>
     </message>
     <message>
         <source>Not following: press F to follow again</source>
@@ -2692,6 +2716,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Conduite</translation>
     </message>
     <message>
+        <source>Operation not permitted</source>
+        <translation>opération non permise</translation>
+    </message>
+    <message>
         <source>Operator</source>
         <translation>Opérateur</translation>
     </message>
@@ -2762,6 +2790,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Period of the thesis' control law.</source>
         <translation>Période de la loi de commande de la thèse.</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permission refusée</translation>
     </message>
     <message>
         <source>Phase margin</source>
@@ -2938,6 +2970,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Relu</translation>
     </message>
     <message>
+        <source>Read-only file system</source>
+        <translation>système de fichiers en lecture seule</translation>
+    </message>
+    <message>
         <source>Readiness</source>
         <translation>Préparation</translation>
     </message>
@@ -3060,6 +3096,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Refusés : aucun</translation>
     </message>
     <message>
+        <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Rename</source>
         <translation>Renommer</translation>
     </message>
@@ -3102,6 +3142,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Residual, °</source>
         <translation>Résidu, °</translation>
+    </message>
+    <message>
+        <source>Resource temporarily unavailable</source>
+        <translation>ressource temporairement indisponible</translation>
     </message>
     <message>
         <source>Rest a finger on the cloth, drag a rectangle around the cloth in the picture, and take the point.</source>
@@ -3412,6 +3456,10 @@ par s</translation>
         <translation>Dispersion, mV/V</translation>
     </message>
     <message>
+        <source>Stale file handle</source>
+        <translation>référence de fichier périmée</translation>
+    </message>
+    <message>
         <source>Standard layout</source>
         <translation>Disposition standard</translation>
     </message>
@@ -3648,12 +3696,12 @@ N/mm</translation>
         <translation>Tare</translation>
     </message>
     <message>
-        <source>Tare done; the largest offset moved by %1 mm.</source>
-        <translation>Tare faite ; le plus grand décalage a changé de %1 mm.</translation>
+        <source>Tare done; the largest offset moved by {:.2f} mm.</source>
+        <translation>Tare faite ; le plus grand décalage a changé de {:.2f} mm.</translation>
     </message>
     <message>
-        <source>Tare failed: %1. Keep the cloth untouched and try again.</source>
-        <translation>Échec de la tare : %1. Ne pas toucher le tissu et réessayer.</translation>
+        <source>Tare failed: {}. Keep the cloth untouched and try again.</source>
+        <translation>Échec de la tare : {}. Ne pas toucher le tissu et réessayer.</translation>
     </message>
     <message>
         <source>Target</source>
@@ -3676,6 +3724,10 @@ N/mm</translation>
         <translation>Essai, tant que maintenu</translation>
     </message>
     <message>
+        <source>Text file busy</source>
+        <translation>le fichier est en cours d'exécution</translation>
+    </message>
+    <message>
         <source>Texture</source>
         <translation>Texture</translation>
     </message>
@@ -3696,8 +3748,12 @@ N/mm</translation>
         <translation>Le protocole classique ne peut le dire.</translation>
     </message>
     <message>
-        <source>The clock went back by %1 s; that step moved nothing.</source>
-        <translation>L'horloge a reculé de %1 s ; ce pas n'a rien bougé.</translation>
+        <source>The clock went back by {:.3f} s; that step moved nothing.</source>
+        <translation>L'horloge a reculé de {:.3f} s ; ce pas n'a rien bougé.</translation>
+    </message>
+    <message>
+        <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The current values (B) are felt.</source>
@@ -3820,8 +3876,8 @@ Pour commencer : %1</translation>
         <translation>Le robot doit avoir la même clé ; « fyd link keygen » en crée une.</translation>
     </message>
     <message>
-        <source>The robot's operator asks: %1.</source>
-        <translation>L'opérateur du robot demande : %1.</translation>
+        <source>The robot's operator asks: {}.</source>
+        <translation>L'opérateur du robot demande : {}.</translation>
     </message>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
@@ -3880,8 +3936,8 @@ Pour commencer : %1</translation>
         <translation>La cible vue de dessus. Dessous, l'écart de chaque marque. Croix : points que les autres contredisent.</translation>
     </message>
     <message>
-        <source>The target is out of reach; rendering the nearest, %1 N/mm.</source>
-        <translation>La consigne est hors de portée ; rendu de la plus proche, %1 N/mm.</translation>
+        <source>The target is out of reach; rendering the nearest, {:.3f} N/mm.</source>
+        <translation>La consigne est hors de portée ; rendu de la plus proche, {:.3f} N/mm.</translation>
     </message>
     <message>
         <source>The touchpad runs mode thesis; these courses are of mode default.</source>
@@ -4000,6 +4056,18 @@ Pour commencer : %1</translation>
         <translation>Colore ce que le détecteur prend pour le doigt (M)</translation>
     </message>
     <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>trop de niveaux de liens symboliques</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>trop de fichiers ouverts</translation>
+    </message>
+    <message>
+        <source>Too many open files in system</source>
+        <translation>trop de fichiers ouverts dans le système</translation>
+    </message>
+    <message>
         <source>Top</source>
         <translation>Haut</translation>
     </message>
@@ -4050,6 +4118,10 @@ Pour commencer : %1</translation>
     <message>
         <source>Type a stretch and hold the button: the motors go there. Meanwhile press the cloth to three depths, each for a second; points are taken by themselves.</source>
         <translation>Saisir un étirement et tenir le bouton : les moteurs y vont. Presser pendant ce temps le tissu à trois profondeurs, une seconde chacune ; les points se prennent tout seuls.</translation>
+    </message>
+    <message>
+        <source>UDP {}: {}: {}</source>
+        <translation>UDP {} : {} : {}</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -4200,24 +4272,68 @@ Pour commencer : %1</translation>
         <translation>un code, comme S07 ; jamais un nom</translation>
     </message>
     <message>
-        <source>a list of numbers, each from %1 to %2</source>
-        <translation>une liste de nombres, chacun de %1 à %2</translation>
+        <source>a condition without a name</source>
+        <translation>une condition sans nom</translation>
+    </message>
+    <message>
+        <source>a cycle</source>
+        <translation>un cycle</translation>
+    </message>
+    <message>
+        <source>a folder has none</source>
+        <translation>un dossier n'en a pas</translation>
+    </message>
+    <message>
+        <source>a key that no record has</source>
+        <translation>une clé qu'aucune entrée n'a</translation>
+    </message>
+    <message>
+        <source>a line for each axis</source>
+        <translation>une droite par axe</translation>
+    </message>
+    <message>
+        <source>a line for each encoder</source>
+        <translation>une droite par codeur</translation>
+    </message>
+    <message>
+        <source>a line of at most {} bytes</source>
+        <translation>une ligne d'au plus {} octets</translation>
+    </message>
+    <message>
+        <source>a list of numbers, each from {} to {}{}</source>
+        <translation>une liste de nombres, chacun de {} à {}{}</translation>
     </message>
     <message>
         <source>a motor stands beyond control.motor_limit_deg: check the encoder's zero</source>
         <translation>un moteur est au-delà de control.motor_limit_deg : vérifier le zéro du codeur</translation>
     </message>
     <message>
-        <source>a number from %1 to %2</source>
-        <translation>un nombre de %1 à %2</translation>
+        <source>a number from {} to {}{}</source>
+        <translation>un nombre de {} à {}{}</translation>
+    </message>
+    <message>
+        <source>a number with a point, or nan</source>
+        <translation>un nombre avec un point, ou nan</translation>
     </message>
     <message>
         <source>a parameter</source>
         <translation>un paramètre</translation>
     </message>
     <message>
+        <source>a picture is {} × {} px, those before {} × {}; choose a time with one size</source>
+        <translation>une image fait {} × {} px, les précédentes {} × {} ; choisir un temps d'une seule taille</translation>
+    </message>
+    <message>
+        <source>a picture of {} x {} pixels: too large</source>
+        <translation>une image de {} x {} pixels : trop grande</translation>
+    </message>
+    <message>
         <source>a reason that this program does not know</source>
         <translation>une raison que ce programme ne connaît pas</translation>
+    </message>
+    <message>
+        <source>a recording of format {}; this program reads format {}</source>
+        <translation>un enregistrement au format {} ; ce programme lit le format {}</translation>
     </message>
     <message>
         <source>a second</source>
@@ -4232,36 +4348,88 @@ Pour commencer : %1</translation>
         <translation>un capteur est hors de sa plage</translation>
     </message>
     <message>
-        <source>a whole number from %1 to %2</source>
-        <translation>un nombre entier de %1 à %2</translation>
+        <source>a state of a program before revision a4d2b6a</source>
+        <translation>l'état d'un programme antérieur à la révision a4d2b6a</translation>
+    </message>
+    <message>
+        <source>a stream has none</source>
+        <translation>un flux n'en a pas</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>a value is not finite</source>
+        <translation>une valeur n'est pas finie</translation>
+    </message>
+    <message>
+        <source>a video file has none</source>
+        <translation>un fichier vidéo n'en a pas</translation>
+    </message>
+    <message>
+        <source>a weight is negative</source>
+        <translation>un poids est négatif</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>a whole number from {} to {}{}</source>
+        <translation>un nombre entier de {} à {}{}</translation>
     </message>
     <message>
         <source>a wrong tare of %1 ± %2 is taken into account</source>
         <translation>une tare fausse de %1 ± %2 est prise en compte</translation>
     </message>
     <message>
+        <source>aborted</source>
+        <translation>interrompue</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
+        <source>acceleration limit {} mm/s²: expected 10 to 100000</source>
+        <translation>limite d'accélération {} mm/s² : attendu de 10 à 100000</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>acceptée</translation>
+    </message>
+    <message>
         <source>adaptive follows uneven and changing light; thesis is the printed algorithm.</source>
         <translation>adaptive suit une lumière inégale et changeante ; thesis est l'algorithme imprimé.</translation>
     </message>
     <message>
-        <source>add weights between %1 and %2 N</source>
-        <translation>ajouter des poids entre %1 et %2 N</translation>
+        <source>adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both again</source>
+        <translation>adc monte de {:.0f} à {:g} mm à {:.0f} à {:g} mm, mais une cible plus éloignée doit donner moins : mesurer de nouveau les deux</translation>
     </message>
     <message>
-        <source>address "%1": "%2" is not an %3 address (names other than localhost are not looked up)</source>
-        <translation>adresse « %1 » : « %2 » n'est pas une adresse %3 (les noms autres que localhost ne sont pas cherchés)</translation>
+        <source>adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both again, and leave out distances the sensor is too near for</source>
+        <translation>adc monte de {:.0f} à {:g} mm à {:.0f} à {:g} mm, mais une cible plus éloignée doit donner moins : mesurer de nouveau les deux, et laisser de côté les distances trop proches pour le capteur</translation>
     </message>
     <message>
-        <source>address "%1": an IPv6 address stands in brackets, such as [::1]:3490</source>
-        <translation>adresse « %1 » : une adresse IPv6 se met entre crochets, comme [::1]:3490</translation>
+        <source>add weights between {:.3g} and {:.3g} N</source>
+        <translation>ajouter des poids entre {:.3g} et {:.3g} N</translation>
     </message>
     <message>
-        <source>address "%1": no port; expected HOST:PORT such as 127.0.0.1:3490 or [::1]:3490</source>
-        <translation>adresse « %1 » : pas de port ; attendu HOST:PORT comme 127.0.0.1:3490 ou [::1]:3490</translation>
+        <source>address "{}": "{}" is not an {} address (names other than localhost are not looked up)</source>
+        <translation>adresse « {} » : « {} » n'est pas une adresse {} (les noms autres que localhost ne sont pas cherchés)</translation>
     </message>
     <message>
-        <source>address "%1": port "%2" is not a whole number from 0 to 65535</source>
-        <translation>adresse « %1 » : le port « %2 » n'est pas un nombre entier de 0 à 65535</translation>
+        <source>address "{}": an IPv6 address stands in brackets, such as [::1]:3490</source>
+        <translation>adresse « {} » : une adresse IPv6 se met entre crochets, comme [::1]:3490</translation>
+    </message>
+    <message>
+        <source>address "{}": no port; expected HOST:PORT such as 127.0.0.1:3490 or [::1]:3490</source>
+        <translation>adresse « {} » : pas de port ; attendu HOST:PORT comme 127.0.0.1:3490 ou [::1]:3490</translation>
+    </message>
+    <message>
+        <source>address "{}": port "{}" is not a whole number from 0 to 65535</source>
+        <translation>adresse « {} » : le port « {} » n'est pas un nombre entier de 0 à 65535</translation>
     </message>
     <message>
         <source>ageing: %1</source>
@@ -4276,8 +4444,20 @@ Pour commencer : %1</translation>
         <translation>retour à toutes les valeurs enregistrées</translation>
     </message>
     <message>
+        <source>all points at {} V</source>
+        <translation>tous les points à {} V</translation>
+    </message>
+    <message>
         <source>all presses are about equally deep, so a wrong tare cannot be told from stiffness: press to different depths</source>
         <translation>toutes les pressions ont à peu près la même profondeur, une tare fausse ne se distingue donc pas de la raideur : presser à des profondeurs différentes</translation>
+    </message>
+    <message>
+        <source>an HDF5 file, but not a recording of the console</source>
+        <translation>un fichier HDF5, mais pas un enregistrement de la console</translation>
+    </message>
+    <message>
+        <source>an HDF5 file, but not a recording of the console, or its first bytes are damaged</source>
+        <translation>un fichier HDF5, mais pas un enregistrement de la console, ou ses premiers octets sont endommagés</translation>
     </message>
     <message>
         <source>an answer of another unit</source>
@@ -4292,32 +4472,52 @@ Pour commencer : %1</translation>
         <translation>une réponse à somme de contrôle erronée ; la vitesse est-elle juste et la ligne terminée ?</translation>
     </message>
     <message>
-        <source>an axis spreads by %1 g; expected at most %2: it moves: put the robot to rest</source>
-        <translation>un axe varie de %1 g ; attendu au plus %2 : il bouge : mettre le robot au repos</translation>
+        <source>an axis spreads by {:.3f} g; expected at most {:g}: it moves: put the robot to rest</source>
+        <translation>un axe varie de {:.3f} g ; attendu au plus {:g} : il bouge : mettre le robot au repos</translation>
     </message>
     <message>
         <source>an unknown state</source>
         <translation>un état inconnu</translation>
     </message>
     <message>
+        <source>an unknown that no point tells anything of</source>
+        <translation>une inconnue dont aucun point ne dit rien</translation>
+    </message>
+    <message>
+        <source>and {} more</source>
+        <translation>et {} de plus</translation>
+    </message>
+    <message>
+        <source>angles, indentations and forces differ in number</source>
+        <translation>angles, enfoncements et forces ne sont pas en même nombre</translation>
+    </message>
+    <message>
         <source>another file</source>
         <translation>un autre fichier</translation>
+    </message>
+    <message>
+        <source>another robot is served</source>
+        <translation>un autre robot est servi</translation>
     </message>
     <message>
         <source>answers missing</source>
         <translation>réponses manquantes</translation>
     </message>
     <message>
-        <source>any text of the header may be wrong: %1</source>
-        <translation>tout texte de l'en-tête peut être faux : %1</translation>
+        <source>any text of the header may be wrong: {}</source>
+        <translation>tout texte de l'en-tête peut être faux : {}</translation>
     </message>
     <message>
         <source>area</source>
         <translation>aire</translation>
     </message>
     <message>
-        <source>asked for %1 %, the camera took %2 %</source>
-        <translation>demandé %1 %, la caméra a pris %2 %</translation>
+        <source>arithmetic {}: expected 1 or more</source>
+        <translation>arithmétique {} : attendu 1 ou plus</translation>
+    </message>
+    <message>
+        <source>asked for {:.0f} %, the camera took {:.0f} %</source>
+        <translation>demandé {:.0f} %, la caméra a pris {:.0f} %</translation>
     </message>
     <message>
         <source>at edge</source>
@@ -4328,12 +4528,12 @@ Pour commencer : %1</translation>
         <translation>au repos</translation>
     </message>
     <message>
-        <source>at rest %1 g, spread %2 g</source>
-        <translation>au repos %1 g, dispersion %2 g</translation>
+        <source>at rest it measures {:.3f} g; expected 1 within {:g}: check the counts per g of the sensor</source>
+        <translation>au repos il mesure {:.3f} g ; attendu 1 à {:g} près : vérifier les points par g du capteur</translation>
     </message>
     <message>
-        <source>at rest it measures %1 g; expected 1 within %2: check the counts per g of the sensor</source>
-        <translation>au repos il mesure %1 g ; attendu 1 à %2 près : vérifier les points par g du capteur</translation>
+        <source>at rest {:.4f} g, spread {:.4f} g</source>
+        <translation>au repos {:.4f} g, dispersion {:.4f} g</translation>
     </message>
     <message>
         <source>auto</source>
@@ -4344,12 +4544,28 @@ Pour commencer : %1</translation>
         <translation>réglage automatique</translation>
     </message>
     <message>
+        <source>auto-tune: cancelled</source>
+        <translation>auto-tune : annulé</translation>
+    </message>
+    <message>
+        <source>auto-tune: no time constant up to {} s keeps gain margin {} and phase margin {}° (dead time {:.3f} s, lag {:.3f} s, noise {:.1f} %)</source>
+        <translation>auto-tune : aucune constante de temps jusqu'à {} s ne garde la marge de gain {} et la marge de phase {}° (temps mort {:.3f} s, retard {:.3f} s, bruit {:.1f} %)</translation>
+    </message>
+    <message>
         <source>average more readings at each distance, target square to the sensor</source>
         <translation>moyenner plus de lectures à chaque distance, cible d'équerre avec le capteur</translation>
     </message>
     <message>
+        <source>axes "{}": expected x, y and z once each, such as -y,-x,z</source>
+        <translation>axes « {} » : attendu x, y et z une fois chacun, comme -y,-x,z</translation>
+    </message>
+    <message>
         <source>back to the saved values</source>
         <translation>retour aux valeurs enregistrées</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>mauvaise</translation>
     </message>
     <message>
         <source>before a handshake</source>
@@ -4384,32 +4600,120 @@ Pour commencer : %1</translation>
         <translation>à la main</translation>
     </message>
     <message>
-        <source>calibrated %1 days ago: repeat it</source>
-        <translation>étalonné il y a %1 jours : à refaire</translation>
+        <source>calibrated {} days ago: repeat it</source>
+        <translation>étalonné il y a {} jours : à refaire</translation>
     </message>
     <message>
-        <source>calibrated %1 days ago: repeat it soon</source>
-        <translation>étalonné il y a %1 jours : à refaire bientôt</translation>
+        <source>calibrated {} days ago: repeat it soon</source>
+        <translation>étalonné il y a {} jours : à refaire bientôt</translation>
     </message>
     <message>
-        <source>calibrated %1 days in the future: the computer's clock was or is wrong</source>
-        <translation>étalonné %1 jours dans le futur : l'horloge de l'ordinateur était ou est fausse</translation>
+        <source>calibrated {} days in the future: the computer's clock was or is wrong</source>
+        <translation>étalonné {} jours dans le futur : l'horloge de l'ordinateur était ou est fausse</translation>
     </message>
     <message>
-        <source>camera device %1: there is no %2; capture devices found: %3</source>
-        <translation>caméra %1 : il n'y a pas de %2 ; périphériques de capture trouvés : %3</translation>
+        <source>camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, id=SERIAL, a video file, a folder of pictures or a stream's URL</source>
+        <translation>caméra '{}' : aucun fichier ou dossier de ce nom ; attendu un numéro d'appareil, un chemin comme /dev/video0, id=SERIAL, un fichier vidéo, un dossier d'images ou l'URL d'un flux</translation>
     </message>
     <message>
-        <source>camera device '%1': there is none; capture devices found: %2</source>
-        <translation>caméra '%1' : elle n'existe pas ; périphériques de capture trouvés : %2</translation>
+        <source>camera device</source>
+        <translation>caméra (appareil)</translation>
     </message>
     <message>
-        <source>camera: none given</source>
-        <translation>caméra : non indiquée</translation>
+        <source>camera device '{}'</source>
+        <translation>appareil de prise de vue '{}'</translation>
+    </message>
+    <message>
+        <source>camera device '{}': there is none; capture devices found: {}</source>
+        <translation>caméra '{}' : elle n'existe pas ; périphériques de capture trouvés : {}</translation>
+    </message>
+    <message>
+        <source>camera device {}: there is no {}; capture devices found: {}</source>
+        <translation>caméra {} : il n'y a pas de {} ; périphériques de capture trouvés : {}</translation>
+    </message>
+    <message>
+        <source>camera folder '{}': no pictures; expected {}</source>
+        <translation>dossier de la caméra '{}' : pas d'images ; attendu {}</translation>
+    </message>
+    <message>
+        <source>camera folder '{}': {}</source>
+        <translation>dossier de la caméra '{}' : {}</translation>
+    </message>
+    <message>
+        <source>camera folder: {}</source>
+        <translation>dossier de la caméra : {}</translation>
+    </message>
+    <message>
+        <source>camera stream '{}'</source>
+        <translation>flux de caméra '{}'</translation>
+    </message>
+    <message>
+        <source>camera: none given; only the simulated touchpad has a simulated camera</source>
+        <translation>caméra : aucune donnée ; seul le touchpad simulé a une caméra simulée</translation>
+    </message>
+    <message>
+        <source>camera: {}</source>
+        <translation>caméra : {}</translation>
+    </message>
+    <message>
+        <source>cancelled before it was done</source>
+        <translation>annulé avant la fin</translation>
+    </message>
+    <message>
+        <source>cannot be judged on held-out distances</source>
+        <translation>ne peut pas être jugée sur des distances mises de côté</translation>
     </message>
     <message>
         <source>cannot be read back</source>
         <translation>ne peut être relu</translation>
+    </message>
+    <message>
+        <source>cannot be set to non-blocking</source>
+        <translation>ne peut pas être rendu non bloquant</translation>
+    </message>
+    <message>
+        <source>cannot listen</source>
+        <translation>écoute impossible</translation>
+    </message>
+    <message>
+        <source>cannot listen, another program holds the port</source>
+        <translation>écoute impossible, un autre programme occupe le port</translation>
+    </message>
+    <message>
+        <source>cannot open a socket</source>
+        <translation>ne peut pas ouvrir de socket</translation>
+    </message>
+    <message>
+        <source>cannot tell its own address</source>
+        <translation>ne peut pas dire sa propre adresse</translation>
+    </message>
+    <message>
+        <source>catalogue 'sqlite:{}': expected a file</source>
+        <translation>catalogue 'sqlite:{}' : attendu un fichier</translation>
+    </message>
+    <message>
+        <source>catalogue '{}': a path with a quotation mark is not possible</source>
+        <translation>catalogue '{}' : un chemin avec un guillemet n'est pas possible</translation>
+    </message>
+    <message>
+        <source>catalogue '{}': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none</source>
+        <translation>catalogue '{}' : attendu sqlite:PATH, postgresql:host=… dbname=… user=…, ou none</translation>
+    </message>
+    <message>
+        <source>catalogue: libpq cannot read the words after '{}'; expected host=… dbname=… user=…</source>
+        <translation>catalogue : libpq ne peut pas lire les mots après '{}' ; attendu host=… dbname=… user=…</translation>
+    </message>
+    <message>
+        <source>catalogue: the word carries a password, which logs and lists of processes would show; put it into ~/.pgpass (mode 600) instead</source>
+        <translation>catalogue : le mot contient un mot de passe, que journaux et listes de processus montreraient ; le mettre plutôt dans ~/.pgpass (mode 600)</translation>
+    </message>
+    <message>
+        <source>change: expected [[record.change]]</source>
+        <translation>change : attendu [[record.change]]</translation>
+    </message>
+    <message>
+        <source>change: expected id, before and after</source>
+        <translation>change : attendu id, before et after</translation>
     </message>
     <message>
         <source>changed since it was calibrated %1 days ago</source>
@@ -4428,12 +4732,108 @@ Pour commencer : %1</translation>
         <translation>vérifier les poids, et que rien ne frotte sur la cellule</translation>
     </message>
     <message>
+        <source>classic robot, listening on {}</source>
+        <translation>robot classique, en écoute sur {}</translation>
+    </message>
+    <message>
         <source>classic, not secured</source>
         <translation>classique, non sécurisée</translation>
     </message>
     <message>
         <source>clock</source>
         <translation>horloge</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermé</translation>
+    </message>
+    <message>
+        <source>closed loop: the recording does not say how the cloth answers: {}</source>
+        <translation>boucle fermée : l'enregistrement ne dit pas comment le tissu répond : {}</translation>
+    </message>
+    <message>
+        <source>closing</source>
+        <translation>en fermeture</translation>
+    </message>
+    <message>
+        <source>cloth table: "{}" where "{}" was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: does not begin with "fyd-cloth 1"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: ends before "{}"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: expected two half sides, one distance and two reference stiffnesses, all above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: no line "finger"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: shape: expected one number, 3 … {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: x from 0, depth above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {} holds something that is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {} holds {}, expected finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {}: expected 2 … {} rising numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {}: {} of {} numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>commande</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>commandé</translation>
+    </message>
+    <message>
+        <source>commanded joint</source>
+        <translation>articulation commandée</translation>
+    </message>
+    <message>
+        <source>commanded joint plus its offset</source>
+        <translation>articulation commandée plus son décalage</translation>
+    </message>
+    <message>
+        <source>commands and counts differ in number, or there are none</source>
+        <translation>commandes et comptes ne sont pas en même nombre, ou il n'y en a pas</translation>
+    </message>
+    <message>
+        <source>commit {} of {}</source>
+        <translation>validation {} sur {}</translation>
+    </message>
+    <message>
+        <source>compressed bytes are damaged ({})</source>
+        <translation>les octets compressés sont endommagés ({})</translation>
+    </message>
+    <message>
+        <source>condition '{}' is given twice</source>
+        <translation>la condition '{}' est donnée deux fois</translation>
+    </message>
+    <message>
+        <source>condition number {:.3g}</source>
+        <translation>conditionnement {:.3g}</translation>
     </message>
     <message>
         <source>confirmed</source>
@@ -4446,6 +4846,22 @@ Pour commencer : %1</translation>
     <message>
         <source>contrast</source>
         <translation>contraste</translation>
+    </message>
+    <message>
+        <source>control.law_angle_deg: {} points; expected at least 2</source>
+        <translation>control.law_angle_deg : {} points ; attendu au moins 2</translation>
+    </message>
+    <message>
+        <source>control.law_stiffness_N_per_mm: {} values for {} angles; expected one for each</source>
+        <translation>control.law_stiffness_N_per_mm : {} valeurs pour {} angles ; attendu une pour chacun</translation>
+    </message>
+    <message>
+        <source>control.law_stiffness_N_per_mm: {}; expected above 0</source>
+        <translation>control.law_stiffness_N_per_mm : {} ; attendu au-dessus de 0</translation>
+    </message>
+    <message>
+        <source>control.travel_maximum_deg = {}: expected more than control.travel_minimum_deg = {}</source>
+        <translation>control.travel_maximum_deg = {} : attendu plus que control.travel_minimum_deg = {}</translation>
     </message>
     <message>
         <source>cookie</source>
@@ -4464,8 +4880,8 @@ Pour commencer : %1</translation>
         <translation>compte comme son moteur</translation>
     </message>
     <message>
-        <source>current %1</source>
-        <translation>courant %1</translation>
+        <source>current {}</source>
+        <translation>courant {}</translation>
     </message>
     <message>
         <source>curve: %1</source>
@@ -4500,24 +4916,28 @@ Pour commencer : %1</translation>
         <translation>suppression du préréglage %1</translation>
     </message>
     <message>
-        <source>device %1: %2 fit: %3; name more of the one that is meant</source>
-        <translation>appareil %1 : %2 conviennent : %3 ; préciser lequel est voulu</translation>
-    </message>
-    <message>
-        <source>device %1: none is plugged in; %2 holds %3</source>
-        <translation>appareil %1 : aucun n'est branché ; %2 contient %3</translation>
-    </message>
-    <message>
         <source>device restarts</source>
         <translation>redémarrages de l'appareil</translation>
     </message>
     <message>
-        <source>device test '%1': %2</source>
-        <translation>essai de l'appareil '%1' : %2</translation>
+        <source>device test '{}': {}</source>
+        <translation>essai de l'appareil '{}' : {}</translation>
+    </message>
+    <message>
+        <source>device test {}: there is none of this number</source>
+        <translation>essai d'appareil {} : il n'y en a pas de ce numéro</translation>
     </message>
     <message>
         <source>device test: the session is closed</source>
         <translation>essai de l'appareil : la session est fermée</translation>
+    </message>
+    <message>
+        <source>device {}: none is plugged in; {} holds {}</source>
+        <translation>appareil {} : aucun n'est branché ; {} contient {}</translation>
+    </message>
+    <message>
+        <source>device {}: {} fit: {}; name more of the one that is meant</source>
+        <translation>appareil {} : {} conviennent : {} ; préciser lequel est voulu</translation>
     </message>
     <message>
         <source>differs</source>
@@ -4532,16 +4952,20 @@ Pour commencer : %1</translation>
         <translation>lectures de distance absentes ou trop vieilles</translation>
     </message>
     <message>
-        <source>distance sensor %1</source>
-        <translation>capteur de distance %1</translation>
+        <source>distance sensor {}</source>
+        <translation>capteur de distance {}</translation>
     </message>
     <message>
-        <source>distance sensor %1 reads %2 counts, outside its span: look whether something stands before it</source>
-        <translation>le capteur de distance %1 lit %2 points, hors de sa plage : voir si quelque chose est devant</translation>
+        <source>distance sensor {} reads {:.0f} counts, outside its span: look whether something stands before it</source>
+        <translation>le capteur de distance {} lit {:.0f} points, hors de sa plage : voir si quelque chose est devant</translation>
     </message>
     <message>
-        <source>distances to the untouched cloth %1 mm, spread %2 mm; force %3 N</source>
-        <translation>distances au tissu non touché %1 mm, dispersion %2 mm ; force %3 N</translation>
+        <source>distances to the untouched cloth {} mm, spread {:.2f} mm; force {:.3f} N</source>
+        <translation>distances au tissu non touché {} mm, dispersion {:.2f} mm ; force {:.3f} N</translation>
+    </message>
+    <message>
+        <source>does not fall over its whole span</source>
+        <translation>ne décroît pas sur toute sa plage</translation>
     </message>
     <message>
         <source>does not settle</source>
@@ -4560,28 +4984,32 @@ Pour commencer : %1</translation>
         <translation>dérive du premier au dernier point %1 ± %2</translation>
     </message>
     <message>
+        <source>duration {} s: expected 0 or more</source>
+        <translation>durée {} s : attendu 0 ou plus</translation>
+    </message>
+    <message>
         <source>each ±%1 %2</source>
         <translation>chacun ±%1 %2</translation>
-    </message>
-    <message>
-        <source>encoder %1</source>
-        <translation>codeur %1</translation>
-    </message>
-    <message>
-        <source>encoder %1 jumped by %2° in %3 ms: check its magnet and cable; stop, then arm again</source>
-        <translation>le codeur %1 a sauté de %2° en %3 ms : vérifier son aimant et son câble ; arrêter, puis armer de nouveau</translation>
-    </message>
-    <message>
-        <source>encoder %1 stands still although its motor was sent %2° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
-        <translation>le codeur %1 reste immobile bien que son moteur ait été envoyé %2° plus loin : vérifier l'alimentation des moteurs et le câble du codeur ; arrêter, puis armer de nouveau</translation>
     </message>
     <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
         <translation>codeur %1 : %2, zéro à %3 points, balayé de %4 à %5</translation>
     </message>
     <message>
-        <source>encoder counts %1, expected 0 to %2</source>
-        <translation>comptes des codeurs %1, attendus de 0 à %2</translation>
+        <source>encoder counts {}, expected 0 to {}</source>
+        <translation>comptes des codeurs {}, attendus de 0 à {}</translation>
+    </message>
+    <message>
+        <source>encoder {}</source>
+        <translation>codeur {}</translation>
+    </message>
+    <message>
+        <source>encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again</source>
+        <translation>le codeur {} a sauté de {:.0f}° en {:.0f} ms : vérifier son aimant et son câble ; arrêter, puis armer de nouveau</translation>
+    </message>
+    <message>
+        <source>encoder {} stands still although its motor was sent {:.0f}° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
+        <translation>le codeur {} reste immobile bien que son moteur ait été envoyé {:.0f}° plus loin : vérifier l'alimentation des moteurs et le câble du codeur ; arrêter, puis armer de nouveau</translation>
     </message>
     <message>
         <source>encoders</source>
@@ -4616,6 +5044,14 @@ Pour commencer : %1</translation>
         <translation>événement</translation>
     </message>
     <message>
+        <source>exception 10: the gateway has no path to it</source>
+        <translation>exception 10 : la passerelle n'a pas de chemin vers lui</translation>
+    </message>
+    <message>
+        <source>exception 11: the gateway gets no answer from it; is it switched on?</source>
+        <translation>exception 11 : la passerelle ne reçoit pas de réponse ; est-il allumé ?</translation>
+    </message>
+    <message>
         <source>exception 1: it does not know this function; is it a touchpad with this register map?</source>
         <translation>exception 1 : il ne connaît pas cette fonction ; est-ce un touchpad avec cette table de registres ?</translation>
     </message>
@@ -4632,8 +5068,44 @@ Pour commencer : %1</translation>
         <translation>exception 4 : il a échoué ; voir l'affichage ou le journal du touchpad</translation>
     </message>
     <message>
+        <source>exception 5: it needs longer</source>
+        <translation>exception 5 : il lui faut plus de temps</translation>
+    </message>
+    <message>
         <source>exception 6: it is busy, another program drives its motors; close that one</source>
         <translation>exception 6 : il est occupé, un autre programme commande ses moteurs ; le fermer</translation>
+    </message>
+    <message>
+        <source>exception 7: it cannot do this</source>
+        <translation>exception 7 : il ne peut pas faire cela</translation>
+    </message>
+    <message>
+        <source>exception 8: memory parity error</source>
+        <translation>exception 8 : erreur de parité de la mémoire</translation>
+    </message>
+    <message>
+        <source>excitation at {} s: angle {}°; expected numbers</source>
+        <translation>excitation à {} s : angle {}° ; attendu des nombres</translation>
+    </message>
+    <message>
+        <source>excitation: stiffness observable in {} samples over {:.2f} s; expected at least {} over {} s</source>
+        <translation>excitation : raideur observable en {} échantillons sur {:.2f} s ; attendu au moins {} sur {} s</translation>
+    </message>
+    <message>
+        <source>excitation: stretch {:.1f}…{:.1f}° moves the law by {:.1f} %; expected at least {:.0f} %</source>
+        <translation>excitation : l'étirement {:.1f}…{:.1f}° fait varier la loi de {:.1f} % ; attendu au moins {:.0f} %</translation>
+    </message>
+    <message>
+        <source>excitation: the model explains {:.0f} % of the measured stiffness' changes; expected at least {:.0f} %</source>
+        <translation>excitation : le modèle explique {:.0f} % des variations de la raideur mesurée ; attendu au moins {:.0f} %</translation>
+    </message>
+    <message>
+        <source>excitation: {} s after {} s; expected time to rise</source>
+        <translation>excitation : {} s après {} s ; le temps doit croître</translation>
+    </message>
+    <message>
+        <source>expected [[record]]</source>
+        <translation>attendu [[record]]</translation>
     </message>
     <message>
         <source>expected a camera that Video4Linux can read, and the right to open it</source>
@@ -4656,6 +5128,10 @@ Pour commencer : %1</translation>
         <translation>défaut</translation>
     </message>
     <message>
+        <source>fault '{}': expected NAME@SECONDS or NAME@SECONDS+DURATION with one of {}</source>
+        <translation>défaut '{}' : attendu NAME@SECONDS ou NAME@SECONDS+DURATION avec l'un de {}</translation>
+    </message>
+    <message>
         <source>fault reaction active</source>
         <translation>réaction au défaut en cours</translation>
     </message>
@@ -4664,12 +5140,28 @@ Pour commencer : %1</translation>
         <translation>champ</translation>
     </message>
     <message>
-        <source>figures from %1 s to %2 s: expected two times</source>
-        <translation>valeurs de %1 s à %2 s : attendu deux temps</translation>
+        <source>field "{}": asked for twice</source>
+        <translation>champ « {} » : demandé deux fois</translation>
+    </message>
+    <message>
+        <source>field "{}": there is none of this name; there are {}</source>
+        <translation>champ « {} » : il n'y en a pas de ce nom ; il y a {}</translation>
+    </message>
+    <message>
+        <source>field {} of {}</source>
+        <translation>champ {} sur {}</translation>
+    </message>
+    <message>
+        <source>figures from {} s to {} s: expected two times</source>
+        <translation>valeurs de {} s à {} s : attendu deux temps</translation>
     </message>
     <message>
         <source>file missing</source>
         <translation>fichier manquant</translation>
+    </message>
+    <message>
+        <source>filter: {}</source>
+        <translation>filtre : {}</translation>
     </message>
     <message>
         <source>fine: calibrated %1 days ago</source>
@@ -4684,6 +5176,18 @@ Pour commencer : %1</translation>
         <translation>doigt</translation>
     </message>
     <message>
+        <source>finger '{}': only the simulated touchpad has a simulated finger</source>
+        <translation>doigt '{}' : seul le touchpad simulé a un doigt simulé</translation>
+    </message>
+    <message>
+        <source>finger ({:.0f}) and cloth ({:.0f}) are not told apart: put a finger on the cloth, or more light behind it</source>
+        <translation>doigt ({:.0f}) et tissu ({:.0f}) ne se distinguent pas : poser un doigt sur le tissu, ou plus de lumière derrière</translation>
+    </message>
+    <message>
+        <source>finger at {:.0f}, cloth at {:.0f}, threshold {}</source>
+        <translation>doigt à {:.0f}, tissu à {:.0f}, seuil {}</translation>
+    </message>
+    <message>
         <source>finished</source>
         <translation>terminé</translation>
     </message>
@@ -4692,8 +5196,28 @@ Pour commencer : %1</translation>
         <translation>micrologiciel</translation>
     </message>
     <message>
+        <source>first</source>
+        <translation>premier</translation>
+    </message>
+    <message>
         <source>flat picture</source>
         <translation>image plate</translation>
+    </message>
+    <message>
+        <source>flow {} bit/s: expected more than 0</source>
+        <translation>débit {} bit/s : attendu plus de 0</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>dossier</translation>
+    </message>
+    <message>
+        <source>folder {}, {} pictures at {:.0f} fps, repeating</source>
+        <translation>dossier {}, {} images à {:.0f} i/s, en boucle</translation>
+    </message>
+    <message>
+        <source>folder: {}</source>
+        <translation>dossier : {}</translation>
     </message>
     <message>
         <source>for %1</source>
@@ -4702,6 +5226,10 @@ Pour commencer : %1</translation>
     <message>
         <source>force</source>
         <translation>force</translation>
+    </message>
+    <message>
+        <source>force = {} N: expected 0.01 … 20</source>
+        <translation>force = {} N : attendu 0.01 … 20</translation>
     </message>
     <message>
         <source>force too small</source>
@@ -4714,6 +5242,10 @@ Pour commencer : %1</translation>
     <message>
         <source>found</source>
         <translation>trouvé</translation>
+    </message>
+    <message>
+        <source>frame = {}: expected 2 … {} samples</source>
+        <translation>frame = {} : attendu 2 … {} échantillons</translation>
     </message>
     <message>
         <source>from</source>
@@ -4732,12 +5264,28 @@ Pour commencer : %1</translation>
         <translation>depuis le début</translation>
     </message>
     <message>
-        <source>gives no picture any more</source>
-        <translation>ne donne plus d'image</translation>
+        <source>from {} s to {} s: the first must not be larger than the second</source>
+        <translation>de {} s à {} s : le premier ne doit pas dépasser le second</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>disparu</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bonne</translation>
+    </message>
+    <message>
+        <source>handshake</source>
+        <translation>prise de contact</translation>
     </message>
     <message>
         <source>has said goodbye</source>
         <translation>a pris congé</translation>
+    </message>
+    <message>
+        <source>has switched its motors off by itself</source>
+        <translation>a coupé ses moteurs d'elle-même</translation>
     </message>
     <message>
         <source>heartbeat lost</source>
@@ -4748,36 +5296,40 @@ Pour commencer : %1</translation>
         <translation>hauteur</translation>
     </message>
     <message>
-        <source>held-out error %1 N of at most %2 N over %3 weights</source>
-        <translation>erreur de vérification %1 N (au plus %2 N) sur %3 poids</translation>
+        <source>held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle</source>
+        <translation>erreur de vérification {:.2f}° ; attendu au plus {:g} : balayer plus lentement, et attendre à chaque angle</translation>
     </message>
     <message>
-        <source>held-out error %1 N of at most %2 N; stiffness rises from %3 to %4 N/mm</source>
-        <translation>erreur de vérification %1 N (au plus %2 N) ; la raideur croît de %3 à %4 N/mm</translation>
+        <source>held-out error {:.2f} mm; expected at most {:g} mm: {}</source>
+        <translation>erreur de vérification {:.2f} mm ; attendu au plus {:g} mm : {}</translation>
     </message>
     <message>
-        <source>held-out error %1 N; expected at most %2 N: %3</source>
-        <translation>erreur de vérification %1 N ; attendu au plus %2 N : %3</translation>
+        <source>held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
+        <translation>erreur de vérification {:.3f} N (au plus {:g} N) ; la raideur croît de {:.3f} à {:.3f} N/mm</translation>
     </message>
     <message>
-        <source>held-out error %1 deg of at most %2 deg</source>
-        <translation>erreur de vérification %1° (au plus %2°)</translation>
+        <source>held-out error {:.3f} N; expected at most {:g} N: {}</source>
+        <translation>erreur de vérification {:.3f} N ; attendu au plus {:g} N : {}</translation>
     </message>
     <message>
-        <source>held-out error %1 deg; expected at most %2: sweep slower, and wait at each angle</source>
-        <translation>erreur de vérification %1° ; attendu au plus %2 : balayer plus lentement, et attendre à chaque angle</translation>
+        <source>held-out error {:.3f} deg of at most {:g} deg</source>
+        <translation>erreur de vérification {:.3f}° (au plus {:g}°)</translation>
     </message>
     <message>
-        <source>held-out error %1 mm of at most %2 mm</source>
-        <translation>erreur de vérification %1 mm (au plus %2 mm)</translation>
+        <source>held-out error {:.3f} mm of at most {:g} mm</source>
+        <translation>erreur de vérification {:.3f} mm (au plus {:g} mm)</translation>
     </message>
     <message>
-        <source>held-out error %1 mm; expected at most %2 mm: %3</source>
-        <translation>erreur de vérification %1 mm ; attendu au plus %2 mm : %3</translation>
+        <source>held-out error {:.4f} N of at most {:g} N over {} weights</source>
+        <translation>erreur de vérification {:.4f} N (au plus {:g} N) sur {} poids</translation>
     </message>
     <message>
-        <source>holds no picture</source>
-        <translation>ne contient pas d'image</translation>
+        <source>histogram</source>
+        <translation>histogramme</translation>
+    </message>
+    <message>
+        <source>hop = {}: expected a divisor of the frame, {} (blocks) or less (overlapped)</source>
+        <translation>hop = {} : attendu un diviseur de la trame, {} (blocs) ou moins (avec recouvrement)</translation>
     </message>
     <message>
         <source>hysteresis %1</source>
@@ -4812,16 +5364,56 @@ Pour commencer : %1</translation>
         <translation>est %1</translation>
     </message>
     <message>
-        <source>key file %1: %2</source>
-        <translation>fichier de clé %1 : %2</translation>
+        <source>its first bytes cannot be read</source>
+        <translation>ses premiers octets ne peuvent pas être lus</translation>
     </message>
     <message>
-        <source>key file %1: not a regular file</source>
-        <translation>fichier de clé %1 : pas un fichier ordinaire</translation>
+        <source>its header is damaged: the checksum differs</source>
+        <translation>son en-tête est endommagé : la somme de contrôle diffère</translation>
     </message>
     <message>
-        <source>key file %1: open to others (mode %2); make it private with: chmod 600 %3</source>
-        <translation>fichier de clé %1 : ouvert aux autres (mode %2) ; le rendre privé par : chmod 600 %3</translation>
+        <source>its lock cannot be had, it may be recorded at this moment: {}</source>
+        <translation>son verrou ne peut pas être obtenu, il est peut-être en cours d'enregistrement : {}</translation>
+    </message>
+    <message>
+        <source>its recorder is gone; make it whole with: fyd session recover</source>
+        <translation>son enregistreur n'est plus là ; le rendre entier par : fyd session recover</translation>
+    </message>
+    <message>
+        <source>jerk limit {} mm/s³: expected 1000 to 10000000</source>
+        <translation>limite d'à-coup {} mm/s³ : attendu de 1000 à 10000000</translation>
+    </message>
+    <message>
+        <source>joint impedance</source>
+        <translation>impédance articulaire</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>clé</translation>
+    </message>
+    <message>
+        <source>key file {}: exists already; a key is never overwritten</source>
+        <translation>fichier de clé {} : existe déjà ; une clé n'est jamais écrasée</translation>
+    </message>
+    <message>
+        <source>key file {}: longer than {} bytes; not a key</source>
+        <translation>fichier de clé {} : plus long que {} octets ; pas une clé</translation>
+    </message>
+    <message>
+        <source>key file {}: not a regular file</source>
+        <translation>fichier de clé {} : pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>key file {}: open to others (mode {:04o}); make it private with: chmod 600 {}</source>
+        <translation>fichier de clé {} : ouvert aux autres (mode {:04o}) ; le rendre privé par : chmod 600 {}</translation>
+    </message>
+    <message>
+        <source>key file {}: {}</source>
+        <translation>fichier de clé {} : {}</translation>
+    </message>
+    <message>
+        <source>kind "{}"; expected note or bookmark</source>
+        <translation>sorte « {} » ; attendu note ou bookmark</translation>
     </message>
     <message>
         <source>largest %1 at %2</source>
@@ -4844,8 +5436,16 @@ Pour commencer : %1</translation>
         <translation>poser la cible à plat et mettre la caméra d'équerre</translation>
     </message>
     <message>
+        <source>left and right</source>
+        <translation>à gauche et à droite</translation>
+    </message>
+    <message>
         <source>left as it is</source>
         <translation>laissé tel quel</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>de moins</translation>
     </message>
     <message>
         <source>less than a minute left</source>
@@ -4864,24 +5464,40 @@ Pour commencer : %1</translation>
         <translation>lumière, température, cible</translation>
     </message>
     <message>
+        <source>limit reached before two samples</source>
+        <translation>limite atteinte avant deux échantillons</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>droite</translation>
+    </message>
+    <message>
         <source>load cell</source>
         <translation>cellule de charge</translation>
     </message>
     <message>
-        <source>load cell: %1 mV/V lies beyond the bridge's span</source>
-        <translation>cellule de charge : %1 mV/V dépasse la plage du pont</translation>
+        <source>load cell: {:.3f} mV/V lies beyond the bridge's span</source>
+        <translation>cellule de charge : {:.3f} mV/V dépasse la plage du pont</translation>
     </message>
     <message>
-        <source>loading reads %1 N apart from unloading: look for friction between the cell and its plate</source>
-        <translation>l'aller et le retour diffèrent de %1 N : chercher un frottement entre la cellule et son plateau</translation>
+        <source>loading reads {:.3f} N apart from unloading: look for friction between the cell and its plate</source>
+        <translation>l'aller et le retour diffèrent de {:.3f} N : chercher un frottement entre la cellule et son plateau</translation>
     </message>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>regarder les courbes des capteurs de distance et le câble de la cellule de charge</translation>
     </message>
     <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
         <source>m/s²</source>
         <translation>m/s²</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
     </message>
     <message>
         <source>measure the outliers again</source>
@@ -4894,6 +5510,10 @@ Pour commencer : %1</translation>
     <message>
         <source>measured</source>
         <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>measured joint</source>
+        <translation>articulation mesurée</translation>
     </message>
     <message>
         <source>measured with another calibration: measure it again</source>
@@ -4912,36 +5532,60 @@ Pour commencer : %1</translation>
         <translation>message</translation>
     </message>
     <message>
+        <source>method number {}: unknown</source>
+        <translation>méthode numéro {} : inconnue</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>monitor</source>
+        <translation>moniteur</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>de plus</translation>
     </message>
     <message>
         <source>more than 5 % of the haptic cycles of one second were missed</source>
         <translation>plus de 5 % des cycles haptiques d'une seconde ont été manqués</translation>
     </message>
     <message>
-        <source>motor %1</source>
-        <translation>moteur %1</translation>
+        <source>motor 1</source>
+        <translation>moteur 1</translation>
     </message>
     <message>
-        <source>motor board %1 at %2 %3: stop, then arm again</source>
-        <translation>carte moteurs %1 sur %2 %3 : arrêter, puis armer de nouveau</translation>
+        <source>motor 2</source>
+        <translation>moteur 2</translation>
     </message>
     <message>
-        <source>motor board %1 at %2: current %3 is %4 mA, expected -%5 to %6</source>
-        <translation>carte moteurs %1 sur %2 : le courant %3 est de %4 mA, attendu de -%5 à %6</translation>
+        <source>motor board {} at {} {}: stop, then arm again</source>
+        <translation>carte moteurs {} sur {} {} : arrêter, puis armer de nouveau</translation>
     </message>
     <message>
-        <source>motor board %1 at %2: no answer to command %3 in %4 ms; is it on, and are device.qbmove_baud = %5 and device.qbmove_id right?</source>
-        <translation>carte moteurs %1 sur %2 : pas de réponse à la commande %3 en %4 ms ; est-elle allumée, et device.qbmove_baud = %5 et device.qbmove_id sont-ils justes ?</translation>
+        <source>motor board {} at {}, {} Bd</source>
+        <translation>carte moteurs {} sur {}, {} Bd</translation>
+    </message>
+    <message>
+        <source>motor board {} at {}, {} Bd, no vibration (device.qbmove_vibration_opcode is not set)</source>
+        <translation>carte moteurs {} sur {}, {} Bd, sans vibration (device.qbmove_vibration_opcode n'est pas réglé)</translation>
+    </message>
+    <message>
+        <source>motor board {} at {}: current {} is {} mA, expected -{} to {}</source>
+        <translation>carte moteurs {} sur {} : le courant {} est de {} mA, attendu de -{} à {}</translation>
+    </message>
+    <message>
+        <source>motor board {} at {}: no answer to command {} in {} ms; is it on, and are device.qbmove_baud = {} and device.qbmove_id right?</source>
+        <translation>carte moteurs {} sur {} : pas de réponse à la commande {} en {} ms ; est-elle allumée, et device.qbmove_baud = {} et device.qbmove_id sont-ils justes ?</translation>
     </message>
     <message>
         <source>motor board: nothing received yet</source>
         <translation>carte moteurs : encore rien reçu</translation>
     </message>
     <message>
-        <source>motor currents %1 mA, expected -%2 to %3</source>
-        <translation>courants des moteurs %1 mA, attendus de -%2 à %3</translation>
+        <source>motor currents {} mA, expected -{} to {}</source>
+        <translation>courants des moteurs {} mA, attendus de -{} à {}</translation>
     </message>
     <message>
         <source>motor over-temperature</source>
@@ -4956,16 +5600,28 @@ Pour commencer : %1</translation>
         <translation>référence moteurs oui</translation>
     </message>
     <message>
-        <source>motor temperatures %1 °C, expected %2 to %3</source>
-        <translation>températures des moteurs %1 °C, attendues de %2 à %3</translation>
+        <source>motor temperatures {} °C, expected {} to {}</source>
+        <translation>températures des moteurs {} °C, attendues de {} à {}</translation>
+    </message>
+    <message>
+        <source>motor {} stands at {:.1f}°, beyond control.motor_limit_deg = {:.0f}: check the encoder's zero</source>
+        <translation>le moteur {} est à {:.1f}°, au-delà de control.motor_limit_deg = {:.0f} : vérifier le zéro du codeur</translation>
     </message>
     <message>
         <source>motors</source>
         <translation>moteurs</translation>
     </message>
     <message>
-        <source>motors at %1 and %2 °C, switched off at %3: let them cool</source>
-        <translation>moteurs à %1 et %2 °C, coupés à %3 : les laisser refroidir</translation>
+        <source>motors '{}': a recording drives no motors</source>
+        <translation>moteurs '{}' : un enregistrement ne commande pas de moteurs</translation>
+    </message>
+    <message>
+        <source>motors '{}': expected qbmove:TTY</source>
+        <translation>moteurs '{}' : attendu qbmove:TTY</translation>
+    </message>
+    <message>
+        <source>motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool</source>
+        <translation>moteurs à {:.0f} et {:.0f} °C, coupés à {:.0f} : les laisser refroidir</translation>
     </message>
     <message>
         <source>moving</source>
@@ -4976,24 +5632,52 @@ Pour commencer : %1</translation>
         <translation>ms</translation>
     </message>
     <message>
+        <source>network profile "{}": expected isdn, adsl, lan or a CSV file</source>
+        <translation>profil de réseau « {} » : attendu isdn, adsl, lan ou un fichier CSV</translation>
+    </message>
+    <message>
+        <source>network {} {} {}: expected 0 to {}</source>
+        <translation>réseau {} {} {} : attendu de 0 à {}</translation>
+    </message>
+    <message>
         <source>never calibrated</source>
         <translation>jamais étalonné</translation>
     </message>
     <message>
-        <source>no answer in %1 ms; is it switched on and connected?</source>
-        <translation>pas de réponse en %1 ms ; est-il allumé et connecté ?</translation>
+        <source>no JPEG decoder: {}</source>
+        <translation>pas de décodeur JPEG : {}</translation>
+    </message>
+    <message>
+        <source>no answer in {:.0f} ms; is it switched on and connected?</source>
+        <translation>pas de réponse en {:.0f} ms ; est-il allumé et connecté ?</translation>
     </message>
     <message>
         <source>no catalogue was chosen</source>
         <translation>aucun catalogue n'a été choisi</translation>
     </message>
     <message>
+        <source>no commit in it can be trusted: all {} are damaged</source>
+        <translation>aucune validation n'y est fiable : toutes les {} sont endommagées</translation>
+    </message>
+    <message>
+        <source>no commit in it can be trusted: nothing was ever completely written</source>
+        <translation>aucune validation n'y est fiable : rien n'a jamais été écrit en entier</translation>
+    </message>
+    <message>
+        <source>no contact within the travel limit</source>
+        <translation>pas de contact dans la limite de course</translation>
+    </message>
+    <message>
+        <source>no curve can be used ({}): add points, spread over 40 to 300 mm</source>
+        <translation>aucune courbe n'est utilisable ({}) : ajouter des points, répartis de 40 à 300 mm</translation>
+    </message>
+    <message>
         <source>no data</source>
         <translation>pas de données</translation>
     </message>
     <message>
-        <source>no device tells '%1': look under Devices whether the touchpad answers</source>
-        <translation>aucun appareil ne donne '%1' : voir dans Appareils si le touchpad répond</translation>
+        <source>no device tells '{}': look under Devices whether the touchpad answers</source>
+        <translation>aucun appareil ne donne '{}' : voir dans Appareils si le touchpad répond</translation>
     </message>
     <message>
         <source>no finger</source>
@@ -5012,20 +5696,44 @@ Pour commencer : %1</translation>
         <translation>pas d'image</translation>
     </message>
     <message>
+        <source>no picture from {} s to {} s</source>
+        <translation>pas d'image de {} s à {} s</translation>
+    </message>
+    <message>
+        <source>no picture was taken up to {} s</source>
+        <translation>aucune image n'a été prise jusqu'à {} s</translation>
+    </message>
+    <message>
         <source>no place yet: click a mark of the target in the picture</source>
         <translation>pas encore de position : cliquer une marque de la cible dans l'image</translation>
     </message>
     <message>
-        <source>no point between %1 and %2 mm, %3 % of the span: add points between %4 and %5 mm</source>
-        <translation>aucun point entre %1 et %2 mm, %3 % de la plage : ajouter des points entre %4 et %5 mm</translation>
+        <source>no point between {:g} and {:g} mm, {:.0f} % of the span: add points between {:g} and {:g} mm</source>
+        <translation>aucun point entre {:g} et {:g} mm, {:.0f} % de la plage : ajouter des points entre {:g} et {:g} mm</translation>
     </message>
     <message>
-        <source>no press at %1 deg is deeper than %2 mm; expected at least %3 mm: press deeper there</source>
-        <translation>aucune pression à %1° ne dépasse %2 mm ; il faut au moins %3 mm : y presser plus</translation>
+        <source>no points: add points between 40 and 300 mm</source>
+        <translation>aucun point : ajouter des points entre 40 et 300 mm</translation>
+    </message>
+    <message>
+        <source>no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: press deeper there</source>
+        <translation>aucune pression à {:.3g}° ne dépasse {:.3g} mm ; il faut au moins {:g} mm : y presser plus</translation>
+    </message>
+    <message>
+        <source>no problem</source>
+        <translation>pas de problème</translation>
+    </message>
+    <message>
+        <source>no program that this user can see</source>
+        <translation>aucun programme que cet utilisateur puisse voir</translation>
     </message>
     <message>
         <source>no recent picture</source>
         <translation>pas d'image récente</translation>
+    </message>
+    <message>
+        <source>no region of interest from {} s to {} s</source>
+        <translation>pas de région d'intérêt de {} s à {} s</translation>
     </message>
     <message>
         <source>no region yet: drag a rectangle around the cloth in the picture</source>
@@ -5036,12 +5744,36 @@ Pour commencer : %1</translation>
         <translation>aucun robot ne s'est connecté</translation>
     </message>
     <message>
+        <source>no samples from {} s to {} s: the recording has {}, to {:.3f} s</source>
+        <translation>pas d'échantillons de {} s à {} s : l'enregistrement en a {}, jusqu'à {:.3f} s</translation>
+    </message>
+    <message>
         <source>no stiffness target</source>
         <translation>pas de raideur de consigne</translation>
     </message>
     <message>
+        <source>no such file</source>
+        <translation>ce fichier n'existe pas</translation>
+    </message>
+    <message>
+        <source>no threshold is suggested, the present one stays: {}</source>
+        <translation>aucun seuil n'est proposé, le présent reste : {}</translation>
+    </message>
+    <message>
+        <source>no touchpad answered</source>
+        <translation>aucun touchpad n'a répondu</translation>
+    </message>
+    <message>
+        <source>no touchpad with this key answered</source>
+        <translation>aucun touchpad avec cette clé n'a répondu</translation>
+    </message>
+    <message>
         <source>no value changes: the texture takes rest away by itself</source>
         <translation>aucune valeur ne change : la texture retire elle-même le repos</translation>
+    </message>
+    <message>
+        <source>no video can be written: OpenCV has no coder for it, or the disk is full</source>
+        <translation>aucune vidéo ne peut être écrite : OpenCV n'a pas de codeur pour elle, ou le disque est plein</translation>
     </message>
     <message>
         <source>none</source>
@@ -5060,8 +5792,20 @@ Pour commencer : %1</translation>
         <translation>pas un chiffre</translation>
     </message>
     <message>
+        <source>not a file</source>
+        <translation>ce n'est pas un fichier</translation>
+    </message>
+    <message>
+        <source>not a recording, or too damaged to open</source>
+        <translation>pas un enregistrement, ou trop endommagé pour être ouvert</translation>
+    </message>
+    <message>
         <source>not confirmed: the station did not answer. It last used %1.</source>
         <translation>non confirmé : la station n'a pas répondu. Elle utilisait en dernier %1.</translation>
+    </message>
+    <message>
+        <source>not opened through the console's driver</source>
+        <translation>pas ouvert par le pilote de la console</translation>
     </message>
     <message>
         <source>not ready to switch on</source>
@@ -5070,6 +5814,10 @@ Pour commencer : %1</translation>
     <message>
         <source>note</source>
         <translation>note</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
     </message>
     <message>
         <source>nothing is being recorded</source>
@@ -5088,6 +5836,10 @@ Pour commencer : %1</translation>
         <translation>encore rien reçu</translation>
     </message>
     <message>
+        <source>number not finite</source>
+        <translation>nombre non fini</translation>
+    </message>
+    <message>
         <source>number out of range</source>
         <translation>nombre hors limites</translation>
     </message>
@@ -5100,6 +5852,10 @@ Pour commencer : %1</translation>
         <translation>éteint</translation>
     </message>
     <message>
+        <source>offset of the commanded</source>
+        <translation>décalage du commandé</translation>
+    </message>
+    <message>
         <source>old: %1</source>
         <translation>vieux : %1</translation>
     </message>
@@ -5108,12 +5864,20 @@ Pour commencer : %1</translation>
         <translation>allumé</translation>
     </message>
     <message>
-        <source>one of %1</source>
-        <translation>un parmi %1</translation>
+        <source>one of {}</source>
+        <translation>un parmi {}</translation>
+    </message>
+    <message>
+        <source>only {} of {} frames could be written; is the disk full?</source>
+        <translation>seules {} images sur {} ont pu être écrites ; le disque est-il plein ?</translation>
     </message>
     <message>
         <source>operation enabled</source>
         <translation>en marche</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>autre</translation>
     </message>
     <message>
         <source>other address</source>
@@ -5132,8 +5896,56 @@ Pour commencer : %1</translation>
         <translation>hors de son tour</translation>
     </message>
     <message>
+        <source>outside {:.0f} to {:.0f} mm the sensor will count as invalid: the cloth rests at about 100 mm</source>
+        <translation>hors de {:.0f} à {:.0f} mm le capteur comptera comme non valable : le tissu au repos est à environ 100 mm</translation>
+    </message>
+    <message>
+        <source>pairing code</source>
+        <translation>code d'appairage</translation>
+    </message>
+    <message>
+        <source>pairing code: the checksum does not fit; a word is another than it was, or the order is</source>
+        <translation>code d'appairage : la somme de contrôle ne correspond pas ; un mot n'est pas celui d'origine, ou l'ordre</translation>
+    </message>
+    <message>
+        <source>pairing code: word {} is not a pairing word; check its spelling</source>
+        <translation>code d'appairage : le mot {} n'est pas un mot d'appairage ; vérifier son orthographe</translation>
+    </message>
+    <message>
+        <source>pairing code: {} words; expected {}</source>
+        <translation>code d'appairage : {} mots ; attendu {}</translation>
+    </message>
+    <message>
         <source>parts missing</source>
         <translation>parties manquantes</translation>
+    </message>
+    <message>
+        <source>path '{}': expected an absolute one</source>
+        <translation>chemin '{}' : attendu un chemin absolu</translation>
+    </message>
+    <message>
+        <source>path: {}</source>
+        <translation>chemin : {}</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>en pause</translation>
+    </message>
+    <message>
+        <source>perfect</source>
+        <translation>parfaite</translation>
+    </message>
+    <message>
+        <source>period {} ms: expected more than 0</source>
+        <translation>période {} ms : attendu plus de 0</translation>
+    </message>
+    <message>
+        <source>picture and target are mirror images; if the camera shows no mirrored picture, the signs of y_mm are wrong: it grows to the back, upward in the picture</source>
+        <translation>image et cible sont en miroir ; si la caméra ne montre pas une image inversée, les signes de y_mm sont faux : il croît vers l'arrière, vers le haut dans l'image</translation>
+    </message>
+    <message>
+        <source>picture {} cannot be coded</source>
+        <translation>l'image {} ne peut pas être codée</translation>
     </message>
     <message>
         <source>pictures</source>
@@ -5144,24 +5956,56 @@ Pour commencer : %1</translation>
         <translation>pilote, main gauche</translation>
     </message>
     <message>
-        <source>polynomial of degree %1</source>
-        <translation>polynôme de degré %1</translation>
+        <source>png: the picture could not be made</source>
+        <translation>png : l'image n'a pas pu être faite</translation>
+    </message>
+    <message>
+        <source>polynomial of degree 2</source>
+        <translation>polynôme de degré 2</translation>
+    </message>
+    <message>
+        <source>polynomial of degree 3</source>
+        <translation>polynôme de degré 3</translation>
+    </message>
+    <message>
+        <source>polynomial of degree 4</source>
+        <translation>polynôme de degré 4</translation>
+    </message>
+    <message>
+        <source>polynomial of degree 5</source>
+        <translation>polynôme de degré 5</translation>
     </message>
     <message>
         <source>polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2.</source>
         <translation>polynomial : c0 + c1 v + ..., la constante d'abord ; inverse : c0/(v + c1) + c2.</translation>
     </message>
     <message>
-        <source>position duties %1 %, expected -100 to 100</source>
-        <translation>rapports cycliques de position %1 %, attendus de -100 à 100</translation>
+        <source>position</source>
+        <translation>position</translation>
     </message>
     <message>
-        <source>position duty %1</source>
-        <translation>rapport cyclique de position %1</translation>
+        <source>position duties {} %, expected -100 to 100</source>
+        <translation>rapports cycliques de position {} %, attendus de -100 à 100</translation>
+    </message>
+    <message>
+        <source>position duty {}</source>
+        <translation>rapport cyclique de position {}</translation>
+    </message>
+    <message>
+        <source>precision {} mm: expected more than 0</source>
+        <translation>précision {} mm : attendu plus de 0</translation>
     </message>
     <message>
         <source>preset %1</source>
         <translation>préréglage %1</translation>
+    </message>
+    <message>
+        <source>preset '{}': expected a name of 1 to {} letters, digits, spaces, '-' or '_', with no space at its ends</source>
+        <translation>préréglage '{}' : attendu un nom de 1 à {} lettres, chiffres, espaces, '-' ou '_', sans espace aux bords</translation>
+    </message>
+    <message>
+        <source>preset '{}': there is one of this name; delete it first or choose another name</source>
+        <translation>préréglage '{}' : il y en a un de ce nom ; le supprimer d'abord ou choisir un autre nom</translation>
     </message>
     <message>
         <source>press slower, and hold each depth</source>
@@ -5184,12 +6028,24 @@ Pour commencer : %1</translation>
         <translation>atteignable</translation>
     </message>
     <message>
+        <source>reading</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>reading not a number</source>
+        <translation>lecture qui n'est pas un nombre</translation>
+    </message>
+    <message>
         <source>readings too unsteady</source>
         <translation>lectures trop instables</translation>
     </message>
     <message>
         <source>ready to switch on</source>
         <translation>prêt à s'allumer</translation>
+    </message>
+    <message>
+        <source>recorded at {} Hz: {} Hz is less than 1/{} of that</source>
+        <translation>enregistré à {} Hz : {} Hz est moins que 1/{} de cela</translation>
     </message>
     <message>
         <source>recorder crashed</source>
@@ -5200,12 +6056,48 @@ Pour commencer : %1</translation>
         <translation>enregistrement</translation>
     </message>
     <message>
+        <source>recording of {} samples: expected at least {}</source>
+        <translation>enregistrement de {} échantillons : attendu au moins {}</translation>
+    </message>
+    <message>
+        <source>recording {}, {:.1f} s, played once; motors are not driven</source>
+        <translation>enregistrement {}, {:.1f} s, lu une fois ; les moteurs ne sont pas commandés</translation>
+    </message>
+    <message>
+        <source>recording {}, {} pictures, played once</source>
+        <translation>enregistrement {}, {} images, lu une fois</translation>
+    </message>
+    <message>
+        <source>recording {}: the count {} is beyond all measure</source>
+        <translation>enregistrement {} : le compte {} est hors de toute mesure</translation>
+    </message>
+    <message>
+        <source>recording's id '{}': expected 1 to 64 letters, digits or dashes</source>
+        <translation>id de l'enregistrement '{}' : attendu 1 à 64 lettres, chiffres ou tirets</translation>
+    </message>
+    <message>
+        <source>recording: no file name</source>
+        <translation>enregistrement : pas de nom de fichier</translation>
+    </message>
+    <message>
+        <source>recording: no vibration above {} Hz in it</source>
+        <translation>enregistrement : pas de vibration au-dessus de {} Hz</translation>
+    </message>
+    <message>
         <source>reference</source>
         <translation>référence</translation>
     </message>
     <message>
         <source>refused: %1</source>
         <translation>refusé : %1</translation>
+    </message>
+    <message>
+        <source>region {:.0f} × {:.0f} px</source>
+        <translation>région {:.0f} × {:.0f} px</translation>
+    </message>
+    <message>
+        <source>relay: the called side's address {} has no port</source>
+        <translation>relais : l'adresse {} du côté appelé n'a pas de port</translation>
     </message>
     <message>
         <source>renaming of preset %1</source>
@@ -5224,6 +6116,14 @@ Pour commencer : %1</translation>
         <translation>images répétées</translation>
     </message>
     <message>
+        <source>residuals: expected a list of numbers</source>
+        <translation>residuals : attendu une liste de nombres</translation>
+    </message>
+    <message>
+        <source>residuals: expected numbers with a point</source>
+        <translation>residuals : attendu des nombres avec un point</translation>
+    </message>
+    <message>
         <source>resume</source>
         <translation>reprendre</translation>
     </message>
@@ -5232,16 +6132,48 @@ Pour commencer : %1</translation>
         <translation>robot</translation>
     </message>
     <message>
-        <source>robot '%1': FYD Link needs a key file</source>
-        <translation>robot '%1' : FYD Link demande un fichier de clé</translation>
+        <source>robot '{}': FYD Link needs a key file; fyd link keygen makes one</source>
+        <translation>robot '{}' : FYD Link a besoin d'un fichier de clé ; fyd link keygen en fait un</translation>
     </message>
     <message>
-        <source>robot '%1': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
-        <translation>robot '%1' : attendu simulated, none, link:HOST:PORT ou classic:HOST:PORT</translation>
+        <source>robot '{}': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
+        <translation>robot '{}' : attendu simulated, none, link:HOST:PORT ou classic:HOST:PORT</translation>
     </message>
     <message>
-        <source>robot '%1': takes no key file</source>
-        <translation>robot '%1' : ne prend pas de fichier de clé</translation>
+        <source>robot '{}': takes no key file; only link:HOST:PORT does</source>
+        <translation>robot '{}' : ne prend pas de fichier de clé ; seul link:HOST:PORT en prend un</translation>
+    </message>
+    <message>
+        <source>robot end: the touchpad's address {} has no port to call</source>
+        <translation>côté robot : l'adresse {} du touchpad n'a pas de port à appeler</translation>
+    </message>
+    <message>
+        <source>robot end: {}</source>
+        <translation>côté robot : {}</translation>
+    </message>
+    <message>
+        <source>robot end: {} cannot call {}: both must be IPv4 or both IPv6</source>
+        <translation>côté robot : {} ne peut pas appeler {} : les deux doivent être IPv4 ou tous deux IPv6</translation>
+    </message>
+    <message>
+        <source>robot end: {} states a second; expected 1 to 10000</source>
+        <translation>côté robot : {} états par seconde ; attendu de 1 à 10000</translation>
+    </message>
+    <message>
+        <source>robot target ({}, {}, {}) mm: expected three finite numbers</source>
+        <translation>cible du robot ({}, {}, {}) mm : attendu trois nombres finis</translation>
+    </message>
+    <message>
+        <source>row {}: {} events</source>
+        <translation>ligne {} : {} événements</translation>
+    </message>
+    <message>
+        <source>rows at its end that no sound commit proves: {}</source>
+        <translation>lignes à sa fin qu'aucune validation saine ne prouve : {}</translation>
+    </message>
+    <message>
+        <source>rows {}+{} of {}</source>
+        <translation>lignes {}+{} sur {}</translation>
     </message>
     <message>
         <source>running</source>
@@ -5260,16 +6192,44 @@ Pour commencer : %1</translation>
         <translation>enregistré %1</translation>
     </message>
     <message>
+        <source>saved values are felt now; go back to the current ones to change any</source>
+        <translation>les valeurs enregistrées sont ressenties ; revenir aux actuelles pour en changer</translation>
+    </message>
+    <message>
         <source>saving of preset %1</source>
         <translation>enregistrement du préréglage %1</translation>
+    </message>
+    <message>
+        <source>search text: {}</source>
+        <translation>texte cherché : {}</translation>
+    </message>
+    <message>
+        <source>search text: {} bytes, at most {} words are looked for</source>
+        <translation>texte cherché : {} octets, au plus {} mots sont cherchés</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>second</translation>
     </message>
     <message>
         <source>send info and pause</source>
         <translation>envoyer les informations et pause</translation>
     </message>
     <message>
+        <source>sensor {} with {} codes and {} distances; expected 1 to {} and as many of each</source>
+        <translation>capteur {} avec {} codes et {} distances ; attendu 1 à {} et autant de chaque</translation>
+    </message>
+    <message>
+        <source>sensor: expected 0 to 8</source>
+        <translation>sensor : attendu de 0 à 8</translation>
+    </message>
+    <message>
         <source>sensors contradict each other</source>
         <translation>les capteurs se contredisent</translation>
+    </message>
+    <message>
+        <source>sensors: nothing received yet</source>
+        <translation>capteurs : encore rien reçu</translation>
     </message>
     <message>
         <source>sent, not yet confirmed</source>
@@ -5280,8 +6240,16 @@ Pour commencer : %1</translation>
         <translation>numéro de série</translation>
     </message>
     <message>
-        <source>set to %1 %</source>
-        <translation>réglé à %1 %</translation>
+        <source>session '{}': not in {}</source>
+        <translation>session '{}' : pas dans {}</translation>
+    </message>
+    <message>
+        <source>session '{}': several begin so; give more digits</source>
+        <translation>session '{}' : plusieurs commencent ainsi ; donner plus de chiffres</translation>
+    </message>
+    <message>
+        <source>set to {:.0f} %</source>
+        <translation>réglé à {:.0f} %</translation>
     </message>
     <message>
         <source>settles</source>
@@ -5304,6 +6272,30 @@ Pour commencer : %1</translation>
         <translation>simulé</translation>
     </message>
     <message>
+        <source>simulated camera</source>
+        <translation>caméra simulée</translation>
+    </message>
+    <message>
+        <source>simulated camera, 320 × 240 at {:.0f} fps</source>
+        <translation>caméra simulée, 320 × 240 à {:.0f} i/s</translation>
+    </message>
+    <message>
+        <source>simulated robot on {}</source>
+        <translation>robot simulé sur {}</translation>
+    </message>
+    <message>
+        <source>simulated touchpad, seed {}</source>
+        <translation>touchpad simulé, graine {}</translation>
+    </message>
+    <message>
+        <source>simulated touchpad: nothing to serve it through</source>
+        <translation>touchpad simulé : rien par quoi le servir</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>omise</translation>
+    </message>
+    <message>
         <source>slope fits force against indentation with uncertainty; thesis is the bare ratio.</source>
         <translation>slope ajuste la force à l'indentation avec incertitude ; thesis est le simple rapport.</translation>
     </message>
@@ -5314,6 +6306,14 @@ Pour commencer : %1</translation>
     <message>
         <source>solid</source>
         <translation>continu</translation>
+    </message>
+    <message>
+        <source>speed = {} mm/s: expected 1 … 1000, or none when it is unknown</source>
+        <translation>speed = {} mm/s : attendu 1 … 1000, ou rien si elle est inconnue</translation>
+    </message>
+    <message>
+        <source>speed limit {} mm/s: expected 1 to 1000</source>
+        <translation>limite de vitesse {} mm/s : attendu de 1 à 1000</translation>
     </message>
     <message>
         <source>spread x %1, y %2, z %3</source>
@@ -5328,16 +6328,60 @@ Pour commencer : %1</translation>
         <translation>réponses périmées</translation>
     </message>
     <message>
+        <source>start it</source>
+        <translation>la lancer</translation>
+    </message>
+    <message>
+        <source>started_utc: {}</source>
+        <translation>started_utc : {}</translation>
+    </message>
+    <message>
+        <source>state of {} bytes: damaged</source>
+        <translation>état de {} octets : endommagé</translation>
+    </message>
+    <message>
+        <source>state of {} bytes: expected at least {}</source>
+        <translation>état de {} octets : attendu au moins {}</translation>
+    </message>
+    <message>
+        <source>state of {} bytes: {}</source>
+        <translation>état de {} octets : {}</translation>
+    </message>
+    <message>
+        <source>state saved with another surface; expected the same</source>
+        <translation>état enregistré avec une autre surface ; attendu la même</translation>
+    </message>
+    <message>
+        <source>state with {} bytes of content: expected {}</source>
+        <translation>état avec {} octets de contenu : attendu {}</translation>
+    </message>
+    <message>
         <source>status word</source>
         <translation>mot d'état</translation>
     </message>
     <message>
-        <source>stiffness falls from %1 N/mm at %2 deg to %3 at %4 deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>
-        <translation>la raideur tombe de %1 N/mm à %2° à %3 à %4°, alors que l'étirement raidit le tissu : presser de nouveau aux deux angles et voir si le tissu glisse</translation>
+        <source>stiffness falls from {:.3f} N/mm at {:.3g} deg to {:.3f} at {:.3g} deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>
+        <translation>la raideur tombe de {:.3f} N/mm à {:.3g}° à {:.3f} à {:.3g}°, alors que l'étirement raidit le tissu : presser de nouveau aux deux angles et voir si le tissu glisse</translation>
     </message>
     <message>
         <source>still being recorded</source>
         <translation>encore en cours d'enregistrement</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>arrêté</translation>
+    </message>
+    <message>
+        <source>stream</source>
+        <translation>flux</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>étirement</translation>
+    </message>
+    <message>
+        <source>stretch {:g}°: beyond control.motor_limit_deg = {:.0f}</source>
+        <translation>étirement {:g}° : au-delà de control.motor_limit_deg = {:.0f}</translation>
     </message>
     <message>
         <source>subject %1</source>
@@ -5348,12 +6392,12 @@ Pour commencer : %1</translation>
         <translation>sous-tension de l'alimentation</translation>
     </message>
     <message>
-        <source>switch-on disabled</source>
-        <translation>mise en marche inhibée</translation>
+        <source>sweep</source>
+        <translation>balayage</translation>
     </message>
     <message>
-        <source>switched off</source>
-        <translation>coupés</translation>
+        <source>switch-on disabled</source>
+        <translation>mise en marche inhibée</translation>
     </message>
     <message>
         <source>switched off by itself</source>
@@ -5362,6 +6406,14 @@ Pour commencer : %1</translation>
     <message>
         <source>switched on</source>
         <translation>allumé</translation>
+    </message>
+    <message>
+        <source>tag '{}': empty</source>
+        <translation>étiquette '{}' : vide</translation>
+    </message>
+    <message>
+        <source>tags: {}, at most {} are catalogued</source>
+        <translation>étiquettes : {}, au plus {} sont cataloguées</translation>
     </message>
     <message>
         <source>take points first</source>
@@ -5376,6 +6428,10 @@ Pour commencer : %1</translation>
         <translation>retirer les poids un à un pour voir dérive et hystérésis</translation>
     </message>
     <message>
+        <source>taken</source>
+        <translation>pris</translation>
+    </message>
+    <message>
         <source>taken with another curve: take it again</source>
         <translation>pris avec une autre courbe : les reprendre</translation>
     </message>
@@ -5388,8 +6444,12 @@ Pour commencer : %1</translation>
         <translation>consigne limitée</translation>
     </message>
     <message>
-        <source>temperature %1</source>
-        <translation>température %1</translation>
+        <source>temperature {}</source>
+        <translation>température {}</translation>
+    </message>
+    <message>
+        <source>the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant</source>
+        <translation>les axes s'écartent de {:.1f}° d'un angle droit : la caméra regarde le tissu de biais</translation>
     </message>
     <message>
         <source>the block changed while it was read (its two sequence numbers differ)</source>
@@ -5412,24 +6472,44 @@ Pour commencer : %1</translation>
         <translation>le tissu a été touché</translation>
     </message>
     <message>
-        <source>the disk has less than %1 MB left: recording stopped</source>
-        <translation>il reste moins de %1 Mo sur le disque : enregistrement arrêté</translation>
+        <source>the commits that were there have gone</source>
+        <translation>les validations qui y étaient ont disparu</translation>
+    </message>
+    <message>
+        <source>the disk has less than {:.0f} MB left: recording stopped</source>
+        <translation>il reste moins de {:.0f} Mo sur le disque : enregistrement arrêté</translation>
+    </message>
+    <message>
+        <source>the disk: one commit changes more than the journal holds</source>
+        <translation>le disque : une validation change plus que le journal ne contient</translation>
+    </message>
+    <message>
+        <source>the disk: {}</source>
+        <translation>le disque : {}</translation>
     </message>
     <message>
         <source>the distance sensors are silent</source>
         <translation>les capteurs de distance sont silencieux</translation>
     </message>
     <message>
-        <source>the distance sensors repeat the codes %1 although their count goes on: switch the touchpad off and on</source>
-        <translation>les capteurs de distance répètent les codes %1 bien que leur compte avance : éteindre et rallumer le touchpad</translation>
+        <source>the distance sensors repeat the codes {} although their count goes on: switch the touchpad off and on</source>
+        <translation>les capteurs de distance répètent les codes {} bien que leur compte avance : éteindre et rallumer le touchpad</translation>
     </message>
     <message>
-        <source>the distances span only %1 mm, %2 to %3; expected at least %4: add points between %5 and %6 mm</source>
-        <translation>les distances ne couvrent que %1 mm, de %2 à %3 ; il en faut au moins %4 : ajouter des points entre %5 et %6 mm</translation>
+        <source>the distances span only {:.3g} mm, {:g} to {:g}; expected at least {:g}: add points between {:g} and {:g} mm</source>
+        <translation>les distances ne couvrent que {:.3g} mm, de {:g} à {:g} ; il en faut au moins {:g} : ajouter des points entre {:g} et {:g} mm</translation>
+    </message>
+    <message>
+        <source>the four columns differ in length</source>
+        <translation>les quatre colonnes n'ont pas la même longueur</translation>
     </message>
     <message>
         <source>the haptic loop stood still for more than 20 ms</source>
         <translation>la boucle haptique s'est arrêtée plus de 20 ms</translation>
+    </message>
+    <message>
+        <source>the inverse form finds no curve through these points</source>
+        <translation>la forme inverse ne trouve pas de courbe par ces points</translation>
     </message>
     <message>
         <source>the last %1 s</source>
@@ -5444,12 +6524,16 @@ Pour commencer : %1</translation>
         <translation>la cellule de charge est silencieuse</translation>
     </message>
     <message>
-        <source>the load cell repeats %1 mV/V although its count goes on: switch the touchpad off and on</source>
-        <translation>la cellule de charge répète %1 mV/V bien que son compte avance : éteindre et rallumer le touchpad</translation>
+        <source>the load cell repeats {} mV/V although its count goes on: switch the touchpad off and on</source>
+        <translation>la cellule de charge répète {} mV/V bien que son compte avance : éteindre et rallumer le touchpad</translation>
     </message>
     <message>
         <source>the load cell's value is outside its span</source>
         <translation>la valeur de la cellule de charge est hors de sa plage</translation>
+    </message>
+    <message>
+        <source>the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm</source>
+        <translation>les millimètres sont sur une droite alors que les pixels n'y sont pas : vérifier les colonnes x_mm et y_mm</translation>
     </message>
     <message>
         <source>the motor board is silent</source>
@@ -5480,24 +6564,36 @@ Pour commencer : %1</translation>
         <translation>l'image est figée : la caméra envoie toujours la même ; la débrancher et la rebrancher</translation>
     </message>
     <message>
-        <source>the reading drifts by %1 N over the measurement: let the bridge warm up</source>
-        <translation>la lecture dérive de %1 N pendant la mesure : laisser chauffer le pont</translation>
+        <source>the points do not tell the unknowns apart (condition number {:.3g})</source>
+        <translation>les points ne distinguent pas les inconnues (conditionnement {:.3g})</translation>
+    </message>
+    <message>
+        <source>the points lie on one line in the picture: add points off that line, at the corners of the cloth</source>
+        <translation>les points sont sur une droite dans l'image : ajouter des points hors de cette droite, aux coins du tissu</translation>
+    </message>
+    <message>
+        <source>the reading drifts by {:.3f} N over the measurement: let the bridge warm up</source>
+        <translation>la lecture dérive de {:.3f} N pendant la mesure : laisser chauffer le pont</translation>
     </message>
     <message>
         <source>the recorder is not running</source>
         <translation>l'enregistreur ne fonctionne pas</translation>
     </message>
     <message>
-        <source>the recording holds no picture</source>
-        <translation>l'enregistrement ne contient pas d'image</translation>
+        <source>the recording holds no state of the step to start from: steps had been lost before it began; it can be looked at, not replayed</source>
+        <translation>l'enregistrement ne contient pas d'état du pas d'où partir : des pas avaient été perdus avant son début ; on peut le regarder, pas le rejouer</translation>
     </message>
     <message>
         <source>the recording holds no step</source>
         <translation>l'enregistrement ne contient aucun pas</translation>
     </message>
     <message>
-        <source>the region is %1 × %2 px; expected at least %3 px each way: drag a larger one</source>
-        <translation>la région est de %1 × %2 px ; attendu au moins %3 px de chaque côté : en tracer une plus grande</translation>
+        <source>the recording is closed</source>
+        <translation>l'enregistrement est fermé</translation>
+    </message>
+    <message>
+        <source>the region is {} × {} px; expected at least {} px each way: drag a larger one</source>
+        <translation>la région est de {} × {} px ; attendu au moins {} px de chaque côté : en tracer une plus grande</translation>
     </message>
     <message>
         <source>the robot has said goodbye</source>
@@ -5524,8 +6620,8 @@ Pour commencer : %1</translation>
         <translation>la session est fermée</translation>
     </message>
     <message>
-        <source>the status word %1 names no state</source>
-        <translation>le mot d'état %1 ne désigne aucun état</translation>
+        <source>the status word 0x{:04X} names no state</source>
+        <translation>le mot d'état 0x{:04X} ne désigne aucun état</translation>
     </message>
     <message>
         <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
@@ -5540,12 +6636,28 @@ Pour commencer : %1</translation>
         <translation>l'étirement est hors de control.travel_minimum_deg et control.travel_maximum_deg</translation>
     </message>
     <message>
+        <source>the temporary columns cannot be mapped: {}</source>
+        <translation>les colonnes temporaires ne peuvent pas être projetées : {}</translation>
+    </message>
+    <message>
+        <source>the temporary columns cannot be written: {}</source>
+        <translation>les colonnes temporaires ne peuvent pas être écrites : {}</translation>
+    </message>
+    <message>
+        <source>the three axes differ in length</source>
+        <translation>les trois axes n'ont pas la même longueur</translation>
+    </message>
+    <message>
         <source>the touchpad answers, but its clock or its count of value sets stands still: switch it off and on</source>
         <translation>le touchpad répond, mais son horloge ou son compte de jeux de valeurs est arrêté : l'éteindre et le rallumer</translation>
     </message>
     <message>
         <source>the touchpad closed the connection</source>
         <translation>le touchpad a fermé la connexion</translation>
+    </message>
+    <message>
+        <source>the touchpad does not answer the call</source>
+        <translation>le touchpad ne répond pas à l'appel</translation>
     </message>
     <message>
         <source>the touchpad does not obey what is written to it (bit 9 of its status word)</source>
@@ -5560,20 +6672,28 @@ Pour commencer : %1</translation>
         <translation>le touchpad a été perdu pendant la mise en marche de ses moteurs</translation>
     </message>
     <message>
-        <source>the touchpad's motors are in the state %1 (%2): stop, then arm again</source>
-        <translation>les moteurs du touchpad sont dans l'état %1 (%2) : arrêter, puis armer de nouveau</translation>
+        <source>the touchpad's motors are in the state {}</source>
+        <translation>les moteurs du touchpad sont dans l'état {}</translation>
     </message>
     <message>
-        <source>the touchpad's motors are in the state %1: stop, then arm again</source>
-        <translation>les moteurs du touchpad sont dans l'état %1 : arrêter, puis armer de nouveau</translation>
+        <source>the value does not follow the weight: check the cell's cable</source>
+        <translation>la valeur ne suit pas le poids : vérifier le câble de la cellule</translation>
+    </message>
+    <message>
+        <source>the value stays at {:.6g} mV/V whatever the weight: check the cell's cable and the bridge's channel</source>
+        <translation>la valeur reste à {:.6g} mV/V quel que soit le poids : vérifier le câble de la cellule et la voie du pont</translation>
+    </message>
+    <message>
+        <source>the values are too large to compute with</source>
+        <translation>les valeurs sont trop grandes pour le calcul</translation>
     </message>
     <message>
         <source>the values do not fit this session</source>
         <translation>les valeurs ne conviennent pas à cette session</translation>
     </message>
     <message>
-        <source>the weights span only %1 N; expected at least %2: %3</source>
-        <translation>les poids ne couvrent que %1 N ; il en faut au moins %2 : %3</translation>
+        <source>the weights span only {:.3g} N; expected at least {:g}: {}</source>
+        <translation>les poids ne couvrent que {:.3g} N ; il en faut au moins {:g} : {}</translation>
     </message>
     <message>
         <source>the window did not answer for half a second</source>
@@ -5582,6 +6702,14 @@ Pour commencer : %1</translation>
     <message>
         <source>there is no picture: look under Devices whether the camera answers</source>
         <translation>il n'y a pas d'image : voir dans Appareils si la caméra répond</translation>
+    </message>
+    <message>
+        <source>these {} bytes are not a state of arithmetic 1</source>
+        <translation>ces {} octets ne sont pas un état de l'arithmétique 1</translation>
+    </message>
+    <message>
+        <source>these {} bytes are not the state of a pipeline</source>
+        <translation>ces {} octets ne sont pas l'état d'un pipeline</translation>
     </message>
     <message>
         <source>thesis polynomial, scaled and shifted</source>
@@ -5600,8 +6728,20 @@ Pour commencer : %1</translation>
         <translation>cette source n'en a pas</translation>
     </message>
     <message>
+        <source>time '{}': expected UTC as 2026-11-21, 2026-11-21T14:05 or 2026-11-21T14:05:09.250Z</source>
+        <translation>temps '{}' : attendu UTC comme 2026-11-21, 2026-11-21T14:05 ou 2026-11-21T14:05:09.250Z</translation>
+    </message>
+    <message>
         <source>time (s)</source>
         <translation>temps (s)</translation>
+    </message>
+    <message>
+        <source>time limit reached</source>
+        <translation>limite de temps atteinte</translation>
+    </message>
+    <message>
+        <source>time_s is no number</source>
+        <translation>time_s n'est pas un nombre</translation>
     </message>
     <message>
         <source>to</source>
@@ -5632,12 +6772,32 @@ Pour commencer : %1</translation>
         <translation>trop incertain</translation>
     </message>
     <message>
+        <source>tool force</source>
+        <translation>force sur l'outil</translation>
+    </message>
+    <message>
+        <source>tool torque</source>
+        <translation>couple sur l'outil</translation>
+    </message>
+    <message>
         <source>torn blocks</source>
         <translation>blocs incohérents</translation>
     </message>
     <message>
         <source>touch %1 at %2 s</source>
         <translation>toucher %1 à %2 s</translation>
+    </message>
+    <message>
+        <source>touchpad at {}</source>
+        <translation>touchpad sur {}</translation>
+    </message>
+    <message>
+        <source>touchpad {}</source>
+        <translation>touchpad {}</translation>
+    </message>
+    <message>
+        <source>touchpad {}, firmware {}.{}, at {}</source>
+        <translation>touchpad {}, micrologiciel {}.{}, sur {}</translation>
     </message>
     <message>
         <source>trial begins</source>
@@ -5652,6 +6812,14 @@ Pour commencer : %1</translation>
         <translation>true ou false</translation>
     </message>
     <message>
+        <source>unacceptable</source>
+        <translation>inacceptable</translation>
+    </message>
+    <message>
+        <source>unexpected argument '{}'; --help shows the options</source>
+        <translation>argument inattendu '{}' ; --help montre les options</translation>
+    </message>
+    <message>
         <source>unexpected kind</source>
         <translation>type inattendu</translation>
     </message>
@@ -5664,12 +6832,32 @@ Pour commencer : %1</translation>
         <translation>commande inconnue</translation>
     </message>
     <message>
-        <source>unknown parameter '%1'</source>
-        <translation>paramètre inconnu '%1'</translation>
+        <source>unknown fault</source>
+        <translation>défaut inconnu</translation>
+    </message>
+    <message>
+        <source>unknown parameter '{}'</source>
+        <translation>paramètre inconnu '{}'</translation>
+    </message>
+    <message>
+        <source>unknown parameter '{}'; a replay changes the step's only</source>
+        <translation>paramètre inconnu '{}' ; une relecture ne change que ceux du pas</translation>
+    </message>
+    <message>
+        <source>unknown problem</source>
+        <translation>problème inconnu</translation>
+    </message>
+    <message>
+        <source>unknown state, quality or strategy</source>
+        <translation>état, qualité ou stratégie inconnus</translation>
     </message>
     <message>
         <source>untouched</source>
         <translation>non touché</translation>
+    </message>
+    <message>
+        <source>up and down</source>
+        <translation>en haut et en bas</translation>
     </message>
     <message>
         <source>use DFT321</source>
@@ -5708,8 +6896,20 @@ Pour commencer : %1</translation>
         <translation>plus de vibration</translation>
     </message>
     <message>
-        <source>waiting for a robot on %1</source>
-        <translation>en attente d'un robot sur %1</translation>
+        <source>video file</source>
+        <translation>fichier vidéo</translation>
+    </message>
+    <message>
+        <source>video file '{}'</source>
+        <translation>fichier vidéo '{}'</translation>
+    </message>
+    <message>
+        <source>wait until it is done</source>
+        <translation>attendre qu'elle soit finie</translation>
+    </message>
+    <message>
+        <source>waiting for a robot on {}</source>
+        <translation>en attente d'un robot sur {}</translation>
     </message>
     <message>
         <source>was %1</source>
@@ -5728,8 +6928,28 @@ Pour commencer : %1</translation>
         <translation>largeur</translation>
     </message>
     <message>
+        <source>workspace {} x {} x {} mm at {} mm: more than {} points on an axis</source>
+        <translation>espace de travail {} x {} x {} mm à {} mm : plus de {} points sur un axe</translation>
+    </message>
+    <message>
+        <source>workspace {} x {} x {} mm: every side must be longer than 0</source>
+        <translation>espace de travail {} x {} x {} mm : chaque côté doit dépasser 0</translation>
+    </message>
+    <message>
+        <source>workspace ±({}, {}, {}) mm: expected three numbers above 0</source>
+        <translation>espace de travail ±({}, {}, {}) mm : attendu trois nombres au-dessus de 0</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
         <source>wrong button</source>
         <translation>bouton erroné</translation>
+    </message>
+    <message>
+        <source>wrong id</source>
+        <translation>mauvais id</translation>
     </message>
     <message>
         <source>wrong key or damaged</source>
@@ -5746,6 +6966,10 @@ Pour commencer : %1</translation>
     <message>
         <source>wrong size</source>
         <translation>taille erronée</translation>
+    </message>
+    <message>
+        <source>wrong size field</source>
+        <translation>mauvais champ de taille</translation>
     </message>
     <message>
         <source>wrong start or end mark</source>
@@ -5802,6 +7026,1082 @@ Pour commencer : %1</translation>
     <message>
         <source>z, g</source>
         <translation>z, g</translation>
+    </message>
+    <message>
+        <source>{:.1f} % of the picture is dark; a finger takes {:.1f} to {:.0f} %: check the region of interest</source>
+        <translation>{:.1f} % de l'image sont sombres ; un doigt en prend {:.1f} à {:.0f} % : vérifier la région d'intérêt</translation>
+    </message>
+    <message>
+        <source>{:.3f} N/mm at {:.3g} deg is known only to {:.0f} %; expected at most {:g} %: press there more often and deeper</source>
+        <translation>{:.3f} N/mm à {:.3g}° n'est connu qu'à {:.0f} % près ; attendu au plus {:g} % : y presser plus souvent et plus fort</translation>
+    </message>
+    <message>
+        <source>{:.3f} mV/V is beyond the load cell's span of {:g}</source>
+        <translation>{:.3f} mV/V dépasse la plage de la cellule de charge de {:g}</translation>
+    </message>
+    <message>
+        <source>{} = "{}": expected {}</source>
+        <translation>{} = « {} » : attendu {}</translation>
+    </message>
+    <message>
+        <source>{} = '{}': expected true or false</source>
+        <translation>{} = '{}' : attendu true ou false</translation>
+    </message>
+    <message>
+        <source>{} = '{}': expected {}</source>
+        <translation>{} = '{}' : attendu {}</translation>
+    </message>
+    <message>
+        <source>{} = {} was refused.</source>
+        <translation>{} = {} a été refusé.</translation>
+    </message>
+    <message>
+        <source>{} = {}: expected a list such as [1, 2]</source>
+        <translation>{} = {} : attendu une liste comme [1, 2]</translation>
+    </message>
+    <message>
+        <source>{} = {}: expected a number from {} to {}; correct or delete the row</source>
+        <translation>{} = {} : attendu un nombre de {} à {} ; corriger ou supprimer la ligne</translation>
+    </message>
+    <message>
+        <source>{} = {}: expected {}</source>
+        <translation>{} = {} : attendu {}</translation>
+    </message>
+    <message>
+        <source>{} angles are not told apart by their stiffness and were pooled</source>
+        <translation>{} angles ne se distinguent pas par leur raideur et ont été réunis</translation>
+    </message>
+    <message>
+        <source>{} by the operator. Motors are off. Arm to start again.</source>
+        <translation>{} par l'opérateur. Moteurs coupés. Armer pour recommencer.</translation>
+    </message>
+    <message>
+        <source>{} bytes at once</source>
+        <translation>{} octets à la fois</translation>
+    </message>
+    <message>
+        <source>{} bytes cannot be compressed ({})</source>
+        <translation>{} octets ne peuvent pas être compressés ({})</translation>
+    </message>
+    <message>
+        <source>{} cannot be drawn: {}</source>
+        <translation>{} ne peut pas être dessiné : {}</translation>
+    </message>
+    <message>
+        <source>{} cannot change while the station runs</source>
+        <translation>{} ne peut pas changer pendant que la station fonctionne</translation>
+    </message>
+    <message>
+        <source>{} compressed bytes do not give the {} they should</source>
+        <translation>{} octets compressés ne donnent pas les {} qu'ils devraient</translation>
+    </message>
+    <message>
+        <source>{} conditions: expected 1 … {}</source>
+        <translation>{} conditions : attendu 1 … {}</translation>
+    </message>
+    <message>
+        <source>{} different angles; expected at least {}: add presses at an angle between {:.3g} and {:.3g} deg</source>
+        <translation>{} angles différents ; il en faut au moins {} : ajouter des pressions à un angle entre {:.3g} et {:.3g}°</translation>
+    </message>
+    <message>
+        <source>{} different distances in {} points; expected at least {}: add points between {:g} and {:g} mm (the same distance again tells only the noise)</source>
+        <translation>{} distances différentes en {} points ; il en faut au moins {} : ajouter des points entre {:g} et {:g} mm (la même distance répétée ne donne que le bruit)</translation>
+    </message>
+    <message>
+        <source>{} different points; expected at least {}: add points, best at the corners of the cloth</source>
+        <translation>{} points différents ; il en faut au moins {} : ajouter des points, de préférence aux coins du tissu</translation>
+    </message>
+    <message>
+        <source>{} different weights in {} points; expected at least {}: {}</source>
+        <translation>{} poids différents en {} points ; il en faut au moins {} : {}</translation>
+    </message>
+    <message>
+        <source>{} distances; needs {}</source>
+        <translation>{} distances ; il en faut {}</translation>
+    </message>
+    <message>
+        <source>{} does not answer: {}</source>
+        <translation>{} ne répond pas : {}</translation>
+    </message>
+    <message>
+        <source>{} encoder turns {:.1f} % {} than commanded; expected within {:g} %: check that the motor is free, and that both are wired to the same roller</source>
+        <translation>le codeur {} tourne {:.1f} % {} que commandé ; attendu à {:g} % près : vérifier que le moteur est libre et que les deux sont câblés au même rouleau</translation>
+    </message>
+    <message>
+        <source>{} encoder: {}</source>
+        <translation>codeur {} : {}</translation>
+    </message>
+    <message>
+        <source>{} encoder: {} points over {:.3g} deg; expected at least 5 over {:g} deg: sweep farther</source>
+        <translation>codeur {} : {} points sur {:.3g}° ; il en faut au moins 5 sur {:g}° : balayer plus loin</translation>
+    </message>
+    <message>
+        <source>{} had {} values when the state was saved, here it has {}; expected the same</source>
+        <translation>{} avait {} valeurs quand l'état fut enregistré, ici il en a {} ; attendu le même nombre</translation>
+    </message>
+    <message>
+        <source>{} is another kind of parameter in this program</source>
+        <translation>{} est un paramètre d'une autre sorte dans ce programme</translation>
+    </message>
+    <message>
+        <source>{} is lost for {} steps from row {} on ({})</source>
+        <translation>{} est perdu pour {} pas à partir de la ligne {} ({})</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>{} manque</translation>
+    </message>
+    <message>
+        <source>{} is not known: check its cable</source>
+        <translation>{} n'est pas connu : vérifier son câble</translation>
+    </message>
+    <message>
+        <source>{} is now {:.4g}.</source>
+        <translation>{} vaut maintenant {:.4g}.</translation>
+    </message>
+    <message>
+        <source>{} is now {}.</source>
+        <translation>{} vaut maintenant {}.</translation>
+    </message>
+    <message>
+        <source>{} points at {:.3g} deg; expected at least {}: press there again, to different depths</source>
+        <translation>{} points à {:.3g}° ; il en faut au moins {} : presser encore là, à des profondeurs différentes</translation>
+    </message>
+    <message>
+        <source>{} points for a {}; expected at least {}</source>
+        <translation>{} points pour {} ; attendu au moins {}</translation>
+    </message>
+    <message>
+        <source>{} points for {} unknowns; expected at least as many</source>
+        <translation>{} points pour {} inconnues ; attendu au moins autant</translation>
+    </message>
+    <message>
+        <source>{} points; at most {}: take fewer, or means</source>
+        <translation>{} points ; au plus {} : en prendre moins, ou des moyennes</translation>
+    </message>
+    <message>
+        <source>{} repetitions: expected 1 … {}</source>
+        <translation>{} répétitions : attendu 1 … {}</translation>
+    </message>
+    <message>
+        <source>{} rows of {} are gone before its row {} ({})</source>
+        <translation>{} lignes de {} manquent avant sa ligne {} ({})</translation>
+    </message>
+    <message>
+        <source>{} s at {} Hz are {} samples: expected at most {}</source>
+        <translation>{} s à {} Hz font {} échantillons : attendu au plus {}</translation>
+    </message>
+    <message>
+        <source>{} samples; expected at least {}: wait longer</source>
+        <translation>{} échantillons ; attendu au moins {} : attendre plus longtemps</translation>
+    </message>
+    <message>
+        <source>{} spans only {:.3g} px; expected at least {:g}: add points farther {}</source>
+        <translation>{} ne couvre que {:.3g} px ; attendu au moins {:g} : ajouter des points plus éloignés {}</translation>
+    </message>
+    <message>
+        <source>{} steps are not committed yet</source>
+        <translation>{} pas ne sont pas encore validés</translation>
+    </message>
+    <message>
+        <source>{} steps were lost</source>
+        <translation>{} pas ont été perdus</translation>
+    </message>
+    <message>
+        <source>{} values and {} forces; expected as many of each</source>
+        <translation>{} valeurs et {} forces ; attendu autant de chaque</translation>
+    </message>
+    <message>
+        <source>{} values and {} weights for {} points</source>
+        <translation>{} valeurs et {} poids pour {} points</translation>
+    </message>
+    <message>
+        <source>{} was {} when the state was saved, here it is {}; expected the same</source>
+        <translation>{} valait {} quand l'état fut enregistré, ici il vaut {} ; attendu le même</translation>
+    </message>
+    <message>
+        <source>{} {}: no such file, or it may not be read</source>
+        <translation>{} {} : ce fichier n'existe pas, ou ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels, expected at most {}</source>
+        <translation>{} × {} pixels, attendu au plus {}</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels, expected {} × {}</source>
+        <translation>{} × {} pixels, attendu {} × {}</translation>
+    </message>
+    <message>
+        <source>{}'s newest reading is {:.0f} ms old</source>
+        <translation>la lecture la plus récente de {} a {:.0f} ms</translation>
+    </message>
+    <message>
+        <source>{}, from line {}: {}</source>
+        <translation>{}, à partir de la ligne {} : {}</translation>
+    </message>
+    <message>
+        <source>{}, line {}: expected "{}"</source>
+        <translation>{}, ligne {} : attendu « {} »</translation>
+    </message>
+    <message>
+        <source>{}, {} at {:.4g} fps, repeating</source>
+        <translation>{}, {} à {:.4g} i/s, en boucle</translation>
+    </message>
+    <message>
+        <source>{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover</source>
+        <translation>{}. Ce qui a été écrit jusqu'à {:.1f} s est en sûreté dans {}.partial ; le rendre entier par : fyd session recover</translation>
+    </message>
+    <message>
+        <source>{}: '{}' is not a number; expected {}</source>
+        <translation>{} : « {} » n'est pas un nombre ; attendu : {}</translation>
+    </message>
+    <message>
+        <source>{}: '{}' stands outside a table; expected a table such as [control]</source>
+        <translation>{} : '{}' est hors d'une table ; attendu une table comme [control]</translation>
+    </message>
+    <message>
+        <source>{}: [[band]]: expected either wavelength_mm or frequency_Hz</source>
+        <translation>{} : [[band]] : attendu soit wavelength_mm, soit frequency_Hz</translation>
+    </message>
+    <message>
+        <source>{}: a column without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: a header but no rows</source>
+        <translation>{} : un en-tête mais pas de lignes</translation>
+    </message>
+    <message>
+        <source>{}: a link to another place; a recording holds its own values</source>
+        <translation>{} : un lien vers un autre endroit ; un enregistrement contient ses propres valeurs</translation>
+    </message>
+    <message>
+        <source>{}: a report ends in .html or .pdf</source>
+        <translation>{} : un rapport se termine par .html ou .pdf</translation>
+    </message>
+    <message>
+        <source>{}: a size in it is beyond all reason</source>
+        <translation>{} : une taille y est hors de toute mesure</translation>
+    </message>
+    <message>
+        <source>{}: a text of {} bytes</source>
+        <translation>{} : un texte de {} octets</translation>
+    </message>
+    <message>
+        <source>{}: a video has no fields to choose</source>
+        <translation>{} : une vidéo n'a pas de champs à choisir</translation>
+    </message>
+    <message>
+        <source>{}: already in {}</source>
+        <translation>{} : déjà dans {}</translation>
+    </message>
+    <message>
+        <source>{}: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = {}?</source>
+        <translation>{} : une réponse à une question antérieure a été refusée ; faut-il au touchpad plus que device.response_timeout_ms = {} ?</translation>
+    </message>
+    <message>
+        <source>{}: an export ends in .csv, .mat, .mkv, .avi or .mcap</source>
+        <translation>{} : un export se termine par .csv, .mat, .mkv, .avi ou .mcap</translation>
+    </message>
+    <message>
+        <source>{}: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than {:.3f}</source>
+        <translation>{} : un export finirait avant l'enregistrement ; `fyd session recover` rend d'abord entier ce qui peut être prouvé, ou exportez jusqu'à une seconde antérieure à {:.3f}</translation>
+    </message>
+    <message>
+        <source>{}: another recording is being started</source>
+        <translation>{} : un autre enregistrement est en train de commencer</translation>
+    </message>
+    <message>
+        <source>{}: another touchpad answers: '{}', expected '{}'; plug the right one in, or open a session for this one</source>
+        <translation>{} : un autre touchpad répond : '{}', attendu '{}' ; brancher le bon, ou ouvrir une session pour celui-ci</translation>
+    </message>
+    <message>
+        <source>{}: asked for {} Bd, the port runs at {} Bd; choose a speed its driver supports</source>
+        <translation>{} : demandé {} Bd, le port fonctionne à {} Bd ; choisir une vitesse que permet son pilote</translation>
+    </message>
+    <message>
+        <source>{}: at most {} values</source>
+        <translation>{} : au plus {} valeurs</translation>
+    </message>
+    <message>
+        <source>{}: belongs to another user (uid {}, gid {}), who would lose it; choose another name</source>
+        <translation>{} : appartient à un autre utilisateur (uid {}, gid {}), qui le perdrait ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>{}: bytes {}+{} of {}</source>
+        <translation>{} : octets {}+{} sur {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be deleted: {}</source>
+        <translation>{} : ne peut pas être supprimé : {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be made a link to {}: {}</source>
+        <translation>{} : ne peut pas devenir un lien vers {} : {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be named {}: {}</source>
+        <translation>{} : ne peut pas être nommé {} : {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened for reading</source>
+        <translation>{} : impossible à ouvrir en lecture</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened: {}</source>
+        <translation>{} : impossible à ouvrir : {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read</source>
+        <translation>{} : ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read: {}</source>
+        <translation>{} : illisible : {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be set up: {}</source>
+        <translation>{} : ne peut pas être réglé : {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written</source>
+        <translation>{} : ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written or opened ({}); check the folder's permissions</source>
+        <translation>{} : ne peut pas être écrit ou ouvert ({}) ; vérifier les droits du dossier</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: another program takes its part files away</source>
+        <translation>{} : ne peut pas être écrit : un autre programme enlève ses fichiers partiels</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: {}</source>
+        <translation>{} : impossible à écrire : {}</translation>
+    </message>
+    <message>
+        <source>{}: changed while it was copied; is it still being recorded?</source>
+        <translation>{} : modifié pendant la copie ; est-il encore en cours d'enregistrement ?</translation>
+    </message>
+    <message>
+        <source>{}: column {} is not of this format's type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: does not count the tables' rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: does not open: {}</source>
+        <translation>{} : ne s'ouvre pas : {}</translation>
+    </message>
+    <message>
+        <source>{}: does not open; {}</source>
+        <translation>{} : ne s'ouvre pas ; {}</translation>
+    </message>
+    <message>
+        <source>{}: empty; expected a header with {}</source>
+        <translation>{} : vide ; attendu un en-tête avec {}</translation>
+    </message>
+    <message>
+        <source>{}: everything needed is there. Arm to start.</source>
+        <translation>{} : tout le nécessaire est là. Armer pour commencer.</translation>
+    </message>
+    <message>
+        <source>{}: exists already</source>
+        <translation>{} : existe déjà</translation>
+    </message>
+    <message>
+        <source>{}: exists; a recording never replaces a file</source>
+        <translation>{} : existe ; un enregistrement ne remplace jamais un fichier</translation>
+    </message>
+    <message>
+        <source>{}: exists; move one of the two away first</source>
+        <translation>{} : existe ; déplacer d'abord l'un des deux</translation>
+    </message>
+    <message>
+        <source>{}: expected a folder</source>
+        <translation>{} : attendu un dossier</translation>
+    </message>
+    <message>
+        <source>{}: expected an ordinary file</source>
+        <translation>{} : attendu un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>{}: expected at least one [[band]]</source>
+        <translation>{} : attendu au moins une [[band]]</translation>
+    </message>
+    <message>
+        <source>{}: expected true or false</source>
+        <translation>{} : attendu true ou false</translation>
+    </message>
+    <message>
+        <source>{}: expected {}</source>
+        <translation>{} : attendu {}</translation>
+    </message>
+    <message>
+        <source>{}: expected {}, in quotes</source>
+        <translation>{} : attendu {}, entre guillemets</translation>
+    </message>
+    <message>
+        <source>{}: fewer than two different times: the sample rate is unknown</source>
+        <translation>{} : moins de deux temps différents : la fréquence d'échantillonnage est inconnue</translation>
+    </message>
+    <message>
+        <source>{}: format {}; this program reads format {}</source>
+        <translation>{} : format {} ; ce programme lit le format {}</translation>
+    </message>
+    <message>
+        <source>{}: gives no picture any more</source>
+        <translation>{} : ne donne plus d'image</translation>
+    </message>
+    <message>
+        <source>{}: gone while it was read</source>
+        <translation>{} : disparu pendant la lecture</translation>
+    </message>
+    <message>
+        <source>{}: has no checksums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
+        <translation>{} : erreur de vérification {:.2f} mm (au plus {:g} mm), décroît à chaque code de {:.0f} à {:.0f}</translation>
+    </message>
+    <message>
+        <source>{}: holds no picture</source>
+        <translation>{} : ne contient pas d'image</translation>
+    </message>
+    <message>
+        <source>{}: holds the control character U+{:04X}</source>
+        <translation>{} : contient le caractère de commande U+{:04X}</translation>
+    </message>
+    <message>
+        <source>{}: in use by another program ("fuser {}" names it)</source>
+        <translation>{} : utilisé par un autre programme (« fuser {} » le nomme)</translation>
+    </message>
+    <message>
+        <source>{}: is a device, not a file</source>
+        <translation>{} : c'est un périphérique, pas un fichier</translation>
+    </message>
+    <message>
+        <source>{}: is a folder, not a file</source>
+        <translation>{} : c'est un dossier, pas un fichier</translation>
+    </message>
+    <message>
+        <source>{}: is a pipe, not a file</source>
+        <translation>{} : c'est un tube, pas un fichier</translation>
+    </message>
+    <message>
+        <source>{}: is a socket, not a file</source>
+        <translation>{} : c'est un socket, pas un fichier</translation>
+    </message>
+    <message>
+        <source>{}: is being recorded at this moment</source>
+        <translation>{} : est en cours d'enregistrement en ce moment</translation>
+    </message>
+    <message>
+        <source>{}: is damaged; `fyd session recover` keeps what can be proven of it first</source>
+        <translation>{} : est endommagé ; `fyd session recover` en garde d'abord ce qui peut être prouvé</translation>
+    </message>
+    <message>
+        <source>{}: is no serial port</source>
+        <translation>{} : n'est pas un port série</translation>
+    </message>
+    <message>
+        <source>{}: is still being recorded; close it first</source>
+        <translation>{} : est encore en cours d'enregistrement ; le fermer d'abord</translation>
+    </message>
+    <message>
+        <source>{}: its columns are not those of this format</source>
+        <translation>{} : ses colonnes ne sont pas celles de ce format</translation>
+    </message>
+    <message>
+        <source>{}: its links run in a circle</source>
+        <translation>{} : ses liens tournent en rond</translation>
+    </message>
+    <message>
+        <source>{}: its values lie in other datasets; a recording holds its own</source>
+        <translation>{} : ses valeurs sont dans d'autres jeux de données ; un enregistrement contient les siennes</translation>
+    </message>
+    <message>
+        <source>{}: its values lie in other files; a recording holds its own</source>
+        <translation>{} : ses valeurs sont dans d'autres fichiers ; un enregistrement contient les siennes</translation>
+    </message>
+    <message>
+        <source>{}: its {} bytes are no picture</source>
+        <translation>{} : ses {} octets ne sont pas une image</translation>
+    </message>
+    <message>
+        <source>{}: its {} bytes are no picture as the recorder writes it</source>
+        <translation>{} : ses {} octets ne sont pas une image telle que l'écrit l'enregistreur</translation>
+    </message>
+    <message>
+        <source>{}: lies on {}; a recording needs a local disk, whose promise to have written can be trusted</source>
+        <translation>{} : est sur {} ; un enregistrement a besoin d'un disque local, dont la promesse d'avoir écrit est fiable</translation>
+    </message>
+    <message>
+        <source>{}: locked by another program for more than {} s; it is open in {}</source>
+        <translation>{} : verrouillé par un autre programme depuis plus de {} s ; il est ouvert dans {}</translation>
+    </message>
+    <message>
+        <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>
+        <translation>{} : fait par une version plus récente de ce programme (tables {}, celui-ci connaît {})</translation>
+    </message>
+    <message>
+        <source>{}: no 'format'; expected a record of calibrations, format = {}</source>
+        <translation>{} : pas de 'format' ; attendu un registre d'étalonnages, format = {}</translation>
+    </message>
+    <message>
+        <source>{}: no memory for its variables</source>
+        <translation>{} : pas de mémoire pour ses variables</translation>
+    </message>
+    <message>
+        <source>{}: no permission. Add yourself to its group with "sudo usermod -aG {} $USER" and log in again</source>
+        <translation>{} : pas de permission. S'ajouter à son groupe par « sudo usermod -aG {} $USER » et se reconnecter</translation>
+    </message>
+    <message>
+        <source>{}: no picture of this format can be made</source>
+        <translation>{} : aucune image de ce format ne peut être faite</translation>
+    </message>
+    <message>
+        <source>{}: no pseudo-terminal to be had: {}</source>
+        <translation>{} : pas de pseudo-terminal disponible : {}</translation>
+    </message>
+    <message>
+        <source>{}: no such parameter</source>
+        <translation>{} : ce paramètre n'existe pas</translation>
+    </message>
+    <message>
+        <source>{}: no such parameter in this profile</source>
+        <translation>{} : pas de paramètre de ce nom dans ce profil</translation>
+    </message>
+    <message>
+        <source>{}: no temporary file can be made: {}</source>
+        <translation>{} : aucun fichier temporaire ne peut être créé : {}</translation>
+    </message>
+    <message>
+        <source>{}: no {}; expected "{}" and {} words</source>
+        <translation>{} : pas de {} ; attendu « {} » et {} mots</translation>
+    </message>
+    <message>
+        <source>{}: not UTF-8</source>
+        <translation>{} : pas de l'UTF-8</translation>
+    </message>
+    <message>
+        <source>{}: not a dataset</source>
+        <translation>{} : pas un jeu de données</translation>
+    </message>
+    <message>
+        <source>{}: not a file's name</source>
+        <translation>{} : n'est pas un nom de fichier</translation>
+    </message>
+    <message>
+        <source>{}: not a folder</source>
+        <translation>{} : pas un dossier</translation>
+    </message>
+    <message>
+        <source>{}: not a group as a recording has it</source>
+        <translation>{} : pas un groupe tel qu'en a un enregistrement</translation>
+    </message>
+    <message>
+        <source>{}: not a list of rows</source>
+        <translation>{} : pas une liste de lignes</translation>
+    </message>
+    <message>
+        <source>{}: not a text</source>
+        <translation>{} : pas un texte</translation>
+    </message>
+    <message>
+        <source>{}: not a touchpad: its first registers say 0x{:08X}, expected 0x{:08X}</source>
+        <translation>{} : pas un touchpad : ses premiers registres disent 0x{:08X}, attendu 0x{:08X}</translation>
+    </message>
+    <message>
+        <source>{}: not all of it could be written; is the disk full?</source>
+        <translation>{} : tout n'a pas pu être écrit ; le disque est-il plein ?</translation>
+    </message>
+    <message>
+        <source>{}: not bytes</source>
+        <translation>{} : pas des octets</translation>
+    </message>
+    <message>
+        <source>{}: not in chunks of {} rows{}, as this program stores it: another program packed it anew</source>
+        <translation>{} : pas en blocs de {} lignes{}, comme ce programme les range : un autre programme l'a recompressé</translation>
+    </message>
+    <message>
+        <source>{}: not in one piece</source>
+        <translation>{} : pas d'un seul tenant</translation>
+    </message>
+    <message>
+        <source>{}: not kept, nothing is being recorded</source>
+        <translation>{} : pas conservé, rien n'est en cours d'enregistrement</translation>
+    </message>
+    <message>
+        <source>{}: not kept, the session is closed</source>
+        <translation>{} : pas conservé, la session est fermée</translation>
+    </message>
+    <message>
+        <source>{}: not one number</source>
+        <translation>{} : pas un seul nombre</translation>
+    </message>
+    <message>
+        <source>{}: not one text</source>
+        <translation>{} : pas un seul texte</translation>
+    </message>
+    <message>
+        <source>{}: not open</source>
+        <translation>{} : non ouvert</translation>
+    </message>
+    <message>
+        <source>{}: note {}: {}</source>
+        <translation>{} : note {} : {}</translation>
+    </message>
+    <message>
+        <source>{}: nothing more can be recorded: {}</source>
+        <translation>{} : rien de plus ne peut être enregistré : {}</translation>
+    </message>
+    <message>
+        <source>{}: on a network share, where SQLite would be damaged; use a local path, or postgresql:…</source>
+        <translation>{} : sur un partage réseau, où SQLite serait endommagé ; utiliser un chemin local, ou postgresql:…</translation>
+    </message>
+    <message>
+        <source>{}: only notes and bookmarks are written here</source>
+        <translation>{} : seuls des notes et des signets s'écrivent ici</translation>
+    </message>
+    <message>
+        <source>{}: out of memory</source>
+        <translation>{} : plus de mémoire</translation>
+    </message>
+    <message>
+        <source>{}: picture {} was not kept</source>
+        <translation>{} : l'image {} n'a pas été gardée</translation>
+    </message>
+    <message>
+        <source>{}: pseudo-terminal: {}</source>
+        <translation>{} : pseudo-terminal : {}</translation>
+    </message>
+    <message>
+        <source>{}: reading failed</source>
+        <translation>{} : échec de la lecture</translation>
+    </message>
+    <message>
+        <source>{}: reads differently each time; copy it to another disk first</source>
+        <translation>{} : chaque lecture donne autre chose ; copiez-le d'abord sur un autre disque</translation>
+    </message>
+    <message>
+        <source>{}: refused, nothing is saved: {}</source>
+        <translation>{} : refusée, rien n'est enregistré : {}</translation>
+    </message>
+    <message>
+        <source>{}: register map {}.{}, this program knows {}.x; update the older of the two</source>
+        <translation>{} : table des registres {}.{}, ce programme connaît la {}.x ; mettre à jour le plus ancien des deux</translation>
+    </message>
+    <message>
+        <source>{}: rendering.</source>
+        <translation>{} : rendu en cours.</translation>
+    </message>
+    <message>
+        <source>{}: room for other rows than asked</source>
+        <translation>{} : place pour un autre nombre de lignes que demandé</translation>
+    </message>
+    <message>
+        <source>{}: row {} has a list that counts more than it can hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: row {} of {}</source>
+        <translation>{} : ligne {} sur {}</translation>
+    </message>
+    <message>
+        <source>{}: rows from {} on are packed otherwise</source>
+        <translation>{} : les lignes à partir de {} sont compressées autrement</translation>
+    </message>
+    <message>
+        <source>{}: rows from {} on take {} bytes</source>
+        <translation>{} : les lignes à partir de {} prennent {} octets</translation>
+    </message>
+    <message>
+        <source>{}: rows from {} on: {}</source>
+        <translation>{} : lignes à partir de {} : {}</translation>
+    </message>
+    <message>
+        <source>{}: rows of {} bytes; this program's have {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: rows {} to {} are damaged: CRC32C {:08x}, committed as {:08x}</source>
+        <translation>{} : les lignes {} à {} sont endommagées : CRC32C {:08x}, validées comme {:08x}</translation>
+    </message>
+    <message>
+        <source>{}: rows {} to {} in one block</source>
+        <translation>{} : lignes {} à {} dans un bloc</translation>
+    </message>
+    <message>
+        <source>{}: rows {}+{} of {}</source>
+        <translation>{} : lignes {}+{} sur {}</translation>
+    </message>
+    <message>
+        <source>{}: saved values are felt now; go back to the current ones to change it</source>
+        <translation>{} : les valeurs enregistrées sont ressenties ; revenir aux actuelles pour le changer</translation>
+    </message>
+    <message>
+        <source>{}: sends damaged pictures: {}</source>
+        <translation>{} : envoie des images endommagées : {}</translation>
+    </message>
+    <message>
+        <source>{}: sensors are live, motors are off.</source>
+        <translation>{} : capteurs actifs, moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>{}: set it to remote, and close what else drives it</source>
+        <translation>{} : le mettre en commande à distance et fermer ce qui le pilote par ailleurs</translation>
+    </message>
+    <message>
+        <source>{}: stop, then arm again</source>
+        <translation>{} : arrêter, puis armer de nouveau</translation>
+    </message>
+    <message>
+        <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>
+        <translation>{} : archivé, mais la source ne peut pas être supprimée : {} ; il est entier aux deux endroits</translation>
+    </message>
+    <message>
+        <source>{}: the CSV parser could not start</source>
+        <translation>{} : le lecteur CSV n'a pas pu démarrer</translation>
+    </message>
+    <message>
+        <source>{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list --rebuild FOLDER` moves the file aside and reads the recordings again</source>
+        <translation>{} : le catalogue est endommagé ({}) ; les enregistrements n'en sont pas touchés. `fyd session list --rebuild FOLDER` met le fichier de côté et relit les enregistrements</translation>
+    </message>
+    <message>
+        <source>{}: the copy cannot get its name: {}</source>
+        <translation>{} : la copie ne peut pas recevoir son nom : {}</translation>
+    </message>
+    <message>
+        <source>{}: the copy reads back differently from the source; the storage is not to be trusted</source>
+        <translation>{} : la copie relue diffère de la source ; ce stockage n'est pas fiable</translation>
+    </message>
+    <message>
+        <source>{}: the device behind the port is gone; is the cable plugged in?</source>
+        <translation>{} : l'appareil derrière le port a disparu ; le câble est-il branché ?</translation>
+    </message>
+    <message>
+        <source>{}: the disk does not answer; nothing is recorded</source>
+        <translation>{} : le disque ne répond pas ; rien n'est enregistré</translation>
+    </message>
+    <message>
+        <source>{}: the disk does not answer; the file is closed when it does</source>
+        <translation>{} : le disque ne répond pas ; le fichier sera fermé quand il répondra</translation>
+    </message>
+    <message>
+        <source>{}: the disk has {:.0f} MB left, fewer than the {:.0f} MB a recording leaves free</source>
+        <translation>{} : il reste {:.0f} Mo sur le disque, moins que les {:.0f} Mo qu'un enregistrement laisse libres</translation>
+    </message>
+    <message>
+        <source>{}: the disk is full; nothing of this change was kept</source>
+        <translation>{} : le disque est plein ; rien de cette modification n'a été gardé</translation>
+    </message>
+    <message>
+        <source>{}: the entry {} is damaged: {}</source>
+        <translation>{} : l'entrée {} est endommagée : {}</translation>
+    </message>
+    <message>
+        <source>{}: the folder cannot be made: {}</source>
+        <translation>{} : le dossier ne peut pas être créé : {}</translation>
+    </message>
+    <message>
+        <source>{}: the folder cannot be used: {}</source>
+        <translation>{} : dossier inutilisable : {}</translation>
+    </message>
+    <message>
+        <source>{}: the picture could not be made</source>
+        <translation>{} : l'image n'a pas pu être faite</translation>
+    </message>
+    <message>
+        <source>{}: the pseudo-terminal has no name</source>
+        <translation>{} : le pseudo-terminal n'a pas de nom</translation>
+    </message>
+    <message>
+        <source>{}: the recorder is not running</source>
+        <translation>{} : l'enregistreur ne fonctionne pas</translation>
+    </message>
+    <message>
+        <source>{}: the recording has ended</source>
+        <translation>{} : l'enregistrement est terminé</translation>
+    </message>
+    <message>
+        <source>{}: the recording holds no picture</source>
+        <translation>{} : l'enregistrement ne contient pas d'image</translation>
+    </message>
+    <message>
+        <source>{}: the recording holds no step</source>
+        <translation>{} : l'enregistrement ne contient aucun pas</translation>
+    </message>
+    <message>
+        <source>{}: the recording shows no picture for another {:.1f} s</source>
+        <translation>{} : l'enregistrement ne montre pas d'image pendant encore {:.1f} s</translation>
+    </message>
+    <message>
+        <source>{}: the session is closed</source>
+        <translation>{} : la session est fermée</translation>
+    </message>
+    <message>
+        <source>{}: the touchpad does not answer.</source>
+        <translation>{} : le touchpad ne répond pas.</translation>
+    </message>
+    <message>
+        <source>{}: there is a file of this name already</source>
+        <translation>{} : il y a déjà un fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>{}: there is another file of this name; nothing was moved</source>
+        <translation>{} : il y a un autre fichier de ce nom ; rien n'a été déplacé</translation>
+    </message>
+    <message>
+        <source>{}: there is no such file</source>
+        <translation>{} : ce fichier n'existe pas</translation>
+    </message>
+    <message>
+        <source>{}: there is no such port; is the cable plugged in?</source>
+        <translation>{} : ce port n'existe pas ; le câble est-il branché ?</translation>
+    </message>
+    <message>
+        <source>{}: too many changes at once</source>
+        <translation>{} : trop de changements à la fois</translation>
+    </message>
+    <message>
+        <source>{}: too many of this name; move them away</source>
+        <translation>{} : trop de fichiers de ce nom ; les déplacer</translation>
+    </message>
+    <message>
+        <source>{}: unknown key '{}' in {}</source>
+        <translation>{} : clé inconnue '{}' dans {}</translation>
+    </message>
+    <message>
+        <source>{}: unknown parameter '{}'; 'fyd params' lists those there are</source>
+        <translation>{} : paramètre inconnu '{}' ; 'fyd params' donne la liste de ceux qui existent</translation>
+    </message>
+    <message>
+        <source>{}: was left behind by a crash; `fyd session recover` makes it whole first</source>
+        <translation>{} : laissé par un arrêt brutal ; `fyd session recover` le rend d'abord entier</translation>
+    </message>
+    <message>
+        <source>{}: without a column t_s the sample rate must be given</source>
+        <translation>{} : sans colonne t_s, la fréquence d'échantillonnage doit être donnée</translation>
+    </message>
+    <message>
+        <source>{}: writing failed: {}</source>
+        <translation>{} : échec de l'écriture : {}</translation>
+    </message>
+    <message>
+        <source>{}: writing failed: {}; nothing is left of it</source>
+        <translation>{} : l'écriture a échoué : {} ; il n'en reste rien</translation>
+    </message>
+    <message>
+        <source>{}: writing failed: {}; the file stays as it was</source>
+        <translation>{} : l'écriture a échoué : {} ; le fichier reste tel quel</translation>
+    </message>
+    <message>
+        <source>{}: writing {} failed; is the disk full?</source>
+        <translation>{} : l'écriture de {} a échoué ; le disque est-il plein ?</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} MB free, the recording needs {:.1f} MB</source>
+        <translation>{} : {:.1f} Mo libres, l'enregistrement a besoin de {:.1f} Mo</translation>
+    </message>
+    <message>
+        <source>{}: {} Bd is no speed of this system</source>
+        <translation>{} : {} Bd n'est pas une vitesse de ce système</translation>
+    </message>
+    <message>
+        <source>{}: {} Bd is no speed of this system; expected one of {}</source>
+        <translation>{} : {} Bd n'est pas une vitesse de ce système ; attendu l'une de {}</translation>
+    </message>
+    <message>
+        <source>{}: {} IR sensors and {} motors, expected {} and {}</source>
+        <translation>{} : {} capteurs IR et {} moteurs, attendu {} et {}</translation>
+    </message>
+    <message>
+        <source>{}: {} at register {}: {}</source>
+        <translation>{} : {} au registre {} : {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bands; at most {}</source>
+        <translation>{} : {} bandes ; au plus {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes</source>
+        <translation>{} : {} octets</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes long, at most {} are catalogued</source>
+        <translation>{} : long de {} octets, au plus {} sont catalogués</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes with control characters; expected {}</source>
+        <translation>{} : {} octets avec des caractères de commande ; attendu {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; a preset has at most {}</source>
+        <translation>{} : {} octets ; un préréglage en a au plus {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; a profile has at most {}</source>
+        <translation>{} : {} octets ; un profil en a au plus {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; at most {}: move it away, a new one will be begun</source>
+        <translation>{} : {} octets ; au plus {} : le déplacer, un nouveau sera commencé</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; expected {}</source>
+        <translation>{} : {} octets ; attendu {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; notes have at most {}</source>
+        <translation>{} : {} octets ; les notes en ont au plus {}</translation>
+    </message>
+    <message>
+        <source>{}: {} cannot change while the station runs; a preset holds live parameters only</source>
+        <translation>{} : {} ne peut pas changer pendant que la station tourne ; un préréglage ne contient que des paramètres modifiables en marche</translation>
+    </message>
+    <message>
+        <source>{}: {} follows {}; expected rising values</source>
+        <translation>{} : {} suit {} ; attendu des valeurs croissantes</translation>
+    </message>
+    <message>
+        <source>{}: {} in one step</source>
+        <translation>{} : {} en un pas</translation>
+    </message>
+    <message>
+        <source>{}: {} is no folder</source>
+        <translation>{} : {} n'est pas un dossier</translation>
+    </message>
+    <message>
+        <source>{}: {} is still being recorded; stop it first</source>
+        <translation>{} : {} est encore en cours d'enregistrement ; l'arrêter d'abord</translation>
+    </message>
+    <message>
+        <source>{}: {} rows of {} bytes each, while the whole file takes {} bytes</source>
+        <translation>{} : {} lignes de {} octets chacune, alors que le fichier entier prend {} octets</translation>
+    </message>
+    <message>
+        <source>{}: {} rows of {} fields are {:.1f} GiB, a MATLAB 5 file takes 2; choose fewer fields or a shorter time</source>
+        <translation>{} : {} lignes de {} champs font {:.1f} Gio, un fichier MATLAB 5 en prend 2 ; choisir moins de champs ou un temps plus court</translation>
+    </message>
+    <message>
+        <source>{}: {} values; expected at most {}</source>
+        <translation>{} : {} valeurs ; attendu au plus {}</translation>
+    </message>
+    <message>
+        <source>{}: {} without '{}'</source>
+        <translation>{} : {} sans '{}'</translation>
+    </message>
+    <message>
+        <source>{}: {} × {} pixels; at most {} are read</source>
+        <translation>{} : {} × {} pixels ; au plus {} sont lus</translation>
+    </message>
+    <message>
+        <source>{}: {}, {} times in a row</source>
+        <translation>{} : {}, {} fois de suite</translation>
+    </message>
+    <message>
+        <source>{}: {}. {} Then re-arm.</source>
+        <translation>{} : {}. {} Puis réarmer.</translation>
+    </message>
+    <message>
+        <source>{}: {}: expected a text in quotes</source>
+        <translation>{} : {} : attendu un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>{}: {}; the recording stays at {}</source>
+        <translation>{} : {} ; l'enregistrement reste à {}</translation>
+    </message>
+    <message>
+        <source>{}: {}{}: expected a number from {} to {}</source>
+        <translation>{} : {}{} : attendu un nombre de {} à {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: column {}: '{}' is not a number</source>
+        <translation>{}:{} : colonne {} : '{}' n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>{}:{}: delay {} ms: expected 0 to 60000, or nan for a loss</source>
+        <translation>{}:{} : retard {} ms : attendu de 0 à 60000, ou nan pour une perte</translation>
+    </message>
+    <message>
+        <source>{}:{}: no column '{}'; expected {}</source>
+        <translation>{}:{} : pas de colonne '{}' ; attendu {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: not valid CSV: {}</source>
+        <translation>{}:{} : CSV non valable : {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: t_s = {} after {}: expected times that do not go backwards</source>
+        <translation>{}:{} : t_s = {} après {} : attendu des temps qui ne reculent pas</translation>
+    </message>
+    <message>
+        <source>{}:{}: t_s = {}: expected a finite time in seconds</source>
+        <translation>{}:{} : t_s = {} : attendu un temps fini en secondes</translation>
+    </message>
+    <message>
+        <source>{}:{}: t_s is {} after {}; time must increase from row to row</source>
+        <translation>{}:{} : t_s vaut {} après {} ; le temps doit croître de ligne en ligne</translation>
+    </message>
+    <message>
+        <source>{}:{}: t_s is {}; expected a time in seconds</source>
+        <translation>{}:{} : t_s vaut {} ; attendu un temps en secondes</translation>
+    </message>
+    <message>
+        <source>{}:{}: time {} s: expected times that start at 0 and rise</source>
+        <translation>{}:{} : temps {} s : attendu des temps qui commencent à 0 et croissent</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} fields; the header has {}</source>
+        <translation>{}:{} : {} champs ; l'en-tête en a {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} is {}; expected millimetres within ±{}</source>
+        <translation>{}:{} : {} vaut {} ; attendu des millimètres à ±{} près</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
+        <translation>{}:{} : {} parmi x_mm, y_mm, z_mm sont NaN ; tous les trois veulent dire un doigt levé, sinon aucun ne peut l'être</translation>
+    </message>
+    <message>
+        <source>{}; make what can be proven whole with: fyd session recover</source>
+        <translation>{} ; rendre entier ce qui peut être prouvé par : fyd session recover</translation>
+    </message>
+    <message>
+        <source>{}; nor can the entry wait: {}. The recording is safe; put it in later with `fyd session add {}`</source>
+        <translation>{} ; et l'entrée ne peut pas attendre non plus : {}. L'enregistrement est en sûreté ; l'ajouter plus tard par `fyd session add {}`</translation>
+    </message>
+    <message>
+        <source>{}; robot {} could not be had again either: {}</source>
+        <translation>{} ; le robot {} n'a pas pu être repris non plus : {}</translation>
+    </message>
+    <message>
+        <source>{}; the entry waits in {} and goes in when the catalogue is next opened</source>
+        <translation>{} ; l'entrée attend dans {} et y entrera à la prochaine ouverture du catalogue</translation>
+    </message>
+    <message>
+        <source>{}; the former session could not be had again either: {}</source>
+        <translation>{} ; la session précédente n'a pas pu être reprise non plus : {}</translation>
+    </message>
+    <message>
+        <source>{}; the recording is whole in both places, {} and {}: store it again to finish</source>
+        <translation>{} ; l'enregistrement est entier aux deux endroits, {} et {} : l'archiver de nouveau pour terminer</translation>
+    </message>
+    <message>
+        <source>{}; the recording stays at {}</source>
+        <translation>{} ; l'enregistrement reste à {}</translation>
+    </message>
+    <message>
+        <source>{}; {} is whole up to here. Make room or choose another disk</source>
+        <translation>{} ; {} est intact jusqu'ici. Faire de la place ou choisir un autre disque</translation>
+    </message>
+    <message>
+        <source>{}{}: cannot be moved aside to {}: {}</source>
+        <translation>{}{} : ne peut pas être mis de côté vers {} : {}</translation>
     </message>
     <message>
         <source>Δ %1</source>

@@ -58,14 +58,6 @@
         <translation>%1 / %2 N/mm</translation>
     </message>
     <message>
-        <source>%1 = %2 was refused.</source>
-        <translation>%1 = %2 è stato rifiutato.</translation>
-    </message>
-    <message>
-        <source>%1 = %2: expected %3</source>
-        <translation>%1 = %2: atteso %3</translation>
-    </message>
-    <message>
         <source>%1 GB</source>
         <translation>%1 GB</translation>
     </message>
@@ -78,56 +70,12 @@
         <translation>%1 MB</translation>
     </message>
     <message>
-        <source>%1 N/mm at %2 deg is known only to %3 %; expected at most %4 %: press there more often and deeper</source>
-        <translation>%1 N/mm a %2 gradi è noto solo al %3 %; atteso al più il %4 %: premere lì più spesso e più a fondo</translation>
-    </message>
-    <message>
         <source>%1 ago</source>
         <translation>%1 fa</translation>
     </message>
     <message>
-        <source>%1 angles are not told apart by their stiffness and were pooled</source>
-        <translation>%1 angoli non si distinguono per rigidezza e sono stati uniti</translation>
-    </message>
-    <message>
         <source>%1 at %2 s: %3</source>
         <translation>%1 a %2 s: %3</translation>
-    </message>
-    <message>
-        <source>%1 by the operator. Motors are off. Arm to start again.</source>
-        <translation>%1 dall'operatore. Motori spenti. Armare per ricominciare.</translation>
-    </message>
-    <message>
-        <source>%1 cannot change while the station runs</source>
-        <translation>%1 non può cambiare mentre la stazione lavora</translation>
-    </message>
-    <message>
-        <source>%1 different angles; expected at least %2: add presses at an angle between %3 and %4 deg</source>
-        <translation>%1 angoli diversi; ne servono almeno %2: aggiungere pressioni a un angolo fra %3 e %4 gradi</translation>
-    </message>
-    <message>
-        <source>%1 different distances in %2 points; expected at least %3: add points between %4 and %5 mm (the same distance again tells only the noise)</source>
-        <translation>%1 distanze diverse in %2 punti; ne servono almeno %3: aggiungere punti tra %4 e %5 mm (la stessa distanza ripetuta dice solo il rumore)</translation>
-    </message>
-    <message>
-        <source>%1 different points; expected at least %2: add points, best at the corners of the cloth</source>
-        <translation>%1 punti diversi; ne servono almeno %2: aggiungere punti, meglio agli angoli del tessuto</translation>
-    </message>
-    <message>
-        <source>%1 different weights in %2 points; expected at least %3: %4</source>
-        <translation>%1 pesi diversi in %2 punti; ne servono almeno %3: %4</translation>
-    </message>
-    <message>
-        <source>%1 does not answer: %2</source>
-        <translation>%1 non risponde: %2</translation>
-    </message>
-    <message>
-        <source>%1 encoder turns %2 % %3 than commanded; expected within %4 %: check that the motor is free, and that both are wired to the same roller</source>
-        <translation>l'encoder %1 gira il %2 % %3 di quanto comandato; atteso entro il %4 %: controllare che il motore sia libero e che entrambi siano collegati allo stesso rullo</translation>
-    </message>
-    <message>
-        <source>%1 encoder: %2 points over %3 deg; expected at least 5 over %4 deg: sweep farther</source>
-        <translation>encoder %1: %2 punti su %3 gradi; ne servono almeno 5 su %4 gradi: corsa più lunga</translation>
     </message>
     <message>
         <source>%1 errors since the start</source>
@@ -154,24 +102,12 @@
         <translation>%1 è eliminata.</translation>
     </message>
     <message>
-        <source>%1 is lost for %2 steps from row %3 on (%4)</source>
-        <translation>%1 è perso per %2 passi dalla riga %3 in poi (%4)</translation>
-    </message>
-    <message>
-        <source>%1 is not known: check its cable</source>
-        <translation>%1 non è noto: controllare il suo cavo</translation>
-    </message>
-    <message>
         <source>%1 is not saved: the file of the window's settings cannot be written.</source>
         <translation>%1 non è salvata: il file delle impostazioni della finestra non si può scrivere.</translation>
     </message>
     <message>
         <source>%1 is not written: %2</source>
         <translation>%1 non è stato scritto: %2</translation>
-    </message>
-    <message>
-        <source>%1 is now %2.</source>
-        <translation>%1 vale ora %2.</translation>
     </message>
     <message>
         <source>%1 is saved.</source>
@@ -192,10 +128,6 @@
     <message>
         <source>%1 kB</source>
         <translation>%1 kB</translation>
-    </message>
-    <message>
-        <source>%1 mV/V is beyond the load cell's span of %2</source>
-        <translation>%1 mV/V è oltre il campo della cella di carico di %2</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
@@ -228,10 +160,6 @@
     <message>
         <source>%1 over time, %2</source>
         <translation>%1 nel tempo, %2</translation>
-    </message>
-    <message>
-        <source>%1 points at %2 deg; expected at least %3: press there again, to different depths</source>
-        <translation>%1 punti a %2 gradi; ne servono almeno %3: premere ancora lì, a profondità diverse</translation>
     </message>
     <message>
         <source>%1 presses of different depth at %2 or more stretches, the least and the greatest among them.</source>
@@ -290,10 +218,6 @@
         <translation>%1 × %2 px a %3, %4</translation>
     </message>
     <message>
-        <source>%1's newest reading is %2 ms old</source>
-        <translation>la lettura più recente di %1 ha %2 ms</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
@@ -308,10 +232,6 @@
     <message>
         <source>%1, peak</source>
         <translation>%1, picco</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
     </message>
     <message>
         <source>%1: "%2" is no number.</source>
@@ -334,10 +254,6 @@
         <translation>%1: %2 è fuori campo; atteso da %3 a %4 %5.</translation>
     </message>
     <message>
-        <source>%1: %2 is still being recorded; stop it first</source>
-        <translation>%1: %2 è ancora in registrazione; fermarla prima</translation>
-    </message>
-    <message>
         <source>%1: %2 samples are saved, %3 could not be read. The damaged original is kept as %4.</source>
         <translation>%1: %2 campioni salvati, %3 illeggibili. L'originale danneggiato è conservato come %4.</translation>
     </message>
@@ -346,80 +262,12 @@
         <translation>%1: %2.</translation>
     </message>
     <message>
-        <source>%1: %2. %3 Then re-arm.</source>
-        <translation>%1: %2. %3 Poi riarmare.</translation>
-    </message>
-    <message>
-        <source>%1: '%2' is not a number; expected %3</source>
-        <translation>%1: '%2' non è un numero; atteso %3</translation>
-    </message>
-    <message>
-        <source>%1: a report ends in .html or .pdf</source>
-        <translation>%1: un rapporto termina in .html o .pdf</translation>
-    </message>
-    <message>
         <source>%1: all %2 samples are saved, but not all that belongs to them: %3 could not be read. The damaged original is kept as %4.</source>
         <translation>%1: tutti i %2 campioni sono salvati, ma non tutto ciò che li accompagna: %3 illeggibile. L'originale danneggiato è conservato come %4.</translation>
     </message>
     <message>
-        <source>%1: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = %2?</source>
-        <translation>%1: una risposta a una domanda precedente è stata rifiutata; al touchpad serve più di device.response_timeout_ms = %2?</translation>
-    </message>
-    <message>
-        <source>%1: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than %2</source>
-        <translation>%1: un'esportazione finirebbe prima della registrazione; `fyd session recover` rende prima integro ciò che si può provare, oppure esportare fino a un secondo precedente %2</translation>
-    </message>
-    <message>
-        <source>%1: asked for %2 Bd, the port runs at %3 Bd; choose a speed its driver supports</source>
-        <translation>%1: chiesti %2 Bd, la porta va a %3 Bd; scegliere una velocità che il suo driver consente</translation>
-    </message>
-    <message>
-        <source>%1: belongs to another user (uid %2, gid %3), who would lose it; choose another name</source>
-        <translation>%1: appartiene a un altro utente (uid %2, gid %3), che lo perderebbe; scegliere un altro nome</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened for reading</source>
-        <translation>%1: non si può aprire in lettura</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened: %2</source>
-        <translation>%1: non si può aprire: %2</translation>
-    </message>
-    <message>
-        <source>%1: cannot be read: %2</source>
-        <translation>%1: non si può leggere: %2</translation>
-    </message>
-    <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: non si può scrivere: %2</translation>
-    </message>
-    <message>
         <source>%1: difference %2, mean %3</source>
         <translation>%1: differenza %2, media %3</translation>
-    </message>
-    <message>
-        <source>%1: does not open: %2</source>
-        <translation>%1: non si apre: %2</translation>
-    </message>
-    <message>
-        <source>%1: does not open; %2</source>
-        <translation>%1: non si apre; %2</translation>
-    </message>
-    <message>
-        <source>%1: everything needed is there. Arm to start.</source>
-        <translation>%1: c'è tutto il necessario. Armare per iniziare.</translation>
-    </message>
-    <message>
-        <source>%1: exists already</source>
-        <translation>%1: esiste già</translation>
-    </message>
-    <message>
-        <source>%1: exists; move one of the two away first</source>
-        <translation>%1: esiste; spostare prima uno dei due</translation>
-    </message>
-    <message>
-        <source>%1: expected %2</source>
-        <translation>%1: atteso %2</translation>
     </message>
     <message>
         <source>%1: expected a number</source>
@@ -430,172 +278,112 @@
         <translation>%1: attesi almeno %2 s</translation>
     </message>
     <message>
-        <source>%1: expected true or false</source>
-        <translation>%1: atteso true o false</translation>
-    </message>
-    <message>
-        <source>%1: held-out error %2 mm of at most %3 mm, falls at every code from %4 to %5</source>
-        <translation>%1: errore di verifica %2 mm su al più %3 mm, decresce a ogni codice da %4 a %5</translation>
-    </message>
-    <message>
-        <source>%1: in use by another program ("fuser %2" names it)</source>
-        <translation>%1: in uso da un altro programma ("fuser %2" lo nomina)</translation>
-    </message>
-    <message>
-        <source>%1: is a device, not a file</source>
-        <translation>%1: è un dispositivo, non un file</translation>
-    </message>
-    <message>
-        <source>%1: is a folder, not a file</source>
-        <translation>%1: è una cartella, non un file</translation>
-    </message>
-    <message>
-        <source>%1: is a pipe, not a file</source>
-        <translation>%1: è una pipe, non un file</translation>
-    </message>
-    <message>
-        <source>%1: is a socket, not a file</source>
-        <translation>%1: è un socket, non un file</translation>
-    </message>
-    <message>
-        <source>%1: is being recorded at this moment</source>
-        <translation>%1: è in registrazione in questo momento</translation>
-    </message>
-    <message>
-        <source>%1: is no serial port</source>
-        <translation>%1: non è una porta seriale</translation>
-    </message>
-    <message>
-        <source>%1: its links run in a circle</source>
-        <translation>%1: i suoi collegamenti girano in tondo</translation>
-    </message>
-    <message>
-        <source>%1: no permission. Add yourself to its group with "sudo usermod -aG %2 $USER" and log in again</source>
-        <translation>%1: nessun permesso. Aggiungersi al suo gruppo con "sudo usermod -aG %2 $USER" e rifare l'accesso</translation>
-    </message>
-    <message>
-        <source>%1: no such parameter</source>
-        <translation>%1: questo parametro non esiste</translation>
-    </message>
-    <message>
-        <source>%1: not open</source>
-        <translation>%1: non aperto</translation>
-    </message>
-    <message>
-        <source>%1: reads differently each time; copy it to another disk first</source>
-        <translation>%1: ogni lettura dà altro; copiarlo prima su un altro disco</translation>
-    </message>
-    <message>
-        <source>%1: rendering.</source>
-        <translation>%1: resa in corso.</translation>
-    </message>
-    <message>
-        <source>%1: sends damaged pictures: %2</source>
-        <translation>%1: invia immagini danneggiate: %2</translation>
-    </message>
-    <message>
-        <source>%1: sensors are live, motors are off.</source>
-        <translation>%1: sensori vivi, motori spenti.</translation>
-    </message>
-    <message>
-        <source>%1: set it to remote, and close what else drives it</source>
-        <translation>%1: metterlo in comando remoto e chiudere ogni altro programma che lo pilota</translation>
-    </message>
-    <message>
-        <source>%1: stop, then arm again</source>
-        <translation>%1: fermare, poi armare di nuovo</translation>
-    </message>
-    <message>
-        <source>%1: the device behind the port is gone; is the cable plugged in?</source>
-        <translation>%1: il dispositivo dietro la porta è sparito; il cavo è collegato?</translation>
-    </message>
-    <message>
-        <source>%1: the disk does not answer; nothing is recorded</source>
-        <translation>%1: il disco non risponde; nulla viene registrato</translation>
-    </message>
-    <message>
-        <source>%1: the disk does not answer; the file is closed when it does</source>
-        <translation>%1: il disco non risponde; il file si chiude quando risponderà</translation>
-    </message>
-    <message>
-        <source>%1: the disk has %2 MB left, fewer than the %3 MB a recording leaves free</source>
-        <translation>%1: il disco ha %2 MB liberi, meno dei %3 MB che una registrazione lascia liberi</translation>
-    </message>
-    <message>
-        <source>%1: the folder cannot be used: %2</source>
-        <translation>%1: la cartella non si può usare: %2</translation>
-    </message>
-    <message>
-        <source>%1: the recorder is not running</source>
-        <translation>%1: il registratore non è attivo</translation>
-    </message>
-    <message>
-        <source>%1: the recording holds no picture</source>
-        <translation>%1: la registrazione non contiene immagini</translation>
-    </message>
-    <message>
-        <source>%1: the session is closed</source>
-        <translation>%1: la sessione è chiusa</translation>
-    </message>
-    <message>
-        <source>%1: the touchpad does not answer.</source>
-        <translation>%1: il touchpad non risponde.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file</source>
-        <translation>%1: questo file non esiste</translation>
-    </message>
-    <message>
-        <source>%1: there is no such port; is the cable plugged in?</source>
-        <translation>%1: questa porta non esiste; il cavo è collegato?</translation>
-    </message>
-    <message>
         <source>%1: this folder cannot be made</source>
         <translation>%1: questa cartella non può essere creata</translation>
-    </message>
-    <message>
-        <source>%1: too many changes at once</source>
-        <translation>%1: troppe modifiche in una volta</translation>
     </message>
     <message>
         <source>%1: type a number first.</source>
         <translation>%1: scrivere prima un numero.</translation>
     </message>
     <message>
-        <source>%1: writing failed: %2</source>
-        <translation>%1: scrittura non riuscita: %2</translation>
-    </message>
-    <message>
-        <source>%1: writing failed: %2; nothing is left of it</source>
-        <translation>%1: la scrittura non è riuscita: %2; non ne resta nulla</translation>
-    </message>
-    <message>
-        <source>%1: writing failed: %2; the file stays as it was</source>
-        <translation>%1: la scrittura non è riuscita: %2; il file resta com'era</translation>
-    </message>
-    <message>
-        <source>%1; %2 is whole up to here. Make room or choose another disk</source>
-        <translation>%1; %2 è integro fin qui. Fare spazio o scegliere un altro disco</translation>
-    </message>
-    <message>
         <source>%1; now %2</source>
         <translation>%1; ora %2</translation>
-    </message>
-    <message>
-        <source>%1; robot %2 could not be had again either: %3</source>
-        <translation>%1; neppure il robot %2 si è potuto riavere: %3</translation>
-    </message>
-    <message>
-        <source>%1; the former session could not be had again either: %2</source>
-        <translation>%1; neppure la sessione precedente si è potuta riavere: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n sample(s) lost</source>
         <translation><numerusform>%n campione perso</numerusform><numerusform>%n campioni persi</numerusform></translation>
     </message>
     <message>
-        <source>/commits: %1 of %2 rows are damaged, the first: row %3</source>
-        <translation>/commits: %1 righe su %2 sono danneggiate, la prima: riga %3</translation>
+        <source>'{}' is no parameter of this program's step</source>
+        <translation>'{}' non è un parametro del passo di questo programma</translation>
+    </message>
+    <message>
+        <source>'{}' is not a picture that can be read</source>
+        <translation>'{}' non è un'immagine leggibile</translation>
+    </message>
+    <message>
+        <source>'{}' is not a picture that can be read: {}</source>
+        <translation>'{}' non è un'immagine leggibile: {}</translation>
+    </message>
+    <message>
+        <source>'{}': expected [[record]]</source>
+        <translation>'{}': atteso [[record]]</translation>
+    </message>
+    <message>
+        <source>'{}': expected a date such as 2026-11-21</source>
+        <translation>'{}': attesa una data come 2026-11-21</translation>
+    </message>
+    <message>
+        <source>'{}': expected a serial number of 1 to {} characters behind serial=</source>
+        <translation>'{}': atteso un numero di serie da 1 a {} caratteri dopo serial=</translation>
+    </message>
+    <message>
+        <source>'{}': expected id=SERIAL, as it stands in {}</source>
+        <translation>'{}': atteso id=SERIAL, come sta in {}</translation>
+    </message>
+    <message>
+        <source>'{}': expected id=value</source>
+        <translation>'{}': atteso id=value</translation>
+    </message>
+    <message>
+        <source>'{}': expected modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]</source>
+        <translation>'{}': atteso modbus-tcp:HOST:PORT o modbus-rtu:TTY[:BAUD]</translation>
+    </message>
+    <message>
+        <source>, shuffled and deflated</source>
+        <translation>, rimescolate e compresse</translation>
+    </message>
+    <message>
+        <source>--after {}: expected a number of seconds from 0 to 3600</source>
+        <translation>--after {}: atteso un numero di secondi da 0 a 3600</translation>
+    </message>
+    <message>
+        <source>--catalogue: {}</source>
+        <translation>--catalogue: {}</translation>
+    </message>
+    <message>
+        <source>--language {}: expected one of {}</source>
+        <translation>--language {}: attesa una di {}</translation>
+    </message>
+    <message>
+        <source>--operator, --subject, --notes and --tag describe a recording; add --record FILE</source>
+        <translation>--operator, --subject, --notes e --tag descrivono una registrazione; aggiungere --record FILE</translation>
+    </message>
+    <message>
+        <source>--page {}: expected one of {}</source>
+        <translation>--page {}: attesa una di {}</translation>
+    </message>
+    <message>
+        <source>--simulate contradicts --touchpad {}</source>
+        <translation>--simulate contraddice --touchpad {}</translation>
+    </message>
+    <message>
+        <source>--theme {}: expected dark, light or system</source>
+        <translation>--theme {}: atteso dark, light o system</translation>
+    </message>
+    <message>
+        <source>--trial-repetitions: expected a whole number from 1</source>
+        <translation>--trial-repetitions: atteso un numero intero da 1 in su</translation>
+    </message>
+    <message>
+        <source>--trial-seed: expected a whole number from 0</source>
+        <translation>--trial-seed: atteso un numero intero da 0 in su</translation>
+    </message>
+    <message>
+        <source>--trials: {}</source>
+        <translation>--trials: {}</translation>
+    </message>
+    <message>
+        <source>/commits: row {} counts backwards</source>
+        <translation>/commits: la riga {} conta all'indietro</translation>
+    </message>
+    <message>
+        <source>/commits: row {} is damaged</source>
+        <translation>/commits: la riga {} è danneggiata</translation>
+    </message>
+    <message>
+        <source>/commits: {} of {} rows are damaged, the first: row {}</source>
+        <translation>/commits: {} righe su {} sono danneggiate, la prima: riga {}</translation>
     </message>
     <message>
         <source>0 s</source>
@@ -738,6 +526,10 @@
         <translation>Aggiungi</translation>
     </message>
     <message>
+        <source>Address already in use</source>
+        <translation>l'indirizzo è già in uso</translation>
+    </message>
+    <message>
         <source>Address and port to listen on</source>
         <translation>Indirizzo e porta di ascolto</translation>
     </message>
@@ -870,6 +662,10 @@
         <translation>Torna al valore salvato, %1</translation>
     </message>
     <message>
+        <source>Bad file descriptor</source>
+        <translation>descrittore di file non valido</translation>
+    </message>
+    <message>
         <source>Began, UTC</source>
         <translation>Inizio, UTC</translation>
     </message>
@@ -896,6 +692,10 @@
     <message>
         <source>Brightness, contrast, exposure</source>
         <translation>Luminosità, contrasto, esposizione</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>la connessione è interrotta</translation>
     </message>
     <message>
         <source>By hand</source>
@@ -976,6 +776,18 @@
     <message>
         <source>Cancelling: %1</source>
         <translation>Annullamento: %1</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>memoria insufficiente</translation>
+    </message>
+    <message>
+        <source>Cannot assign requested address</source>
+        <translation>l'indirizzo richiesto non può essere assegnato</translation>
+    </message>
+    <message>
+        <source>Cartesian impedance</source>
+        <translation>impedenza cartesiana</translation>
     </message>
     <message>
         <source>Change the robot</source>
@@ -1146,6 +958,18 @@
         <translation>Connesso</translation>
     </message>
     <message>
+        <source>Connection refused</source>
+        <translation>connessione rifiutata</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>connessione chiusa dall'altra parte</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>tempo di connessione scaduto</translation>
+    </message>
+    <message>
         <source>Contents</source>
         <translation>Indice</translation>
     </message>
@@ -1160,6 +984,10 @@
     <message>
         <source>Corner (-3 dB) of the default high-pass.</source>
         <translation>Frequenza di taglio (-3 dB) del passa-alto predefinito.</translation>
+    </message>
+    <message>
+        <source>Correction limit</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Crossfade</source>
@@ -1240,6 +1068,10 @@ mm</translation>
         <translation>Guadagno derivativo, sulla rigidezza misurata e non sull'obiettivo.</translation>
     </message>
     <message>
+        <source>Device or resource busy</source>
+        <translation>dispositivo o risorsa occupati</translation>
+    </message>
+    <message>
         <source>Devices</source>
         <translation>Dispositivi</translation>
     </message>
@@ -1254,6 +1086,10 @@ mm</translation>
     <message>
         <source>Different from %1 s on (%2).</source>
         <translation>Diverso da %1 s in poi (%2).</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>la cartella non è vuota</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -1274,6 +1110,10 @@ mm</translation>
     <message>
         <source>Disconnected</source>
         <translation>Disconnesso</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>quota del disco superata</translation>
     </message>
     <message>
         <source>Dismiss all notices</source>
@@ -1458,6 +1298,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>FYD Console</translation>
     </message>
     <message>
+        <source>FYD Link robot, listening on {}</source>
+        <translation>robot FYD Link, in ascolto su {}</translation>
+    </message>
+    <message>
         <source>FYD Link with a key</source>
         <translation>FYD Link con una chiave</translation>
     </message>
@@ -1498,8 +1342,20 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>File %1: esiste già; una registrazione non viene mai sovrascritta.</translation>
     </message>
     <message>
+        <source>File exists</source>
+        <translation>il file esiste già</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>nome del file troppo lungo</translation>
+    </message>
+    <message>
         <source>File of the recording</source>
         <translation>File della registrazione</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>il file è troppo grande</translation>
     </message>
     <message>
         <source>File: where is the recording to go?</source>
@@ -1716,6 +1572,10 @@ N</translation>
         <translation>Valore di grigio</translation>
     </message>
     <message>
+        <source>HDF5 does not take the console's driver</source>
+        <translation>HDF5 non accetta il driver della console</translation>
+    </message>
+    <message>
         <source>Half a second without a hole is needed.</source>
         <translation>Serve mezzo secondo senza buchi.</translation>
     </message>
@@ -1864,16 +1724,16 @@ Robot: %2
         <translation>IR</translation>
     </message>
     <message>
-        <source>IR codes %1, expected 0 to %2</source>
-        <translation>codici IR %1, attesi da 0 a %2</translation>
+        <source>IR codes {}, expected 0 to {}</source>
+        <translation>codici IR {}, attesi da 0 a {}</translation>
     </message>
     <message>
-        <source>IR sensor %1</source>
-        <translation>Sensore IR %1</translation>
+        <source>IR sensor {}</source>
+        <translation>Sensore IR {}</translation>
     </message>
     <message>
-        <source>IR sensor %1 is stuck at code %2 while the others change: check its cable</source>
-        <translation>il sensore IR %1 è fermo al codice %2 mentre gli altri cambiano: controllare il suo cavo</translation>
+        <source>IR sensor {} is stuck at code {} while the others change: check its cable</source>
+        <translation>il sensore IR {} è fermo al codice {} mentre gli altri cambiano: controllare il suo cavo</translation>
     </message>
     <message>
         <source>Identical, bit for bit, as far as it goes.</source>
@@ -1890,6 +1750,10 @@ Robot: %2
     <message>
         <source>In force</source>
         <translation>In vigore</translation>
+    </message>
+    <message>
+        <source>Inappropriate ioctl for device</source>
+        <translation>operazione non adatta al dispositivo</translation>
     </message>
     <message>
         <source>Indentation</source>
@@ -1920,6 +1784,10 @@ Robot: %2
         <translation>Ritardo d'ingresso</translation>
     </message>
     <message>
+        <source>Input/output error</source>
+        <translation>errore di ingresso/uscita</translation>
+    </message>
+    <message>
         <source>Integral gain in thesis mode.</source>
         <translation>Guadagno integrale nel modo tesi.</translation>
     </message>
@@ -1928,12 +1796,24 @@ Robot: %2
         <translation>Guadagno integrale, dell'errore relativo.</translation>
     </message>
     <message>
+        <source>Invalid argument</source>
+        <translation>argomento non valido</translation>
+    </message>
+    <message>
+        <source>Invalid cross-device link</source>
+        <translation>collegamento tra dispositivi non valido</translation>
+    </message>
+    <message>
         <source>Ir noise</source>
         <translation>Rumore IR</translation>
     </message>
     <message>
         <source>Ir offset</source>
         <translation>Offset IR</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>è una cartella</translation>
     </message>
     <message>
         <source>It cannot be proven bit for bit, a part of the recording is lost: %1</source>
@@ -1962,6 +1842,98 @@ Robot: %2
     <message>
         <source>Jitter</source>
         <translation>Fluttuazione</translation>
+    </message>
+    <message>
+        <source>KRC control strategy {}: expected Cartesian impedance</source>
+        <translation>strategia di controllo KRC {}: attesa impedenza cartesiana</translation>
+    </message>
+    <message>
+        <source>KRC in monitor mode: the arm holds; link quality {}; the program on the controller starts command mode</source>
+        <translation>KRC in modo monitor: il braccio sta fermo; qualità del collegamento {}; il programma sul controllore avvia il modo comando</translation>
+    </message>
+    <message>
+        <source>KRC link quality {}: {:.0f} % of its measurements answered; expected good or perfect</source>
+        <translation>qualità del collegamento KRC {}: risposto al {:.0f} % delle sue misure; attesa good o perfect</translation>
+    </message>
+    <message>
+        <source>KRC off: open FRI in the program on the controller</source>
+        <translation>KRC spento: aprire FRI nel programma sul controllore</translation>
+    </message>
+    <message>
+        <source>KRC reports drive errors {:#04x}: acknowledge them on the controller</source>
+        <translation>il KRC segnala errori degli azionamenti {:#04x}: confermarli sul controllore</translation>
+    </message>
+    <message>
+        <source>KRC silent for {:.0f} ms; expected a measurement every 1 to 100 ms: cable, or FRI closed</source>
+        <translation>KRC in silenzio da {:.0f} ms; attesa una misura ogni 1–100 ms: cavo, o FRI chiuso</translation>
+    </message>
+    <message>
+        <source>KRC: command mode has just begun, the arm holds</source>
+        <translation>KRC: il modo comando è appena iniziato, il braccio sta fermo</translation>
+    </message>
+    <message>
+        <source>KRC: commanded and measured frame are {:g} m apart; expected at most {:g} m</source>
+        <translation>KRC: i sistemi comandato e misurato distano {:g} m; attesi al più {:g} m</translation>
+    </message>
+    <message>
+        <source>KRC: leap {} mm/s; expected more than 0</source>
+        <translation>KRC: balzo di {} mm/s; atteso più di 0</translation>
+    </message>
+    <message>
+        <source>KRC: none of the last {} answers shows in its commanded frame; expected the place that was commanded</source>
+        <translation>KRC: nessuna delle ultime {} risposte compare nel suo sistema comandato; attesa la posizione che era stata comandata</translation>
+    </message>
+    <message>
+        <source>KRC: nothing heard on {}; expected a measurement every 1 to 100 ms: is FRI open on the controller?</source>
+        <translation>KRC: nulla ricevuto su {}; attesa una misura ogni 1–100 ms: FRI è aperto sul controllore?</translation>
+    </message>
+    <message>
+        <source>KRC: period {} ms; expected 1 to 100</source>
+        <translation>KRC: periodo {} ms; atteso da 1 a 100</translation>
+    </message>
+    <message>
+        <source>KRC: target ({}, {}, {}) mm: expected three finite numbers</source>
+        <translation>KRC: obiettivo ({}, {}, {}) mm: attesi tre numeri finiti</translation>
+    </message>
+    <message>
+        <source>KRC: the arm is coming to rest</source>
+        <translation>KRC: il braccio si sta fermando</translation>
+    </message>
+    <message>
+        <source>KRC: the measured frame moved {:g} m in {} cycles; expected at most {:g} m</source>
+        <translation>KRC: il sistema misurato si è mosso di {:g} m in {} cicli; atteso al più {:g} m</translation>
+    </message>
+    <message>
+        <source>KRC: the remote's address {} has no port to send to</source>
+        <translation>KRC: l'indirizzo {} del lato remoto non ha una porta a cui inviare</translation>
+    </message>
+    <message>
+        <source>KRC: the rotation of the {} frame is off by {:g}; expected rows of length 1 at right angles, within {}</source>
+        <translation>KRC: la rotazione del sistema {} è errata di {:g}; attese righe di lunghezza 1 ad angolo retto, entro {}</translation>
+    </message>
+    <message>
+        <source>KRC: the {} frame is a mirror; expected a rotation (determinant 1)</source>
+        <translation>KRC: il sistema {} è speculare; attesa una rotazione (determinante 1)</translation>
+    </message>
+    <message>
+        <source>KRC: the {} frame is at ({:g}, {:g}, {:g}) m; expected within {:g} m of the base</source>
+        <translation>KRC: il sistema {} è a ({:g}, {:g}, {:g}) m; atteso entro {:g} m dalla base</translation>
+    </message>
+    <message>
+        <source>KRC: {} cannot reach {}: both must be IPv4 or both IPv6</source>
+        <translation>KRC: {} non può raggiungere {}: entrambi devono essere IPv4 o entrambi IPv6</translation>
+    </message>
+    <message>
+        <source>KRC: {} {} is {:g} {}; expected within ±{:g} {}</source>
+        <translation>KRC: {} {} è {:g} {}; atteso entro ±{:g} {}</translation>
+    </message>
+    <message>
+        <source>KRL real</source>
+        <translation>reale KRL</translation>
+    </message>
+    <message>
+        <source>KUKA LWR over FRI on {}</source>
+        <translation>KUKA LWR via FRI su {}</translation>
     </message>
     <message>
         <source>Kalman filter: how much it wanders while the finger presses or lifts.</source>
@@ -2016,6 +1988,10 @@ Robot: %2
         <translation>Massimo duty che la vibrazione può usare.</translation>
     </message>
     <message>
+        <source>Largest relative correction of the law; a measurement that asks for more contradicts it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Last answer</source>
         <translation>Ultima risposta</translation>
     </message>
@@ -2026,6 +2002,10 @@ Robot: %2
     <message>
         <source>Last picture</source>
         <translation>Ultima immagine</translation>
+    </message>
+    <message>
+        <source>Lasting measurement error</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
@@ -2240,6 +2220,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Estremo inferiore di %1</translation>
     </message>
     <message>
+        <source>MJPEG {}: cannot listen: {}</source>
+        <translation>MJPEG {}: ascolto impossibile: {}</translation>
+    </message>
+    <message>
         <source>Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted.</source>
         <translation>Rende integra una registrazione il cui registratore si è interrotto o che è danneggiata. Nulla viene cancellato.</translation>
     </message>
@@ -2316,6 +2300,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Millimetri per pixel lungo una riga dell'immagine.</translation>
     </message>
     <message>
+        <source>Modbus TCP {}: cannot listen: {}</source>
+        <translation>Modbus TCP {}: ascolto impossibile: {}</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: no socket: {}</source>
+        <translation>Modbus TCP: nessun socket: {}</translation>
+    </message>
+    <message>
         <source>Motion depth scale</source>
         <translation>Scala del moto in profondità</translation>
     </message>
@@ -2340,10 +2332,6 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Scheda motori</translation>
     </message>
     <message>
-        <source>Motors</source>
-        <translation>Motori</translation>
-    </message>
-    <message>
         <source>Motors answer</source>
         <translation>I motori rispondono</translation>
     </message>
@@ -2364,6 +2352,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>N/mm</translation>
     </message>
     <message>
+        <source>NaN is no time</source>
+        <translation>NaN non è un tempo</translation>
+    </message>
+    <message>
         <source>Name</source>
         <translation>Nome</translation>
     </message>
@@ -2382,6 +2374,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Name one with --touchpad, --motors or --camera at the start.</source>
         <translation>Indicarne uno con --touchpad, --motors o --camera all'avvio.</translation>
+    </message>
+    <message>
+        <source>Network is down</source>
+        <translation>la rete è spenta</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>rete irraggiungibile</translation>
     </message>
     <message>
         <source>New</source>
@@ -2464,6 +2464,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nessun rapporto: %1.</translation>
     </message>
     <message>
+        <source>No route to host</source>
+        <translation>nessun percorso verso l'host</translation>
+    </message>
+    <message>
         <source>No sensor of the touchpad answers.</source>
         <translation>Nessun sensore del touchpad risponde.</translation>
     </message>
@@ -2478,6 +2482,22 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below.</source>
         <translation>Nessuna sessione è ancora nel catalogo. Registrarne una in Lavoro (Ctrl+R), o indicare sotto il file di una registrazione.</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>spazio sul disco esaurito</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>il dispositivo non c'è</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>dispositivo o indirizzo inesistente</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>il file o la cartella non esiste</translation>
     </message>
     <message>
         <source>No trial was begun: nothing is being recorded. Ctrl+R starts.</source>
@@ -2500,12 +2520,16 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nessuno</translation>
     </message>
     <message>
+        <source>Not a directory</source>
+        <translation>non è una cartella</translation>
+    </message>
+    <message>
         <source>Not accepted, the old values stay. %1</source>
         <translation>Non accettato, i vecchi valori restano. %1</translation>
     </message>
     <message>
-        <source>Not armed: %1. %2</source>
-        <translation>Non armato: %1. %2</translation>
+        <source>Not armed: {}. {}</source>
+        <translation>Non armato: {}. {}</translation>
     </message>
     <message>
         <source>Not following: press F to follow again</source>
@@ -2692,6 +2716,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Lavoro</translation>
     </message>
     <message>
+        <source>Operation not permitted</source>
+        <translation>operazione non consentita</translation>
+    </message>
+    <message>
         <source>Operator</source>
         <translation>Operatore</translation>
     </message>
@@ -2762,6 +2790,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Period of the thesis' control law.</source>
         <translation>Periodo della legge di controllo della tesi.</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permesso negato</translation>
     </message>
     <message>
         <source>Phase margin</source>
@@ -2938,6 +2970,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Riletto</translation>
     </message>
     <message>
+        <source>Read-only file system</source>
+        <translation>file system di sola lettura</translation>
+    </message>
+    <message>
         <source>Readiness</source>
         <translation>Prontezza</translation>
     </message>
@@ -3060,6 +3096,10 @@ Premere per leggere perché</translation>
         <translation>Rifiutati: nessuno</translation>
     </message>
     <message>
+        <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Rename</source>
         <translation>Rinomina</translation>
     </message>
@@ -3102,6 +3142,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Residual, °</source>
         <translation>Residuo, °</translation>
+    </message>
+    <message>
+        <source>Resource temporarily unavailable</source>
+        <translation>risorsa temporaneamente non disponibile</translation>
     </message>
     <message>
         <source>Rest a finger on the cloth, drag a rectangle around the cloth in the picture, and take the point.</source>
@@ -3412,6 +3456,10 @@ al s</translation>
         <translation>Dispersione, mV/V</translation>
     </message>
     <message>
+        <source>Stale file handle</source>
+        <translation>riferimento a un file non più valido</translation>
+    </message>
+    <message>
         <source>Standard layout</source>
         <translation>Disposizione standard</translation>
     </message>
@@ -3648,12 +3696,12 @@ N/mm</translation>
         <translation>Tara</translation>
     </message>
     <message>
-        <source>Tare done; the largest offset moved by %1 mm.</source>
-        <translation>Tara fatta; l'offset maggiore è cambiato di %1 mm.</translation>
+        <source>Tare done; the largest offset moved by {:.2f} mm.</source>
+        <translation>Tara fatta; l'offset maggiore è cambiato di {:.2f} mm.</translation>
     </message>
     <message>
-        <source>Tare failed: %1. Keep the cloth untouched and try again.</source>
-        <translation>Tara non riuscita: %1. Non toccare il tessuto e riprovare.</translation>
+        <source>Tare failed: {}. Keep the cloth untouched and try again.</source>
+        <translation>Tara non riuscita: {}. Non toccare il tessuto e riprovare.</translation>
     </message>
     <message>
         <source>Target</source>
@@ -3676,6 +3724,10 @@ N/mm</translation>
         <translation>Prova, finché premuto</translation>
     </message>
     <message>
+        <source>Text file busy</source>
+        <translation>il file è in esecuzione</translation>
+    </message>
+    <message>
         <source>Texture</source>
         <translation>Texture</translation>
     </message>
@@ -3696,8 +3748,12 @@ N/mm</translation>
         <translation>Il protocollo classico non può dirlo.</translation>
     </message>
     <message>
-        <source>The clock went back by %1 s; that step moved nothing.</source>
-        <translation>L'orologio è tornato indietro di %1 s; quel passo non ha mosso nulla.</translation>
+        <source>The clock went back by {:.3f} s; that step moved nothing.</source>
+        <translation>L'orologio è tornato indietro di {:.3f} s; quel passo non ha mosso nulla.</translation>
+    </message>
+    <message>
+        <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The current values (B) are felt.</source>
@@ -3820,8 +3876,8 @@ Per cominciare: %1</translation>
         <translation>Il robot deve avere la stessa chiave; "fyd link keygen" ne crea una.</translation>
     </message>
     <message>
-        <source>The robot's operator asks: %1.</source>
-        <translation>L'operatore del robot chiede: %1.</translation>
+        <source>The robot's operator asks: {}.</source>
+        <translation>L'operatore del robot chiede: {}.</translation>
     </message>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
@@ -3880,8 +3936,8 @@ Per cominciare: %1</translation>
         <translation>Il bersaglio visto dall'alto. Sotto, quanto è fuori ciascun segno. Croci: punti che gli altri contraddicono.</translation>
     </message>
     <message>
-        <source>The target is out of reach; rendering the nearest, %1 N/mm.</source>
-        <translation>L'obiettivo è fuori portata; si rende il più vicino, %1 N/mm.</translation>
+        <source>The target is out of reach; rendering the nearest, {:.3f} N/mm.</source>
+        <translation>L'obiettivo è fuori portata; si rende il più vicino, {:.3f} N/mm.</translation>
     </message>
     <message>
         <source>The touchpad runs mode thesis; these courses are of mode default.</source>
@@ -4000,6 +4056,18 @@ Per cominciare: %1</translation>
         <translation>Colora ciò che il rilevatore prende per il dito (M)</translation>
     </message>
     <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>troppi livelli di collegamenti simbolici</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>troppi file aperti</translation>
+    </message>
+    <message>
+        <source>Too many open files in system</source>
+        <translation>troppi file aperti nel sistema</translation>
+    </message>
+    <message>
         <source>Top</source>
         <translation>Alto</translation>
     </message>
@@ -4050,6 +4118,10 @@ Per cominciare: %1</translation>
     <message>
         <source>Type a stretch and hold the button: the motors go there. Meanwhile press the cloth to three depths, each for a second; points are taken by themselves.</source>
         <translation>Scrivere una tensione e tenere il pulsante: i motori vanno lì. Intanto premere il tessuto a tre profondità, un secondo ciascuna; i punti si prendono da soli.</translation>
+    </message>
+    <message>
+        <source>UDP {}: {}: {}</source>
+        <translation>UDP {}: {}: {}</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -4200,24 +4272,68 @@ Per cominciare: %1</translation>
         <translation>un codice, come S07; mai un nome</translation>
     </message>
     <message>
-        <source>a list of numbers, each from %1 to %2</source>
-        <translation>un elenco di numeri, ciascuno da %1 a %2</translation>
+        <source>a condition without a name</source>
+        <translation>una condizione senza nome</translation>
+    </message>
+    <message>
+        <source>a cycle</source>
+        <translation>un ciclo</translation>
+    </message>
+    <message>
+        <source>a folder has none</source>
+        <translation>una cartella non ne ha</translation>
+    </message>
+    <message>
+        <source>a key that no record has</source>
+        <translation>una chiave che nessuna voce ha</translation>
+    </message>
+    <message>
+        <source>a line for each axis</source>
+        <translation>una retta per ogni asse</translation>
+    </message>
+    <message>
+        <source>a line for each encoder</source>
+        <translation>una retta per ogni encoder</translation>
+    </message>
+    <message>
+        <source>a line of at most {} bytes</source>
+        <translation>una riga di al più {} byte</translation>
+    </message>
+    <message>
+        <source>a list of numbers, each from {} to {}{}</source>
+        <translation>una lista di numeri, ciascuno da {} a {}{}</translation>
     </message>
     <message>
         <source>a motor stands beyond control.motor_limit_deg: check the encoder's zero</source>
         <translation>un motore sta oltre control.motor_limit_deg: controllare lo zero dell'encoder</translation>
     </message>
     <message>
-        <source>a number from %1 to %2</source>
-        <translation>un numero da %1 a %2</translation>
+        <source>a number from {} to {}{}</source>
+        <translation>un numero da {} a {}{}</translation>
+    </message>
+    <message>
+        <source>a number with a point, or nan</source>
+        <translation>un numero con il punto, o nan</translation>
     </message>
     <message>
         <source>a parameter</source>
         <translation>un parametro</translation>
     </message>
     <message>
+        <source>a picture is {} × {} px, those before {} × {}; choose a time with one size</source>
+        <translation>un'immagine è di {} × {} px, le precedenti di {} × {}; scegliere un tempo con una sola dimensione</translation>
+    </message>
+    <message>
+        <source>a picture of {} x {} pixels: too large</source>
+        <translation>un'immagine di {} x {} pixel: troppo grande</translation>
+    </message>
+    <message>
         <source>a reason that this program does not know</source>
         <translation>un motivo che questo programma non conosce</translation>
+    </message>
+    <message>
+        <source>a recording of format {}; this program reads format {}</source>
+        <translation>una registrazione in formato {}; questo programma legge il formato {}</translation>
     </message>
     <message>
         <source>a second</source>
@@ -4232,36 +4348,88 @@ Per cominciare: %1</translation>
         <translation>un sensore è fuori dal suo campo</translation>
     </message>
     <message>
-        <source>a whole number from %1 to %2</source>
-        <translation>un numero intero da %1 a %2</translation>
+        <source>a state of a program before revision a4d2b6a</source>
+        <translation>lo stato di un programma anteriore alla revisione a4d2b6a</translation>
+    </message>
+    <message>
+        <source>a stream has none</source>
+        <translation>un flusso non ne ha</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un testo</translation>
+    </message>
+    <message>
+        <source>a value is not finite</source>
+        <translation>un valore non è finito</translation>
+    </message>
+    <message>
+        <source>a video file has none</source>
+        <translation>un file video non ne ha</translation>
+    </message>
+    <message>
+        <source>a weight is negative</source>
+        <translation>un peso è negativo</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un numero intero</translation>
+    </message>
+    <message>
+        <source>a whole number from {} to {}{}</source>
+        <translation>un numero intero da {} a {}{}</translation>
     </message>
     <message>
         <source>a wrong tare of %1 ± %2 is taken into account</source>
         <translation>si tiene conto di una tara errata di %1 ± %2</translation>
     </message>
     <message>
+        <source>aborted</source>
+        <translation>interrotta</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accelerazione</translation>
+    </message>
+    <message>
+        <source>acceleration limit {} mm/s²: expected 10 to 100000</source>
+        <translation>limite di accelerazione {} mm/s²: atteso da 10 a 100000</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>accettata</translation>
+    </message>
+    <message>
         <source>adaptive follows uneven and changing light; thesis is the printed algorithm.</source>
         <translation>adaptive segue una luce irregolare e variabile; thesis è l'algoritmo stampato.</translation>
     </message>
     <message>
-        <source>add weights between %1 and %2 N</source>
-        <translation>aggiungere pesi tra %1 e %2 N</translation>
+        <source>adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both again</source>
+        <translation>adc sale da {:.0f} a {:g} mm fino a {:.0f} a {:g} mm, ma un bersaglio più lontano deve leggere meno: misurare di nuovo entrambi</translation>
     </message>
     <message>
-        <source>address "%1": "%2" is not an %3 address (names other than localhost are not looked up)</source>
-        <translation>indirizzo "%1": "%2" non è un indirizzo %3 (i nomi diversi da localhost non si cercano)</translation>
+        <source>adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both again, and leave out distances the sensor is too near for</source>
+        <translation>adc sale da {:.0f} a {:g} mm fino a {:.0f} a {:g} mm, ma un bersaglio più lontano deve leggere meno: misurare di nuovo entrambi, e tralasciare le distanze troppo vicine per il sensore</translation>
     </message>
     <message>
-        <source>address "%1": an IPv6 address stands in brackets, such as [::1]:3490</source>
-        <translation>indirizzo "%1": un indirizzo IPv6 sta fra parentesi quadre, come [::1]:3490</translation>
+        <source>add weights between {:.3g} and {:.3g} N</source>
+        <translation>aggiungere pesi tra {:.3g} e {:.3g} N</translation>
     </message>
     <message>
-        <source>address "%1": no port; expected HOST:PORT such as 127.0.0.1:3490 or [::1]:3490</source>
-        <translation>indirizzo "%1": manca la porta; atteso HOST:PORT come 127.0.0.1:3490 o [::1]:3490</translation>
+        <source>address "{}": "{}" is not an {} address (names other than localhost are not looked up)</source>
+        <translation>indirizzo "{}": "{}" non è un indirizzo {} (i nomi diversi da localhost non si cercano)</translation>
     </message>
     <message>
-        <source>address "%1": port "%2" is not a whole number from 0 to 65535</source>
-        <translation>indirizzo "%1": la porta "%2" non è un numero intero da 0 a 65535</translation>
+        <source>address "{}": an IPv6 address stands in brackets, such as [::1]:3490</source>
+        <translation>indirizzo "{}": un indirizzo IPv6 sta fra parentesi quadre, come [::1]:3490</translation>
+    </message>
+    <message>
+        <source>address "{}": no port; expected HOST:PORT such as 127.0.0.1:3490 or [::1]:3490</source>
+        <translation>indirizzo "{}": manca la porta; atteso HOST:PORT come 127.0.0.1:3490 o [::1]:3490</translation>
+    </message>
+    <message>
+        <source>address "{}": port "{}" is not a whole number from 0 to 65535</source>
+        <translation>indirizzo "{}": la porta "{}" non è un numero intero da 0 a 65535</translation>
     </message>
     <message>
         <source>ageing: %1</source>
@@ -4276,8 +4444,20 @@ Per cominciare: %1</translation>
         <translation>tutto ai valori salvati</translation>
     </message>
     <message>
+        <source>all points at {} V</source>
+        <translation>tutti i punti a {} V</translation>
+    </message>
+    <message>
         <source>all presses are about equally deep, so a wrong tare cannot be told from stiffness: press to different depths</source>
         <translation>tutte le pressioni hanno circa la stessa profondità, quindi una tara errata non si distingue dalla rigidezza: premere a profondità diverse</translation>
+    </message>
+    <message>
+        <source>an HDF5 file, but not a recording of the console</source>
+        <translation>un file HDF5, ma non una registrazione della console</translation>
+    </message>
+    <message>
+        <source>an HDF5 file, but not a recording of the console, or its first bytes are damaged</source>
+        <translation>un file HDF5, ma non una registrazione della console, o i suoi primi byte sono danneggiati</translation>
     </message>
     <message>
         <source>an answer of another unit</source>
@@ -4292,32 +4472,52 @@ Per cominciare: %1</translation>
         <translation>una risposta con somma di controllo errata; la velocità è giusta e la linea terminata?</translation>
     </message>
     <message>
-        <source>an axis spreads by %1 g; expected at most %2: it moves: put the robot to rest</source>
-        <translation>un asse oscilla di %1 g; atteso al più %2: si muove: mettere il robot a riposo</translation>
+        <source>an axis spreads by {:.3f} g; expected at most {:g}: it moves: put the robot to rest</source>
+        <translation>un asse oscilla di {:.3f} g; atteso al più {:g}: si muove: mettere il robot a riposo</translation>
     </message>
     <message>
         <source>an unknown state</source>
         <translation>uno stato sconosciuto</translation>
     </message>
     <message>
+        <source>an unknown that no point tells anything of</source>
+        <translation>un'incognita di cui nessun punto dice nulla</translation>
+    </message>
+    <message>
+        <source>and {} more</source>
+        <translation>e altri {}</translation>
+    </message>
+    <message>
+        <source>angles, indentations and forces differ in number</source>
+        <translation>angoli, indentazioni e forze sono in numero diverso</translation>
+    </message>
+    <message>
         <source>another file</source>
         <translation>un altro file</translation>
+    </message>
+    <message>
+        <source>another robot is served</source>
+        <translation>un altro robot è servito</translation>
     </message>
     <message>
         <source>answers missing</source>
         <translation>risposte mancanti</translation>
     </message>
     <message>
-        <source>any text of the header may be wrong: %1</source>
-        <translation>ogni testo dell'intestazione può essere errato: %1</translation>
+        <source>any text of the header may be wrong: {}</source>
+        <translation>ogni testo dell'intestazione può essere errato: {}</translation>
     </message>
     <message>
         <source>area</source>
         <translation>area</translation>
     </message>
     <message>
-        <source>asked for %1 %, the camera took %2 %</source>
-        <translation>chiesto %1 %, la telecamera ha preso %2 %</translation>
+        <source>arithmetic {}: expected 1 or more</source>
+        <translation>aritmetica {}: atteso 1 o più</translation>
+    </message>
+    <message>
+        <source>asked for {:.0f} %, the camera took {:.0f} %</source>
+        <translation>chiesto {:.0f} %, la telecamera ha preso {:.0f} %</translation>
     </message>
     <message>
         <source>at edge</source>
@@ -4328,12 +4528,12 @@ Per cominciare: %1</translation>
         <translation>a riposo</translation>
     </message>
     <message>
-        <source>at rest %1 g, spread %2 g</source>
-        <translation>a riposo %1 g, dispersione %2 g</translation>
+        <source>at rest it measures {:.3f} g; expected 1 within {:g}: check the counts per g of the sensor</source>
+        <translation>a riposo misura {:.3f} g; atteso 1 entro {:g}: controllare i conteggi per g del sensore</translation>
     </message>
     <message>
-        <source>at rest it measures %1 g; expected 1 within %2: check the counts per g of the sensor</source>
-        <translation>a riposo misura %1 g; atteso 1 entro %2: controllare i conteggi per g del sensore</translation>
+        <source>at rest {:.4f} g, spread {:.4f} g</source>
+        <translation>a riposo {:.4f} g, dispersione {:.4f} g</translation>
     </message>
     <message>
         <source>auto</source>
@@ -4344,12 +4544,28 @@ Per cominciare: %1</translation>
         <translation>taratura automatica</translation>
     </message>
     <message>
+        <source>auto-tune: cancelled</source>
+        <translation>auto-tune: annullato</translation>
+    </message>
+    <message>
+        <source>auto-tune: no time constant up to {} s keeps gain margin {} and phase margin {}° (dead time {:.3f} s, lag {:.3f} s, noise {:.1f} %)</source>
+        <translation>auto-tune: nessuna costante di tempo fino a {} s conserva il margine di guadagno {} e il margine di fase {}° (tempo morto {:.3f} s, ritardo {:.3f} s, rumore {:.1f} %)</translation>
+    </message>
+    <message>
         <source>average more readings at each distance, target square to the sensor</source>
         <translation>fare la media di più letture a ogni distanza, bersaglio perpendicolare al sensore</translation>
     </message>
     <message>
+        <source>axes "{}": expected x, y and z once each, such as -y,-x,z</source>
+        <translation>assi "{}": attesi x, y e z una volta ciascuno, come -y,-x,z</translation>
+    </message>
+    <message>
         <source>back to the saved values</source>
         <translation>ritorno ai valori salvati</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>cattiva</translation>
     </message>
     <message>
         <source>before a handshake</source>
@@ -4384,32 +4600,120 @@ Per cominciare: %1</translation>
         <translation>a mano</translation>
     </message>
     <message>
-        <source>calibrated %1 days ago: repeat it</source>
-        <translation>calibrato %1 giorni fa: ripetere</translation>
+        <source>calibrated {} days ago: repeat it</source>
+        <translation>calibrato {} giorni fa: ripetere</translation>
     </message>
     <message>
-        <source>calibrated %1 days ago: repeat it soon</source>
-        <translation>calibrato %1 giorni fa: ripetere presto</translation>
+        <source>calibrated {} days ago: repeat it soon</source>
+        <translation>calibrato {} giorni fa: ripetere presto</translation>
     </message>
     <message>
-        <source>calibrated %1 days in the future: the computer's clock was or is wrong</source>
-        <translation>calibrato %1 giorni nel futuro: l'orologio del computer era o è sbagliato</translation>
+        <source>calibrated {} days in the future: the computer's clock was or is wrong</source>
+        <translation>calibrato {} giorni nel futuro: l'orologio del computer era o è sbagliato</translation>
     </message>
     <message>
-        <source>camera device %1: there is no %2; capture devices found: %3</source>
-        <translation>telecamera %1: non c'è %2; dispositivi di acquisizione trovati: %3</translation>
+        <source>camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, id=SERIAL, a video file, a folder of pictures or a stream's URL</source>
+        <translation>telecamera '{}': nessun file o cartella con questo nome; atteso un numero di dispositivo, un percorso come /dev/video0, id=SERIAL, un file video, una cartella di immagini o l'URL di un flusso</translation>
     </message>
     <message>
-        <source>camera device '%1': there is none; capture devices found: %2</source>
-        <translation>telecamera '%1': non esiste; dispositivi di acquisizione trovati: %2</translation>
+        <source>camera device</source>
+        <translation>telecamera (dispositivo)</translation>
     </message>
     <message>
-        <source>camera: none given</source>
-        <translation>telecamera: non indicata</translation>
+        <source>camera device '{}'</source>
+        <translation>telecamera '{}'</translation>
+    </message>
+    <message>
+        <source>camera device '{}': there is none; capture devices found: {}</source>
+        <translation>telecamera '{}': non esiste; dispositivi di acquisizione trovati: {}</translation>
+    </message>
+    <message>
+        <source>camera device {}: there is no {}; capture devices found: {}</source>
+        <translation>telecamera {}: non c'è {}; dispositivi di acquisizione trovati: {}</translation>
+    </message>
+    <message>
+        <source>camera folder '{}': no pictures; expected {}</source>
+        <translation>cartella della telecamera '{}': nessuna immagine; attese {}</translation>
+    </message>
+    <message>
+        <source>camera folder '{}': {}</source>
+        <translation>cartella della telecamera '{}': {}</translation>
+    </message>
+    <message>
+        <source>camera folder: {}</source>
+        <translation>cartella della telecamera: {}</translation>
+    </message>
+    <message>
+        <source>camera stream '{}'</source>
+        <translation>flusso della telecamera '{}'</translation>
+    </message>
+    <message>
+        <source>camera: none given; only the simulated touchpad has a simulated camera</source>
+        <translation>telecamera: nessuna indicata; solo il touchpad simulato ha una telecamera simulata</translation>
+    </message>
+    <message>
+        <source>camera: {}</source>
+        <translation>telecamera: {}</translation>
+    </message>
+    <message>
+        <source>cancelled before it was done</source>
+        <translation>annullato prima della fine</translation>
+    </message>
+    <message>
+        <source>cannot be judged on held-out distances</source>
+        <translation>non può essere giudicata su distanze tenute da parte</translation>
     </message>
     <message>
         <source>cannot be read back</source>
         <translation>non si può rileggere</translation>
+    </message>
+    <message>
+        <source>cannot be set to non-blocking</source>
+        <translation>non può essere reso non bloccante</translation>
+    </message>
+    <message>
+        <source>cannot listen</source>
+        <translation>ascolto impossibile</translation>
+    </message>
+    <message>
+        <source>cannot listen, another program holds the port</source>
+        <translation>ascolto impossibile, un altro programma occupa la porta</translation>
+    </message>
+    <message>
+        <source>cannot open a socket</source>
+        <translation>non può aprire un socket</translation>
+    </message>
+    <message>
+        <source>cannot tell its own address</source>
+        <translation>non può dire il proprio indirizzo</translation>
+    </message>
+    <message>
+        <source>catalogue 'sqlite:{}': expected a file</source>
+        <translation>catalogo 'sqlite:{}': atteso un file</translation>
+    </message>
+    <message>
+        <source>catalogue '{}': a path with a quotation mark is not possible</source>
+        <translation>catalogo '{}': un percorso con virgolette non è possibile</translation>
+    </message>
+    <message>
+        <source>catalogue '{}': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none</source>
+        <translation>catalogo '{}': atteso sqlite:PATH, postgresql:host=… dbname=… user=…, o none</translation>
+    </message>
+    <message>
+        <source>catalogue: libpq cannot read the words after '{}'; expected host=… dbname=… user=…</source>
+        <translation>catalogo: libpq non può leggere le parole dopo '{}'; atteso host=… dbname=… user=…</translation>
+    </message>
+    <message>
+        <source>catalogue: the word carries a password, which logs and lists of processes would show; put it into ~/.pgpass (mode 600) instead</source>
+        <translation>catalogo: la parola contiene una password, che registri ed elenchi di processi mostrerebbero; metterla invece in ~/.pgpass (modo 600)</translation>
+    </message>
+    <message>
+        <source>change: expected [[record.change]]</source>
+        <translation>change: atteso [[record.change]]</translation>
+    </message>
+    <message>
+        <source>change: expected id, before and after</source>
+        <translation>change: attesi id, before e after</translation>
     </message>
     <message>
         <source>changed since it was calibrated %1 days ago</source>
@@ -4428,12 +4732,108 @@ Per cominciare: %1</translation>
         <translation>controllare i pesi, e che nulla sfreghi sulla cella</translation>
     </message>
     <message>
+        <source>classic robot, listening on {}</source>
+        <translation>robot classico, in ascolto su {}</translation>
+    </message>
+    <message>
         <source>classic, not secured</source>
         <translation>classico, non protetto</translation>
     </message>
     <message>
         <source>clock</source>
         <translation>orologio</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>chiuso</translation>
+    </message>
+    <message>
+        <source>closed loop: the recording does not say how the cloth answers: {}</source>
+        <translation>anello chiuso: la registrazione non dice come risponde il tessuto: {}</translation>
+    </message>
+    <message>
+        <source>closing</source>
+        <translation>in chiusura</translation>
+    </message>
+    <message>
+        <source>cloth table: "{}" where "{}" was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: does not begin with "fyd-cloth 1"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: ends before "{}"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: expected two half sides, one distance and two reference stiffnesses, all above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: no line "finger"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: shape: expected one number, 3 … {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: x from 0, depth above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {} holds something that is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {} holds {}, expected finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {}: expected 2 … {} rising numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {}: {} of {} numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>comando</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>comandato</translation>
+    </message>
+    <message>
+        <source>commanded joint</source>
+        <translation>giunto comandato</translation>
+    </message>
+    <message>
+        <source>commanded joint plus its offset</source>
+        <translation>giunto comandato più il suo scarto</translation>
+    </message>
+    <message>
+        <source>commands and counts differ in number, or there are none</source>
+        <translation>comandi e conteggi sono in numero diverso, o mancano</translation>
+    </message>
+    <message>
+        <source>commit {} of {}</source>
+        <translation>conferma {} di {}</translation>
+    </message>
+    <message>
+        <source>compressed bytes are damaged ({})</source>
+        <translation>i byte compressi sono danneggiati ({})</translation>
+    </message>
+    <message>
+        <source>condition '{}' is given twice</source>
+        <translation>la condizione '{}' è data due volte</translation>
+    </message>
+    <message>
+        <source>condition number {:.3g}</source>
+        <translation>numero di condizionamento {:.3g}</translation>
     </message>
     <message>
         <source>confirmed</source>
@@ -4446,6 +4846,22 @@ Per cominciare: %1</translation>
     <message>
         <source>contrast</source>
         <translation>contrasto</translation>
+    </message>
+    <message>
+        <source>control.law_angle_deg: {} points; expected at least 2</source>
+        <translation>control.law_angle_deg: {} punti; attesi almeno 2</translation>
+    </message>
+    <message>
+        <source>control.law_stiffness_N_per_mm: {} values for {} angles; expected one for each</source>
+        <translation>control.law_stiffness_N_per_mm: {} valori per {} angoli; atteso uno per ciascuno</translation>
+    </message>
+    <message>
+        <source>control.law_stiffness_N_per_mm: {}; expected above 0</source>
+        <translation>control.law_stiffness_N_per_mm: {}; atteso oltre 0</translation>
+    </message>
+    <message>
+        <source>control.travel_maximum_deg = {}: expected more than control.travel_minimum_deg = {}</source>
+        <translation>control.travel_maximum_deg = {}: atteso più di control.travel_minimum_deg = {}</translation>
     </message>
     <message>
         <source>cookie</source>
@@ -4464,8 +4880,8 @@ Per cominciare: %1</translation>
         <translation>conta con il suo motore</translation>
     </message>
     <message>
-        <source>current %1</source>
-        <translation>corrente %1</translation>
+        <source>current {}</source>
+        <translation>corrente {}</translation>
     </message>
     <message>
         <source>curve: %1</source>
@@ -4500,24 +4916,28 @@ Per cominciare: %1</translation>
         <translation>eliminazione della preimpostazione %1</translation>
     </message>
     <message>
-        <source>device %1: %2 fit: %3; name more of the one that is meant</source>
-        <translation>dispositivo %1: %2 corrispondono: %3; precisare quale si intende</translation>
-    </message>
-    <message>
-        <source>device %1: none is plugged in; %2 holds %3</source>
-        <translation>dispositivo %1: nessuno è collegato; %2 contiene %3</translation>
-    </message>
-    <message>
         <source>device restarts</source>
         <translation>riavvii del dispositivo</translation>
     </message>
     <message>
-        <source>device test '%1': %2</source>
-        <translation>prova del dispositivo '%1': %2</translation>
+        <source>device test '{}': {}</source>
+        <translation>prova del dispositivo '{}': {}</translation>
+    </message>
+    <message>
+        <source>device test {}: there is none of this number</source>
+        <translation>prova del dispositivo {}: non esiste con questo numero</translation>
     </message>
     <message>
         <source>device test: the session is closed</source>
         <translation>prova del dispositivo: la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>device {}: none is plugged in; {} holds {}</source>
+        <translation>dispositivo {}: nessuno è collegato; {} contiene {}</translation>
+    </message>
+    <message>
+        <source>device {}: {} fit: {}; name more of the one that is meant</source>
+        <translation>dispositivo {}: {} corrispondono: {}; precisare quale si intende</translation>
     </message>
     <message>
         <source>differs</source>
@@ -4532,16 +4952,20 @@ Per cominciare: %1</translation>
         <translation>letture di distanza assenti o troppo vecchie</translation>
     </message>
     <message>
-        <source>distance sensor %1</source>
-        <translation>sensore di distanza %1</translation>
+        <source>distance sensor {}</source>
+        <translation>sensore di distanza {}</translation>
     </message>
     <message>
-        <source>distance sensor %1 reads %2 counts, outside its span: look whether something stands before it</source>
-        <translation>il sensore di distanza %1 legge %2 conteggi, fuori dal suo campo: guardare se c'è qualcosa davanti</translation>
+        <source>distance sensor {} reads {:.0f} counts, outside its span: look whether something stands before it</source>
+        <translation>il sensore di distanza {} legge {:.0f} conteggi, fuori dal suo campo: guardare se c'è qualcosa davanti</translation>
     </message>
     <message>
-        <source>distances to the untouched cloth %1 mm, spread %2 mm; force %3 N</source>
-        <translation>distanze dal tessuto non toccato %1 mm, dispersione %2 mm; forza %3 N</translation>
+        <source>distances to the untouched cloth {} mm, spread {:.2f} mm; force {:.3f} N</source>
+        <translation>distanze dal tessuto non toccato {} mm, dispersione {:.2f} mm; forza {:.3f} N</translation>
+    </message>
+    <message>
+        <source>does not fall over its whole span</source>
+        <translation>non decresce su tutto il suo campo</translation>
     </message>
     <message>
         <source>does not settle</source>
@@ -4560,28 +4984,32 @@ Per cominciare: %1</translation>
         <translation>deriva dal primo all'ultimo punto %1 ± %2</translation>
     </message>
     <message>
+        <source>duration {} s: expected 0 or more</source>
+        <translation>durata {} s: atteso 0 o più</translation>
+    </message>
+    <message>
         <source>each ±%1 %2</source>
         <translation>ciascuno ±%1 %2</translation>
-    </message>
-    <message>
-        <source>encoder %1</source>
-        <translation>encoder %1</translation>
-    </message>
-    <message>
-        <source>encoder %1 jumped by %2° in %3 ms: check its magnet and cable; stop, then arm again</source>
-        <translation>l'encoder %1 è saltato di %2° in %3 ms: controllare magnete e cavo; fermare, poi armare di nuovo</translation>
-    </message>
-    <message>
-        <source>encoder %1 stands still although its motor was sent %2° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
-        <translation>l'encoder %1 è fermo benché il suo motore sia stato mandato %2° più in là: controllare l'alimentazione dei motori e il cavo dell'encoder; fermare, poi armare di nuovo</translation>
     </message>
     <message>
         <source>encoder %1: %2, zero at %3 counts, swept from %4 to %5</source>
         <translation>encoder %1: %2, zero a %3 conteggi, percorso da %4 a %5</translation>
     </message>
     <message>
-        <source>encoder counts %1, expected 0 to %2</source>
-        <translation>conteggi degli encoder %1, attesi da 0 a %2</translation>
+        <source>encoder counts {}, expected 0 to {}</source>
+        <translation>conteggi degli encoder {}, attesi da 0 a {}</translation>
+    </message>
+    <message>
+        <source>encoder {}</source>
+        <translation>encoder {}</translation>
+    </message>
+    <message>
+        <source>encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again</source>
+        <translation>l'encoder {} è saltato di {:.0f}° in {:.0f} ms: controllare magnete e cavo; fermare, poi armare di nuovo</translation>
+    </message>
+    <message>
+        <source>encoder {} stands still although its motor was sent {:.0f}° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
+        <translation>l'encoder {} è fermo benché il suo motore sia stato mandato {:.0f}° più in là: controllare l'alimentazione dei motori e il cavo dell'encoder; fermare, poi armare di nuovo</translation>
     </message>
     <message>
         <source>encoders</source>
@@ -4616,6 +5044,14 @@ Per cominciare: %1</translation>
         <translation>evento</translation>
     </message>
     <message>
+        <source>exception 10: the gateway has no path to it</source>
+        <translation>eccezione 10: il gateway non ha una via verso di esso</translation>
+    </message>
+    <message>
+        <source>exception 11: the gateway gets no answer from it; is it switched on?</source>
+        <translation>eccezione 11: il gateway non riceve risposta da esso; è acceso?</translation>
+    </message>
+    <message>
         <source>exception 1: it does not know this function; is it a touchpad with this register map?</source>
         <translation>eccezione 1: non conosce questa funzione; è un touchpad con questa mappa dei registri?</translation>
     </message>
@@ -4632,8 +5068,44 @@ Per cominciare: %1</translation>
         <translation>eccezione 4: non è riuscito; vedere il display o il registro del touchpad</translation>
     </message>
     <message>
+        <source>exception 5: it needs longer</source>
+        <translation>eccezione 5: gli serve più tempo</translation>
+    </message>
+    <message>
         <source>exception 6: it is busy, another program drives its motors; close that one</source>
         <translation>eccezione 6: è occupato, un altro programma comanda i suoi motori; chiuderlo</translation>
+    </message>
+    <message>
+        <source>exception 7: it cannot do this</source>
+        <translation>eccezione 7: non può farlo</translation>
+    </message>
+    <message>
+        <source>exception 8: memory parity error</source>
+        <translation>eccezione 8: errore di parità della memoria</translation>
+    </message>
+    <message>
+        <source>excitation at {} s: angle {}°; expected numbers</source>
+        <translation>eccitazione a {} s: angolo {}°; attesi numeri</translation>
+    </message>
+    <message>
+        <source>excitation: stiffness observable in {} samples over {:.2f} s; expected at least {} over {} s</source>
+        <translation>eccitazione: rigidezza osservabile in {} campioni su {:.2f} s; attesi almeno {} su {} s</translation>
+    </message>
+    <message>
+        <source>excitation: stretch {:.1f}…{:.1f}° moves the law by {:.1f} %; expected at least {:.0f} %</source>
+        <translation>eccitazione: la tensione {:.1f}…{:.1f}° muove la legge del {:.1f} %; atteso almeno il {:.0f} %</translation>
+    </message>
+    <message>
+        <source>excitation: the model explains {:.0f} % of the measured stiffness' changes; expected at least {:.0f} %</source>
+        <translation>eccitazione: il modello spiega il {:.0f} % delle variazioni della rigidezza misurata; atteso almeno il {:.0f} %</translation>
+    </message>
+    <message>
+        <source>excitation: {} s after {} s; expected time to rise</source>
+        <translation>eccitazione: {} s dopo {} s; il tempo deve crescere</translation>
+    </message>
+    <message>
+        <source>expected [[record]]</source>
+        <translation>atteso [[record]]</translation>
     </message>
     <message>
         <source>expected a camera that Video4Linux can read, and the right to open it</source>
@@ -4656,6 +5128,10 @@ Per cominciare: %1</translation>
         <translation>guasto</translation>
     </message>
     <message>
+        <source>fault '{}': expected NAME@SECONDS or NAME@SECONDS+DURATION with one of {}</source>
+        <translation>guasto '{}': atteso NAME@SECONDS o NAME@SECONDS+DURATION con uno di {}</translation>
+    </message>
+    <message>
         <source>fault reaction active</source>
         <translation>reazione al guasto in corso</translation>
     </message>
@@ -4664,12 +5140,28 @@ Per cominciare: %1</translation>
         <translation>campo</translation>
     </message>
     <message>
-        <source>figures from %1 s to %2 s: expected two times</source>
-        <translation>valori da %1 s a %2 s: attesi due tempi</translation>
+        <source>field "{}": asked for twice</source>
+        <translation>campo "{}": chiesto due volte</translation>
+    </message>
+    <message>
+        <source>field "{}": there is none of this name; there are {}</source>
+        <translation>campo "{}": non esiste con questo nome; ci sono {}</translation>
+    </message>
+    <message>
+        <source>field {} of {}</source>
+        <translation>campo {} di {}</translation>
+    </message>
+    <message>
+        <source>figures from {} s to {} s: expected two times</source>
+        <translation>valori da {} s a {} s: attesi due tempi</translation>
     </message>
     <message>
         <source>file missing</source>
         <translation>file mancante</translation>
+    </message>
+    <message>
+        <source>filter: {}</source>
+        <translation>filtro: {}</translation>
     </message>
     <message>
         <source>fine: calibrated %1 days ago</source>
@@ -4684,6 +5176,18 @@ Per cominciare: %1</translation>
         <translation>dito</translation>
     </message>
     <message>
+        <source>finger '{}': only the simulated touchpad has a simulated finger</source>
+        <translation>dito '{}': solo il touchpad simulato ha un dito simulato</translation>
+    </message>
+    <message>
+        <source>finger ({:.0f}) and cloth ({:.0f}) are not told apart: put a finger on the cloth, or more light behind it</source>
+        <translation>dito ({:.0f}) e tessuto ({:.0f}) non si distinguono: mettere un dito sul tessuto, o più luce dietro</translation>
+    </message>
+    <message>
+        <source>finger at {:.0f}, cloth at {:.0f}, threshold {}</source>
+        <translation>dito a {:.0f}, tessuto a {:.0f}, soglia {}</translation>
+    </message>
+    <message>
         <source>finished</source>
         <translation>finita</translation>
     </message>
@@ -4692,8 +5196,28 @@ Per cominciare: %1</translation>
         <translation>firmware</translation>
     </message>
     <message>
+        <source>first</source>
+        <translation>primo</translation>
+    </message>
+    <message>
         <source>flat picture</source>
         <translation>immagine piatta</translation>
+    </message>
+    <message>
+        <source>flow {} bit/s: expected more than 0</source>
+        <translation>flusso {} bit/s: atteso più di 0</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>cartella</translation>
+    </message>
+    <message>
+        <source>folder {}, {} pictures at {:.0f} fps, repeating</source>
+        <translation>cartella {}, {} immagini a {:.0f} fps, a ripetizione</translation>
+    </message>
+    <message>
+        <source>folder: {}</source>
+        <translation>cartella: {}</translation>
     </message>
     <message>
         <source>for %1</source>
@@ -4702,6 +5226,10 @@ Per cominciare: %1</translation>
     <message>
         <source>force</source>
         <translation>forza</translation>
+    </message>
+    <message>
+        <source>force = {} N: expected 0.01 … 20</source>
+        <translation>force = {} N: atteso 0.01 … 20</translation>
     </message>
     <message>
         <source>force too small</source>
@@ -4714,6 +5242,10 @@ Per cominciare: %1</translation>
     <message>
         <source>found</source>
         <translation>trovato</translation>
+    </message>
+    <message>
+        <source>frame = {}: expected 2 … {} samples</source>
+        <translation>frame = {}: attesi 2 … {} campioni</translation>
     </message>
     <message>
         <source>from</source>
@@ -4732,12 +5264,28 @@ Per cominciare: %1</translation>
         <translation>dall'inizio</translation>
     </message>
     <message>
-        <source>gives no picture any more</source>
-        <translation>non dà più immagini</translation>
+        <source>from {} s to {} s: the first must not be larger than the second</source>
+        <translation>da {} s a {} s: il primo non deve superare il secondo</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>sparito</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>buona</translation>
+    </message>
+    <message>
+        <source>handshake</source>
+        <translation>stretta di mano</translation>
     </message>
     <message>
         <source>has said goodbye</source>
         <translation>si è congedato</translation>
+    </message>
+    <message>
+        <source>has switched its motors off by itself</source>
+        <translation>ha spento i motori da sola</translation>
     </message>
     <message>
         <source>heartbeat lost</source>
@@ -4748,36 +5296,40 @@ Per cominciare: %1</translation>
         <translation>altezza</translation>
     </message>
     <message>
-        <source>held-out error %1 N of at most %2 N over %3 weights</source>
-        <translation>errore di verifica %1 N su al più %2 N con %3 pesi</translation>
+        <source>held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle</source>
+        <translation>errore di verifica {:.2f} deg; atteso al più {:g}: muovere più piano, e attendere a ogni angolo</translation>
     </message>
     <message>
-        <source>held-out error %1 N of at most %2 N; stiffness rises from %3 to %4 N/mm</source>
-        <translation>errore di verifica %1 N su al più %2 N; la rigidezza cresce da %3 a %4 N/mm</translation>
+        <source>held-out error {:.2f} mm; expected at most {:g} mm: {}</source>
+        <translation>errore di verifica {:.2f} mm; atteso al più {:g} mm: {}</translation>
     </message>
     <message>
-        <source>held-out error %1 N; expected at most %2 N: %3</source>
-        <translation>errore di verifica %1 N; atteso al più %2 N: %3</translation>
+        <source>held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
+        <translation>errore di verifica {:.3f} N su al più {:g} N; la rigidezza cresce da {:.3f} a {:.3f} N/mm</translation>
     </message>
     <message>
-        <source>held-out error %1 deg of at most %2 deg</source>
-        <translation>errore di verifica %1 deg su al più %2 deg</translation>
+        <source>held-out error {:.3f} N; expected at most {:g} N: {}</source>
+        <translation>errore di verifica {:.3f} N; atteso al più {:g} N: {}</translation>
     </message>
     <message>
-        <source>held-out error %1 deg; expected at most %2: sweep slower, and wait at each angle</source>
-        <translation>errore di verifica %1 deg; atteso al più %2: muovere più piano, e attendere a ogni angolo</translation>
+        <source>held-out error {:.3f} deg of at most {:g} deg</source>
+        <translation>errore di verifica {:.3f} deg su al più {:g} deg</translation>
     </message>
     <message>
-        <source>held-out error %1 mm of at most %2 mm</source>
-        <translation>errore di verifica %1 mm su al più %2 mm</translation>
+        <source>held-out error {:.3f} mm of at most {:g} mm</source>
+        <translation>errore di verifica {:.3f} mm su al più {:g} mm</translation>
     </message>
     <message>
-        <source>held-out error %1 mm; expected at most %2 mm: %3</source>
-        <translation>errore di verifica %1 mm; atteso al più %2 mm: %3</translation>
+        <source>held-out error {:.4f} N of at most {:g} N over {} weights</source>
+        <translation>errore di verifica {:.4f} N su al più {:g} N con {} pesi</translation>
     </message>
     <message>
-        <source>holds no picture</source>
-        <translation>non contiene immagini</translation>
+        <source>histogram</source>
+        <translation>istogramma</translation>
+    </message>
+    <message>
+        <source>hop = {}: expected a divisor of the frame, {} (blocks) or less (overlapped)</source>
+        <translation>hop = {}: atteso un divisore del frame, {} (blocchi) o meno (sovrapposti)</translation>
     </message>
     <message>
         <source>hysteresis %1</source>
@@ -4812,16 +5364,56 @@ Per cominciare: %1</translation>
         <translation>è %1</translation>
     </message>
     <message>
-        <source>key file %1: %2</source>
-        <translation>file della chiave %1: %2</translation>
+        <source>its first bytes cannot be read</source>
+        <translation>i suoi primi byte non si possono leggere</translation>
     </message>
     <message>
-        <source>key file %1: not a regular file</source>
-        <translation>file della chiave %1: non è un file normale</translation>
+        <source>its header is damaged: the checksum differs</source>
+        <translation>la sua intestazione è danneggiata: la somma di controllo è diversa</translation>
     </message>
     <message>
-        <source>key file %1: open to others (mode %2); make it private with: chmod 600 %3</source>
-        <translation>file della chiave %1: aperto ad altri (modo %2); renderlo privato con: chmod 600 %3</translation>
+        <source>its lock cannot be had, it may be recorded at this moment: {}</source>
+        <translation>il suo blocco non si può ottenere, forse è in registrazione in questo momento: {}</translation>
+    </message>
+    <message>
+        <source>its recorder is gone; make it whole with: fyd session recover</source>
+        <translation>il suo registratore non c'è più; renderla intera con: fyd session recover</translation>
+    </message>
+    <message>
+        <source>jerk limit {} mm/s³: expected 1000 to 10000000</source>
+        <translation>limite di strappo {} mm/s³: atteso da 1000 a 10000000</translation>
+    </message>
+    <message>
+        <source>joint impedance</source>
+        <translation>impedenza dei giunti</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>chiave</translation>
+    </message>
+    <message>
+        <source>key file {}: exists already; a key is never overwritten</source>
+        <translation>file della chiave {}: esiste già; una chiave non viene mai sovrascritta</translation>
+    </message>
+    <message>
+        <source>key file {}: longer than {} bytes; not a key</source>
+        <translation>file della chiave {}: più lungo di {} byte; non è una chiave</translation>
+    </message>
+    <message>
+        <source>key file {}: not a regular file</source>
+        <translation>file della chiave {}: non è un file normale</translation>
+    </message>
+    <message>
+        <source>key file {}: open to others (mode {:04o}); make it private with: chmod 600 {}</source>
+        <translation>file della chiave {}: aperto ad altri (modo {:04o}); renderlo privato con: chmod 600 {}</translation>
+    </message>
+    <message>
+        <source>key file {}: {}</source>
+        <translation>file della chiave {}: {}</translation>
+    </message>
+    <message>
+        <source>kind "{}"; expected note or bookmark</source>
+        <translation>tipo "{}"; atteso note o bookmark</translation>
     </message>
     <message>
         <source>largest %1 at %2</source>
@@ -4844,8 +5436,16 @@ Per cominciare: %1</translation>
         <translation>stendere piano il bersaglio e mettere la telecamera perpendicolare</translation>
     </message>
     <message>
+        <source>left and right</source>
+        <translation>a sinistra e a destra</translation>
+    </message>
+    <message>
         <source>left as it is</source>
         <translation>lasciato com'è</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>in meno</translation>
     </message>
     <message>
         <source>less than a minute left</source>
@@ -4864,24 +5464,40 @@ Per cominciare: %1</translation>
         <translation>luce, temperatura, bersaglio</translation>
     </message>
     <message>
+        <source>limit reached before two samples</source>
+        <translation>limite raggiunto prima di due campioni</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>retta</translation>
+    </message>
+    <message>
         <source>load cell</source>
         <translation>cella di carico</translation>
     </message>
     <message>
-        <source>load cell: %1 mV/V lies beyond the bridge's span</source>
-        <translation>cella di carico: %1 mV/V è oltre il campo del ponte</translation>
+        <source>load cell: {:.3f} mV/V lies beyond the bridge's span</source>
+        <translation>cella di carico: {:.3f} mV/V è oltre il campo del ponte</translation>
     </message>
     <message>
-        <source>loading reads %1 N apart from unloading: look for friction between the cell and its plate</source>
-        <translation>il carico differisce di %1 N dallo scarico: cercare attrito fra cella e piastra</translation>
+        <source>loading reads {:.3f} N apart from unloading: look for friction between the cell and its plate</source>
+        <translation>il carico differisce di {:.3f} N dallo scarico: cercare attrito fra cella e piastra</translation>
     </message>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>guardare le curve dei sensori di distanza e il cavo della cella di carico</translation>
     </message>
     <message>
+        <source>lost</source>
+        <translation>perso</translation>
+    </message>
+    <message>
         <source>m/s²</source>
         <translation>m/s²</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>media</translation>
     </message>
     <message>
         <source>measure the outliers again</source>
@@ -4894,6 +5510,10 @@ Per cominciare: %1</translation>
     <message>
         <source>measured</source>
         <translation>misurato</translation>
+    </message>
+    <message>
+        <source>measured joint</source>
+        <translation>giunto misurato</translation>
     </message>
     <message>
         <source>measured with another calibration: measure it again</source>
@@ -4912,36 +5532,60 @@ Per cominciare: %1</translation>
         <translation>messaggio</translation>
     </message>
     <message>
+        <source>method number {}: unknown</source>
+        <translation>metodo numero {}: sconosciuto</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>monitor</source>
+        <translation>monitor</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>in più</translation>
     </message>
     <message>
         <source>more than 5 % of the haptic cycles of one second were missed</source>
         <translation>più del 5 % dei cicli aptici di un secondo è mancato</translation>
     </message>
     <message>
-        <source>motor %1</source>
-        <translation>motore %1</translation>
+        <source>motor 1</source>
+        <translation>motore 1</translation>
     </message>
     <message>
-        <source>motor board %1 at %2 %3: stop, then arm again</source>
-        <translation>scheda motori %1 su %2 %3: fermare, poi armare di nuovo</translation>
+        <source>motor 2</source>
+        <translation>motore 2</translation>
     </message>
     <message>
-        <source>motor board %1 at %2: current %3 is %4 mA, expected -%5 to %6</source>
-        <translation>scheda motori %1 su %2: la corrente %3 è di %4 mA, attesa da -%5 a %6</translation>
+        <source>motor board {} at {} {}: stop, then arm again</source>
+        <translation>scheda motori {} su {} {}: fermare, poi armare di nuovo</translation>
     </message>
     <message>
-        <source>motor board %1 at %2: no answer to command %3 in %4 ms; is it on, and are device.qbmove_baud = %5 and device.qbmove_id right?</source>
-        <translation>scheda motori %1 su %2: nessuna risposta al comando %3 in %4 ms; è accesa, e device.qbmove_baud = %5 e device.qbmove_id sono giusti?</translation>
+        <source>motor board {} at {}, {} Bd</source>
+        <translation>scheda motori {} su {}, {} Bd</translation>
+    </message>
+    <message>
+        <source>motor board {} at {}, {} Bd, no vibration (device.qbmove_vibration_opcode is not set)</source>
+        <translation>scheda motori {} su {}, {} Bd, senza vibrazione (device.qbmove_vibration_opcode non è impostato)</translation>
+    </message>
+    <message>
+        <source>motor board {} at {}: current {} is {} mA, expected -{} to {}</source>
+        <translation>scheda motori {} su {}: la corrente {} è di {} mA, attesa da -{} a {}</translation>
+    </message>
+    <message>
+        <source>motor board {} at {}: no answer to command {} in {} ms; is it on, and are device.qbmove_baud = {} and device.qbmove_id right?</source>
+        <translation>scheda motori {} su {}: nessuna risposta al comando {} in {} ms; è accesa, e device.qbmove_baud = {} e device.qbmove_id sono giusti?</translation>
     </message>
     <message>
         <source>motor board: nothing received yet</source>
         <translation>scheda motori: ancora niente ricevuto</translation>
     </message>
     <message>
-        <source>motor currents %1 mA, expected -%2 to %3</source>
-        <translation>correnti dei motori %1 mA, attese da -%2 a %3</translation>
+        <source>motor currents {} mA, expected -{} to {}</source>
+        <translation>correnti dei motori {} mA, attese da -{} a {}</translation>
     </message>
     <message>
         <source>motor over-temperature</source>
@@ -4956,16 +5600,28 @@ Per cominciare: %1</translation>
         <translation>riferimento motori sì</translation>
     </message>
     <message>
-        <source>motor temperatures %1 °C, expected %2 to %3</source>
-        <translation>temperature dei motori %1 °C, attese da %2 a %3</translation>
+        <source>motor temperatures {} °C, expected {} to {}</source>
+        <translation>temperature dei motori {} °C, attese da {} a {}</translation>
+    </message>
+    <message>
+        <source>motor {} stands at {:.1f}°, beyond control.motor_limit_deg = {:.0f}: check the encoder's zero</source>
+        <translation>il motore {} sta a {:.1f}°, oltre control.motor_limit_deg = {:.0f}: controllare lo zero dell'encoder</translation>
     </message>
     <message>
         <source>motors</source>
         <translation>motori</translation>
     </message>
     <message>
-        <source>motors at %1 and %2 °C, switched off at %3: let them cool</source>
-        <translation>motori a %1 e %2 °C, spenti a %3: lasciarli raffreddare</translation>
+        <source>motors '{}': a recording drives no motors</source>
+        <translation>motori '{}': una registrazione non comanda motori</translation>
+    </message>
+    <message>
+        <source>motors '{}': expected qbmove:TTY</source>
+        <translation>motori '{}': atteso qbmove:TTY</translation>
+    </message>
+    <message>
+        <source>motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool</source>
+        <translation>motori a {:.0f} e {:.0f} °C, spenti a {:.0f}: lasciarli raffreddare</translation>
     </message>
     <message>
         <source>moving</source>
@@ -4976,24 +5632,52 @@ Per cominciare: %1</translation>
         <translation>ms</translation>
     </message>
     <message>
+        <source>network profile "{}": expected isdn, adsl, lan or a CSV file</source>
+        <translation>profilo di rete "{}": atteso isdn, adsl, lan o un file CSV</translation>
+    </message>
+    <message>
+        <source>network {} {} {}: expected 0 to {}</source>
+        <translation>rete {} {} {}: atteso da 0 a {}</translation>
+    </message>
+    <message>
         <source>never calibrated</source>
         <translation>mai calibrato</translation>
     </message>
     <message>
-        <source>no answer in %1 ms; is it switched on and connected?</source>
-        <translation>nessuna risposta in %1 ms; è acceso e collegato?</translation>
+        <source>no JPEG decoder: {}</source>
+        <translation>nessun decodificatore JPEG: {}</translation>
+    </message>
+    <message>
+        <source>no answer in {:.0f} ms; is it switched on and connected?</source>
+        <translation>nessuna risposta in {:.0f} ms; è acceso e collegato?</translation>
     </message>
     <message>
         <source>no catalogue was chosen</source>
         <translation>nessun catalogo è stato scelto</translation>
     </message>
     <message>
+        <source>no commit in it can be trusted: all {} are damaged</source>
+        <translation>nessuna conferma in essa è affidabile: tutte le {} sono danneggiate</translation>
+    </message>
+    <message>
+        <source>no commit in it can be trusted: nothing was ever completely written</source>
+        <translation>nessuna conferma in essa è affidabile: nulla è mai stato scritto per intero</translation>
+    </message>
+    <message>
+        <source>no contact within the travel limit</source>
+        <translation>nessun contatto entro il limite di corsa</translation>
+    </message>
+    <message>
+        <source>no curve can be used ({}): add points, spread over 40 to 300 mm</source>
+        <translation>nessuna curva è utilizzabile ({}): aggiungere punti, distribuiti da 40 a 300 mm</translation>
+    </message>
+    <message>
         <source>no data</source>
         <translation>nessun dato</translation>
     </message>
     <message>
-        <source>no device tells '%1': look under Devices whether the touchpad answers</source>
-        <translation>nessun dispositivo riferisce '%1': guardare in Dispositivi se il touchpad risponde</translation>
+        <source>no device tells '{}': look under Devices whether the touchpad answers</source>
+        <translation>nessun dispositivo riferisce '{}': guardare in Dispositivi se il touchpad risponde</translation>
     </message>
     <message>
         <source>no finger</source>
@@ -5012,20 +5696,44 @@ Per cominciare: %1</translation>
         <translation>nessuna immagine</translation>
     </message>
     <message>
+        <source>no picture from {} s to {} s</source>
+        <translation>nessuna immagine da {} s a {} s</translation>
+    </message>
+    <message>
+        <source>no picture was taken up to {} s</source>
+        <translation>nessuna immagine è stata presa fino a {} s</translation>
+    </message>
+    <message>
         <source>no place yet: click a mark of the target in the picture</source>
         <translation>ancora nessuna posizione: fare clic su un segno del bersaglio nell'immagine</translation>
     </message>
     <message>
-        <source>no point between %1 and %2 mm, %3 % of the span: add points between %4 and %5 mm</source>
-        <translation>nessun punto tra %1 e %2 mm, %3 % del campo: aggiungere punti tra %4 e %5 mm</translation>
+        <source>no point between {:g} and {:g} mm, {:.0f} % of the span: add points between {:g} and {:g} mm</source>
+        <translation>nessun punto tra {:g} e {:g} mm, {:.0f} % del campo: aggiungere punti tra {:g} e {:g} mm</translation>
     </message>
     <message>
-        <source>no press at %1 deg is deeper than %2 mm; expected at least %3 mm: press deeper there</source>
-        <translation>nessuna pressione a %1 gradi supera %2 mm; servono almeno %3 mm: premere di più lì</translation>
+        <source>no points: add points between 40 and 300 mm</source>
+        <translation>nessun punto: aggiungere punti tra 40 e 300 mm</translation>
+    </message>
+    <message>
+        <source>no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: press deeper there</source>
+        <translation>nessuna pressione a {:.3g} gradi supera {:.3g} mm; servono almeno {:g} mm: premere di più lì</translation>
+    </message>
+    <message>
+        <source>no problem</source>
+        <translation>nessun problema</translation>
+    </message>
+    <message>
+        <source>no program that this user can see</source>
+        <translation>nessun programma che questo utente possa vedere</translation>
     </message>
     <message>
         <source>no recent picture</source>
         <translation>nessuna immagine recente</translation>
+    </message>
+    <message>
+        <source>no region of interest from {} s to {} s</source>
+        <translation>nessuna regione di interesse da {} s a {} s</translation>
     </message>
     <message>
         <source>no region yet: drag a rectangle around the cloth in the picture</source>
@@ -5036,12 +5744,36 @@ Per cominciare: %1</translation>
         <translation>nessun robot si è connesso</translation>
     </message>
     <message>
+        <source>no samples from {} s to {} s: the recording has {}, to {:.3f} s</source>
+        <translation>nessun campione da {} s a {} s: la registrazione ne ha {}, fino a {:.3f} s</translation>
+    </message>
+    <message>
         <source>no stiffness target</source>
         <translation>nessuna rigidezza desiderata</translation>
     </message>
     <message>
+        <source>no such file</source>
+        <translation>il file non esiste</translation>
+    </message>
+    <message>
+        <source>no threshold is suggested, the present one stays: {}</source>
+        <translation>nessuna soglia è proposta, resta quella attuale: {}</translation>
+    </message>
+    <message>
+        <source>no touchpad answered</source>
+        <translation>nessun touchpad ha risposto</translation>
+    </message>
+    <message>
+        <source>no touchpad with this key answered</source>
+        <translation>nessun touchpad con questa chiave ha risposto</translation>
+    </message>
+    <message>
         <source>no value changes: the texture takes rest away by itself</source>
         <translation>nessun valore cambia: la texture toglie da sola il riposo</translation>
+    </message>
+    <message>
+        <source>no video can be written: OpenCV has no coder for it, or the disk is full</source>
+        <translation>non si può scrivere alcun video: OpenCV non ha un codificatore, o il disco è pieno</translation>
     </message>
     <message>
         <source>none</source>
@@ -5060,8 +5792,20 @@ Per cominciare: %1</translation>
         <translation>non è una cifra</translation>
     </message>
     <message>
+        <source>not a file</source>
+        <translation>non è un file</translation>
+    </message>
+    <message>
+        <source>not a recording, or too damaged to open</source>
+        <translation>non è una registrazione, o è troppo danneggiata per aprirla</translation>
+    </message>
+    <message>
         <source>not confirmed: the station did not answer. It last used %1.</source>
         <translation>non confermato: la stazione non ha risposto. Da ultimo usava %1.</translation>
+    </message>
+    <message>
+        <source>not opened through the console's driver</source>
+        <translation>non aperto attraverso il driver della console</translation>
     </message>
     <message>
         <source>not ready to switch on</source>
@@ -5070,6 +5814,10 @@ Per cominciare: %1</translation>
     <message>
         <source>note</source>
         <translation>nota</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nulla</translation>
     </message>
     <message>
         <source>nothing is being recorded</source>
@@ -5088,6 +5836,10 @@ Per cominciare: %1</translation>
         <translation>ancora nulla ricevuto</translation>
     </message>
     <message>
+        <source>number not finite</source>
+        <translation>numero non finito</translation>
+    </message>
+    <message>
         <source>number out of range</source>
         <translation>numero fuori campo</translation>
     </message>
@@ -5100,6 +5852,10 @@ Per cominciare: %1</translation>
         <translation>spento</translation>
     </message>
     <message>
+        <source>offset of the commanded</source>
+        <translation>scarto del comandato</translation>
+    </message>
+    <message>
         <source>old: %1</source>
         <translation>vecchio: %1</translation>
     </message>
@@ -5108,12 +5864,20 @@ Per cominciare: %1</translation>
         <translation>acceso</translation>
     </message>
     <message>
-        <source>one of %1</source>
-        <translation>uno fra %1</translation>
+        <source>one of {}</source>
+        <translation>uno fra {}</translation>
+    </message>
+    <message>
+        <source>only {} of {} frames could be written; is the disk full?</source>
+        <translation>solo {} immagini su {} si sono potute scrivere; il disco è pieno?</translation>
     </message>
     <message>
         <source>operation enabled</source>
         <translation>in funzione</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>altro</translation>
     </message>
     <message>
         <source>other address</source>
@@ -5132,8 +5896,56 @@ Per cominciare: %1</translation>
         <translation>fuori turno</translation>
     </message>
     <message>
+        <source>outside {:.0f} to {:.0f} mm the sensor will count as invalid: the cloth rests at about 100 mm</source>
+        <translation>fuori da {:.0f}–{:.0f} mm il sensore conterà come non valido: il tessuto a riposo sta a circa 100 mm</translation>
+    </message>
+    <message>
+        <source>pairing code</source>
+        <translation>codice di abbinamento</translation>
+    </message>
+    <message>
+        <source>pairing code: the checksum does not fit; a word is another than it was, or the order is</source>
+        <translation>codice di abbinamento: la somma di controllo non corrisponde; una parola è diversa da com'era, o lo è l'ordine</translation>
+    </message>
+    <message>
+        <source>pairing code: word {} is not a pairing word; check its spelling</source>
+        <translation>codice di abbinamento: la parola {} non è una parola di abbinamento; controllare come è scritta</translation>
+    </message>
+    <message>
+        <source>pairing code: {} words; expected {}</source>
+        <translation>codice di abbinamento: {} parole; attese {}</translation>
+    </message>
+    <message>
         <source>parts missing</source>
         <translation>parti mancanti</translation>
+    </message>
+    <message>
+        <source>path '{}': expected an absolute one</source>
+        <translation>percorso '{}': atteso uno assoluto</translation>
+    </message>
+    <message>
+        <source>path: {}</source>
+        <translation>percorso: {}</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>in pausa</translation>
+    </message>
+    <message>
+        <source>perfect</source>
+        <translation>perfetta</translation>
+    </message>
+    <message>
+        <source>period {} ms: expected more than 0</source>
+        <translation>periodo {} ms: atteso più di 0</translation>
+    </message>
+    <message>
+        <source>picture and target are mirror images; if the camera shows no mirrored picture, the signs of y_mm are wrong: it grows to the back, upward in the picture</source>
+        <translation>immagine e bersaglio sono speculari; se la telecamera non mostra un'immagine specchiata, i segni di y_mm sono sbagliati: cresce verso il fondo, verso l'alto nell'immagine</translation>
+    </message>
+    <message>
+        <source>picture {} cannot be coded</source>
+        <translation>l'immagine {} non può essere codificata</translation>
     </message>
     <message>
         <source>pictures</source>
@@ -5144,24 +5956,56 @@ Per cominciare: %1</translation>
         <translation>pilota, mano sinistra</translation>
     </message>
     <message>
-        <source>polynomial of degree %1</source>
-        <translation>polinomio di grado %1</translation>
+        <source>png: the picture could not be made</source>
+        <translation>png: l'immagine non è stata prodotta</translation>
+    </message>
+    <message>
+        <source>polynomial of degree 2</source>
+        <translation>polinomio di grado 2</translation>
+    </message>
+    <message>
+        <source>polynomial of degree 3</source>
+        <translation>polinomio di grado 3</translation>
+    </message>
+    <message>
+        <source>polynomial of degree 4</source>
+        <translation>polinomio di grado 4</translation>
+    </message>
+    <message>
+        <source>polynomial of degree 5</source>
+        <translation>polinomio di grado 5</translation>
     </message>
     <message>
         <source>polynomial: c0 + c1 v + ..., constant first; inverse: c0/(v + c1) + c2.</source>
         <translation>polynomial: c0 + c1 v + ..., prima la costante; inverse: c0/(v + c1) + c2.</translation>
     </message>
     <message>
-        <source>position duties %1 %, expected -100 to 100</source>
-        <translation>duty di posizione %1 %, attesi da -100 a 100</translation>
+        <source>position</source>
+        <translation>posizione</translation>
     </message>
     <message>
-        <source>position duty %1</source>
-        <translation>duty di posizione %1</translation>
+        <source>position duties {} %, expected -100 to 100</source>
+        <translation>duty di posizione {} %, attesi da -100 a 100</translation>
+    </message>
+    <message>
+        <source>position duty {}</source>
+        <translation>duty di posizione {}</translation>
+    </message>
+    <message>
+        <source>precision {} mm: expected more than 0</source>
+        <translation>precisione {} mm: attesa più di 0</translation>
     </message>
     <message>
         <source>preset %1</source>
         <translation>preimpostazione %1</translation>
+    </message>
+    <message>
+        <source>preset '{}': expected a name of 1 to {} letters, digits, spaces, '-' or '_', with no space at its ends</source>
+        <translation>preselezione '{}': atteso un nome da 1 a {} lettere, cifre, spazi, '-' o '_', senza spazi ai margini</translation>
+    </message>
+    <message>
+        <source>preset '{}': there is one of this name; delete it first or choose another name</source>
+        <translation>preselezione '{}': ce n'è una con questo nome; cancellarla prima o scegliere un altro nome</translation>
     </message>
     <message>
         <source>press slower, and hold each depth</source>
@@ -5184,12 +6028,24 @@ Per cominciare: %1</translation>
         <translation>raggiungibile</translation>
     </message>
     <message>
+        <source>reading</source>
+        <translation>lettura</translation>
+    </message>
+    <message>
+        <source>reading not a number</source>
+        <translation>lettura che non è un numero</translation>
+    </message>
+    <message>
         <source>readings too unsteady</source>
         <translation>letture troppo instabili</translation>
     </message>
     <message>
         <source>ready to switch on</source>
         <translation>pronto ad accendersi</translation>
+    </message>
+    <message>
+        <source>recorded at {} Hz: {} Hz is less than 1/{} of that</source>
+        <translation>registrato a {} Hz: {} Hz è meno di 1/{} di quello</translation>
     </message>
     <message>
         <source>recorder crashed</source>
@@ -5200,12 +6056,48 @@ Per cominciare: %1</translation>
         <translation>registrazione</translation>
     </message>
     <message>
+        <source>recording of {} samples: expected at least {}</source>
+        <translation>registrazione di {} campioni: attesi almeno {}</translation>
+    </message>
+    <message>
+        <source>recording {}, {:.1f} s, played once; motors are not driven</source>
+        <translation>registrazione {}, {:.1f} s, riprodotta una volta; i motori non sono comandati</translation>
+    </message>
+    <message>
+        <source>recording {}, {} pictures, played once</source>
+        <translation>registrazione {}, {} immagini, riprodotta una volta</translation>
+    </message>
+    <message>
+        <source>recording {}: the count {} is beyond all measure</source>
+        <translation>registrazione {}: il conteggio {} è fuori da ogni misura</translation>
+    </message>
+    <message>
+        <source>recording's id '{}': expected 1 to 64 letters, digits or dashes</source>
+        <translation>id della registrazione '{}': attesi da 1 a 64 lettere, cifre o trattini</translation>
+    </message>
+    <message>
+        <source>recording: no file name</source>
+        <translation>registrazione: nessun nome di file</translation>
+    </message>
+    <message>
+        <source>recording: no vibration above {} Hz in it</source>
+        <translation>registrazione: nessuna vibrazione oltre {} Hz</translation>
+    </message>
+    <message>
         <source>reference</source>
         <translation>riferimento</translation>
     </message>
     <message>
         <source>refused: %1</source>
         <translation>rifiutato: %1</translation>
+    </message>
+    <message>
+        <source>region {:.0f} × {:.0f} px</source>
+        <translation>regione {:.0f} × {:.0f} px</translation>
+    </message>
+    <message>
+        <source>relay: the called side's address {} has no port</source>
+        <translation>relè: l'indirizzo {} del lato chiamato non ha porta</translation>
     </message>
     <message>
         <source>renaming of preset %1</source>
@@ -5224,6 +6116,14 @@ Per cominciare: %1</translation>
         <translation>immagini ripetute</translation>
     </message>
     <message>
+        <source>residuals: expected a list of numbers</source>
+        <translation>residuals: attesa una lista di numeri</translation>
+    </message>
+    <message>
+        <source>residuals: expected numbers with a point</source>
+        <translation>residuals: attesi numeri con il punto</translation>
+    </message>
+    <message>
         <source>resume</source>
         <translation>riprendere</translation>
     </message>
@@ -5232,16 +6132,48 @@ Per cominciare: %1</translation>
         <translation>robot</translation>
     </message>
     <message>
-        <source>robot '%1': FYD Link needs a key file</source>
-        <translation>robot '%1': FYD Link richiede un file della chiave</translation>
+        <source>robot '{}': FYD Link needs a key file; fyd link keygen makes one</source>
+        <translation>robot '{}': FYD Link ha bisogno di un file della chiave; fyd link keygen ne crea uno</translation>
     </message>
     <message>
-        <source>robot '%1': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
-        <translation>robot '%1': atteso simulated, none, link:HOST:PORT o classic:HOST:PORT</translation>
+        <source>robot '{}': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
+        <translation>robot '{}': atteso simulated, none, link:HOST:PORT o classic:HOST:PORT</translation>
     </message>
     <message>
-        <source>robot '%1': takes no key file</source>
-        <translation>robot '%1': non prende un file della chiave</translation>
+        <source>robot '{}': takes no key file; only link:HOST:PORT does</source>
+        <translation>robot '{}': non prende un file della chiave; solo link:HOST:PORT lo prende</translation>
+    </message>
+    <message>
+        <source>robot end: the touchpad's address {} has no port to call</source>
+        <translation>lato robot: l'indirizzo {} del touchpad non ha una porta da chiamare</translation>
+    </message>
+    <message>
+        <source>robot end: {}</source>
+        <translation>lato robot: {}</translation>
+    </message>
+    <message>
+        <source>robot end: {} cannot call {}: both must be IPv4 or both IPv6</source>
+        <translation>lato robot: {} non può chiamare {}: entrambi devono essere IPv4 o entrambi IPv6</translation>
+    </message>
+    <message>
+        <source>robot end: {} states a second; expected 1 to 10000</source>
+        <translation>lato robot: {} stati al secondo; attesi da 1 a 10000</translation>
+    </message>
+    <message>
+        <source>robot target ({}, {}, {}) mm: expected three finite numbers</source>
+        <translation>obiettivo del robot ({}, {}, {}) mm: attesi tre numeri finiti</translation>
+    </message>
+    <message>
+        <source>row {}: {} events</source>
+        <translation>riga {}: {} eventi</translation>
+    </message>
+    <message>
+        <source>rows at its end that no sound commit proves: {}</source>
+        <translation>righe alla sua fine che nessuna conferma integra prova: {}</translation>
+    </message>
+    <message>
+        <source>rows {}+{} of {}</source>
+        <translation>righe {}+{} di {}</translation>
     </message>
     <message>
         <source>running</source>
@@ -5260,16 +6192,44 @@ Per cominciare: %1</translation>
         <translation>salvato %1</translation>
     </message>
     <message>
+        <source>saved values are felt now; go back to the current ones to change any</source>
+        <translation>ora si sentono i valori salvati; tornare a quelli attuali per cambiarne uno</translation>
+    </message>
+    <message>
         <source>saving of preset %1</source>
         <translation>salvataggio della preimpostazione %1</translation>
+    </message>
+    <message>
+        <source>search text: {}</source>
+        <translation>testo cercato: {}</translation>
+    </message>
+    <message>
+        <source>search text: {} bytes, at most {} words are looked for</source>
+        <translation>testo cercato: {} byte, si cercano al più {} parole</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>secondo</translation>
     </message>
     <message>
         <source>send info and pause</source>
         <translation>inviare informazioni e pausa</translation>
     </message>
     <message>
+        <source>sensor {} with {} codes and {} distances; expected 1 to {} and as many of each</source>
+        <translation>sensore {} con {} codici e {} distanze; atteso da 1 a {} e altrettanti gli uni e le altre</translation>
+    </message>
+    <message>
+        <source>sensor: expected 0 to 8</source>
+        <translation>sensor: atteso da 0 a 8</translation>
+    </message>
+    <message>
         <source>sensors contradict each other</source>
         <translation>i sensori si contraddicono</translation>
+    </message>
+    <message>
+        <source>sensors: nothing received yet</source>
+        <translation>sensori: ancora nulla ricevuto</translation>
     </message>
     <message>
         <source>sent, not yet confirmed</source>
@@ -5280,8 +6240,16 @@ Per cominciare: %1</translation>
         <translation>numero di serie</translation>
     </message>
     <message>
-        <source>set to %1 %</source>
-        <translation>impostato a %1 %</translation>
+        <source>session '{}': not in {}</source>
+        <translation>sessione '{}': non in {}</translation>
+    </message>
+    <message>
+        <source>session '{}': several begin so; give more digits</source>
+        <translation>sessione '{}': più d'una comincia così; dare più cifre</translation>
+    </message>
+    <message>
+        <source>set to {:.0f} %</source>
+        <translation>impostato a {:.0f} %</translation>
     </message>
     <message>
         <source>settles</source>
@@ -5304,6 +6272,30 @@ Per cominciare: %1</translation>
         <translation>simulato</translation>
     </message>
     <message>
+        <source>simulated camera</source>
+        <translation>telecamera simulata</translation>
+    </message>
+    <message>
+        <source>simulated camera, 320 × 240 at {:.0f} fps</source>
+        <translation>telecamera simulata, 320 × 240 a {:.0f} fps</translation>
+    </message>
+    <message>
+        <source>simulated robot on {}</source>
+        <translation>robot simulato su {}</translation>
+    </message>
+    <message>
+        <source>simulated touchpad, seed {}</source>
+        <translation>touchpad simulato, seme {}</translation>
+    </message>
+    <message>
+        <source>simulated touchpad: nothing to serve it through</source>
+        <translation>touchpad simulato: nulla attraverso cui offrirlo</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>saltata</translation>
+    </message>
+    <message>
         <source>slope fits force against indentation with uncertainty; thesis is the bare ratio.</source>
         <translation>slope adatta la forza all'indentazione con incertezza; thesis è il semplice rapporto.</translation>
     </message>
@@ -5314,6 +6306,14 @@ Per cominciare: %1</translation>
     <message>
         <source>solid</source>
         <translation>continua</translation>
+    </message>
+    <message>
+        <source>speed = {} mm/s: expected 1 … 1000, or none when it is unknown</source>
+        <translation>speed = {} mm/s: atteso 1 … 1000, o nulla se è ignota</translation>
+    </message>
+    <message>
+        <source>speed limit {} mm/s: expected 1 to 1000</source>
+        <translation>limite di velocità {} mm/s: atteso da 1 a 1000</translation>
     </message>
     <message>
         <source>spread x %1, y %2, z %3</source>
@@ -5328,16 +6328,60 @@ Per cominciare: %1</translation>
         <translation>risposte scadute</translation>
     </message>
     <message>
+        <source>start it</source>
+        <translation>avviarla</translation>
+    </message>
+    <message>
+        <source>started_utc: {}</source>
+        <translation>started_utc: {}</translation>
+    </message>
+    <message>
+        <source>state of {} bytes: damaged</source>
+        <translation>stato di {} byte: danneggiato</translation>
+    </message>
+    <message>
+        <source>state of {} bytes: expected at least {}</source>
+        <translation>stato di {} byte: attesi almeno {}</translation>
+    </message>
+    <message>
+        <source>state of {} bytes: {}</source>
+        <translation>stato di {} byte: {}</translation>
+    </message>
+    <message>
+        <source>state saved with another surface; expected the same</source>
+        <translation>stato salvato con un'altra superficie; attesa la stessa</translation>
+    </message>
+    <message>
+        <source>state with {} bytes of content: expected {}</source>
+        <translation>stato con {} byte di contenuto: attesi {}</translation>
+    </message>
+    <message>
         <source>status word</source>
         <translation>parola di stato</translation>
     </message>
     <message>
-        <source>stiffness falls from %1 N/mm at %2 deg to %3 at %4 deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>
-        <translation>la rigidezza scende da %1 N/mm a %2 gradi a %3 a %4 gradi, benché la tensione irrigidisca il tessuto: premere di nuovo a entrambi gli angoli e guardare se il tessuto scivola</translation>
+        <source>stiffness falls from {:.3f} N/mm at {:.3g} deg to {:.3f} at {:.3g} deg, though stretching stiffens the cloth: press at both angles again, and look whether the cloth slips</source>
+        <translation>la rigidezza scende da {:.3f} N/mm a {:.3g} gradi a {:.3f} a {:.3g} gradi, benché la tensione irrigidisca il tessuto: premere di nuovo a entrambi gli angoli e guardare se il tessuto scivola</translation>
     </message>
     <message>
         <source>still being recorded</source>
         <translation>ancora in registrazione</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>fermato</translation>
+    </message>
+    <message>
+        <source>stream</source>
+        <translation>flusso</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>tensione</translation>
+    </message>
+    <message>
+        <source>stretch {:g}°: beyond control.motor_limit_deg = {:.0f}</source>
+        <translation>tensione {:g}°: oltre control.motor_limit_deg = {:.0f}</translation>
     </message>
     <message>
         <source>subject %1</source>
@@ -5348,12 +6392,12 @@ Per cominciare: %1</translation>
         <translation>sottotensione dell'alimentazione</translation>
     </message>
     <message>
-        <source>switch-on disabled</source>
-        <translation>accensione inibita</translation>
+        <source>sweep</source>
+        <translation>corsa</translation>
     </message>
     <message>
-        <source>switched off</source>
-        <translation>spenti</translation>
+        <source>switch-on disabled</source>
+        <translation>accensione inibita</translation>
     </message>
     <message>
         <source>switched off by itself</source>
@@ -5362,6 +6406,14 @@ Per cominciare: %1</translation>
     <message>
         <source>switched on</source>
         <translation>acceso</translation>
+    </message>
+    <message>
+        <source>tag '{}': empty</source>
+        <translation>etichetta '{}': vuota</translation>
+    </message>
+    <message>
+        <source>tags: {}, at most {} are catalogued</source>
+        <translation>etichette: {}, se ne catalogano al più {}</translation>
     </message>
     <message>
         <source>take points first</source>
@@ -5376,6 +6428,10 @@ Per cominciare: %1</translation>
         <translation>togliere di nuovo i pesi uno a uno per vedere deriva e isteresi</translation>
     </message>
     <message>
+        <source>taken</source>
+        <translation>preso</translation>
+    </message>
+    <message>
         <source>taken with another curve: take it again</source>
         <translation>presi con un'altra curva: prenderli di nuovo</translation>
     </message>
@@ -5388,8 +6444,12 @@ Per cominciare: %1</translation>
         <translation>obiettivo limitato</translation>
     </message>
     <message>
-        <source>temperature %1</source>
-        <translation>temperatura %1</translation>
+        <source>temperature {}</source>
+        <translation>temperatura {}</translation>
+    </message>
+    <message>
+        <source>the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant</source>
+        <translation>gli assi distano {:.1f}° da un angolo retto: la telecamera guarda il tessuto di sbieco</translation>
     </message>
     <message>
         <source>the block changed while it was read (its two sequence numbers differ)</source>
@@ -5412,24 +6472,44 @@ Per cominciare: %1</translation>
         <translation>il tessuto è stato toccato</translation>
     </message>
     <message>
-        <source>the disk has less than %1 MB left: recording stopped</source>
-        <translation>il disco ha meno di %1 MB liberi: registrazione fermata</translation>
+        <source>the commits that were there have gone</source>
+        <translation>le conferme che c'erano sono sparite</translation>
+    </message>
+    <message>
+        <source>the disk has less than {:.0f} MB left: recording stopped</source>
+        <translation>il disco ha meno di {:.0f} MB liberi: registrazione fermata</translation>
+    </message>
+    <message>
+        <source>the disk: one commit changes more than the journal holds</source>
+        <translation>il disco: una conferma cambia più di quanto il giornale contenga</translation>
+    </message>
+    <message>
+        <source>the disk: {}</source>
+        <translation>il disco: {}</translation>
     </message>
     <message>
         <source>the distance sensors are silent</source>
         <translation>i sensori di distanza tacciono</translation>
     </message>
     <message>
-        <source>the distance sensors repeat the codes %1 although their count goes on: switch the touchpad off and on</source>
-        <translation>i sensori di distanza ripetono i codici %1 benché il loro conteggio prosegua: spegnere e riaccendere il touchpad</translation>
+        <source>the distance sensors repeat the codes {} although their count goes on: switch the touchpad off and on</source>
+        <translation>i sensori di distanza ripetono i codici {} benché il loro conteggio prosegua: spegnere e riaccendere il touchpad</translation>
     </message>
     <message>
-        <source>the distances span only %1 mm, %2 to %3; expected at least %4: add points between %5 and %6 mm</source>
-        <translation>le distanze coprono solo %1 mm, da %2 a %3; ne servono almeno %4: aggiungere punti tra %5 e %6 mm</translation>
+        <source>the distances span only {:.3g} mm, {:g} to {:g}; expected at least {:g}: add points between {:g} and {:g} mm</source>
+        <translation>le distanze coprono solo {:.3g} mm, da {:g} a {:g}; ne servono almeno {:g}: aggiungere punti tra {:g} e {:g} mm</translation>
+    </message>
+    <message>
+        <source>the four columns differ in length</source>
+        <translation>le quattro colonne hanno lunghezza diversa</translation>
     </message>
     <message>
         <source>the haptic loop stood still for more than 20 ms</source>
         <translation>il ciclo aptico è rimasto fermo più di 20 ms</translation>
+    </message>
+    <message>
+        <source>the inverse form finds no curve through these points</source>
+        <translation>la forma inversa non trova una curva per questi punti</translation>
     </message>
     <message>
         <source>the last %1 s</source>
@@ -5444,12 +6524,16 @@ Per cominciare: %1</translation>
         <translation>la cella di carico tace</translation>
     </message>
     <message>
-        <source>the load cell repeats %1 mV/V although its count goes on: switch the touchpad off and on</source>
-        <translation>la cella di carico ripete %1 mV/V benché il suo conteggio prosegua: spegnere e riaccendere il touchpad</translation>
+        <source>the load cell repeats {} mV/V although its count goes on: switch the touchpad off and on</source>
+        <translation>la cella di carico ripete {} mV/V benché il suo conteggio prosegua: spegnere e riaccendere il touchpad</translation>
     </message>
     <message>
         <source>the load cell's value is outside its span</source>
         <translation>il valore della cella di carico è fuori dal suo campo</translation>
+    </message>
+    <message>
+        <source>the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm</source>
+        <translation>i millimetri stanno su una retta benché i pixel non vi stiano: controllare le colonne x_mm e y_mm</translation>
     </message>
     <message>
         <source>the motor board is silent</source>
@@ -5480,24 +6564,36 @@ Per cominciare: %1</translation>
         <translation>l'immagine è congelata: la telecamera manda sempre la stessa; scollegarla e ricollegarla</translation>
     </message>
     <message>
-        <source>the reading drifts by %1 N over the measurement: let the bridge warm up</source>
-        <translation>la lettura deriva di %1 N durante la misura: lasciar scaldare il ponte</translation>
+        <source>the points do not tell the unknowns apart (condition number {:.3g})</source>
+        <translation>i punti non distinguono le incognite (numero di condizionamento {:.3g})</translation>
+    </message>
+    <message>
+        <source>the points lie on one line in the picture: add points off that line, at the corners of the cloth</source>
+        <translation>i punti stanno su una retta nell'immagine: aggiungere punti fuori da quella retta, agli angoli del tessuto</translation>
+    </message>
+    <message>
+        <source>the reading drifts by {:.3f} N over the measurement: let the bridge warm up</source>
+        <translation>la lettura deriva di {:.3f} N durante la misura: lasciar scaldare il ponte</translation>
     </message>
     <message>
         <source>the recorder is not running</source>
         <translation>il registratore non è attivo</translation>
     </message>
     <message>
-        <source>the recording holds no picture</source>
-        <translation>la registrazione non contiene immagini</translation>
+        <source>the recording holds no state of the step to start from: steps had been lost before it began; it can be looked at, not replayed</source>
+        <translation>la registrazione non contiene uno stato del passo da cui partire: dei passi erano andati persi prima che iniziasse; si può guardare, non ripetere</translation>
     </message>
     <message>
         <source>the recording holds no step</source>
         <translation>la registrazione non contiene passi</translation>
     </message>
     <message>
-        <source>the region is %1 × %2 px; expected at least %3 px each way: drag a larger one</source>
-        <translation>la regione è di %1 × %2 px; attesi almeno %3 px per lato: trascinarne una più grande</translation>
+        <source>the recording is closed</source>
+        <translation>la registrazione è chiusa</translation>
+    </message>
+    <message>
+        <source>the region is {} × {} px; expected at least {} px each way: drag a larger one</source>
+        <translation>la regione è di {} × {} px; attesi almeno {} px per lato: trascinarne una più grande</translation>
     </message>
     <message>
         <source>the robot has said goodbye</source>
@@ -5524,8 +6620,8 @@ Per cominciare: %1</translation>
         <translation>la sessione è chiusa</translation>
     </message>
     <message>
-        <source>the status word %1 names no state</source>
-        <translation>la parola di stato %1 non indica alcuno stato</translation>
+        <source>the status word 0x{:04X} names no state</source>
+        <translation>la parola di stato 0x{:04X} non indica uno stato</translation>
     </message>
     <message>
         <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
@@ -5540,12 +6636,28 @@ Per cominciare: %1</translation>
         <translation>la tensione è fuori da control.travel_minimum_deg e control.travel_maximum_deg</translation>
     </message>
     <message>
+        <source>the temporary columns cannot be mapped: {}</source>
+        <translation>le colonne temporanee non si possono mappare: {}</translation>
+    </message>
+    <message>
+        <source>the temporary columns cannot be written: {}</source>
+        <translation>le colonne temporanee non si possono scrivere: {}</translation>
+    </message>
+    <message>
+        <source>the three axes differ in length</source>
+        <translation>i tre assi hanno lunghezza diversa</translation>
+    </message>
+    <message>
         <source>the touchpad answers, but its clock or its count of value sets stands still: switch it off and on</source>
         <translation>il touchpad risponde, ma il suo orologio o il suo conteggio dei gruppi di valori è fermo: spegnerlo e riaccenderlo</translation>
     </message>
     <message>
         <source>the touchpad closed the connection</source>
         <translation>il touchpad ha chiuso la connessione</translation>
+    </message>
+    <message>
+        <source>the touchpad does not answer the call</source>
+        <translation>il touchpad non risponde alla chiamata</translation>
     </message>
     <message>
         <source>the touchpad does not obey what is written to it (bit 9 of its status word)</source>
@@ -5560,20 +6672,28 @@ Per cominciare: %1</translation>
         <translation>il touchpad è stato perso mentre i suoi motori si accendevano</translation>
     </message>
     <message>
-        <source>the touchpad's motors are in the state %1 (%2): stop, then arm again</source>
-        <translation>i motori del touchpad sono nello stato %1 (%2): fermare, poi armare di nuovo</translation>
+        <source>the touchpad's motors are in the state {}</source>
+        <translation>i motori del touchpad sono nello stato {}</translation>
     </message>
     <message>
-        <source>the touchpad's motors are in the state %1: stop, then arm again</source>
-        <translation>i motori del touchpad sono nello stato %1: fermare, poi armare di nuovo</translation>
+        <source>the value does not follow the weight: check the cell's cable</source>
+        <translation>il valore non segue il peso: controllare il cavo della cella</translation>
+    </message>
+    <message>
+        <source>the value stays at {:.6g} mV/V whatever the weight: check the cell's cable and the bridge's channel</source>
+        <translation>il valore resta a {:.6g} mV/V qualunque sia il peso: controllare il cavo della cella e il canale del ponte</translation>
+    </message>
+    <message>
+        <source>the values are too large to compute with</source>
+        <translation>i valori sono troppo grandi per i calcoli</translation>
     </message>
     <message>
         <source>the values do not fit this session</source>
         <translation>i valori non sono adatti a questa sessione</translation>
     </message>
     <message>
-        <source>the weights span only %1 N; expected at least %2: %3</source>
-        <translation>i pesi coprono solo %1 N; ne servono almeno %2: %3</translation>
+        <source>the weights span only {:.3g} N; expected at least {:g}: {}</source>
+        <translation>i pesi coprono solo {:.3g} N; ne servono almeno {:g}: {}</translation>
     </message>
     <message>
         <source>the window did not answer for half a second</source>
@@ -5582,6 +6702,14 @@ Per cominciare: %1</translation>
     <message>
         <source>there is no picture: look under Devices whether the camera answers</source>
         <translation>non c'è immagine: guardare in Dispositivi se la telecamera risponde</translation>
+    </message>
+    <message>
+        <source>these {} bytes are not a state of arithmetic 1</source>
+        <translation>questi {} byte non sono uno stato dell'aritmetica 1</translation>
+    </message>
+    <message>
+        <source>these {} bytes are not the state of a pipeline</source>
+        <translation>questi {} byte non sono lo stato di una pipeline</translation>
     </message>
     <message>
         <source>thesis polynomial, scaled and shifted</source>
@@ -5600,8 +6728,20 @@ Per cominciare: %1</translation>
         <translation>questa sorgente non ne ha</translation>
     </message>
     <message>
+        <source>time '{}': expected UTC as 2026-11-21, 2026-11-21T14:05 or 2026-11-21T14:05:09.250Z</source>
+        <translation>tempo '{}': atteso UTC come 2026-11-21, 2026-11-21T14:05 o 2026-11-21T14:05:09.250Z</translation>
+    </message>
+    <message>
         <source>time (s)</source>
         <translation>tempo (s)</translation>
+    </message>
+    <message>
+        <source>time limit reached</source>
+        <translation>limite di tempo raggiunto</translation>
+    </message>
+    <message>
+        <source>time_s is no number</source>
+        <translation>time_s non è un numero</translation>
     </message>
     <message>
         <source>to</source>
@@ -5632,12 +6772,32 @@ Per cominciare: %1</translation>
         <translation>troppo incerto</translation>
     </message>
     <message>
+        <source>tool force</source>
+        <translation>forza sull'utensile</translation>
+    </message>
+    <message>
+        <source>tool torque</source>
+        <translation>coppia sull'utensile</translation>
+    </message>
+    <message>
         <source>torn blocks</source>
         <translation>blocchi incoerenti</translation>
     </message>
     <message>
         <source>touch %1 at %2 s</source>
         <translation>tocco %1 a %2 s</translation>
+    </message>
+    <message>
+        <source>touchpad at {}</source>
+        <translation>touchpad su {}</translation>
+    </message>
+    <message>
+        <source>touchpad {}</source>
+        <translation>touchpad {}</translation>
+    </message>
+    <message>
+        <source>touchpad {}, firmware {}.{}, at {}</source>
+        <translation>touchpad {}, firmware {}.{}, su {}</translation>
     </message>
     <message>
         <source>trial begins</source>
@@ -5652,6 +6812,14 @@ Per cominciare: %1</translation>
         <translation>true o false</translation>
     </message>
     <message>
+        <source>unacceptable</source>
+        <translation>inaccettabile</translation>
+    </message>
+    <message>
+        <source>unexpected argument '{}'; --help shows the options</source>
+        <translation>argomento inatteso '{}'; --help mostra le opzioni</translation>
+    </message>
+    <message>
         <source>unexpected kind</source>
         <translation>tipo inatteso</translation>
     </message>
@@ -5664,12 +6832,32 @@ Per cominciare: %1</translation>
         <translation>comando sconosciuto</translation>
     </message>
     <message>
-        <source>unknown parameter '%1'</source>
-        <translation>parametro sconosciuto '%1'</translation>
+        <source>unknown fault</source>
+        <translation>guasto sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown parameter '{}'</source>
+        <translation>parametro sconosciuto '{}'</translation>
+    </message>
+    <message>
+        <source>unknown parameter '{}'; a replay changes the step's only</source>
+        <translation>parametro sconosciuto '{}'; una ripetizione cambia solo quelli del passo</translation>
+    </message>
+    <message>
+        <source>unknown problem</source>
+        <translation>problema sconosciuto</translation>
+    </message>
+    <message>
+        <source>unknown state, quality or strategy</source>
+        <translation>stato, qualità o strategia sconosciuti</translation>
     </message>
     <message>
         <source>untouched</source>
         <translation>non toccato</translation>
+    </message>
+    <message>
+        <source>up and down</source>
+        <translation>in alto e in basso</translation>
     </message>
     <message>
         <source>use DFT321</source>
@@ -5708,8 +6896,20 @@ Per cominciare: %1</translation>
         <translation>vibrazione in più</translation>
     </message>
     <message>
-        <source>waiting for a robot on %1</source>
-        <translation>in attesa di un robot su %1</translation>
+        <source>video file</source>
+        <translation>file video</translation>
+    </message>
+    <message>
+        <source>video file '{}'</source>
+        <translation>file video '{}'</translation>
+    </message>
+    <message>
+        <source>wait until it is done</source>
+        <translation>attendere che sia finita</translation>
+    </message>
+    <message>
+        <source>waiting for a robot on {}</source>
+        <translation>in attesa di un robot su {}</translation>
     </message>
     <message>
         <source>was %1</source>
@@ -5728,8 +6928,28 @@ Per cominciare: %1</translation>
         <translation>larghezza</translation>
     </message>
     <message>
+        <source>workspace {} x {} x {} mm at {} mm: more than {} points on an axis</source>
+        <translation>spazio di lavoro {} x {} x {} mm a {} mm: più di {} punti su un asse</translation>
+    </message>
+    <message>
+        <source>workspace {} x {} x {} mm: every side must be longer than 0</source>
+        <translation>spazio di lavoro {} x {} x {} mm: ogni lato deve superare 0</translation>
+    </message>
+    <message>
+        <source>workspace ±({}, {}, {}) mm: expected three numbers above 0</source>
+        <translation>spazio di lavoro ±({}, {}, {}) mm: attesi tre numeri sopra 0</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>scrittura</translation>
+    </message>
+    <message>
         <source>wrong button</source>
         <translation>pulsante errato</translation>
+    </message>
+    <message>
+        <source>wrong id</source>
+        <translation>id sbagliato</translation>
     </message>
     <message>
         <source>wrong key or damaged</source>
@@ -5746,6 +6966,10 @@ Per cominciare: %1</translation>
     <message>
         <source>wrong size</source>
         <translation>dimensione errata</translation>
+    </message>
+    <message>
+        <source>wrong size field</source>
+        <translation>campo della dimensione sbagliato</translation>
     </message>
     <message>
         <source>wrong start or end mark</source>
@@ -5802,6 +7026,1082 @@ Per cominciare: %1</translation>
     <message>
         <source>z, g</source>
         <translation>z, g</translation>
+    </message>
+    <message>
+        <source>{:.1f} % of the picture is dark; a finger takes {:.1f} to {:.0f} %: check the region of interest</source>
+        <translation>il {:.1f} % dell'immagine è scuro; un dito ne occupa dal {:.1f} al {:.0f} %: controllare la regione di interesse</translation>
+    </message>
+    <message>
+        <source>{:.3f} N/mm at {:.3g} deg is known only to {:.0f} %; expected at most {:g} %: press there more often and deeper</source>
+        <translation>{:.3f} N/mm a {:.3g} gradi è noto solo al {:.0f} %; atteso al più il {:g} %: premere lì più spesso e più a fondo</translation>
+    </message>
+    <message>
+        <source>{:.3f} mV/V is beyond the load cell's span of {:g}</source>
+        <translation>{:.3f} mV/V è oltre il campo della cella di carico di {:g}</translation>
+    </message>
+    <message>
+        <source>{} = "{}": expected {}</source>
+        <translation>{} = "{}": atteso {}</translation>
+    </message>
+    <message>
+        <source>{} = '{}': expected true or false</source>
+        <translation>{} = '{}': atteso true o false</translation>
+    </message>
+    <message>
+        <source>{} = '{}': expected {}</source>
+        <translation>{} = '{}': atteso {}</translation>
+    </message>
+    <message>
+        <source>{} = {} was refused.</source>
+        <translation>{} = {} è stato rifiutato.</translation>
+    </message>
+    <message>
+        <source>{} = {}: expected a list such as [1, 2]</source>
+        <translation>{} = {}: attesa una lista come [1, 2]</translation>
+    </message>
+    <message>
+        <source>{} = {}: expected a number from {} to {}; correct or delete the row</source>
+        <translation>{} = {}: atteso un numero da {} a {}; correggere o cancellare la riga</translation>
+    </message>
+    <message>
+        <source>{} = {}: expected {}</source>
+        <translation>{} = {}: atteso {}</translation>
+    </message>
+    <message>
+        <source>{} angles are not told apart by their stiffness and were pooled</source>
+        <translation>{} angoli non si distinguono per rigidezza e sono stati uniti</translation>
+    </message>
+    <message>
+        <source>{} by the operator. Motors are off. Arm to start again.</source>
+        <translation>{} dall'operatore. Motori spenti. Armare per ricominciare.</translation>
+    </message>
+    <message>
+        <source>{} bytes at once</source>
+        <translation>{} byte in una volta</translation>
+    </message>
+    <message>
+        <source>{} bytes cannot be compressed ({})</source>
+        <translation>{} byte non si possono comprimere ({})</translation>
+    </message>
+    <message>
+        <source>{} cannot be drawn: {}</source>
+        <translation>{} non può essere disegnato: {}</translation>
+    </message>
+    <message>
+        <source>{} cannot change while the station runs</source>
+        <translation>{} non può cambiare mentre la stazione lavora</translation>
+    </message>
+    <message>
+        <source>{} compressed bytes do not give the {} they should</source>
+        <translation>{} byte compressi non danno i {} che dovrebbero</translation>
+    </message>
+    <message>
+        <source>{} conditions: expected 1 … {}</source>
+        <translation>{} condizioni: attese 1 … {}</translation>
+    </message>
+    <message>
+        <source>{} different angles; expected at least {}: add presses at an angle between {:.3g} and {:.3g} deg</source>
+        <translation>{} angoli diversi; ne servono almeno {}: aggiungere pressioni a un angolo fra {:.3g} e {:.3g} gradi</translation>
+    </message>
+    <message>
+        <source>{} different distances in {} points; expected at least {}: add points between {:g} and {:g} mm (the same distance again tells only the noise)</source>
+        <translation>{} distanze diverse in {} punti; ne servono almeno {}: aggiungere punti tra {:g} e {:g} mm (la stessa distanza ripetuta dice solo il rumore)</translation>
+    </message>
+    <message>
+        <source>{} different points; expected at least {}: add points, best at the corners of the cloth</source>
+        <translation>{} punti diversi; ne servono almeno {}: aggiungere punti, meglio agli angoli del tessuto</translation>
+    </message>
+    <message>
+        <source>{} different weights in {} points; expected at least {}: {}</source>
+        <translation>{} pesi diversi in {} punti; ne servono almeno {}: {}</translation>
+    </message>
+    <message>
+        <source>{} distances; needs {}</source>
+        <translation>{} distanze; ne servono {}</translation>
+    </message>
+    <message>
+        <source>{} does not answer: {}</source>
+        <translation>{} non risponde: {}</translation>
+    </message>
+    <message>
+        <source>{} encoder turns {:.1f} % {} than commanded; expected within {:g} %: check that the motor is free, and that both are wired to the same roller</source>
+        <translation>l'encoder {} gira il {:.1f} % {} di quanto comandato; atteso entro il {:g} %: controllare che il motore sia libero e che entrambi siano collegati allo stesso rullo</translation>
+    </message>
+    <message>
+        <source>{} encoder: {}</source>
+        <translation>encoder {}: {}</translation>
+    </message>
+    <message>
+        <source>{} encoder: {} points over {:.3g} deg; expected at least 5 over {:g} deg: sweep farther</source>
+        <translation>encoder {}: {} punti su {:.3g} gradi; ne servono almeno 5 su {:g} gradi: corsa più lunga</translation>
+    </message>
+    <message>
+        <source>{} had {} values when the state was saved, here it has {}; expected the same</source>
+        <translation>{} aveva {} valori quando lo stato fu salvato, qui ne ha {}; atteso lo stesso</translation>
+    </message>
+    <message>
+        <source>{} is another kind of parameter in this program</source>
+        <translation>{} è un parametro di altro tipo in questo programma</translation>
+    </message>
+    <message>
+        <source>{} is lost for {} steps from row {} on ({})</source>
+        <translation>{} è perso per {} passi dalla riga {} in poi ({})</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>manca {}</translation>
+    </message>
+    <message>
+        <source>{} is not known: check its cable</source>
+        <translation>{} non è noto: controllare il suo cavo</translation>
+    </message>
+    <message>
+        <source>{} is now {:.4g}.</source>
+        <translation>{} vale ora {:.4g}.</translation>
+    </message>
+    <message>
+        <source>{} is now {}.</source>
+        <translation>{} vale ora {}.</translation>
+    </message>
+    <message>
+        <source>{} points at {:.3g} deg; expected at least {}: press there again, to different depths</source>
+        <translation>{} punti a {:.3g} gradi; ne servono almeno {}: premere ancora lì, a profondità diverse</translation>
+    </message>
+    <message>
+        <source>{} points for a {}; expected at least {}</source>
+        <translation>{} punti per {}; attesi almeno {}</translation>
+    </message>
+    <message>
+        <source>{} points for {} unknowns; expected at least as many</source>
+        <translation>{} punti per {} incognite; attesi almeno altrettanti</translation>
+    </message>
+    <message>
+        <source>{} points; at most {}: take fewer, or means</source>
+        <translation>{} punti; al più {}: prenderne meno, o medie</translation>
+    </message>
+    <message>
+        <source>{} repetitions: expected 1 … {}</source>
+        <translation>{} ripetizioni: attese 1 … {}</translation>
+    </message>
+    <message>
+        <source>{} rows of {} are gone before its row {} ({})</source>
+        <translation>{} righe di {} mancano prima della sua riga {} ({})</translation>
+    </message>
+    <message>
+        <source>{} s at {} Hz are {} samples: expected at most {}</source>
+        <translation>{} s a {} Hz sono {} campioni: attesi al più {}</translation>
+    </message>
+    <message>
+        <source>{} samples; expected at least {}: wait longer</source>
+        <translation>{} campioni; attesi almeno {}: attendere di più</translation>
+    </message>
+    <message>
+        <source>{} spans only {:.3g} px; expected at least {:g}: add points farther {}</source>
+        <translation>{} copre solo {:.3g} px; attesi almeno {:g}: aggiungere punti più lontani {}</translation>
+    </message>
+    <message>
+        <source>{} steps are not committed yet</source>
+        <translation>{} passi non sono ancora confermati</translation>
+    </message>
+    <message>
+        <source>{} steps were lost</source>
+        <translation>{} passi sono andati persi</translation>
+    </message>
+    <message>
+        <source>{} values and {} forces; expected as many of each</source>
+        <translation>{} valori e {} forze; attesi altrettanti gli uni e le altre</translation>
+    </message>
+    <message>
+        <source>{} values and {} weights for {} points</source>
+        <translation>{} valori e {} pesi per {} punti</translation>
+    </message>
+    <message>
+        <source>{} was {} when the state was saved, here it is {}; expected the same</source>
+        <translation>{} era {} quando lo stato fu salvato, qui è {}; atteso lo stesso</translation>
+    </message>
+    <message>
+        <source>{} {}: no such file, or it may not be read</source>
+        <translation>{} {}: il file non esiste, o non può essere letto</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels, expected at most {}</source>
+        <translation>{} × {} pixel, attesi al più {}</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels, expected {} × {}</source>
+        <translation>{} × {} pixel, attesi {} × {}</translation>
+    </message>
+    <message>
+        <source>{}'s newest reading is {:.0f} ms old</source>
+        <translation>la lettura più recente di {} ha {:.0f} ms</translation>
+    </message>
+    <message>
+        <source>{}, from line {}: {}</source>
+        <translation>{}, dalla riga {}: {}</translation>
+    </message>
+    <message>
+        <source>{}, line {}: expected "{}"</source>
+        <translation>{}, riga {}: atteso "{}"</translation>
+    </message>
+    <message>
+        <source>{}, {} at {:.4g} fps, repeating</source>
+        <translation>{}, {} a {:.4g} fps, a ripetizione</translation>
+    </message>
+    <message>
+        <source>{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover</source>
+        <translation>{}. Ciò che è stato scritto fino a {:.1f} s è al sicuro in {}.partial; renderlo intero con: fyd session recover</translation>
+    </message>
+    <message>
+        <source>{}: '{}' is not a number; expected {}</source>
+        <translation>{}: '{}' non è un numero; atteso {}</translation>
+    </message>
+    <message>
+        <source>{}: '{}' stands outside a table; expected a table such as [control]</source>
+        <translation>{}: '{}' sta fuori da una tabella; attesa una tabella come [control]</translation>
+    </message>
+    <message>
+        <source>{}: [[band]]: expected either wavelength_mm or frequency_Hz</source>
+        <translation>{}: [[band]]: atteso wavelength_mm oppure frequency_Hz</translation>
+    </message>
+    <message>
+        <source>{}: a column without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: a header but no rows</source>
+        <translation>{}: un'intestazione ma nessuna riga</translation>
+    </message>
+    <message>
+        <source>{}: a link to another place; a recording holds its own values</source>
+        <translation>{}: un collegamento a un altro posto; una registrazione contiene i propri valori</translation>
+    </message>
+    <message>
+        <source>{}: a report ends in .html or .pdf</source>
+        <translation>{}: un rapporto termina in .html o .pdf</translation>
+    </message>
+    <message>
+        <source>{}: a size in it is beyond all reason</source>
+        <translation>{}: contiene una dimensione fuori da ogni misura</translation>
+    </message>
+    <message>
+        <source>{}: a text of {} bytes</source>
+        <translation>{}: un testo di {} byte</translation>
+    </message>
+    <message>
+        <source>{}: a video has no fields to choose</source>
+        <translation>{}: un video non ha campi da scegliere</translation>
+    </message>
+    <message>
+        <source>{}: already in {}</source>
+        <translation>{}: già in {}</translation>
+    </message>
+    <message>
+        <source>{}: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = {}?</source>
+        <translation>{}: una risposta a una domanda precedente è stata rifiutata; al touchpad serve più di device.response_timeout_ms = {}?</translation>
+    </message>
+    <message>
+        <source>{}: an export ends in .csv, .mat, .mkv, .avi or .mcap</source>
+        <translation>{}: un'esportazione finisce in .csv, .mat, .mkv, .avi o .mcap</translation>
+    </message>
+    <message>
+        <source>{}: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than {:.3f}</source>
+        <translation>{}: un'esportazione finirebbe prima della registrazione; `fyd session recover` rende prima integro ciò che si può provare, oppure esportare fino a un secondo precedente {:.3f}</translation>
+    </message>
+    <message>
+        <source>{}: another recording is being started</source>
+        <translation>{}: un'altra registrazione sta iniziando</translation>
+    </message>
+    <message>
+        <source>{}: another touchpad answers: '{}', expected '{}'; plug the right one in, or open a session for this one</source>
+        <translation>{}: risponde un altro touchpad: '{}', atteso '{}'; collegare quello giusto, o aprire una sessione per questo</translation>
+    </message>
+    <message>
+        <source>{}: asked for {} Bd, the port runs at {} Bd; choose a speed its driver supports</source>
+        <translation>{}: chiesti {} Bd, la porta va a {} Bd; scegliere una velocità che il suo driver consente</translation>
+    </message>
+    <message>
+        <source>{}: at most {} values</source>
+        <translation>{}: al più {} valori</translation>
+    </message>
+    <message>
+        <source>{}: belongs to another user (uid {}, gid {}), who would lose it; choose another name</source>
+        <translation>{}: appartiene a un altro utente (uid {}, gid {}), che lo perderebbe; scegliere un altro nome</translation>
+    </message>
+    <message>
+        <source>{}: bytes {}+{} of {}</source>
+        <translation>{}: byte {}+{} di {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be deleted: {}</source>
+        <translation>{}: non può essere cancellato: {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be made a link to {}: {}</source>
+        <translation>{}: non può diventare un collegamento a {}: {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be named {}: {}</source>
+        <translation>{}: non può essere chiamato {}: {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened for reading</source>
+        <translation>{}: non si può aprire in lettura</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened: {}</source>
+        <translation>{}: non si può aprire: {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read</source>
+        <translation>{}: non può essere letto</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read: {}</source>
+        <translation>{}: non si può leggere: {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be set up: {}</source>
+        <translation>{}: non può essere impostata: {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written</source>
+        <translation>{}: non può essere scritto</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written or opened ({}); check the folder's permissions</source>
+        <translation>{}: non può essere scritto o aperto ({}); controllare i permessi della cartella</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: another program takes its part files away</source>
+        <translation>{}: non può essere scritto: un altro programma porta via i suoi file parziali</translation>
+    </message>
+    <message>
+        <source>{}: cannot be written: {}</source>
+        <translation>{}: non si può scrivere: {}</translation>
+    </message>
+    <message>
+        <source>{}: changed while it was copied; is it still being recorded?</source>
+        <translation>{}: cambiato mentre veniva copiato; è ancora in registrazione?</translation>
+    </message>
+    <message>
+        <source>{}: column {} is not of this format's type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: does not count the tables' rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: does not open: {}</source>
+        <translation>{}: non si apre: {}</translation>
+    </message>
+    <message>
+        <source>{}: does not open; {}</source>
+        <translation>{}: non si apre; {}</translation>
+    </message>
+    <message>
+        <source>{}: empty; expected a header with {}</source>
+        <translation>{}: vuoto; attesa un'intestazione con {}</translation>
+    </message>
+    <message>
+        <source>{}: everything needed is there. Arm to start.</source>
+        <translation>{}: c'è tutto il necessario. Armare per iniziare.</translation>
+    </message>
+    <message>
+        <source>{}: exists already</source>
+        <translation>{}: esiste già</translation>
+    </message>
+    <message>
+        <source>{}: exists; a recording never replaces a file</source>
+        <translation>{}: esiste; una registrazione non sostituisce mai un file</translation>
+    </message>
+    <message>
+        <source>{}: exists; move one of the two away first</source>
+        <translation>{}: esiste; spostare prima uno dei due</translation>
+    </message>
+    <message>
+        <source>{}: expected a folder</source>
+        <translation>{}: attesa una cartella</translation>
+    </message>
+    <message>
+        <source>{}: expected an ordinary file</source>
+        <translation>{}: atteso un file normale</translation>
+    </message>
+    <message>
+        <source>{}: expected at least one [[band]]</source>
+        <translation>{}: attesa almeno una [[band]]</translation>
+    </message>
+    <message>
+        <source>{}: expected true or false</source>
+        <translation>{}: atteso true o false</translation>
+    </message>
+    <message>
+        <source>{}: expected {}</source>
+        <translation>{}: atteso {}</translation>
+    </message>
+    <message>
+        <source>{}: expected {}, in quotes</source>
+        <translation>{}: atteso {}, tra virgolette</translation>
+    </message>
+    <message>
+        <source>{}: fewer than two different times: the sample rate is unknown</source>
+        <translation>{}: meno di due tempi diversi: la frequenza di campionamento è ignota</translation>
+    </message>
+    <message>
+        <source>{}: format {}; this program reads format {}</source>
+        <translation>{}: formato {}; questo programma legge il formato {}</translation>
+    </message>
+    <message>
+        <source>{}: gives no picture any more</source>
+        <translation>{}: non dà più immagini</translation>
+    </message>
+    <message>
+        <source>{}: gone while it was read</source>
+        <translation>{}: sparito mentre veniva letto</translation>
+    </message>
+    <message>
+        <source>{}: has no checksums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
+        <translation>{}: errore di verifica {:.2f} mm su al più {:g} mm, decresce a ogni codice da {:.0f} a {:.0f}</translation>
+    </message>
+    <message>
+        <source>{}: holds no picture</source>
+        <translation>{}: non contiene immagini</translation>
+    </message>
+    <message>
+        <source>{}: holds the control character U+{:04X}</source>
+        <translation>{}: contiene il carattere di controllo U+{:04X}</translation>
+    </message>
+    <message>
+        <source>{}: in use by another program ("fuser {}" names it)</source>
+        <translation>{}: in uso da un altro programma ("fuser {}" lo nomina)</translation>
+    </message>
+    <message>
+        <source>{}: is a device, not a file</source>
+        <translation>{}: è un dispositivo, non un file</translation>
+    </message>
+    <message>
+        <source>{}: is a folder, not a file</source>
+        <translation>{}: è una cartella, non un file</translation>
+    </message>
+    <message>
+        <source>{}: is a pipe, not a file</source>
+        <translation>{}: è una pipe, non un file</translation>
+    </message>
+    <message>
+        <source>{}: is a socket, not a file</source>
+        <translation>{}: è un socket, non un file</translation>
+    </message>
+    <message>
+        <source>{}: is being recorded at this moment</source>
+        <translation>{}: è in registrazione in questo momento</translation>
+    </message>
+    <message>
+        <source>{}: is damaged; `fyd session recover` keeps what can be proven of it first</source>
+        <translation>{}: è danneggiata; `fyd session recover` ne conserva prima ciò che si può provare</translation>
+    </message>
+    <message>
+        <source>{}: is no serial port</source>
+        <translation>{}: non è una porta seriale</translation>
+    </message>
+    <message>
+        <source>{}: is still being recorded; close it first</source>
+        <translation>{}: è ancora in registrazione; prima chiuderla</translation>
+    </message>
+    <message>
+        <source>{}: its columns are not those of this format</source>
+        <translation>{}: le sue colonne non sono quelle di questo formato</translation>
+    </message>
+    <message>
+        <source>{}: its links run in a circle</source>
+        <translation>{}: i suoi collegamenti girano in tondo</translation>
+    </message>
+    <message>
+        <source>{}: its values lie in other datasets; a recording holds its own</source>
+        <translation>{}: i suoi valori stanno in altri dataset; una registrazione contiene i propri</translation>
+    </message>
+    <message>
+        <source>{}: its values lie in other files; a recording holds its own</source>
+        <translation>{}: i suoi valori stanno in altri file; una registrazione contiene i propri</translation>
+    </message>
+    <message>
+        <source>{}: its {} bytes are no picture</source>
+        <translation>{}: i suoi {} byte non sono un'immagine</translation>
+    </message>
+    <message>
+        <source>{}: its {} bytes are no picture as the recorder writes it</source>
+        <translation>{}: i suoi {} byte non sono un'immagine come la scrive il registratore</translation>
+    </message>
+    <message>
+        <source>{}: lies on {}; a recording needs a local disk, whose promise to have written can be trusted</source>
+        <translation>{}: sta su {}; una registrazione ha bisogno di un disco locale, di cui si possa credere che abbia scritto</translation>
+    </message>
+    <message>
+        <source>{}: locked by another program for more than {} s; it is open in {}</source>
+        <translation>{}: bloccato da un altro programma da più di {} s; è aperto in {}</translation>
+    </message>
+    <message>
+        <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>
+        <translation>{}: creato da una versione più nuova di questo programma (tabelle {}, questo conosce {})</translation>
+    </message>
+    <message>
+        <source>{}: no 'format'; expected a record of calibrations, format = {}</source>
+        <translation>{}: manca 'format'; atteso un registro di calibrazioni, format = {}</translation>
+    </message>
+    <message>
+        <source>{}: no memory for its variables</source>
+        <translation>{}: manca memoria per le sue variabili</translation>
+    </message>
+    <message>
+        <source>{}: no permission. Add yourself to its group with "sudo usermod -aG {} $USER" and log in again</source>
+        <translation>{}: nessun permesso. Aggiungersi al suo gruppo con "sudo usermod -aG {} $USER" e rifare l'accesso</translation>
+    </message>
+    <message>
+        <source>{}: no picture of this format can be made</source>
+        <translation>{}: non si può produrre un'immagine in questo formato</translation>
+    </message>
+    <message>
+        <source>{}: no pseudo-terminal to be had: {}</source>
+        <translation>{}: nessuno pseudo-terminale disponibile: {}</translation>
+    </message>
+    <message>
+        <source>{}: no such parameter</source>
+        <translation>{}: questo parametro non esiste</translation>
+    </message>
+    <message>
+        <source>{}: no such parameter in this profile</source>
+        <translation>{}: nessun parametro di questo nome in questo profilo</translation>
+    </message>
+    <message>
+        <source>{}: no temporary file can be made: {}</source>
+        <translation>{}: non si può creare un file temporaneo: {}</translation>
+    </message>
+    <message>
+        <source>{}: no {}; expected "{}" and {} words</source>
+        <translation>{}: nessun {}; atteso "{}" e {} parole</translation>
+    </message>
+    <message>
+        <source>{}: not UTF-8</source>
+        <translation>{}: non è UTF-8</translation>
+    </message>
+    <message>
+        <source>{}: not a dataset</source>
+        <translation>{}: non è un dataset</translation>
+    </message>
+    <message>
+        <source>{}: not a file's name</source>
+        <translation>{}: non è il nome di un file</translation>
+    </message>
+    <message>
+        <source>{}: not a folder</source>
+        <translation>{}: non è una cartella</translation>
+    </message>
+    <message>
+        <source>{}: not a group as a recording has it</source>
+        <translation>{}: non è un gruppo come quelli di una registrazione</translation>
+    </message>
+    <message>
+        <source>{}: not a list of rows</source>
+        <translation>{}: non è una lista di righe</translation>
+    </message>
+    <message>
+        <source>{}: not a text</source>
+        <translation>{}: non è un testo</translation>
+    </message>
+    <message>
+        <source>{}: not a touchpad: its first registers say 0x{:08X}, expected 0x{:08X}</source>
+        <translation>{}: non è un touchpad: i suoi primi registri dicono 0x{:08X}, atteso 0x{:08X}</translation>
+    </message>
+    <message>
+        <source>{}: not all of it could be written; is the disk full?</source>
+        <translation>{}: non tutto si è potuto scrivere; il disco è pieno?</translation>
+    </message>
+    <message>
+        <source>{}: not bytes</source>
+        <translation>{}: non sono byte</translation>
+    </message>
+    <message>
+        <source>{}: not in chunks of {} rows{}, as this program stores it: another program packed it anew</source>
+        <translation>{}: non in blocchi di {} righe{}, come lo salva questo programma: un altro programma lo ha ricompresso</translation>
+    </message>
+    <message>
+        <source>{}: not in one piece</source>
+        <translation>{}: non in un solo pezzo</translation>
+    </message>
+    <message>
+        <source>{}: not kept, nothing is being recorded</source>
+        <translation>{}: non conservata, nulla è in registrazione</translation>
+    </message>
+    <message>
+        <source>{}: not kept, the session is closed</source>
+        <translation>{}: non conservata, la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>{}: not one number</source>
+        <translation>{}: non un solo numero</translation>
+    </message>
+    <message>
+        <source>{}: not one text</source>
+        <translation>{}: non un solo testo</translation>
+    </message>
+    <message>
+        <source>{}: not open</source>
+        <translation>{}: non aperto</translation>
+    </message>
+    <message>
+        <source>{}: note {}: {}</source>
+        <translation>{}: nota {}: {}</translation>
+    </message>
+    <message>
+        <source>{}: nothing more can be recorded: {}</source>
+        <translation>{}: non si può registrare altro: {}</translation>
+    </message>
+    <message>
+        <source>{}: on a network share, where SQLite would be damaged; use a local path, or postgresql:…</source>
+        <translation>{}: su una condivisione di rete, dove SQLite verrebbe danneggiato; usare un percorso locale, o postgresql:…</translation>
+    </message>
+    <message>
+        <source>{}: only notes and bookmarks are written here</source>
+        <translation>{}: qui si scrivono solo note e segnalibri</translation>
+    </message>
+    <message>
+        <source>{}: out of memory</source>
+        <translation>{}: memoria esaurita</translation>
+    </message>
+    <message>
+        <source>{}: picture {} was not kept</source>
+        <translation>{}: l'immagine {} non è stata conservata</translation>
+    </message>
+    <message>
+        <source>{}: pseudo-terminal: {}</source>
+        <translation>{}: pseudo-terminale: {}</translation>
+    </message>
+    <message>
+        <source>{}: reading failed</source>
+        <translation>{}: lettura non riuscita</translation>
+    </message>
+    <message>
+        <source>{}: reads differently each time; copy it to another disk first</source>
+        <translation>{}: ogni lettura dà altro; copiarlo prima su un altro disco</translation>
+    </message>
+    <message>
+        <source>{}: refused, nothing is saved: {}</source>
+        <translation>{}: rifiutata, nulla viene salvato: {}</translation>
+    </message>
+    <message>
+        <source>{}: register map {}.{}, this program knows {}.x; update the older of the two</source>
+        <translation>{}: mappa dei registri {}.{}, questo programma conosce la {}.x; aggiornare il più vecchio dei due</translation>
+    </message>
+    <message>
+        <source>{}: rendering.</source>
+        <translation>{}: resa in corso.</translation>
+    </message>
+    <message>
+        <source>{}: room for other rows than asked</source>
+        <translation>{}: posto per un numero di righe diverso da quello chiesto</translation>
+    </message>
+    <message>
+        <source>{}: row {} has a list that counts more than it can hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: row {} of {}</source>
+        <translation>{}: riga {} di {}</translation>
+    </message>
+    <message>
+        <source>{}: rows from {} on are packed otherwise</source>
+        <translation>{}: le righe da {} in poi sono compresse in altro modo</translation>
+    </message>
+    <message>
+        <source>{}: rows from {} on take {} bytes</source>
+        <translation>{}: le righe da {} in poi occupano {} byte</translation>
+    </message>
+    <message>
+        <source>{}: rows from {} on: {}</source>
+        <translation>{}: righe da {} in poi: {}</translation>
+    </message>
+    <message>
+        <source>{}: rows of {} bytes; this program's have {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: rows {} to {} are damaged: CRC32C {:08x}, committed as {:08x}</source>
+        <translation>{}: le righe da {} a {} sono danneggiate: CRC32C {:08x}, confermate come {:08x}</translation>
+    </message>
+    <message>
+        <source>{}: rows {} to {} in one block</source>
+        <translation>{}: righe da {} a {} in un blocco</translation>
+    </message>
+    <message>
+        <source>{}: rows {}+{} of {}</source>
+        <translation>{}: righe {}+{} di {}</translation>
+    </message>
+    <message>
+        <source>{}: saved values are felt now; go back to the current ones to change it</source>
+        <translation>{}: ora si sentono i valori salvati; tornare a quelli attuali per cambiarlo</translation>
+    </message>
+    <message>
+        <source>{}: sends damaged pictures: {}</source>
+        <translation>{}: invia immagini danneggiate: {}</translation>
+    </message>
+    <message>
+        <source>{}: sensors are live, motors are off.</source>
+        <translation>{}: sensori vivi, motori spenti.</translation>
+    </message>
+    <message>
+        <source>{}: set it to remote, and close what else drives it</source>
+        <translation>{}: metterlo in comando remoto e chiudere ogni altro programma che lo pilota</translation>
+    </message>
+    <message>
+        <source>{}: stop, then arm again</source>
+        <translation>{}: fermare, poi armare di nuovo</translation>
+    </message>
+    <message>
+        <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>
+        <translation>{}: archiviato, ma l'originale non può essere rimosso: {}; è intero in entrambi i posti</translation>
+    </message>
+    <message>
+        <source>{}: the CSV parser could not start</source>
+        <translation>{}: il lettore CSV non è partito</translation>
+    </message>
+    <message>
+        <source>{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list --rebuild FOLDER` moves the file aside and reads the recordings again</source>
+        <translation>{}: il catalogo è danneggiato ({}); le registrazioni non ne sono toccate. `fyd session list --rebuild FOLDER` sposta da parte il file e rilegge le registrazioni</translation>
+    </message>
+    <message>
+        <source>{}: the copy cannot get its name: {}</source>
+        <translation>{}: la copia non può ricevere il suo nome: {}</translation>
+    </message>
+    <message>
+        <source>{}: the copy reads back differently from the source; the storage is not to be trusted</source>
+        <translation>{}: la copia riletta è diversa dall'originale; quella memoria non è affidabile</translation>
+    </message>
+    <message>
+        <source>{}: the device behind the port is gone; is the cable plugged in?</source>
+        <translation>{}: il dispositivo dietro la porta è sparito; il cavo è collegato?</translation>
+    </message>
+    <message>
+        <source>{}: the disk does not answer; nothing is recorded</source>
+        <translation>{}: il disco non risponde; nulla viene registrato</translation>
+    </message>
+    <message>
+        <source>{}: the disk does not answer; the file is closed when it does</source>
+        <translation>{}: il disco non risponde; il file si chiude quando risponderà</translation>
+    </message>
+    <message>
+        <source>{}: the disk has {:.0f} MB left, fewer than the {:.0f} MB a recording leaves free</source>
+        <translation>{}: il disco ha {:.0f} MB liberi, meno dei {:.0f} MB che una registrazione lascia liberi</translation>
+    </message>
+    <message>
+        <source>{}: the disk is full; nothing of this change was kept</source>
+        <translation>{}: il disco è pieno; di questa modifica non è rimasto nulla</translation>
+    </message>
+    <message>
+        <source>{}: the entry {} is damaged: {}</source>
+        <translation>{}: la voce {} è danneggiata: {}</translation>
+    </message>
+    <message>
+        <source>{}: the folder cannot be made: {}</source>
+        <translation>{}: la cartella non può essere creata: {}</translation>
+    </message>
+    <message>
+        <source>{}: the folder cannot be used: {}</source>
+        <translation>{}: la cartella non si può usare: {}</translation>
+    </message>
+    <message>
+        <source>{}: the picture could not be made</source>
+        <translation>{}: l'immagine non è stata prodotta</translation>
+    </message>
+    <message>
+        <source>{}: the pseudo-terminal has no name</source>
+        <translation>{}: lo pseudo-terminale non ha nome</translation>
+    </message>
+    <message>
+        <source>{}: the recorder is not running</source>
+        <translation>{}: il registratore non è attivo</translation>
+    </message>
+    <message>
+        <source>{}: the recording has ended</source>
+        <translation>{}: la registrazione è finita</translation>
+    </message>
+    <message>
+        <source>{}: the recording holds no picture</source>
+        <translation>{}: la registrazione non contiene immagini</translation>
+    </message>
+    <message>
+        <source>{}: the recording holds no step</source>
+        <translation>{}: la registrazione non contiene alcun passo</translation>
+    </message>
+    <message>
+        <source>{}: the recording shows no picture for another {:.1f} s</source>
+        <translation>{}: la registrazione non mostra immagini per altri {:.1f} s</translation>
+    </message>
+    <message>
+        <source>{}: the session is closed</source>
+        <translation>{}: la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>{}: the touchpad does not answer.</source>
+        <translation>{}: il touchpad non risponde.</translation>
+    </message>
+    <message>
+        <source>{}: there is a file of this name already</source>
+        <translation>{}: c'è già un file con questo nome</translation>
+    </message>
+    <message>
+        <source>{}: there is another file of this name; nothing was moved</source>
+        <translation>{}: c'è un altro file con questo nome; nulla è stato spostato</translation>
+    </message>
+    <message>
+        <source>{}: there is no such file</source>
+        <translation>{}: questo file non esiste</translation>
+    </message>
+    <message>
+        <source>{}: there is no such port; is the cable plugged in?</source>
+        <translation>{}: questa porta non esiste; il cavo è collegato?</translation>
+    </message>
+    <message>
+        <source>{}: too many changes at once</source>
+        <translation>{}: troppe modifiche in una volta</translation>
+    </message>
+    <message>
+        <source>{}: too many of this name; move them away</source>
+        <translation>{}: troppi con questo nome; spostarli altrove</translation>
+    </message>
+    <message>
+        <source>{}: unknown key '{}' in {}</source>
+        <translation>{}: chiave sconosciuta '{}' in {}</translation>
+    </message>
+    <message>
+        <source>{}: unknown parameter '{}'; 'fyd params' lists those there are</source>
+        <translation>{}: parametro sconosciuto '{}'; 'fyd params' elenca quelli esistenti</translation>
+    </message>
+    <message>
+        <source>{}: was left behind by a crash; `fyd session recover` makes it whole first</source>
+        <translation>{}: lasciata indietro da un arresto improvviso; prima `fyd session recover` la rende intera</translation>
+    </message>
+    <message>
+        <source>{}: without a column t_s the sample rate must be given</source>
+        <translation>{}: senza una colonna t_s va indicata la frequenza di campionamento</translation>
+    </message>
+    <message>
+        <source>{}: writing failed: {}</source>
+        <translation>{}: scrittura non riuscita: {}</translation>
+    </message>
+    <message>
+        <source>{}: writing failed: {}; nothing is left of it</source>
+        <translation>{}: la scrittura non è riuscita: {}; non ne resta nulla</translation>
+    </message>
+    <message>
+        <source>{}: writing failed: {}; the file stays as it was</source>
+        <translation>{}: la scrittura non è riuscita: {}; il file resta com'era</translation>
+    </message>
+    <message>
+        <source>{}: writing {} failed; is the disk full?</source>
+        <translation>{}: scrittura di {} non riuscita; il disco è pieno?</translation>
+    </message>
+    <message>
+        <source>{}: {:.1f} MB free, the recording needs {:.1f} MB</source>
+        <translation>{}: {:.1f} MB liberi, la registrazione ha bisogno di {:.1f} MB</translation>
+    </message>
+    <message>
+        <source>{}: {} Bd is no speed of this system</source>
+        <translation>{}: {} Bd non è una velocità di questo sistema</translation>
+    </message>
+    <message>
+        <source>{}: {} Bd is no speed of this system; expected one of {}</source>
+        <translation>{}: {} Bd non è una velocità di questo sistema; attesa una di {}</translation>
+    </message>
+    <message>
+        <source>{}: {} IR sensors and {} motors, expected {} and {}</source>
+        <translation>{}: {} sensori IR e {} motori, attesi {} e {}</translation>
+    </message>
+    <message>
+        <source>{}: {} at register {}: {}</source>
+        <translation>{}: {} al registro {}: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bands; at most {}</source>
+        <translation>{}: {} bande; al più {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes</source>
+        <translation>{}: {} byte</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes long, at most {} are catalogued</source>
+        <translation>{}: lungo {} byte, se ne catalogano al più {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes with control characters; expected {}</source>
+        <translation>{}: {} byte con caratteri di controllo; atteso {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; a preset has at most {}</source>
+        <translation>{}: {} byte; una preselezione ne ha al più {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; a profile has at most {}</source>
+        <translation>{}: {} byte; un profilo ne ha al più {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; at most {}: move it away, a new one will be begun</source>
+        <translation>{}: {} byte; al più {}: spostarlo, ne inizierà uno nuovo</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; expected {}</source>
+        <translation>{}: {} byte; atteso {}</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; notes have at most {}</source>
+        <translation>{}: {} byte; le note ne hanno al più {}</translation>
+    </message>
+    <message>
+        <source>{}: {} cannot change while the station runs; a preset holds live parameters only</source>
+        <translation>{}: {} non può cambiare mentre la stazione lavora; una preselezione contiene solo parametri modificabili dal vivo</translation>
+    </message>
+    <message>
+        <source>{}: {} follows {}; expected rising values</source>
+        <translation>{}: {} segue {}; attesi valori crescenti</translation>
+    </message>
+    <message>
+        <source>{}: {} in one step</source>
+        <translation>{}: {} in un passo</translation>
+    </message>
+    <message>
+        <source>{}: {} is no folder</source>
+        <translation>{}: {} non è una cartella</translation>
+    </message>
+    <message>
+        <source>{}: {} is still being recorded; stop it first</source>
+        <translation>{}: {} è ancora in registrazione; fermarla prima</translation>
+    </message>
+    <message>
+        <source>{}: {} rows of {} bytes each, while the whole file takes {} bytes</source>
+        <translation>{}: {} righe di {} byte ciascuna, mentre l'intero file occupa {} byte</translation>
+    </message>
+    <message>
+        <source>{}: {} rows of {} fields are {:.1f} GiB, a MATLAB 5 file takes 2; choose fewer fields or a shorter time</source>
+        <translation>{}: {} righe di {} campi sono {:.1f} GiB, un file MATLAB 5 ne prende 2; scegliere meno campi o un tempo più breve</translation>
+    </message>
+    <message>
+        <source>{}: {} values; expected at most {}</source>
+        <translation>{}: {} valori; attesi al più {}</translation>
+    </message>
+    <message>
+        <source>{}: {} without '{}'</source>
+        <translation>{}: {} senza '{}'</translation>
+    </message>
+    <message>
+        <source>{}: {} × {} pixels; at most {} are read</source>
+        <translation>{}: {} × {} pixel; se ne leggono al più {}</translation>
+    </message>
+    <message>
+        <source>{}: {}, {} times in a row</source>
+        <translation>{}: {}, {} volte di seguito</translation>
+    </message>
+    <message>
+        <source>{}: {}. {} Then re-arm.</source>
+        <translation>{}: {}. {} Poi riarmare.</translation>
+    </message>
+    <message>
+        <source>{}: {}: expected a text in quotes</source>
+        <translation>{}: {}: atteso un testo tra virgolette</translation>
+    </message>
+    <message>
+        <source>{}: {}; the recording stays at {}</source>
+        <translation>{}: {}; la registrazione resta in {}</translation>
+    </message>
+    <message>
+        <source>{}: {}{}: expected a number from {} to {}</source>
+        <translation>{}: {}{}: atteso un numero da {} a {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: column {}: '{}' is not a number</source>
+        <translation>{}:{}: colonna {}: '{}' non è un numero</translation>
+    </message>
+    <message>
+        <source>{}:{}: delay {} ms: expected 0 to 60000, or nan for a loss</source>
+        <translation>{}:{}: ritardo {} ms: atteso da 0 a 60000, o nan per una perdita</translation>
+    </message>
+    <message>
+        <source>{}:{}: no column '{}'; expected {}</source>
+        <translation>{}:{}: nessuna colonna '{}'; attese {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: not valid CSV: {}</source>
+        <translation>{}:{}: CSV non valido: {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: t_s = {} after {}: expected times that do not go backwards</source>
+        <translation>{}:{}: t_s = {} dopo {}: attesi tempi che non tornano indietro</translation>
+    </message>
+    <message>
+        <source>{}:{}: t_s = {}: expected a finite time in seconds</source>
+        <translation>{}:{}: t_s = {}: atteso un tempo finito in secondi</translation>
+    </message>
+    <message>
+        <source>{}:{}: t_s is {} after {}; time must increase from row to row</source>
+        <translation>{}:{}: t_s è {} dopo {}; il tempo deve crescere da riga a riga</translation>
+    </message>
+    <message>
+        <source>{}:{}: t_s is {}; expected a time in seconds</source>
+        <translation>{}:{}: t_s è {}; atteso un tempo in secondi</translation>
+    </message>
+    <message>
+        <source>{}:{}: time {} s: expected times that start at 0 and rise</source>
+        <translation>{}:{}: tempo {} s: attesi tempi che iniziano da 0 e crescono</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} fields; the header has {}</source>
+        <translation>{}:{}: {} campi; l'intestazione ne ha {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} is {}; expected millimetres within ±{}</source>
+        <translation>{}:{}: {} è {}; attesi millimetri entro ±{}</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
+        <translation>{}:{}: {} di x_mm, y_mm, z_mm sono NaN; tutti e tre significano un dito sollevato, altrimenti nessuno può esserlo</translation>
+    </message>
+    <message>
+        <source>{}; make what can be proven whole with: fyd session recover</source>
+        <translation>{}; rendere intero ciò che si può provare con: fyd session recover</translation>
+    </message>
+    <message>
+        <source>{}; nor can the entry wait: {}. The recording is safe; put it in later with `fyd session add {}`</source>
+        <translation>{}; e neppure la voce può attendere: {}. La registrazione è al sicuro; inserirla più tardi con `fyd session add {}`</translation>
+    </message>
+    <message>
+        <source>{}; robot {} could not be had again either: {}</source>
+        <translation>{}; neppure il robot {} si è potuto riavere: {}</translation>
+    </message>
+    <message>
+        <source>{}; the entry waits in {} and goes in when the catalogue is next opened</source>
+        <translation>{}; la voce attende in {} ed entra alla prossima apertura del catalogo</translation>
+    </message>
+    <message>
+        <source>{}; the former session could not be had again either: {}</source>
+        <translation>{}; neppure la sessione precedente si è potuta riavere: {}</translation>
+    </message>
+    <message>
+        <source>{}; the recording is whole in both places, {} and {}: store it again to finish</source>
+        <translation>{}; la registrazione è intera in entrambi i posti, {} e {}: archiviarla di nuovo per finire</translation>
+    </message>
+    <message>
+        <source>{}; the recording stays at {}</source>
+        <translation>{}; la registrazione resta in {}</translation>
+    </message>
+    <message>
+        <source>{}; {} is whole up to here. Make room or choose another disk</source>
+        <translation>{}; {} è integro fin qui. Fare spazio o scegliere un altro disco</translation>
+    </message>
+    <message>
+        <source>{}{}: cannot be moved aside to {}: {}</source>
+        <translation>{}{}: non può essere spostato da parte in {}: {}</translation>
     </message>
     <message>
         <source>Δ %1</source>

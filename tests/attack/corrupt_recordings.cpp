@@ -178,7 +178,7 @@ void attackOnce(attack::Report& report, const Original& original, Target target,
                   "info and verify differ");
   }
   const auto outcome = recover(file);
-  if (!report.expect(outcome.has_value(), outcome ? "" : outcome.error().message)) return;
+  if (!report.expect(outcome.has_value(), outcome ? "" : outcome.error().text())) return;
   if (outcome->result == RecoverResult::nothing) {
     report.expect(!recording, "opens, and recover finds nothing in it");
     report.expect(contentOf(file) == damaged, "was changed although nothing can be read");

@@ -121,7 +121,7 @@ class Wire {
     }
     protocol::DeviceState back;
     const auto problem = decode(encode(state), back);
-    if (problem != protocol::StateProblem::none) fired(where, hours, describe(problem, back));
+    if (problem != protocol::StateProblem::none) fired(where, hours, describe(problem, back).text());
     if (readings.ir.count != ir_.count) {
       ir_.value = readings.ir.value;
       ir_.taken = readings.ir.taken;
@@ -171,7 +171,7 @@ void session(const std::string& name, const sim::FingerPath& finger, const Recor
     world->advanceTo(now);
     const device::TouchpadReadings said = wire.carry(world->readings(), now, name, hours);
     const device::TouchpadReadings believed = plausibility.check(frozen.check(said), command, now);
-    for (const std::string& complaint : {frozen.complaint(), plausibility.complaint()}) {
+    for (const std::string& complaint : {frozen.complaint().text(), plausibility.complaint().text()}) {
       if (!complaint.empty()) fired(name, hours, complaint);
     }
     counts.ir += believed.ir.count != inputs.ir.count ? 1 : 0;
@@ -187,7 +187,7 @@ void session(const std::string& name, const sim::FingerPath& finger, const Recor
         std::vector<std::uint8_t> bytes;
         cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 40 + static_cast<int>(counts.jpegs % 60)});
         auto decoded = device::decodeJpeg(bytes);
-        if (!decoded) fired(name, hours, "a whole JPEG is refused: " + decoded.error().message);
+        if (!decoded) fired(name, hours, "a whole JPEG is refused: " + decoded.error().text());
         picture = std::move(*decoded);
         ++counts.jpegs;
       }

@@ -141,7 +141,8 @@ int main(int argc, char** argv) {
     ++states[std::string(toString(outputs.telemetry.state))];
     if (!attacking && calm == 2000 && outputs.telemetry.state != pipeline::SafetyState::active) {
       violated(sent, fmt::format("a healthy device again, and the session is not Active: {}; {}; {}",
-                                 toString(outputs.telemetry.lack), touchpad.complaint(), plausibility.complaint()));
+                                 toString(outputs.telemetry.lack), touchpad.complaint().text(),
+                                 plausibility.complaint().text()));
     }
   }
   std::printf("%llu replies, seed %llu: %llu taken, %llu good ones lost to what came before\n",

@@ -117,7 +117,7 @@ bool aDay(double seconds, sim::Material material, const sim::FingerPath& finger)
     auto good = checkMeasurement(m);
     if (good && i > 0) good = checkStep(before, m, 1);
     if (!good) {
-      std::printf("FIRED after %g s: %s\n", t_s, good.error().message.c_str());
+      std::printf("FIRED after %g s: %s\n", t_s, good.error().text().c_str());
       return false;
     }
     before = m;
@@ -157,7 +157,7 @@ int main(int count, char** arguments) {
   const double day_s = kDay_s * runs / kFullRuns;
   const auto hand = sim::FingerPath::fromCsv(FYD_TEST_DATA "/hand_motion/index_tip.csv");
   if (!hand) {
-    std::fprintf(stderr, "%s\n", hand.error().message.c_str());
+    std::fprintf(stderr, "%s\n", hand.error().text().c_str());
     return 1;
   }
   for (const auto material : {sim::Material::none, static_cast<sim::Material>(sim::kMaterialNames.size() - 1)}) {

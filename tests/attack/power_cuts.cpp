@@ -56,7 +56,7 @@ void put(const std::string& file, const Bytes& bytes) {
 
 void expectRows(attack::Report& report, const std::string& file, std::uint64_t at_least, Wholeness* wholeness) {
   const auto recording = Recording::open(file);
-  if (!report.expect(recording.has_value(), recording ? "" : recording.error().message)) return;
+  if (!report.expect(recording.has_value(), recording ? "" : recording.error().text())) return;
   const std::uint64_t rows = (*recording)->info().committed_samples;
   report.expect(rows >= at_least, fmt::format("{} rows of {} acknowledged", rows, at_least));
   for (std::uint64_t row = 0; row < rows; ++row) {
@@ -93,7 +93,7 @@ int main(int count, char** words) {
       put(partialOf(file), diskAfterCut(mending->calls, second, sector_bytes, random, left));
       const auto outcome = recover(file);
       report.expect(outcome && outcome->result == RecoverResult::whole,
-                    outcome ? outcome->first_damage : outcome.error().message);
+                    outcome ? outcome->first_damage.text() : outcome.error().text());
       Wholeness wholeness = Wholeness::crashed;
       expectRows(report, file, rows, &wholeness);
       report.expect(wholeness == Wholeness::whole, "not whole after its recovery");

@@ -48,7 +48,7 @@ Act command(double at_s, OperatorAction action, double value = 0.0) {
 }
 Act set(double at_s, std::string id, double value) {
   return {at_s, [=](station::Station& s) {
-            if (const auto done = s.setParameter(id, value); !done) throw std::runtime_error(done.error().message);
+            if (const auto done = s.setParameter(id, value); !done) throw std::runtime_error(done.error().text());
           }};
 }
 Act note(double at_s, session::NoteKind kind, std::string text) {
@@ -115,17 +115,17 @@ std::string record(const std::string& folder, const std::string& name, const Sce
   for (const auto& [id, value] : settings) {
     const Parameter* parameter = findParameter(bound, id);
     if (parameter == nullptr) giveUp(id + ": no such parameter");
-    if (const auto done = assignParameter(*parameter, value); !done) giveUp(done.error().message);
+    if (const auto done = assignParameter(*parameter, value); !done) giveUp(done.error().text());
   }
   const auto key = protocol::LinkKey::generate();
   const bool link = scene.robot.starts_with("link:");
   if (link) {
     ::unlink(key_file.c_str());
-    if (const auto written = protocol::writeKeyFile(key, key_file); !written) giveUp(written.error().message);
+    if (const auto written = protocol::writeKeyFile(key, key_file); !written) giveUp(written.error().text());
     options.key_file = key_file;
   }
   auto opened = station::Station::open(options);
-  if (!opened) giveUp(opened.error().message);
+  if (!opened) giveUp(opened.error().text());
   station::Station& station = **opened;
   station.start();
   std::unique_ptr<sim::SimulatedRobot> arm;
@@ -169,7 +169,7 @@ std::string record(const std::string& folder, const std::string& name, const Sce
                                                      .notes = "Golden recording: " + name,
                                                      .tags = {"golden"}});
           !begun) {
-        giveUp(begun.error().message);
+        giveUp(begun.error().text());
       }
       started = now;
       states.push_back(state);
@@ -183,9 +183,9 @@ std::string record(const std::string& folder, const std::string& name, const Sce
     if (now - opened_at > kPatience) giveUp("the session is not Active after 20 s");
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  if (const auto closed = station.stopRecording(); !closed) giveUp(closed.error().message);
+  if (const auto closed = station.stopRecording(); !closed) giveUp(closed.error().text());
   if (const auto kept = station::saveProfile(station.currentProfile(), folder + "/" + name + ".toml"); !kept) {
-    giveUp(kept.error().message);
+    giveUp(kept.error().text());
   }
   arm_thread = {};
   station.shutDown();

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """The window's translations: resources/translations/fyd_<language>.ts against what the sources say.
 
-check   fails when a text of the window, or a sentence of the core in its table, is missing, unfinished or no longer
-        said in a language, when a translation loses a value (%1) or a key (Ctrl+R), or when the help of a parameter
-        that the window shows is not in the table
+check   fails when a text of the window or anything that the core says is missing, unfinished or no longer said in a
+        language, when a translation loses a value (%1, {:.2f}) or a key (Ctrl+R), when a message of the core is places
+        only or has an English value, or when a parameter that the window shows has a help that is not marked
 update  enters new texts as unfinished and takes away those that are no longer said
 """
 import argparse
@@ -18,7 +18,7 @@ from xml.sax.saxutils import escape
 PLURALS = {"en": 2, "it": 2, "fr": 2}  # as Qt 6.4 counts them
 SOURCES = ["widgets", "app/console"]
 # What the core says stands in these calls (core/base/message.h), and where it may be said.
-CALLS = ["sentence"]
+CALLS = ["sentence", "say", "fail", "failHard"]
 SPEAKERS = ["core", *SOURCES]
 
 
@@ -104,21 +104,54 @@ def faults(language, texts, known):
         yield f"{language}: no longer said: {key[0]!r}"
 
 
-def stale_core_sentences(root):
-    """Each row of the tables of what the core says is still said somewhere."""
-    tables = [root / "widgets" / name for name in ("core_sentences.cpp",)]
-    core = ""
-    for path in [path for folder in ("core", *SOURCES) for path in (root / folder).rglob("*.[ch]*") if path not in tables]:
-        core += path.read_text(encoding="utf-8")
-    core = re.sub(r'"\s*\n\s*"', "", core)  # a sentence that goes on in the next line
-    core = re.sub(r"\{[^{}\s]*\}", "{}", core)
-    for table in tables:
-        rows = re.findall(r'QT_TRANSLATE_NOOP\(\s*"Core",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\)', table.read_text(encoding="utf-8"))
-        for row in rows:
-            text = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', row))
-            parts = [part.strip(" .:,;()") for part in re.split(r"%\d", text)]
-            if not all(part in core for part in parts):
-                yield f"{table.name}: no longer said anywhere: {text!r}"
+def calls(text):
+    """(name, arguments as they stand) of each of CALLS."""
+    for match in re.finditer(rf"(?<![\w.>:])({'|'.join(CALLS)})\(", text):
+        depth, quoted, start, out, at = 0, False, match.end(), [], match.end()
+        while at < len(text):
+            c = text[at]
+            if quoted:
+                at += c == "\\"
+                quoted = c != '"'
+            elif c == '"':
+                quoted = True
+            elif c in "([{":
+                depth += 1
+            elif c in ")]}" and depth == 0 or c == "," and depth == 0:
+                out.append(text[start:at].strip())
+                start = at + 1
+                if c != ",":
+                    break
+            elif c in ")]}":
+                depth -= 1
+            at += 1
+        yield match[1], out, text.count("\n", 0, match.start()) + 1
+
+
+# English that a message must not take for a value: it is a message itself (`say`, `phrase`), or the words of others.
+ENGLISH = re.compile(r'"[^"]*[a-z] [a-z][^"]*"|\.text\(\)|\bwhat\(\)|\bstrerror\(|\.message\(\)|\bdescription\(\)$')
+OWN = re.compile(r"\b(?:say|phrase|verbatim|about|listed|explained|systemReason|fmt::join)\(")
+
+
+def wrong_calls(root, texts):
+    """A literal that lupdate did not find; a value that is itself English; a format of places only."""
+    for path in sorted(path for folder in SPEAKERS for path in (root / folder).rglob("*.[ch]*")):
+        if path.name in ("message.h", "error.h"):
+            continue
+        source = path.read_text(encoding="utf-8")
+        for name, arguments, line in calls(re.sub(r"//[^\n]*", lambda comment: " " * len(comment[0]), source)):
+            parts = re.findall(r'"((?:[^"\\]|\\.)*)"', arguments[0])
+            where = f"{path.relative_to(root)}:{line}"
+            if not re.fullmatch(r'(?:"(?:[^"\\]|\\.)*"\s*)+', arguments[0]):
+                continue  # a message, or a function of the same name
+            text = "".join(parts).replace('\\"', '"')
+            if (text, "") not in texts:
+                yield f"{where}: lupdate does not find {text!r}"
+            if not re.search(r"[^\W\d_]", re.sub(r"\{[^}]*\}", "", text)):
+                yield f"{where}: {text!r} has places only: nothing to translate"
+            for value in arguments[1:]:
+                if ENGLISH.search(value) and not OWN.search(value):
+                    yield f"{where}: the value {value!r} is English: say(…), phrase(…) or, of others, verbatim(…)"
 
 
 def untold_help(root, texts):
@@ -151,7 +184,7 @@ def main():
         if options.task == "update":
             write(ts, language, own, kept(ts))
         found += faults(language, own, kept(ts))
-    found += stale_core_sentences(options.root)
+    found += wrong_calls(options.root, texts)
     found += untold_help(options.root, texts)
     if options.task == "check" and len(texts) < 100:
         found.append(f"only {len(texts)} texts found in the sources: is lupdate the right one?")

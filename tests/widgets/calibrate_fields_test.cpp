@@ -99,7 +99,7 @@ class CalibrateFieldsTest : public QObject {
     field("calibration_conditions")->setText(QString(50000, QLatin1Char('w')));
     c.click(c.page->acceptButton());
     const auto records = station::loadCalibrationRecords(c.profilePath());
-    QVERIFY2(records.has_value(), records ? "" : records.error().message.c_str());
+    QVERIFY2(records.has_value(), records ? "" : records.error().text().c_str());
     QCOMPARE(QString::fromStdString(records->front().who), who);
     QVERIFY(records->front().conditions.size() < 500);
     c.click(c.page->reportButton());

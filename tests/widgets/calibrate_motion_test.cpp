@@ -52,8 +52,8 @@ device::DeviceReport encoders(double stretch_deg) {
   const auto counts = [](double deg, double zero) {
     return std::fmod(std::round(zero + deg * control::kEncoderCountsPerDegree) + 4096.0, 4096.0);
   };
-  out.values.push_back({.name = "encoder 1", .number = counts(stretch_deg, 4000.0), .unit = "counts"});
-  out.values.push_back({.name = "encoder 2", .number = counts(stretch_deg, 700.0), .unit = "counts"});
+  out.values.push_back({.name = say("encoder {}", 1), .number = counts(stretch_deg, 4000.0), .unit = "counts"});
+  out.values.push_back({.name = say("encoder {}", 2), .number = counts(stretch_deg, 700.0), .unit = "counts"});
   return out;
 }
 
@@ -168,7 +168,8 @@ class CalibrateMotionTest : public QObject {
       c.readings(3);
     }
     QCOMPARE(c.page->points().size(), std::size_t{13});
-    c.session->test_status = {.running = false, .test = device::DeviceTest::sweep, .words = "finished"};
+    c.session->test_status = {
+        .running = false, .test = device::DeviceTest::sweep, .finished = true, .words = say("finished")};
     c.readings(1);
     QVERIFY2(c.page->hint().contains(QLatin1String("finished")), qPrintable(c.page->hint()));
     c.letGo();
@@ -298,7 +299,7 @@ class CalibrateMotionTest : public QObject {
 
   void everythingOnTheSimulatedTouchpad() {
     auto opened = console::openSession({});
-    QVERIFY2(opened.has_value(), opened ? "" : opened.error().message.c_str());
+    QVERIFY2(opened.has_value(), opened ? "" : opened.error().text().c_str());
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("profile.toml"));
     console::Session* session = opened->get();

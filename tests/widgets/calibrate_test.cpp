@@ -116,7 +116,7 @@ class CalibrateTest : public QObject {
     QVERIFY(c.page->points().empty());
     QVERIFY2(c.page->hint().contains(QLatin1String("Bridge moves by")), qPrintable(c.page->hint()));
     c.session->reports[0].ok = false;
-    c.session->reports[0].problem = "no answer";
+    c.session->reports[0].problem = verbatim("no answer");
     c.click(c.page->takeButton());
     QVERIFY2(c.page->hint().contains(QLatin1String("Touchpad does not answer: no answer")), qPrintable(c.page->hint()));
     c.session->reports = {touchpad(0.1)};

@@ -13,13 +13,14 @@ inline constexpr double kSlope_g = 900.0;  // of the cell that the test plays
 inline constexpr double kOffset_g = -10.0;
 
 inline device::DeviceReport touchpad(double bridge_mV_per_V, double ir_counts = 1500.0) {
-  device::DeviceReport out{.name = "Touchpad", .kind = "Modbus TCP", .description = "10.0.0.7:502"};
+  device::DeviceReport out{
+      .part = device::Part::touchpad, .kind = verbatim("Modbus TCP"), .description = verbatim("10.0.0.7:502")};
   out.ok = true;
   out.age_ms = 4.0;
   for (int i = 1; i <= 3; ++i) {
-    out.values.push_back({.name = fmt::format("IR sensor {}", i), .number = ir_counts, .unit = "counts"});
+    out.values.push_back({.name = say("IR sensor {}", i), .number = ir_counts, .unit = "counts"});
   }
-  out.values.push_back({.name = "load cell", .number = bridge_mV_per_V, .unit = "mV/V"});
+  out.values.push_back({.name = say("load cell"), .number = bridge_mV_per_V, .unit = "mV/V"});
   return out;
 }
 

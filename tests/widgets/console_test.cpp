@@ -139,7 +139,7 @@ class ConsoleTest : public QObject {
     const auto changed = [&](double value) {
       f.session->notices.push_back(
           {.event = {.kind = pipeline::EventKind::parameter_changed, .index = index, .value = value},
-           .text = "texture.k_vib"});
+           .message = verbatim("texture.k_vib")});
       f.window->feed().pump();
     };
     changed(1.1);
@@ -186,7 +186,7 @@ class ConsoleTest : public QObject {
       QCOMPARE(f.window->stateBar()->stateWord(), QLatin1String(word));
     }
     f.session->notices.push_back(
-        {.event = {.kind = pipeline::EventKind::tare_done, .value = 0.2}, .text = "Tare done."});
+        {.event = {.kind = pipeline::EventKind::tare_done, .value = 0.2}, .message = verbatim("Tare done.")});
     f.window->feed().pump();
     QCOMPARE(f.window->notices()->count(), 1);
     QCOMPARE(f.window->log()->lines(), 1);
@@ -196,7 +196,10 @@ class ConsoleTest : public QObject {
 
   void missingCameraTeaches() {
     Fixture f;
-    f.session->now.parts = {{.name = "Camera", .description = "device 7", .ok = false, .problem = "no such device"}};
+    f.session->now.parts = {{.part = device::Part::camera,
+                             .description = verbatim("device 7"),
+                             .ok = false,
+                             .problem = verbatim("no such device")}};
     f.window->feed().pump();
     QCOMPARE(f.window->operate()->camera()->figure(0), QStringLiteral("—"));
     QVERIFY(f.window->operate()->camera()->image()->emptyText().contains(QStringLiteral("device 7")));
@@ -287,7 +290,7 @@ class ConsoleTest : public QObject {
       const auto options = console::readOptions(QStringList{program} + wrong);
       QVERIFY(!options.has_value());
       const QString name = wrong.first().mid(wrong.first().startsWith(QLatin1String("--")) ? 2 : 0);
-      QVERIFY(QString::fromStdString(options.error().message).contains(name));
+      QVERIFY(QString::fromStdString(options.error().text()).contains(name));
     }
     const auto options = console::readOptions({program, QStringLiteral("--theme"), QStringLiteral("light")});
     QVERIFY(options.has_value() && options->theme == widgets::ThemeChoice::light && !options->station.record);
@@ -299,7 +302,7 @@ class ConsoleTest : public QObject {
          QStringLiteral("--record"), QStringLiteral("s.h5"), QStringLiteral("--operator"), QStringLiteral("MM"),
          QStringLiteral("--subject"), QStringLiteral("S07"), QStringLiteral("--tag"), QStringLiteral("pilot"),
          QStringLiteral("--tag"), QStringLiteral("left hand"), QStringLiteral("--page"), QStringLiteral("devices")});
-    QVERIFY2(more.has_value(), more ? "" : more.error().message.c_str());
+    QVERIFY2(more.has_value(), more ? "" : more.error().text().c_str());
     QCOMPARE(more->station.touchpad, std::string("modbus-tcp:10.0.0.7:502"));
     QCOMPARE(more->station.motors, std::string("qbmove:/dev/ttyUSB0"));
     QCOMPARE(more->station.surface, std::string("wood.toml"));

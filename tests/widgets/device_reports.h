@@ -6,14 +6,16 @@
 namespace fyd::tests {
 
 inline device::DeviceReport touchpad() {
-  device::DeviceReport out{.name = "Touchpad", .kind = "Modbus TCP", .description = "10.0.0.7:502, firmware 1.2"};
+  device::DeviceReport out{.part = device::Part::touchpad,
+                           .kind = verbatim("Modbus TCP"),
+                           .description = verbatim("10.0.0.7:502, firmware 1.2")};
   out.ok = true;
   out.rate_hz = 249.7;
   out.age_ms = 3.6;
-  out.values = {{.name = "IR sensor 1", .number = 2048.0, .unit = "counts"},
-                {.name = "load cell", .number = 0.12345, .unit = "mV/V"},
-                {.name = "motors", .text = "switched off"},
-                {.name = "current 1", .unit = "mA"}};
+  out.values = {{.name = say("IR sensor {}", 1), .number = 2048.0, .unit = "counts"},
+                {.name = say("load cell"), .number = 0.12345, .unit = "mV/V"},
+                {.name = say("motors"), .text = say("switched off")},
+                {.name = say("current {}", 1), .unit = "mA"}};
   return out;
 }
 

@@ -13,12 +13,15 @@ using pipeline::SafetyState;
 namespace {
 
 device::DeviceReport camera() {
-  device::DeviceReport out{.name = "Camera", .kind = "camera device", .description = "/dev/video0"};
-  out.problem = "no picture for 2.1 s; check the cable";
+  device::DeviceReport out{
+      .part = device::Part::camera, .kind = verbatim("camera device"), .description = verbatim("/dev/video0")};
+  out.problem = verbatim("no picture for 2.1 s; check the cable");
   out.errors = 3;
-  out.counters = {{.kind = "frozen picture", .count = 2}, {.kind = "no picture", .count = 1}, {.kind = "other"}};
-  out.controls = {{.name = "brightness", .wanted = 40.0, .actual = 40.0, .supported = true, .words = "set to 40 %"},
-                  {.name = "exposure", .words = "this source has none"}};
+  out.counters = {
+      {.kind = say("frozen picture"), .count = 2}, {.kind = say("no picture"), .count = 1}, {.kind = say("other")}};
+  out.controls = {
+      {.name = say("brightness"), .wanted = 40.0, .actual = 40.0, .supported = true, .words = say("set to 40 %")},
+      {.name = say("exposure"), .words = say("this source has none")}};
   return out;
 }
 
@@ -264,7 +267,7 @@ class FrameTest : public QObject {
             return {{.path = "/dev/serial/by-id/usb-x", .node = "/dev/ttyUSB0", .name = "x 1"}};
           }},
          {QStringLiteral("Camera"), QStringLiteral("Looking at cameras …"), [&]() -> std::vector<device::FoundDevice> {
-            return {{.path = "/dev/video0", .problem = "permission denied; join the group video"}};
+            return {{.path = "/dev/video0", .problem = verbatim("permission denied; join the group video")}};
           }}});
     f.window->frame()->go(QStringLiteral("devices"));  // looks by itself the first time
     WAIT_EQUAL(looks.load(), 1);

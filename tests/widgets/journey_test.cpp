@@ -234,7 +234,7 @@ void openTheRecording(const Day& day, const console::ReviewPage& page) {
 QString timeBetween(const session::Recording& recording, std::uint64_t first_row, std::size_t rows) {
   std::vector<pipeline::TelemetrySample> read(rows + 1);
   const auto done = recording.telemetry(first_row, read);
-  if (!done) return QString::fromStdString(done.error().message);
+  if (!done) return QString::fromStdString(done.error().text());
   const std::chrono::duration<double> between = read.back().now - read.front().now;
   return QStringLiteral("Δt %1 s").arg(between.count(), 0, 'f', 3);
 }
@@ -255,7 +255,7 @@ void review(const Day& day) {
   constexpr std::size_t kRowsBetween = 100;
   const double half_a_row_s = 0.0005;
   const auto first_row = page->recording()->rowAt(page->player()->time_s() - half_a_row_s);
-  QVERIFY2(first_row, first_row ? "" : first_row.error().message.c_str());
+  QVERIFY2(first_row, first_row ? "" : first_row.error().text().c_str());
   for (std::size_t i = 0; i < kRowsBetween; ++i) day.key(Qt::Key_Right);
   day.key(Qt::Key_BracketRight);
   page->curves()->redraw();

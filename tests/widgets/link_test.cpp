@@ -16,8 +16,8 @@ namespace {
 
 station::StationStatus classicStatus() {
   station::StationStatus out;
-  out.parts = {{.name = "Robot", .ok = true, .rate_hz = 998.6, .age_ms = 1.0}};
-  out.link = {.protocol = "classic, not secured",
+  out.parts = {{.part = device::Part::robot, .ok = true, .rate_hz = 998.6, .age_ms = 1.0}};
+  out.link = {.protocol = say("classic, not secured"),
               .secured = false,
               .local = "127.0.0.1:3490",
               .peer = "127.0.0.2:3490",
@@ -35,7 +35,7 @@ station::StationStatus classicStatus() {
 
 station::StationStatus sealedStatus() {
   station::StationStatus out = classicStatus();
-  out.link.protocol = "FYD Link 1, sealed";
+  out.link.protocol = say("FYD Link 1, sealed");
   out.link.secured = true;
   out.link.figures.round_trip_ms = 3.14;
   out.link.figures.loss_percent = 0.96;
@@ -94,7 +94,7 @@ class LinkTest : public QObject {
     QCOMPARE(valueOf(panel, "wrong key or damaged"), QStringLiteral("9"));
     QVERIFY(valueOf(panel, "out of turn").isEmpty());  // of the former link
     station::StationStatus without;
-    without.link.protocol = "none";
+    without.link.protocol = say("none");
     panel.setLink(console::toLink(without));
     QCOMPARE(panel.securityWord(), QStringLiteral("No link"));
     for (const char* label : {"State", "Robot", "Round trip", "Loss", "Messages", "Last message", "Received"}) {

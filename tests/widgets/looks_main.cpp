@@ -33,11 +33,11 @@ class LooksTest : public QObject {
     qputenv("XDG_DATA_HOME", f.folder.filePath(QStringLiteral("data")).toUtf8());
     f.window->resize(1280, 720);
     f.session->reports = {touchpad()};
-    f.session->now.parts = {{.name = "Touchpad", .ok = true, .rate_hz = 1000, .age_ms = 1},
-                            {.name = "Camera", .ok = true, .rate_hz = 30, .age_ms = 12},
-                            {.name = "Robot", .ok = true, .rate_hz = 1000, .age_ms = 2}};
+    f.session->now.parts = {{.part = device::Part::touchpad, .ok = true, .rate_hz = 1000, .age_ms = 1},
+                            {.part = device::Part::camera, .ok = true, .rate_hz = 30, .age_ms = 12},
+                            {.part = device::Part::robot, .ok = true, .rate_hz = 1000, .age_ms = 2}};
     f.session->now.link.local = "127.0.0.1:3490";
-    f.session->now.link.protocol = "classic, not secured";
+    f.session->now.link.protocol = say("classic, not secured");
     f.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
     f.session->view.number = 1;
     pipeline::TelemetrySample sample;

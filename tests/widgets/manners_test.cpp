@@ -4,8 +4,11 @@
 #include "app/console/language.h"
 #include "app/console/manual.h"
 #include "app/console/review_page.h"
+#include "core/device/serial_port.h"
+#include "core/pipeline/parameters.h"
 #include "core/station/notice.h"
 #include "tests/widgets/look_check.h"
+#include "tests/widgets/reviewing.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
 #include "widgets/core_text.h"
@@ -90,34 +93,67 @@ class MannersTest : public QObject {
         QVERIFY2(widgets::coreText(toString(lack)) != phrase, toString(lack).data());
         pipeline::Event event{.kind = pipeline::EventKind::state_changed, .state = pipeline::SafetyState::held};
         event.lack = lack;
-        const QString said = QString::fromStdString(station::describeEvent(event, {}));
-        const QString translated = widgets::coreText(said);
+        const QString translated = widgets::coreText(station::describeEvent(event, {}));
         QVERIFY2(!translated.contains(phrase) && translated.contains(widgets::coreText(toString(lack))),
                  qPrintable(translated));
       }
       const QString clamped =
-          widgets::coreText(QStringLiteral("The target is out of reach; rendering the nearest, 0.912 N/mm."));
+          widgets::coreText(station::describeEvent({.kind = pipeline::EventKind::target_clamped, .value = 0.912}, {}));
       QVERIFY2(clamped.contains(QLatin1String("0,912")) && !clamped.contains(QLatin1String("target")),
                qPrintable(clamped));
     }
     const Speaking italian("it");
-    QCOMPARE(widgets::coreText(QStringLiteral("what nobody: ever said")), QStringLiteral("what nobody: ever said"));
-    QCOMPARE(widgets::coreText(QStringLiteral("what nobody ever said")), QStringLiteral("what nobody ever said"));
-    QCOMPARE(widgets::coreText(QStringLiteral("/dev/%1: not open")), QStringLiteral("/dev/%1: non aperto"));
-    QCOMPARE(widgets::coreText(QStringLiteral("")), QString());
+    QCOMPARE(widgets::coreText(say("what nobody ever said: {}", 1.5)), QStringLiteral("what nobody ever said: 1,5"));
+    QCOMPARE(widgets::coreText("what nobody ever said"), QStringLiteral("what nobody ever said"));
+    QCOMPARE(widgets::coreText(verbatim("a {} 1.5 of others")), QStringLiteral("a {} 1.5 of others"));
+    QCOMPARE(widgets::coreText(say("{}: not open", "/dev/%1 {}")), QStringLiteral("/dev/%1 {}: non aperto"));
+    QCOMPARE(widgets::coreText(Message{}), QString());
   }
 
   void aDevicesFailureIsTranslatedWithItsValues() {
     const Speaking french("fr");
-    const auto said = [](const char* english) { return widgets::coreText(QString::fromUtf8(english)); };
-    QCOMPARE(said("/dev/ttyUSB0: in use by another program (\"fuser /dev/ttyUSB0\" names it)"),
+    const auto said = [](const Message& message) { return widgets::coreText(message); };
+    QCOMPARE(said(device::explainPort("/dev/ttyUSB0", EBUSY)),
              QString::fromUtf8("/dev/ttyUSB0 : utilisé par un autre programme (« fuser /dev/ttyUSB0 » le nomme)"));
-    QCOMPARE(said("10.0.0.7:502: reading at register 5: exception 3: it refuses the value"),
-             QString::fromUtf8("10.0.0.7:502 : reading at register 5 : exception 3 : il refuse la valeur"));
+    QCOMPARE(said(say("{}: {} at register {}: {}", "10.0.0.7:502", say("reading"), 5,
+                      say("exception 3: it refuses the value"))),
+             QString::fromUtf8("10.0.0.7:502 : lecture au registre 5 : exception 3 : il refuse la valeur"));
     QCOMPARE(
-        said("the touchpad's motors are in the state fault (heartbeat lost): stop, then arm again"),
+        said(say("{}: stop, then arm again",
+                 explained(say("the touchpad's motors are in the state {}", say("fault")), say("heartbeat lost")))),
         QString::fromUtf8("les moteurs du touchpad sont dans l'état défaut (battement perdu) : arrêter, puis armer de "
                           "nouveau"));
+  }
+
+  void whatARecordingHoldsOfEventsIsSaidInTheWindowsLanguage() {
+    const Speaking italian("it");
+    ReviewFixture f;
+    f.openByPath(makeRecording(f.folder, QStringLiteral("tared.h5"), kPress, false, true));
+    QStringList said;
+    for (int i = 0; i < f.page->notes()->rowCount(); ++i) {
+      for (int c = 0; c < f.page->notes()->columnCount(); ++c) {
+        if (f.page->notes()->item(i, c) != nullptr) said << f.page->notes()->item(i, c)->text();
+      }
+    }
+    const QString all = said.join(QLatin1Char('\n'));
+    QVERIFY2(all.contains(QStringLiteral("Tara non riuscita")), qPrintable(all));
+    QVERIFY2(all.contains(widgets::coreText(toString(sensing::TareState::touched))), qPrintable(all));
+    QVERIFY2(!all.contains(QLatin1String("touched")), qPrintable(all));
+  }
+
+  void aTranslationThatDoesNotFitItsValuesIsNotUsed() {
+    struct Wrong : QTranslator {
+      bool isEmpty() const override { return false; }
+      QString translate(const char*, const char* text, const char*, int) const override {
+        if (QLatin1String(text) == QLatin1String("{} of {:.1f} N")) return QStringLiteral("{1:.1f} N, {0}");
+        return QLatin1String(text) == QLatin1String("{} of {} N") ? QStringLiteral("soltanto {}") : QString();
+      }
+    };
+    Wrong wrong;
+    QCoreApplication::installTranslator(&wrong);
+    QCOMPARE(widgets::coreText(say("{} of {:.1f} N", 2, 1.25)), QStringLiteral("1.2 N, 2"));
+    QCOMPARE(widgets::coreText(say("{} of {} N", 2, 1.25)), QStringLiteral("2 of 1.25 N"));
+    QCoreApplication::removeTranslator(&wrong);
   }
 
   void thePaletteNamesKeysAsTheMenusDo() {
@@ -155,8 +191,12 @@ class MannersTest : public QObject {
       }
     }
     const Speaking italian("it");
-    QCOMPARE(widgets::coreText(QStringLiteral("control.kd = 99.5: expected a number from 0 to 20.5 s")),
-             QStringLiteral("control.kd = 99,5: atteso un numero da 0 a 20.5 s"));
+    pipeline::Parameters parameters;
+    const auto bound = bindParameters(parameters);
+    const auto refused = checkParameter(*findParameter(bound, "control.kd"), 99.5);
+    QVERIFY(!refused);
+    const QString said = widgets::coreText(refused.error().message);
+    QVERIFY2(said.startsWith(QStringLiteral("control.kd = 99,5: atteso un numero da 0 a ")), qPrintable(said));
   }
 
   void theLanguageIsTheWantedOneTheKeptOneOrTheSystems() {

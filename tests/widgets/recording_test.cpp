@@ -169,7 +169,7 @@ class RecordingTest : public QObject {
     f.session->refuses = false;
     QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
     f.session->recorder.state = RecorderState::failed;
-    f.session->recorder.problem = "the disk is full; what was written is safe; free some space";
+    f.session->recorder.problem = verbatim("the disk is full; what was written is safe; free some space");
     f.window->feed().pump();
     f.window->feed().pump();
     QVERIFY(f.told().contains(QStringLiteral("free some space")));

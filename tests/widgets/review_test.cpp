@@ -99,7 +99,7 @@ class ReviewTest : public QObject {
     f.key(Qt::Key_B);
     QCOMPARE(f.page->notes()->rowCount(), 2);
     const auto notes = session::readReviewNotes(f.path.toStdString());
-    QVERIFY2(notes, notes ? "" : notes.error().message.c_str());
+    QVERIFY2(notes, notes ? "" : notes.error().text().c_str());
     QCOMPARE(notes->size(), std::size_t{2});
     QCOMPARE(QString::fromStdString(notes->front().text), QStringLiteral("feels soft <b>"));
     recording.seek(0);

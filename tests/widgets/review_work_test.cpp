@@ -205,7 +205,7 @@ class ReviewWorkTest : public QObject {
     const QString file = makeRecording(f.folder, QStringLiteral("crashed/killed.h5"), kPress, true);
     {
       auto catalogue = session::Catalogue::open({});
-      QVERIFY2(catalogue, catalogue ? "" : catalogue.error().message.c_str());
+      QVERIFY2(catalogue, catalogue ? "" : catalogue.error().text().c_str());
       QVERIFY(catalogue->addFolder(f.folder.filePath(QStringLiteral("crashed")).toStdString()));
     }
     f.page->list()->look();

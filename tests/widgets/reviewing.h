@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/review_page.h"
+#include "core/sensing/tare.h"
 #include "core/session/recording_writer.h"
 #include "tests/widgets/scripted_session.h"
 
@@ -28,7 +29,7 @@ inline session::StepRecord row(std::uint64_t i, std::uint64_t press) {
 
 /// What a recorder leaves: `name`, or `name`.partial when it was killed.
 inline QString makeRecording(const QTemporaryDir& folder, const QString& name, std::uint64_t press = kPress,
-                             bool killed = false) {
+                             bool killed = false, bool tared = false) {
   const QString path = folder.filePath(name);
   session::RecordingHeader header{.id = std::string(32, 'a'),
                                   .started_utc = "2026-11-21T10:00:00.000Z",
@@ -36,9 +37,15 @@ inline QString makeRecording(const QTemporaryDir& folder, const QString& name, s
                                   .operator_name = "M. Muster",
                                   .subject = "S07"};
   auto writer = session::RecordingWriter::create(path.toStdString(), header);
-  if (!writer) qFatal("%s", writer.error().message.c_str());
+  if (!writer) qFatal("%s", writer.error().text().c_str());
   bool good = true;
-  for (std::uint64_t i = 0; i < kRows; ++i) good = good && (*writer)->append(row(i, press)).has_value();
+  for (std::uint64_t i = 0; i < kRows; ++i) {
+    session::StepRecord record = row(i, press);
+    const pipeline::Event touched{.kind = pipeline::EventKind::tare_failed,
+                                  .value = static_cast<double>(sensing::TareState::touched)};
+    if (tared && i == kSpike) good = good && record.events.push(touched);
+    good = good && (*writer)->append(record).has_value();
+  }
   if (!killed) good = good && (*writer)->close().has_value();
   if (!good) qFatal("the recording could not be written");
   return killed ? path + QStringLiteral(".partial") : path;

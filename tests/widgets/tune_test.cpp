@@ -37,7 +37,7 @@ struct TuneFixture : Fixture {
   void answer(const char* id, double value, pipeline::EventKind kind = pipeline::EventKind::parameter_changed) const {
     const auto bound = bindParameters(session->profile);
     const auto index = static_cast<std::uint16_t>(findParameter(bound, id) - bound.data());
-    session->notices.push_back({.event = {.kind = kind, .index = index, .value = value}, .text = id});
+    session->notices.push_back({.event = {.kind = kind, .index = index, .value = value}, .message = verbatim(id)});
     window->feed().pump();
   }
   [[nodiscard]] QString mark(const char* id) const { return page->list()->row(QLatin1String(id))->mark()->text(); }
@@ -362,10 +362,10 @@ class TuneTest : public QObject {
 
   void whatTheDevicesReadBackStandsBesideWhatWasAsked() {
     TuneFixture f;
-    device::DeviceReport camera{.name = "Camera"};
-    camera.controls = {{.name = "brightness", .wanted = 40.0, .actual = 40.0, .supported = true},
-                       {.name = "contrast", .wanted = 40.0, .actual = 55.0, .supported = true},
-                       {.name = "exposure", .wanted = 40.0}};
+    device::DeviceReport camera{.part = device::Part::camera};
+    camera.controls = {{.name = say("brightness"), .wanted = 40.0, .actual = 40.0, .supported = true},
+                       {.name = say("contrast"), .wanted = 40.0, .actual = 55.0, .supported = true},
+                       {.name = say("exposure"), .wanted = 40.0}};
     f.session->reports = {camera};
     pipeline::TelemetrySample sample;
     sample.now = instantAt(0.001);
@@ -390,17 +390,17 @@ class TuneTest : public QObject {
 
   void readinessSaysWhyAndHowAndLeadsToWhereItIsMended() {
     Fixture f;
-    f.session->lines = {{.what = "Motors answer",
+    f.session->lines = {{.what = say("Motors answer"),
                          .ok = false,
-                         .why = "the motor board is silent",
-                         .remedy = "Check the touchpad's power and its serial cable.",
+                         .why = say("the motor board is silent"),
+                         .remedy = say("Check the touchpad's power and its serial cable."),
                          .lack = pipeline::Lack::motors_stale},
-                        {.what = "Stiffness target known",
+                        {.what = say("Stiffness target known"),
                          .ok = false,
-                         .why = "no stiffness target",
-                         .remedy = "Choose the robot's stiffness or set one by hand.",
+                         .why = say("no stiffness target"),
+                         .remedy = say("Choose the robot's stiffness or set one by hand."),
                          .lack = pipeline::Lack::no_target},
-                        {.what = "Camera sees", .ok = true}};
+                        {.what = say("Camera sees"), .ok = true}};
     f.window->feed().pump();
     const widgets::ReadinessList* list = f.window->operate()->readiness();
     QVERIFY2(list->title().contains(QStringLiteral("1/3")), qPrintable(list->title()));

@@ -40,7 +40,7 @@ double bareStep_x(const std::vector<pipeline::Inputs>& inputs) {
 }
 
 std::vector<std::string> row(const std::string& name, const Result<session::ReplayResult>& result, double baseline_x) {
-  if (!result) return {name, result.error().message, "—", "—", "—"};
+  if (!result) return {name, result.error().text(), "—", "—", "—"};
   return {name, number(result->speed_x), number(result->speed_x / baseline_x),
           number(static_cast<double>(result->different)), number(result->max_abs_difference)};
 }
@@ -60,7 +60,7 @@ Table bench_replay() {
                         "system's cache. With another gain the steps differ, as they should."}};
   auto recording = session::Recording::open(path);
   if (!recording) {
-    table.rows.push_back({recording.error().message, "—", "—", "—", "—"});
+    table.rows.push_back({recording.error().text(), "—", "—", "—", "—"});
     return table;
   }
   table.rows.push_back(row("replay, compared bit for bit", session::replay(**recording, {}), bare_x));

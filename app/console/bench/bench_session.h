@@ -72,7 +72,8 @@ class BusySession : public Session {
             .number = number};
   }
   station::StationStatus status() const override {
-    return {.parts = {{.name = "Touchpad", .ok = true, .rate_hz = 250}, {.name = "Camera", .ok = true, .rate_hz = 30}},
+    return {.parts = {{.part = device::Part::touchpad, .ok = true, .rate_hz = 250},
+                      {.part = device::Part::camera, .ok = true, .rate_hz = 30}},
             .loop = {},
             .link = {}};
   }

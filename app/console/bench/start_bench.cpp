@@ -30,7 +30,7 @@ double sinceStart_ms() {
 std::vector<Row> startRows(const Settings&) {
   auto session = openSession({});
   if (!session) {
-    std::fprintf(stderr, "%s\n", session.error().message.c_str());
+    std::fprintf(stderr, "%s\n", session.error().text().c_str());
     return {};
   }
   QTemporaryDir folder;

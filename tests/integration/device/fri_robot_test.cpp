@@ -53,7 +53,7 @@ class Fri : public ::testing::Test {
   }
   std::string reason(const Vec3& target = {}) {
     const auto result = cycle(target);
-    return result ? std::string("follows") : result.error().message;
+    return result ? std::string("follows") : result.error().text();
   }
   void send() {
     ASSERT_EQ(krc.send(protocol::encodeFriMeasurement(measurement), robot->local()), protocol::SendOutcome::sent);
@@ -132,7 +132,7 @@ TEST_F(Fri, ReadsPositionForceAndAccelerationInOurFrame) {
 
 TEST_F(Fri, SaysInWordsWhyTheArmDoesNotFollow) {
   open();
-  EXPECT_THAT(robot->exchange({}, now).error().message, HasSubstr("KRC: nothing heard on 127.0.0.1:"));
+  EXPECT_THAT(robot->exchange({}, now).error().text(), HasSubstr("KRC: nothing heard on 127.0.0.1:"));
   EXPECT_THAT(reason(), HasSubstr("KRC off"));
   measurement.state = FriState::monitor;
   EXPECT_THAT(reason(), HasSubstr("KRC in monitor mode"));
@@ -151,7 +151,7 @@ TEST_F(Fri, SaysInWordsWhyTheArmDoesNotFollow) {
   EXPECT_THAT(reason(), HasSubstr("just begun"));
   EXPECT_EQ(reason(), "follows");
   now += std::chrono::milliseconds(300);
-  EXPECT_THAT(robot->exchange({}, now).error().message, HasSubstr("KRC silent for 300 ms"));
+  EXPECT_THAT(robot->exchange({}, now).error().text(), HasSubstr("KRC silent for 300 ms"));
 }
 
 TEST_F(Fri, ATargetThatIsNoNumberIsRefusedAndTheArmBrakes) {

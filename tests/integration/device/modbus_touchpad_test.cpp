@@ -36,23 +36,23 @@ TEST(ModbusTouchpad, ReadsAHealthyDevice) {
   Client ask(device);
   const Instant before = Clock::now();
   const auto readings = ask();
-  ASSERT_TRUE(readings) << readings.error().message;
+  ASSERT_TRUE(readings) << readings.error().text();
   EXPECT_EQ(readings->ir.value[1], 2000);
   EXPECT_EQ(readings->bridge.value.value_mV_per_V, 0.25);
   // Seven milliseconds before it answered, which was after `before` and is over.
   EXPECT_GE(readings->ir.taken, before - std::chrono::milliseconds(7));
   EXPECT_LE(readings->ir.taken, Clock::now() - std::chrono::milliseconds(7));
-  EXPECT_THAT(ask.touchpad.description(), HasSubstr("SCRIPTED"));
+  EXPECT_THAT(ask.touchpad.description().text(), HasSubstr("SCRIPTED"));
 }
 
 TEST(ModbusTouchpad, WrongMagicVersionAndOutfitAreNamed) {
   ScriptedModbusDevice device(kGood);
   device.identity.magic = 0xDEADBEEF;
   Client ask(device);
-  EXPECT_THAT(ask().error().message, HasSubstr("0xDEADBEEF"));
+  EXPECT_THAT(ask().error().text(), HasSubstr("0xDEADBEEF"));
   device.identity.magic = protocol::kMapMagic;
   device.identity.map_version = 0x0203;
-  EXPECT_THAT(ask().error().message, HasSubstr("register map 2.3"));
+  EXPECT_THAT(ask().error().text(), HasSubstr("register map 2.3"));
   device.identity.map_version = 0x0109;
   EXPECT_TRUE(ask()) << "a newer minor version is read";
 }
@@ -61,7 +61,7 @@ TEST(ModbusTouchpad, AnOutfitItDoesNotKnowIsNamed) {
   ScriptedModbusDevice device(kGood);
   device.identity.ir_sensors = 5;
   Client ask(device);
-  EXPECT_THAT(ask().error().message, HasSubstr("5 IR sensors"));
+  EXPECT_THAT(ask().error().text(), HasSubstr("5 IR sensors"));
 }
 
 TEST(ModbusTouchpad, AnotherTouchpadInItsPlaceIsRefused) {
@@ -70,7 +70,7 @@ TEST(ModbusTouchpad, AnotherTouchpadInItsPlaceIsRefused) {
   ASSERT_TRUE(ask());
   device.identity.setSerial("OTHER");
   ASSERT_FALSE(ask());
-  EXPECT_THAT(ask().error().message, HasSubstr("another touchpad answers: 'OTHER', expected 'SCRIPTED'"));
+  EXPECT_THAT(ask().error().text(), HasSubstr("another touchpad answers: 'OTHER', expected 'SCRIPTED'"));
   device.identity.setSerial("SCRIPTED");
   EXPECT_TRUE(ask());
 }
@@ -78,7 +78,7 @@ TEST(ModbusTouchpad, AnotherTouchpadInItsPlaceIsRefused) {
 TEST(ModbusTouchpad, TheConfiguredSerialNumberIsCheckedFromTheStart) {
   ScriptedModbusDevice device(kGood);
   ModbusTouchpad wrong(*parseModbusAddress(device.address() + ",serial=FYD-7"), waiting());
-  EXPECT_THAT(wrong.exchange({}, Clock::now()).error().message, HasSubstr("expected 'FYD-7'"));
+  EXPECT_THAT(wrong.exchange({}, Clock::now()).error().text(), HasSubstr("expected 'FYD-7'"));
   ModbusTouchpad right(*parseModbusAddress(device.address() + ",serial=SCRIPTED"), waiting());
   EXPECT_TRUE(right.exchange({}, Clock::now()));
 }
@@ -114,7 +114,7 @@ TEST(ModbusTouchpad, ATemperatureThatNoMotorHasIsRefusedWithItsValue) {
   });
   Client ask(device);
   ASSERT_TRUE(ask());
-  EXPECT_THAT(ask().error().message, HasSubstr("motor temperatures 3276.7, 0.0 °C, expected -40 to 200"));
+  EXPECT_THAT(ask().error().text(), HasSubstr("motor temperatures 3276.7, 0.0 °C, expected -40 to 200"));
   EXPECT_TRUE(ask());
 }
 
@@ -130,16 +130,16 @@ TEST(ModbusTouchpad, ADeviceThatDoesNotObeyIsNeverDrivenAndItsMotorsAreWithheld)
   const std::uint64_t before = ask(true)->motors.count;
   obeys = false;
   EXPECT_EQ(ask(true)->motors.count, before);
-  EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("does not obey"));
+  EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("does not obey"));
   obeys = true;
   for (int i = 0; i < 20; ++i) EXPECT_EQ(ask(true)->motors.count, before) << "until the command has been inactive";
   EXPECT_NE(device.drive.state(), protocol::DriveState::operation_enabled);
   EXPECT_GT(ask(false)->motors.count, before);
-  EXPECT_EQ(ask.touchpad.complaint(), "");
+  EXPECT_EQ(ask.touchpad.complaint().text(), "");
   obeys = false;  // while the motors are off: not ready, and said
   const std::uint64_t idle = ask(false)->motors.count;
   EXPECT_EQ(ask(false)->motors.count, idle);
-  EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("set it to remote"));
+  EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("set it to remote"));
 }
 
 TEST(ModbusTouchpad, ASetOfValuesThatStandsStillMakesTheMotorsOldThoughEveryAnswerIsFresh) {
@@ -164,10 +164,10 @@ TEST(ModbusTouchpad, ASetOfValuesThatStandsStillMakesTheMotorsOldThoughEveryAnsw
       ASSERT_EQ(readings->motors.count, before);
       ASSERT_EQ(readings->ir.taken, now) << "what has a count of its own goes by that";
     }
-    EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("stands still"));
+    EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("stands still"));
     frozen = false;
     EXPECT_GT(ask()->motors.count, before);
-    EXPECT_EQ(ask.touchpad.complaint(), "");
+    EXPECT_EQ(ask.touchpad.complaint().text(), "");
   }
 }
 
@@ -181,7 +181,7 @@ TEST(ModbusTouchpad, EveryExceptionIsNamedAndTheNextCycleGoesOn) {
     ASSERT_TRUE(ask());
     const auto refused = ask();
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message, HasSubstr(text));
+    EXPECT_THAT(refused.error().text(), HasSubstr(text));
     EXPECT_TRUE(ask());
     EXPECT_EQ(ask.touchpad.counters().connections, 1U);
   }
@@ -205,7 +205,7 @@ TEST(ModbusTouchpad, ABlockThatIsAlwaysTornIsAnError) {
     return 0;
   });
   Client ask(device);
-  EXPECT_THAT(ask().error().message, HasSubstr("sequence numbers"));
+  EXPECT_THAT(ask().error().text(), HasSubstr("sequence numbers"));
 }
 
 TEST(ModbusTouchpad, AStaleAnswerIsNeverTaken) {
@@ -224,7 +224,7 @@ TEST(ModbusTouchpad, ComesBackAfterEachOfTwoHundredBrokenTransactions) {
   Client ask(device);
   for (int i = 0; i < 200; ++i) {
     const auto good = ask();
-    ASSERT_TRUE(good) << i << ": " << good.error().message;
+    ASSERT_TRUE(good) << i << ": " << good.error().text();
     ASSERT_FALSE(ask()) << i;
   }
   EXPECT_EQ(ask.touchpad.counters().connections, 200U);
@@ -234,7 +234,7 @@ TEST(ModbusTouchpad, ASilentDeviceIsNamedWithinTheTimeOutAndComesBack) {
   ScriptedModbusDevice device([](ScriptedModbusDevice&, int n) { return n == 2 ? ScriptedModbusDevice::kSilence : 0; });
   Client ask(device, waiting(500.0));
   ASSERT_TRUE(ask());
-  EXPECT_THAT(ask().error().message, HasSubstr("no answer in 500 ms"));
+  EXPECT_THAT(ask().error().text(), HasSubstr("no answer in 500 ms"));
   EXPECT_TRUE(ask());
 }
 
@@ -244,7 +244,7 @@ TEST(ModbusTouchpad, MotorsAreSwitchedOnByARisingCommandOnly) {
   ASSERT_TRUE(ask());
   for (int i = 0; i < 6; ++i) ASSERT_TRUE(ask(true));
   EXPECT_EQ(protocol::driveStateOf(ask.touchpad.state().status_word), protocol::DriveState::operation_enabled);
-  EXPECT_EQ(ask.touchpad.complaint(), "");
+  EXPECT_EQ(ask.touchpad.complaint().text(), "");
 }
 
 TEST(ModbusTouchpad, ADriveThatSwitchedItselfOffStaysOffUntilTheCommandHasBeenInactive) {
@@ -260,11 +260,11 @@ TEST(ModbusTouchpad, ADriveThatSwitchedItselfOffStaysOffUntilTheCommandHasBeenIn
   const auto after = ask(true);
   ASSERT_TRUE(after);
   EXPECT_EQ(after->motors.count, before) << "withheld, so that the step holds";
-  EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("over-temperature"));
+  EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("over-temperature"));
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(ask(true));
   EXPECT_EQ(device.drive.state(), protocol::DriveState::fault);
   ASSERT_TRUE(ask(false));
-  EXPECT_EQ(ask.touchpad.complaint(), "");
+  EXPECT_EQ(ask.touchpad.complaint().text(), "");
   for (int i = 0; i < 8; ++i) ASSERT_TRUE(ask(true));
   EXPECT_EQ(device.drive.state(), protocol::DriveState::operation_enabled);
 }
@@ -276,7 +276,7 @@ TEST(ModbusTouchpad, ACommandThatTurnedActiveWhileTheDeviceWasAwayNeverMovesIt) 
   ASSERT_FALSE(ask(true));
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(ask(true));
   EXPECT_EQ(device.drive.state(), protocol::DriveState::switch_on_disabled);
-  EXPECT_THAT(ask.touchpad.complaint(), HasSubstr("stop, then arm again"));
+  EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("stop, then arm again"));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(Endpoint, ReadsAndWritesBothFamilies) {
 }
 
 TEST(Endpoint, SaysWhichPartIsWrong) {
-  const auto message = [](std::string_view address) { return parseEndpoint(address).error().message; };
+  const auto message = [](std::string_view address) { return parseEndpoint(address).error().text(); };
   EXPECT_THAT(message("127.0.0.1"), ::testing::HasSubstr("no port"));
   EXPECT_THAT(message("127.0.0.1:"), ::testing::HasSubstr("port \"\""));
   EXPECT_THAT(message("127.0.0.1:65536"), ::testing::HasSubstr("port \"65536\""));
@@ -50,8 +50,8 @@ TEST(UdpSocket, PortThatIsTakenIsNamedWithTheReason) {
   const UdpSocket first = opened("127.0.0.1:0");
   const auto second = UdpSocket::open(first.local());
   ASSERT_FALSE(second);
-  EXPECT_THAT(second.error().message, ::testing::HasSubstr(toString(first.local())));
-  EXPECT_THAT(second.error().message, ::testing::HasSubstr("another program holds the port"));
+  EXPECT_THAT(second.error().text(), ::testing::HasSubstr(toString(first.local())));
+  EXPECT_THAT(second.error().text(), ::testing::HasSubstr("another program holds the port"));
   Endpoint other_address = first.local();
   other_address.address[3] = 2;  // 127.0.0.2, the same port: both ends on one host
   EXPECT_TRUE(UdpSocket::open(other_address));
@@ -60,7 +60,7 @@ TEST(UdpSocket, PortThatIsTakenIsNamedWithTheReason) {
 TEST(UdpSocket, AddressThatIsNotThisMachinesIsRefused) {
   const auto socket = UdpSocket::open(parseEndpoint("192.0.2.1:0").value());
   ASSERT_FALSE(socket);
-  EXPECT_THAT(socket.error().message, ::testing::HasSubstr("UDP 192.0.2.1:0"));
+  EXPECT_THAT(socket.error().text(), ::testing::HasSubstr("UDP 192.0.2.1:0"));
 }
 
 TEST(UdpSocket, CarriesDatagramsOfEverySizeIncludingNone) {
@@ -104,7 +104,7 @@ TEST(UdpSocket, PortNobodyListensOnIsNoFailureOfTheReceiver) {
 
 TEST(UdpSocket, WorksOverIpv6) {
   auto a = UdpSocket::open(parseEndpoint("[::1]:0").value());
-  if (!a) GTEST_SKIP() << "no IPv6 here: " << a.error().message;
+  if (!a) GTEST_SKIP() << "no IPv6 here: " << a.error().text();
   UdpSocket b = opened("[::1]:0");
   std::vector<std::uint8_t> buffer(100);
   ASSERT_EQ(a->send(std::array<std::uint8_t, 1>{7}, b.local()), SendOutcome::sent);

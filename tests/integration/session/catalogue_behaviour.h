@@ -11,7 +11,7 @@ namespace fyd::session {
 
 inline std::vector<std::string> idsOf(const Result<std::vector<CatalogueEntry>>& found) {
   std::vector<std::string> out;
-  if (!found) return {found.error().message};
+  if (!found) return {found.error().text()};
   for (const CatalogueEntry& entry : *found) out.push_back(entry.id);
   return out;
 }
@@ -20,7 +20,7 @@ inline void checkStoresAndFinds(const std::string& word) {
   using testing::ElementsAre;
   using testing::IsEmpty;
   auto opened = Catalogue::open(word);
-  ASSERT_TRUE(opened) << opened.error().message;
+  ASSERT_TRUE(opened) << opened.error().text();
   Catalogue& catalogue = *opened;
 
   CatalogueEntry first = entryOf("aaaa1111");
@@ -39,7 +39,7 @@ inline void checkStoresAndFinds(const std::string& word) {
   EXPECT_EQ(catalogue.count({}).value(), 2);
 
   const auto back = catalogue.get("aaaa1111");
-  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_TRUE(back) << back.error().text();
   EXPECT_EQ(back->subject, first.subject);
   EXPECT_EQ(back->notes, first.notes);
   EXPECT_EQ(back->duration_s, first.duration_s) << "to the last bit";
@@ -47,7 +47,7 @@ inline void checkStoresAndFinds(const std::string& word) {
   EXPECT_THAT(back->tags, ElementsAre("Cotton", "pilot"));
   EXPECT_EQ(catalogue.get("aaaa2222")->wholeness, Wholeness::crashed);
   EXPECT_EQ(catalogue.get("aaaa11")->id, "aaaa1111");
-  EXPECT_THAT(catalogue.get("aaaa").error().message, testing::HasSubstr("several"));
+  EXPECT_THAT(catalogue.get("aaaa").error().text(), testing::HasSubstr("several"));
   EXPECT_FALSE(catalogue.get("bbbb"));
   EXPECT_FALSE(catalogue.get("aaa%"));
 
@@ -104,10 +104,10 @@ inline void checkTwoWriters(const std::string& word) {
   const auto writer = [&word](char letter) {
     return inProcess([&word, letter] {
       auto catalogue = Catalogue::open(word);
-      if (!catalogue) return fprintf(stderr, "%s\n", catalogue.error().message.c_str()), false;
+      if (!catalogue) return fprintf(stderr, "%s\n", catalogue.error().text().c_str()), false;
       for (int i = 0; i < 200; ++i) {
         const auto added = catalogue->add(entryOf(fmt::format("{}-{:04}", letter, i)));
-        if (!added) return fprintf(stderr, "%s\n", added.error().message.c_str()), false;
+        if (!added) return fprintf(stderr, "%s\n", added.error().text().c_str()), false;
       }
       return true;
     });
@@ -117,7 +117,7 @@ inline void checkTwoWriters(const std::string& word) {
   EXPECT_TRUE(succeeded(one));
   EXPECT_TRUE(succeeded(two));
   auto catalogue = Catalogue::open(word);
-  ASSERT_TRUE(catalogue) << catalogue.error().message;
+  ASSERT_TRUE(catalogue) << catalogue.error().text();
   EXPECT_EQ(catalogue->count({}).value(), 400);
   EXPECT_EQ(catalogue->count({.tags = {"pilot", "cotton"}}).value(), 400) << "with their tags";
 }

@@ -46,7 +46,7 @@ TEST_F(ArchiveMove, MovesTheWholeFileAndTellsTheCatalogueFirst) {
     both = fs::exists(source) && readText(now) == content;
     return {};
   });
-  ASSERT_TRUE(moved) << moved.error().message;
+  ASSERT_TRUE(moved) << moved.error().text();
   EXPECT_TRUE(both) << "the source goes last";
   EXPECT_EQ(moved->bytes, content.size());
   EXPECT_FALSE(fs::exists(source));
@@ -56,7 +56,7 @@ TEST_F(ArchiveMove, MovesTheWholeFileAndTellsTheCatalogueFirst) {
 
 TEST_F(ArchiveMove, AnotherFileOfTheNameIsNeverTouched) {
   writeText(target + "/a.h5", "somebody's");
-  EXPECT_THAT(moveFile(source, target, kAccept).error().message, HasSubstr("another file of this name"));
+  EXPECT_THAT(moveFile(source, target, kAccept).error().text(), HasSubstr("another file of this name"));
   EXPECT_EQ(readText(target + "/a.h5"), "somebody's");
   EXPECT_EQ(readText(source), content);
   std::string other = content;
@@ -69,21 +69,21 @@ TEST_F(ArchiveMove, AnotherFileOfTheNameIsNeverTouched) {
 TEST_F(ArchiveMove, ACatalogueThatRefusesKeepsBothAndAskingAgainFinishes) {
   const auto refused = moveFile(source, target, [](const std::string&) { return Result<void>(fail("server away")); });
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("server away"));
+  EXPECT_THAT(refused.error().text(), HasSubstr("server away"));
   EXPECT_EQ(readText(source), content);
   EXPECT_EQ(readText(target + "/a.h5"), content);
   const auto again = moveFile(source, target, kAccept);
-  ASSERT_TRUE(again) << again.error().message;
+  ASSERT_TRUE(again) << again.error().text();
   EXPECT_TRUE(again->was_there);
   EXPECT_FALSE(fs::exists(source));
 }
 
 TEST_F(ArchiveMove, AFolderThatIsGoneOrNoneOrTheSameIsNamed) {
-  EXPECT_THAT(moveFile(source, path("away"), kAccept).error().message, HasSubstr("stays at"));
-  EXPECT_THAT(moveFile(source, source, kAccept).error().message, HasSubstr("expected a folder"));
-  EXPECT_THAT(moveFile(source, folder_.string(), kAccept).error().message, HasSubstr("already in"));
-  EXPECT_THAT(moveFile(path("none.h5"), target, kAccept).error().message, HasSubstr("none.h5"));
-  EXPECT_THAT(moveFile(target, folder_.string(), kAccept).error().message, HasSubstr("ordinary file"));
+  EXPECT_THAT(moveFile(source, path("away"), kAccept).error().text(), HasSubstr("stays at"));
+  EXPECT_THAT(moveFile(source, source, kAccept).error().text(), HasSubstr("expected a folder"));
+  EXPECT_THAT(moveFile(source, folder_.string(), kAccept).error().text(), HasSubstr("already in"));
+  EXPECT_THAT(moveFile(path("none.h5"), target, kAccept).error().text(), HasSubstr("none.h5"));
+  EXPECT_THAT(moveFile(target, folder_.string(), kAccept).error().text(), HasSubstr("ordinary file"));
   EXPECT_EQ(readText(source), content);
 }
 
@@ -93,7 +93,7 @@ TEST_F(ArchiveMove, AFolderThatMayNotBeWrittenKeepsTheSource) {
                   fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
   EXPECT_TRUE(unprivileged([&] {
     const auto moved = moveFile(source, target, kAccept);
-    return !moved && moved.error().message.find("cannot be written") != std::string::npos;
+    return !moved && moved.error().text().find("cannot be written") != std::string::npos;
   }));
   EXPECT_EQ(readText(source), content);
   EXPECT_THAT(stored(), IsEmpty());
@@ -105,7 +105,7 @@ TEST_F(ArchiveMove, AStorageThatFillsUpKeepsTheSourceAndLeavesNoRest) {
     const rlimit limit{1'500'000, 1'500'000};
     setrlimit(RLIMIT_FSIZE, &limit);
     const auto moved = moveFile(source, target, kAccept);
-    return !moved && moved.error().message.find("writing failed") != std::string::npos;
+    return !moved && moved.error().text().find("writing failed") != std::string::npos;
   })));
   EXPECT_EQ(readText(source), content);
   EXPECT_THAT(stored(), IsEmpty());
@@ -138,7 +138,7 @@ TEST_F(ArchiveMove, ACopyThatReadsBackDifferentlyKeepsTheSource) {
     const auto moved = moveFile(source, target, kAccept);
     kill(storage, SIGKILL);
     waitpid(storage, nullptr, 0);
-    if (!moved) said = moved.error().message;
+    if (!moved) said = moved.error().text();
   }
   EXPECT_THAT(said, HasSubstr("reads back differently"));
   EXPECT_EQ(readText(source), content);
@@ -159,7 +159,7 @@ TEST_F(ArchiveMove, ASourceThatGrowsMeanwhileStays) {
     const auto moved = moveFile(source, target, kAccept);
     kill(recorder, SIGKILL);
     waitpid(recorder, nullptr, 0);
-    if (!moved) said = moved.error().message;
+    if (!moved) said = moved.error().text();
   }
   EXPECT_THAT(said, HasSubstr("changed while it was copied"));
   EXPECT_EQ(readText(source).substr(0, content.size()), content);

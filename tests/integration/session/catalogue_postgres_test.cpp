@@ -40,9 +40,9 @@ TEST_F(PostgresCatalogue, TwoWritersAtOnceLoseNothing) { checkTwoWriters(word_);
 
 TEST_F(PostgresCatalogue, NoServerNoDatabaseAreNamedAndTheEntryWaits) {
   const std::string nowhere = "postgresql:host=127.0.0.1 port=1 dbname=fyd user=jo";
-  EXPECT_THAT(Catalogue::open(nowhere).error().message, HasSubstr("'fyd' on 127.0.0.1"));
-  EXPECT_THAT(deliverEntry(nowhere, entryOf("aaaa")).error().message, HasSubstr("waits in"));
-  EXPECT_THAT(Catalogue::open(server->word("absent")).error().message, HasSubstr("does not exist"));
+  EXPECT_THAT(Catalogue::open(nowhere).error().text(), HasSubstr("'fyd' on 127.0.0.1"));
+  EXPECT_THAT(deliverEntry(nowhere, entryOf("aaaa")).error().text(), HasSubstr("waits in"));
+  EXPECT_THAT(Catalogue::open(server->word("absent")).error().text(), HasSubstr("does not exist"));
 }
 
 TEST_F(PostgresCatalogue, ALockOfAnotherStationEndsInAnErrorNotInWaiting) {
@@ -54,11 +54,11 @@ TEST_F(PostgresCatalogue, ALockOfAnotherStationEndsInAnErrorNotInWaiting) {
     const auto delivered = deliverEntry(word_, entryOf("bbbb"));
     EXPECT_FALSE(delivered);
     if (!delivered) {
-      EXPECT_THAT(delivered.error().message, HasSubstr("lock timeout"));
+      EXPECT_THAT(delivered.error().text(), HasSubstr("lock timeout"));
     }
     return fail("unlock");
   });
-  EXPECT_EQ(undone.error().message, "unlock");
+  EXPECT_EQ(undone.error().text(), "unlock");
   auto catalogue = Catalogue::open(word_);
   EXPECT_EQ(catalogue->pending().delivered, 1U);
   EXPECT_TRUE(catalogue->get("bbbb"));
@@ -89,8 +89,8 @@ TEST_F(PostgresCatalogue, AServerKilledInTheMiddleOfWritingLosesNothing) {
       const auto delivered = deliverEntry(word_, entryOf(idOf(i)));
       if (delivered) continue;
       ++waiting;
-      if (delivered.error().message.find("waits in") == std::string::npos) {
-        return fprintf(stderr, "%s\n", delivered.error().message.c_str()), false;
+      if (delivered.error().text().find("waits in") == std::string::npos) {
+        return fprintf(stderr, "%s\n", delivered.error().text().c_str()), false;
       }
     }
     std::ofstream(path("recorded")) << i;
@@ -104,9 +104,9 @@ TEST_F(PostgresCatalogue, AServerKilledInTheMiddleOfWritingLosesNothing) {
   EXPECT_TRUE(succeeded(station)) << "each entry that did not arrive was kept, and said so";
   ASSERT_TRUE(server->start()) << readText(server->log());
   auto catalogue = Catalogue::open(word_);
-  ASSERT_TRUE(catalogue) << catalogue.error().message;
+  ASSERT_TRUE(catalogue) << catalogue.error().text();
   EXPECT_GT(catalogue->pending().delivered, 0U);
-  EXPECT_EQ(catalogue->pending().waiting, 0U) << catalogue->pending().problem;
+  EXPECT_EQ(catalogue->pending().waiting, 0U) << catalogue->pending().problem.text();
   const auto entries = catalogue->search({});
   ASSERT_TRUE(entries);
   EXPECT_EQ(entries->size(), std::stoul(readText(path("recorded"))));

@@ -39,7 +39,7 @@ std::uint64_t expectPlain(const Recording& recording, std::uint64_t at_least) {
   EXPECT_GE(rows, at_least);
   for (std::uint64_t row = 0; row < rows; row += row + 300 < rows ? 7 : 1) {
     const auto step = recording.step(row);
-    EXPECT_TRUE(step) << (step ? "" : step.error().message);
+    EXPECT_TRUE(step) << (step ? "" : step.error().text());
     if (!step || !sameRecord(*step, plainStep(row))) {
       ADD_FAILURE() << "row " << row << " of " << rows;
       break;
@@ -53,7 +53,7 @@ constexpr std::uint64_t kStepsPerPicture = 33;
 std::uint64_t expectCrashedAndWhole(const std::string& file, std::uint64_t at_least) {
   const auto recording = Recording::open(file);
   if (!recording) {
-    ADD_FAILURE() << recording.error().message;
+    ADD_FAILURE() << recording.error().text();
     return 0;
   }
   return expectPlain(**recording, at_least);
@@ -84,7 +84,7 @@ void expectPlainPictures(const Recording& recording) {
   EXPECT_GE(info.frames * kStepsPerPicture + kStepsPerPicture, info.committed_samples);
   for (std::uint64_t i = 0; i < info.frames; ++i) {
     const auto picture = recording.picture(i);
-    ASSERT_TRUE(picture) << picture.error().message;
+    ASSERT_TRUE(picture) << picture.error().text();
     EXPECT_EQ(picture->number, i);
     EXPECT_EQ(cv::norm(picture->region, plainPicture(i)(kRegion), cv::NORM_INF), 0.0);
     EXPECT_EQ(cv::norm(picture->whole(kRegion), picture->region, cv::NORM_INF), 0.0);
@@ -124,7 +124,7 @@ TEST(CrashRecording, AKilledRecorderLosesNothingItAcknowledged) {
     ASSERT_EQ(::read(ends[0], &word, sizeof word), static_cast<ssize_t>(sizeof word));
     {
       const auto growing = Recording::open(folder.file());
-      ASSERT_TRUE(growing) << growing.error().message;
+      ASSERT_TRUE(growing) << growing.error().text();
       EXPECT_EQ((*growing)->info().wholeness, Wholeness::growing);
       EXPECT_FALSE(recover(folder.file()));
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 120'000));
@@ -133,19 +133,19 @@ TEST(CrashRecording, AKilledRecorderLosesNothingItAcknowledged) {
       while (::read(ends[0], &word, sizeof word) == static_cast<ssize_t>(sizeof word)) acknowledged = word;
       ::close(ends[0]);
       const auto news = (*growing)->refresh();  // a reader that was there sees the recorder's end too
-      ASSERT_TRUE(news) << news.error().message;
+      ASSERT_TRUE(news) << news.error().text();
       EXPECT_EQ((*growing)->info().wholeness, Wholeness::crashed);
       expectPlain(**growing, acknowledged);
     }
     const std::uint64_t rows = expectCrashedAndWhole(folder.file(), acknowledged);
     const auto checked = verify(folder.file());
     ASSERT_TRUE(checked);
-    EXPECT_TRUE(checked->intact()) << checked->first_damage;
+    EXPECT_TRUE(checked->intact()) << checked->first_damage.text();
     const auto recovered = recover(folder.file());
-    ASSERT_TRUE(recovered) << recovered.error().message;
+    ASSERT_TRUE(recovered) << recovered.error().text();
     EXPECT_EQ(recovered->result, RecoverResult::whole);
     const auto whole = Recording::open(folder.file());
-    ASSERT_TRUE(whole) << whole.error().message;
+    ASSERT_TRUE(whole) << whole.error().text();
     EXPECT_EQ((*whole)->info().wholeness, Wholeness::whole);
     EXPECT_EQ(expectPlain(**whole, acknowledged), rows);
     expectPlainPictures(**whole);
@@ -205,7 +205,7 @@ TEST(CrashRecording, AReaderThatWasThereHasTheJournalOfARecorderKilledInTheMiddl
     SCOPED_TRACE(fmt::format("killed in write {} of {}", whole, counting->writes));
     const Folder folder;
     auto writer = createRecording(folder.file(), header(), std::make_shared<MortalDisk>(whole));
-    ASSERT_TRUE(writer) << writer.error().message;
+    ASSERT_TRUE(writer) << writer.error().text();
     // One reader looks again after the end, one reads on without a look, one is in the middle, one comes only then.
     const auto looks = Recording::open(folder.file());
     const auto reads = Recording::open(folder.file());
@@ -220,19 +220,19 @@ TEST(CrashRecording, AReaderThatWasThereHasTheJournalOfARecorderKilledInTheMiddl
       return true;
     });
     if (checked) {  // not at its beginning: what is torn there is being written, for all that can be known
-      EXPECT_TRUE(checked->intact()) << checked->first_damage;
+      EXPECT_TRUE(checked->intact()) << checked->first_damage.text();
       ++checked_to_the_end;
     }
     writer->reset();
     const auto news = (*looks)->refresh();
-    ASSERT_TRUE(news) << news.error().message;
+    ASSERT_TRUE(news) << news.error().text();
     EXPECT_TRUE(*news);
     EXPECT_EQ((*looks)->info().wholeness, Wholeness::crashed);
     const std::uint64_t rows = expectPlain(**looks, acknowledged);
     expectPlainPictures(**looks);
     EXPECT_EQ(expectPlain(**reads, known), known);
     const auto again = (*reads)->refresh();
-    ASSERT_TRUE(again) << again.error().message;
+    ASSERT_TRUE(again) << again.error().text();
     EXPECT_TRUE(*again);
     EXPECT_EQ((*reads)->info().wholeness, Wholeness::crashed);
     EXPECT_EQ((*reads)->info().committed_samples, rows);
@@ -279,8 +279,8 @@ TEST(CrashRecording, APowerCutLosesNothingAcknowledged) {
     }
     const std::uint64_t found = expectCrashedAndWhole(after, rows);
     const auto recovered = recover(after);
-    ASSERT_TRUE(recovered) << recovered.error().message;
-    EXPECT_EQ(recovered->result, RecoverResult::whole) << recovered->first_damage;
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    EXPECT_EQ(recovered->result, RecoverResult::whole) << recovered->first_damage.text();
     EXPECT_EQ(expectCrashedAndWhole(after, rows), found);
     EXPECT_TRUE(othersOpen(after));
     std::filesystem::remove(after);
@@ -331,7 +331,7 @@ void expectHonestOn(const std::shared_ptr<DiskCalls>& disk, const char* words, b
   auto writer = createRecording(folder.file(), header(), disk);
   reached_the_end = false;
   if (!writer) {
-    EXPECT_NE(writer.error().message.find("a.h5"), std::string::npos);
+    EXPECT_NE(writer.error().text().find("a.h5"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(partialOf(folder.file())));  // the name is free for the next attempt
     return;
   }
@@ -341,7 +341,7 @@ void expectHonestOn(const std::shared_ptr<DiskCalls>& disk, const char* words, b
   if (put) put = (*writer)->close();
   reached_the_end = put.has_value();
   if (!put) {
-    EXPECT_NE(put.error().message.find(words), std::string::npos) << put.error().message;
+    EXPECT_NE(put.error().text().find(words), std::string::npos) << put.error().text();
     EXPECT_FALSE((*writer)->append(plainStep(row)));  // over is over
     EXPECT_FALSE((*writer)->close());
     EXPECT_FALSE(std::filesystem::exists(folder.file()));
@@ -384,12 +384,12 @@ TEST(CrashRecording, AFileThatMayNotGrowIsAnError) {
     RandomSteps random(3);
     for (int i = 0; i < 20'000; ++i)
       if (const auto put = (*writer)->append(random.next()); !put)
-        return put.error().message.find(folder.file()) == 0 ? 0 : 2;
+        return put.error().text().find(folder.file()) == 0 ? 0 : 2;
     return 3;
   });
   EXPECT_EQ(code, 0);
   const auto recording = Recording::open(folder.file());
-  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_TRUE(recording) << recording.error().text();
   EXPECT_EQ((*recording)->info().wholeness, Wholeness::crashed);
 }
 
@@ -411,7 +411,7 @@ TEST(CrashRecording, PlacesThatCannotHoldARecording) {
   const Folder folder;
   const auto refused = [](const std::string& path) {
     const auto writer = RecordingWriter::create(path, header());
-    return writer ? std::string() : writer.error().message;
+    return writer ? std::string() : writer.error().text();
   };
   EXPECT_NE(refused(folder.file("none/a.h5")), "");
   EXPECT_NE(refused("/proc/a.h5"), "");

@@ -48,9 +48,9 @@ class RecorderOnATroubledDisk : public Recorded {
     for (int i = 0; i < 1000 && recorder->status().state == RecorderState::recording; ++i) run(0.1);
     const RecorderStatus status = recorder->status();
     ASSERT_EQ(status.state, RecorderState::failed);
-    EXPECT_THAT(status.problem, HasSubstr(why));
-    EXPECT_THAT(status.problem, HasSubstr("a.h5.partial"));
-    EXPECT_THAT(status.problem, HasSubstr("fyd session recover"));
+    EXPECT_THAT(status.problem.text(), HasSubstr(why));
+    EXPECT_THAT(status.problem.text(), HasSubstr("a.h5.partial"));
+    EXPECT_THAT(status.problem.text(), HasSubstr("fyd session recover"));
     const std::size_t before = samples.size();
     run(0.5);
     EXPECT_EQ(samples.size(), before + 500) << "the loop goes on";
@@ -59,14 +59,14 @@ class RecorderOnATroubledDisk : public Recorded {
     EXPECT_FALSE(recorder->note(NoteKind::bookmark, "too late"));
 
     const auto recovered = recover(file("a.h5"));
-    ASSERT_TRUE(recovered) << recovered.error().message;
+    ASSERT_TRUE(recovered) << recovered.error().text();
     EXPECT_EQ(recovered->result, RecoverResult::whole);
     const auto recording = open("a.h5");
     ASSERT_TRUE(recording);
     ASSERT_GE(recording->info().committed_samples, committed) << "what was acknowledged";
     for (std::uint64_t row = 0; row < recording->info().committed_samples; row += 50) {
       const auto step = recording->step(row);
-      ASSERT_TRUE(step) << step.error().message;
+      ASSERT_TRUE(step) << step.error().text();
       EXPECT_EQ(step->telemetry.step, samples[row].step);
       EXPECT_EQ(step->telemetry.force_N, samples[row].force_N);
     }

@@ -99,7 +99,7 @@ TEST_F(Recorded, AFileThatCannotBeMadeIsAnErrorAtOnceAndNothingChanges) {
   run(0.1);
   const auto nowhere = recorder->begin({.path = file("no/such/folder/a.h5")});
   ASSERT_FALSE(nowhere);
-  EXPECT_THAT(nowhere.error().message, HasSubstr("no/such/folder"));
+  EXPECT_THAT(nowhere.error().text(), HasSubstr("no/such/folder"));
   EXPECT_EQ(recorder->status().state, RecorderState::idle);
   EXPECT_FALSE(recorder->begin({}));
   EXPECT_FALSE(recorder->end()) << "nothing is recorded";
@@ -109,7 +109,7 @@ TEST_F(Recorded, AFileThatCannotBeMadeIsAnErrorAtOnceAndNothingChanges) {
   ASSERT_TRUE(recorder->begin({.path = file("good.h5")}));
   const auto again = recorder->begin({.path = file("other.h5")});
   ASSERT_FALSE(again);
-  EXPECT_THAT(again.error().message, HasSubstr("good.h5"));
+  EXPECT_THAT(again.error().text(), HasSubstr("good.h5"));
   ASSERT_TRUE(recorder->end());
 }
 
@@ -118,7 +118,7 @@ TEST_F(Recorded, ADiskThatIsFullAlreadyIsAnError) {
   run(0.1);
   const auto begun = recorder->begin({.path = file("full.h5")});
   ASSERT_FALSE(begun);
-  EXPECT_THAT(begun.error().message, HasSubstr("MB left"));
+  EXPECT_THAT(begun.error().text(), HasSubstr("MB left"));
 }
 
 TEST_F(Recorded, StepsThatWereLostAreAGapAndNoReplayPassesIt) {
@@ -133,7 +133,7 @@ TEST_F(Recorded, StepsThatWereLostAreAGapAndNoReplayPassesIt) {
   EXPECT_EQ(recording->info().gaps, 50U);
   EXPECT_EQ(recording->info().committed_samples, 1450U);
   const auto result = replay(*recording, {});
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().text();
   EXPECT_FALSE(result->identical);
   EXPECT_EQ(result->different, 0U);
   EXPECT_EQ(result->samples, 700U);
@@ -150,7 +150,7 @@ TEST_F(Recorded, WithoutAKnownStateTheRecordingSaysSo) {
   EXPECT_TRUE(recording->info().header.step_state.empty());
   const auto result = replay(*recording, {});
   ASSERT_FALSE(result);
-  EXPECT_THAT(result.error().message, HasSubstr("no state"));
+  EXPECT_THAT(result.error().text(), HasSubstr("no state"));
 }
 
 TEST_F(Recorded, ALoopThatOutrunsTheRecorderNeitherWaitsNorHidesIt) {
@@ -183,7 +183,7 @@ TEST_F(Recorded, WholePicturesComeAtTheirRateAndRegionsWithEveryOne) {
   ASSERT_EQ(recording->info().frames, pictures.size());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const auto back = recording->picture(i);
-    ASSERT_TRUE(back) << back.error().message;
+    ASSERT_TRUE(back) << back.error().text();
     EXPECT_EQ(cv::norm(back->region, pictures[i](region), cv::NORM_INF), 0.0);
     EXPECT_EQ(cv::norm(back->whole(region), back->region, cv::NORM_INF), 0.0) << "the region is never an older one";
     const int around = back->whole.at<std::uint8_t>(0, 0);
@@ -207,7 +207,7 @@ TEST_F(Recorded, PicturesComeBackAsTheDetectorSawThem) {
   ASSERT_TRUE(recording);
   ASSERT_EQ(recording->info().frames, 1U);
   const auto back = recording->picture(0);
-  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_TRUE(back) << back.error().text();
   EXPECT_EQ(back->number, 42U);
   EXPECT_EQ(back->region_px, region);
   EXPECT_EQ(back->finger.x_mm, 1.5);

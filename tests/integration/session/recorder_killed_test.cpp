@@ -70,7 +70,7 @@ TEST(KilledRecorder, LosesAFractionOfASecond) {
     ASSERT_EQ(::kill(child, SIGKILL), 0);
     ASSERT_EQ(::waitpid(child, nullptr, 0), child);
     const auto recording = Recording::open(folder.file());
-    ASSERT_TRUE(recording) << recording.error().message;
+    ASSERT_TRUE(recording) << recording.error().text();
     const RecordingInfo& info = (*recording)->info();
     EXPECT_GT(info.frames, 0U);
     lost_s.push_back(toSeconds(Duration(newest_ns.load())) - toSeconds(info.header.started.time_since_epoch()) -

@@ -75,7 +75,7 @@ class Recorded : public testing::Test {
 
   [[nodiscard]] std::unique_ptr<Recording> open(const std::string& name) const {
     auto opened = Recording::open(file(name));
-    EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
+    EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
     return opened ? std::move(*opened) : nullptr;
   }
 

@@ -28,7 +28,7 @@ class RecoverAgain : public testing::Test {
     const std::string content = contentOf(partialOf(file));
     for (const char c : content) left.push_back(static_cast<std::byte>(c));
     const auto finished = finishRecording(partialOf(file), disk);
-    ASSERT_TRUE(finished) << finished.error().message;
+    ASSERT_TRUE(finished) << finished.error().text();
     ASSERT_GT(disk->calls.size(), 10U);
     std::filesystem::remove(partialOf(file));
   }
@@ -39,8 +39,8 @@ class RecoverAgain : public testing::Test {
 
   void expectMadeWhole(std::size_t end) const {
     const auto outcome = recover(file);
-    ASSERT_TRUE(outcome) << outcome.error().message;
-    EXPECT_EQ(outcome->result, RecoverResult::whole) << outcome->first_damage;
+    ASSERT_TRUE(outcome) << outcome.error().text();
+    EXPECT_EQ(outcome->result, RecoverResult::whole) << outcome->first_damage.text();
     EXPECT_TRUE(othersOpen(file)) << "after call " << end << " of " << disk->calls.size();
     const auto recording = Recording::open(file);
     ASSERT_TRUE(recording);
@@ -95,7 +95,7 @@ TEST_F(RecoverAgain, AFileWhoseJournalWaitsIsNotCalledWholeUnderAnyName) {
   put(file, afterKill(journal));
   EXPECT_FALSE(othersOpen(file));
   const auto recording = Recording::open(file);
-  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_TRUE(recording) << recording.error().text();
   EXPECT_EQ((*recording)->info().committed_samples, kCommitted);
   EXPECT_EQ((*recording)->info().wholeness, Wholeness::crashed);
   EXPECT_EQ(verify(file)->wholeness, Wholeness::crashed);
@@ -108,7 +108,7 @@ TEST_F(RecoverAgain, AfterAKillBetweenItsTwoNames) {
   ASSERT_EQ(recover(file)->result, RecoverResult::part_lost);
   std::filesystem::rename(file, folder.file("a.h5.recovered"));  // FILE.damaged has its name, the copy not yet
   const auto again = recover(file);
-  ASSERT_TRUE(again) << again.error().message;
+  ASSERT_TRUE(again) << again.error().text();
   EXPECT_EQ(again->result, RecoverResult::part_lost);
   EXPECT_EQ(again->steps, kCommitted - 250);
   EXPECT_EQ(again->lost_steps, 250U);

@@ -28,7 +28,7 @@ class RecoverMissing : public Recorded {
     all = whole->info().committed_samples;
     ASSERT_GT(all, 2000U);
     const auto replayed = replay(*whole, {});
-    ASSERT_TRUE(replayed) << replayed.error().message;
+    ASSERT_TRUE(replayed) << replayed.error().text();
     ASSERT_TRUE(replayed->identical);
   }
   std::uint64_t all = 0;
@@ -40,7 +40,7 @@ TEST_F(RecoverMissing, ATableOfOneRow) {
   EXPECT_FALSE(verify(file("a.h5"))->intact());
   EXPECT_FALSE(replay(*open("a.h5"), {}));
   const auto outcome = recover(file("a.h5"));
-  ASSERT_TRUE(outcome) << outcome.error().message;
+  ASSERT_TRUE(outcome) << outcome.error().text();
   EXPECT_EQ(outcome->result, RecoverResult::part_lost);
   EXPECT_EQ(outcome->steps, all);
   EXPECT_EQ(outcome->lost_steps, 0U);
@@ -54,7 +54,7 @@ TEST_F(RecoverMissing, ATableOfOneRow) {
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->info().header.missing, outcome->missing);
   EXPECT_EQ(healthOf(kept->info()).word, "gaps");
-  EXPECT_THAT(healthOf(kept->info()).reason, HasSubstr("/inputs/motor_reference"));
+  EXPECT_THAT(healthOf(kept->info()).reason.text(), HasSubstr("/inputs/motor_reference"));
   const auto original = Recording::open(outcome->kept);
   ASSERT_TRUE(original);
   pipeline::TelemetrySample was;
@@ -65,14 +65,14 @@ TEST_F(RecoverMissing, ATableOfOneRow) {
     ASSERT_TRUE(samples::same(was, is)) << row;
   }
   const auto step = kept->step(all / 2);
-  ASSERT_TRUE(step) << step.error().message;
+  ASSERT_TRUE(step) << step.error().text();
   EXPECT_EQ(step->missing, bitOf(Table::motor_reference));
 
   const auto replayed = replay(*kept, {});
-  ASSERT_TRUE(replayed) << replayed.error().message;
+  ASSERT_TRUE(replayed) << replayed.error().text();
   EXPECT_FALSE(replayed->identical);
   EXPECT_EQ(replayed->samples, all);
-  EXPECT_THAT(replayed->why_not_exact, HasSubstr("/inputs/motor_reference is lost"));
+  EXPECT_THAT(replayed->why_not_exact.text(), HasSubstr("/inputs/motor_reference is lost"));
 }
 
 TEST_F(RecoverMissing, WhatWasLostOnceIsStillNamedAfterASecondRecovery) {
@@ -81,11 +81,11 @@ TEST_F(RecoverMissing, WhatWasLostOnceIsStillNamedAfterASecondRecovery) {
   ASSERT_EQ(recover(file("a.h5"))->result, RecoverResult::part_lost);
   samples::damageChunk(file("a.h5"), "/telemetry", 3);
   const auto again = recover(file("a.h5"));
-  ASSERT_TRUE(again) << again.error().message;
+  ASSERT_TRUE(again) << again.error().text();
   EXPECT_EQ(again->steps, all - 250);
   samples::damageChunk(file("a.h5"), "/telemetry", 5);
   const auto third = recover(file("a.h5"));
-  ASSERT_TRUE(third) << third.error().message;
+  ASSERT_TRUE(third) << third.error().text();
   const auto kept = open("a.h5");
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->info().gaps, 500U);
@@ -100,7 +100,7 @@ TEST_F(RecoverMissing, WithoutTheFirstStepNothingIsReplayedFromAStateThatIsNotIt
   ASSERT_EQ(recover(file("a.h5"))->result, RecoverResult::part_lost);
   const auto replayed = replay(*open("a.h5"), {});
   ASSERT_FALSE(replayed);
-  EXPECT_THAT(replayed.error().message, HasSubstr("no state of the step"));
+  EXPECT_THAT(replayed.error().text(), HasSubstr("no state of the step"));
 }
 
 TEST_F(RecoverMissing, AHeaderWhoseChecksumDiffersIsNotTakenForTrue) {
@@ -112,7 +112,7 @@ TEST_F(RecoverMissing, AHeaderWhoseChecksumDiffersIsNotTakenForTrue) {
   turnBit(file("a.h5"), text, 0);
   EXPECT_FALSE(Recording::open(file("a.h5")));
   const auto outcome = recover(file("a.h5"));
-  ASSERT_TRUE(outcome) << outcome.error().message;
+  ASSERT_TRUE(outcome) << outcome.error().text();
   EXPECT_EQ(outcome->result, RecoverResult::part_lost);
   EXPECT_EQ(outcome->steps, all);
   const auto kept = open("a.h5");

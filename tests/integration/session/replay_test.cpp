@@ -19,10 +19,10 @@ class Replay : public Recorded {
     startRecorder({.pre_trigger_s = pre_trigger_s});
     run(before_s);
     const auto begun = recorder->begin({.path = file("session.h5")});
-    EXPECT_TRUE(begun) << (begun ? "" : begun.error().message);
+    EXPECT_TRUE(begun) << (begun ? "" : begun.error().text());
     run(seconds);
     const auto ended = recorder->end();
-    EXPECT_TRUE(ended) << (ended ? "" : ended.error().message);
+    EXPECT_TRUE(ended) << (ended ? "" : ended.error().text());
     if (!another_program) {
       EXPECT_EQ(recorder->status().differences, 0U);
     }
@@ -42,7 +42,7 @@ TEST_F(Replay, IsIdenticalFromTheFirstStepOn) {
   ASSERT_TRUE(recording);
   std::uint64_t seen = 0;
   const auto result = replay(*recording, {}, [&](const auto&, const auto&) { ++seen; });
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().text();
   EXPECT_TRUE(result->identical) << result->different << " differ, first " << result->first_difference_s << " s "
                                  << result->first_difference_field;
   EXPECT_EQ(result->samples, 6200U);
@@ -56,7 +56,7 @@ TEST_F(Replay, IsIdenticalFromTheMiddleOfASession) {
   ASSERT_TRUE(recording);
   ASSERT_GT(recording->step(0)->telemetry.step, 4000U);
   const auto result = replay(*recording, {});
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().text();
   EXPECT_TRUE(result->identical) << result->first_difference_s << " s " << result->first_difference_field;
 }
 
@@ -74,7 +74,7 @@ TEST_F(Replay, LiveChangesAndATareBeforeTheStartAreInTheState) {
   ASSERT_TRUE(recording);
   EXPECT_THAT(recording->info().header.profile, HasSubstr("k_vib = 2.5"));
   const auto result = replay(*recording, {});
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().text();
   EXPECT_TRUE(result->identical) << result->first_difference_field;
 }
 
@@ -82,7 +82,7 @@ TEST_F(Replay, OfOtherInputsIsFoundOutWithTimeAndField) {
   const auto recording = record(0.2, 2.0);
   ASSERT_TRUE(recording);
   const auto result = replay(*recording, {.settings = {"texture.k_vib=1.7"}});
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().text();
   EXPECT_TRUE(result->what_if);
   EXPECT_FALSE(result->identical);
   EXPECT_FALSE(result->from_rest) << "k_vib is live: the recorded state serves";
@@ -97,7 +97,7 @@ TEST_F(Replay, AParameterThatIsNotLiveStartsFromRest) {
   pipeline::TelemetrySample last;
   const auto result = replay(*recording, {.settings = {"pipeline.bridge_maximum_age_ms=90"}},
                              [&](const auto& sample, const auto&) { last = sample; });
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().text();
   EXPECT_TRUE(result->from_rest);
   EXPECT_EQ(last.state, pipeline::SafetyState::active) << "it armed where the operator had";
 }
@@ -109,7 +109,7 @@ TEST_F(Replay, WrongSettingsAreNamed) {
        {"control.kp", "nothing.at_all=1", "control.kp=fast", "texture.k_vib=nan", "sensing.frame_half_width_mm=1e9"}) {
     const auto result = replay(*recording, {.settings = {setting}});
     ASSERT_FALSE(result) << setting;
-    EXPECT_THAT(result.error().message, HasSubstr(std::string(setting).substr(0, std::string(setting).find('='))));
+    EXPECT_THAT(result.error().text(), HasSubstr(std::string(setting).substr(0, std::string(setting).find('='))));
   }
 }
 
@@ -123,7 +123,7 @@ TEST_F(Replay, AWhatIfBeyondTheRangeOfALiveParameterIsComputedAndMarkedAndNoComm
       EXPECT_TRUE(std::isfinite(sample.stretch_reference_deg));
       largest_percent = std::max(largest_percent, std::abs(sample.vibration_duty_percent));
     });
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().text();
     EXPECT_EQ(result->out_of_range.size(), 1U) << setting;
     EXPECT_LE(largest_percent, 100.0) << setting;
   }
@@ -198,7 +198,7 @@ TEST_F(Replay, AClosedLoopWithNothingChangedGivesTheRecording) {
   const auto recording = record(0.2, 16.0);
   ASSERT_TRUE(recording);
   const auto same = replay(*recording, {.closed_loop = true});
-  ASSERT_TRUE(same) << same.error().message;
+  ASSERT_TRUE(same) << same.error().text();
   EXPECT_TRUE(same->identical) << same->first_difference_s << " s " << same->first_difference_field;
   ASSERT_TRUE(same->fabric);
   EXPECT_GT(same->fabric->residual_rms_relative, 0.0);
@@ -214,7 +214,7 @@ TEST_F(Replay, AClosedLoopWithNothingChangedGivesTheRecording) {
                              const double f = std::abs(replayed.force_N - recorded.force_N);
                              if (std::isfinite(f)) apart_N = std::max(apart_N, f);
                            });
-  ASSERT_TRUE(slow) << slow.error().message;
+  ASSERT_TRUE(slow) << slow.error().text();
   EXPECT_FALSE(slow->identical);
   EXPECT_GT(apart_deg, 1.0);
   EXPECT_GT(apart_N, 0.01) << "the cloth answers";
@@ -232,20 +232,20 @@ TEST_F(Replay, AClosedLoopIsRefusedWhenTheRecordingDoesNotIdentifyTheCloth) {
   ASSERT_TRUE(recording);
   const auto result = replay(*recording, {.closed_loop = true});
   ASSERT_FALSE(result);
-  EXPECT_THAT(result.error().message, HasSubstr("does not say how the cloth answers"));
+  EXPECT_THAT(result.error().text(), HasSubstr("does not say how the cloth answers"));
 }
 
 TEST_F(Replay, ARecordingIsATouchpad) {
   const auto recording = record(0.2, 2.0);
   ASSERT_TRUE(recording);
   auto opened = RecordedTouchpad::open(file("session.h5"), std::make_shared<PlaybackStart>());
-  ASSERT_TRUE(opened) << opened.error().message;
-  EXPECT_THAT((*opened)->description(), HasSubstr("motors are not driven"));
+  ASSERT_TRUE(opened) << opened.error().text();
+  EXPECT_THAT((*opened)->description().text(), HasSubstr("motors are not driven"));
   const Instant start = instantAt(5000.0);
   for (int ms = 0; ms < 2150; ms += 7) {
     const Instant now = start + std::chrono::milliseconds(ms);
     const auto readings = (*opened)->exchange({.active = true}, now);
-    ASSERT_TRUE(readings) << ms << ": " << readings.error().message;
+    ASSERT_TRUE(readings) << ms << ": " << readings.error().text();
     const auto row = recording->step(static_cast<std::uint64_t>(ms));
     ASSERT_TRUE(row);
     EXPECT_EQ(readings->bridge.value.value_mV_per_V, row->inputs.bridge.value.value_mV_per_V) << ms;
@@ -256,7 +256,7 @@ TEST_F(Replay, ARecordingIsATouchpad) {
   }
   const auto after = (*opened)->exchange({}, start + std::chrono::seconds(3));
   ASSERT_FALSE(after);
-  EXPECT_THAT(after.error().message, HasSubstr("has ended"));
+  EXPECT_THAT(after.error().text(), HasSubstr("has ended"));
 }
 
 TEST_F(Replay, ARecordingIsACamera) {
@@ -273,11 +273,11 @@ TEST_F(Replay, ARecordingIsACamera) {
   run(0.2);
   ASSERT_TRUE(recorder->end());
   auto camera = RecordedCamera::open(file("seen.h5"), std::make_shared<PlaybackStart>());
-  ASSERT_TRUE(camera) << camera.error().message;
+  ASSERT_TRUE(camera) << camera.error().text();
   Instant before{};
   for (std::uint64_t number = 1; number <= 3; ++number) {
     const auto frame = (*camera)->next();
-    ASSERT_TRUE(frame) << frame.error().message;
+    ASSERT_TRUE(frame) << frame.error().text();
     EXPECT_EQ(frame->number, number);
     EXPECT_EQ(cv::norm(frame->picture(region), picture(region), cv::NORM_INF), 0.0);
     if (number > 1) {
@@ -287,7 +287,7 @@ TEST_F(Replay, ARecordingIsACamera) {
   }
   const auto after = (*camera)->next();
   ASSERT_FALSE(after);
-  EXPECT_THAT(after.error().message, HasSubstr("has ended"));
+  EXPECT_THAT(after.error().text(), HasSubstr("has ended"));
   EXPECT_FALSE(RecordedCamera::open(file("nothing.h5"), std::make_shared<PlaybackStart>()));
 }
 

@@ -87,7 +87,7 @@ TEST(Krc, AModeThatEndsStopsTheProbeAndNothingLeapsWhenItReturns) {
               {.probe = {.dwell_s = 0.2}});
     ASSERT_TRUE(comesTrue("the mode off", [&] { return pair.krc->status().mode == FriState::off; }));
     ASSERT_TRUE(comesTrue("the word for it",
-                          [&] { return pair.runner->status().robot_problem.find("KRC off") != std::string::npos; }));
+                          [&] { return pair.runner->status().robot_problem.text().find("KRC off") != std::string::npos; }));
     pair.stop();
     robot = pair.runner->status();
     krc = pair.krc->status();
@@ -216,7 +216,7 @@ TEST(Krc, AnAnswerWithoutImpedanceFlagsMovesNothing) {
 TEST(Krc, WrongOptionsAreRefusedWithTheirValue) {
   const auto message = [](const KrcOptions& options) {
     const auto krc = Krc::open(options);
-    return krc ? std::string("opened") : krc.error().message;
+    return krc ? std::string("opened") : krc.error().text();
   };
   const auto remote = at("127.0.0.1:49938");
   EXPECT_THAT(message({.remote = remote, .bind = at("127.0.0.3:0"), .period_ms = 0.5}),

@@ -156,7 +156,7 @@ TEST_F(RelayTest, TheSeventeenthCallerIsRefused) {
 TEST_F(RelayTest, WrongOptionsAreRefusedWithTheirValue) {
   const auto message = [&](const NetworkRelayOptions& options) {
     const auto made = NetworkRelay::open(options);
-    return made ? std::string("opened") : made.error().message;
+    return made ? std::string("opened") : made.error().text();
   };
   const auto free = protocol::parseEndpoint("127.0.0.1:0").value();
   EXPECT_THAT(message({.listen = free, .forward = free}), ::testing::HasSubstr("no port"));

@@ -167,7 +167,7 @@ TEST(SimulatedRobot, ReconnectsWhenTheTouchpadGoesAwayAndReturns) {
 class NotingArm final : public device::Robot {
  public:
   explicit NotingArm(std::vector<Vec3>& told) : arm_(quiet(0.6)), told_(told) {}
-  [[nodiscard]] std::string description() const override { return "noting"; }
+  [[nodiscard]] Message description() const override { return verbatim("noting"); }
   [[nodiscard]] bool inVirtualTime() const override { return true; }
   [[nodiscard]] Result<device::RobotReadings> exchange(const Vec3& target_mm, Instant now) override {
     told_.push_back(target_mm);
@@ -219,7 +219,7 @@ TEST(SimulatedRobot, KeepsItsLimitsFromCycleToCycleAndComesToRestWhenItIsStopped
 TEST(SimulatedRobot, WrongOptionsAreRefusedWithTheirValue) {
   const auto message = [](SimulatedRobotOptions options) {
     const auto robot = SimulatedRobot::open(options, std::make_unique<RobotArm>(SimParameters{}));
-    return robot ? std::string("opened") : robot.error().message;
+    return robot ? std::string("opened") : robot.error().text();
   };
   const auto any = protocol::parseEndpoint("127.0.0.2:0").value();
   const auto touchpad = protocol::parseEndpoint("127.0.0.1:3490").value();

@@ -120,7 +120,7 @@ TEST(StiffnessTrial, AutoTuneOnTheSimulatedChainProposesAStableLoop) {
   StiffnessTrial trial = trusting();
   trial.sim.fabric_stiffness_scale = 1.15;
   const auto proposal = control::proposeGains(recordExcitation(trial), trial.parameters.control);
-  ASSERT_TRUE(proposal) << proposal.error().message;
+  ASSERT_TRUE(proposal) << proposal.error().text();
   EXPECT_NEAR(proposal->fabric.scale, 1.15, 0.06);
   EXPECT_TRUE(proposal->after.stable);
   trial.parameters.control = proposal->proposed;

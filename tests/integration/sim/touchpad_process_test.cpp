@@ -59,7 +59,7 @@ struct Rig {
   Result<device::TouchpadReadings> exchange(bool active = false) {
     auto done = touchpad->exchange({.reference_ticks = {2000, -2000}, .active = active}, Clock::now());
     failed += done ? 0 : 1;
-    if (!done) problem = done.error().message;
+    if (!done) problem = done.error().text();
     return done;
   }
   /// Exchanges every few milliseconds.
@@ -69,12 +69,12 @@ struct Rig {
       (void)exchange(active);
       return holds();
     });
-    if (!came) came << "; last: " << problem << "; complaint: " << touchpad->complaint();
+    if (!came) came << "; last: " << problem << "; complaint: " << touchpad->complaint().text();
     return came;
   }
   testing::AssertionResult exchangeTimes(int count, bool active) {
     for (int i = 0; i < count; ++i) {
-      if (const auto done = exchange(active); !done) return testing::AssertionFailure() << done.error().message;
+      if (const auto done = exchange(active); !done) return testing::AssertionFailure() << done.error().text();
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return testing::AssertionSuccess();
@@ -140,7 +140,7 @@ TEST_P(BothLines, SilenceSwitchesTheMotorsOffAtTheDeviceAndTheyStayOff) {
   rig.process->inject(TouchpadFault::silence, 1.0);
   ASSERT_TRUE(rig.exchangeUntil("the device's watchdog", true, [&] { return !rig.motorsOn(); }));
   ASSERT_TRUE(rig.exchangeUntil("a complaint of the motors", true, [&] {
-    return rig.touchpad->complaint().find("stop, then arm again") != std::string::npos;
+    return rig.touchpad->complaint().text().find("stop, then arm again") != std::string::npos;
   }));
   for (int i = 0; i < 50; ++i) {
     (void)rig.exchange(true);
@@ -160,8 +160,9 @@ TEST_P(BothLines, ABrownOutIsComplainedOf) {
   Rig rig(GetParam(), quick());
   ASSERT_TRUE(rig.switchOn());
   EXPECT_TRUE(rig.meets(TouchpadFault::brown_out, 0.15, true));
-  EXPECT_TRUE(rig.exchangeUntil("a complaint of the motors", true,
-                                [&] { return rig.touchpad->complaint().find("arm again") != std::string::npos; }));
+  EXPECT_TRUE(rig.exchangeUntil("a complaint of the motors", true, [&] {
+    return rig.touchpad->complaint().text().find("arm again") != std::string::npos;
+  }));
   EXPECT_FALSE(rig.motorsOn());
 }
 
@@ -199,7 +200,7 @@ TEST(TouchpadProcess, ASecondMasterIsRefusedWithAReasonAndTheFirstNotices) {
   ModbusTouchpad second(*device::parseModbusAddress(rig.address), patient());
   const auto refused = second.exchange({}, Clock::now());
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("another program drives its motors"));
+  EXPECT_THAT(refused.error().text(), HasSubstr("another program drives its motors"));
   EXPECT_TRUE(rig.exchange());
   EXPECT_GE(rig.process->electronics().figures().refused_writes, 1U);
 }
@@ -220,7 +221,7 @@ TEST(TouchpadProcess, ComesBackEachTimeTheServerIsKilledInTheMiddle) {
     killer.join();
     EXPECT_FALSE(touchpad.exchange({}, Clock::now()));
     auto next = TouchpadProcess::start(options);
-    ASSERT_TRUE(next) << next.error().message;
+    ASSERT_TRUE(next) << next.error().text();
     process = std::move(*next);
     ASSERT_TRUE(comesTrue("an exchange", [&] { return touchpad.exchange({}, Clock::now()).has_value(); })) << kill;
   }
@@ -244,7 +245,7 @@ TEST(TouchpadProcess, TheMotorBoardTakesTheMotorsAndTheSensorsStayOnModbus) {
     return readings && readings->ir.count > 5U && touchpad->complaint().empty() &&
            std::abs(readings->motors.value.encoder_counts[0] / control::kEncoderCountsPerDegree - target_deg) < 8.0 &&
            process->electronics().figures().vibration_peak_percent > 0.0 && process->electronics().figures().motors_on;
-  })) << touchpad->complaint();
+  })) << touchpad->complaint().text();
   const auto figures = process->electronics().figures();
   EXPECT_EQ(figures.vibration_peak_percent, 30.0);
   EXPECT_TRUE(figures.motors_on);
@@ -273,8 +274,8 @@ TEST(TouchpadProcess, ASilentMotorBoardIsComplainedOfWhileTheSensorsGoOn) {
   EXPECT_EQ(readings->ir.value.size(), 3U);
   EXPECT_EQ(readings->motors.count, 0U);
   EXPECT_TRUE(comesTrue("a complaint of the motor board", [&] {
-    return touchpad->complaint().find("plugged in") != std::string::npos;
-  })) << touchpad->complaint();
+    return touchpad->complaint().text().find("plugged in") != std::string::npos;
+  })) << touchpad->complaint().text();
 }
 
 /// Samples of the distance sensors that arrive in `seconds`.
@@ -308,8 +309,8 @@ TEST(TouchpadProcess, AMotorBoardThatIsSilentForItsLongestTimeOutDoesNotAgeTheSe
     const std::uint64_t beside_silence = samplesIn(*touchpad, 1.0);
     share = static_cast<double>(beside_silence) / static_cast<double>(healthy);
     EXPECT_TRUE(comesTrue("a complaint of the motor board", [&] {
-      return touchpad->complaint().find("no answer to command") != std::string::npos;
-    })) << touchpad->complaint();
+      return touchpad->complaint().text().find("no answer to command") != std::string::npos;
+    })) << touchpad->complaint().text();
   }
   RecordProperty("share_percent", static_cast<int>(100 * share));
   EXPECT_GT(share, 0.6);
@@ -329,7 +330,7 @@ TEST(TouchpadProcess, AMotorBoardIsSwitchedOffWhenItsTouchpadGoes) {
     EXPECT_TRUE(comesTrue("motors that are on", [&] {
       (void)touchpad->exchange({.active = touchpad->complaint().empty()}, Clock::now());
       return process->electronics().figures().motors_on;
-    })) << touchpad->complaint();
+    })) << touchpad->complaint().text();
   }
   // Long before its own watchdog would have done it.
   EXPECT_TRUE(comesTrue(
@@ -340,7 +341,7 @@ TEST(TouchpadProcess, ASerialPortBelongsToOneProgramAtATime) {
   Rig rig(Line::rtu);
   ASSERT_TRUE(rig.exchange());
   ModbusTouchpad second(*device::parseModbusAddress(rig.address), quick());
-  EXPECT_THAT(second.exchange({}, Clock::now()).error().message, HasSubstr("in use by another program"));
+  EXPECT_THAT(second.exchange({}, Clock::now()).error().text(), HasSubstr("in use by another program"));
   rig.touchpad.reset();
   EXPECT_TRUE(second.exchange({}, Clock::now()));
 }
@@ -351,14 +352,14 @@ TEST(TouchpadProcess, TheStreamIsACameraAndFreezesOnDemand) {
   options.parameters.camera_noise = 8.0;
   const auto process = *TouchpadProcess::start(options);
   auto camera = device::openCamera(process->addresses().front());
-  ASSERT_TRUE(camera) << camera.error().message;
+  ASSERT_TRUE(camera) << camera.error().text();
   cv::Mat before;
   int equal = 0;
   int different = 0;
   for (int i = 0; i < 150 && equal < 5; ++i) {
     if (different == 10) process->inject(TouchpadFault::camera_freeze, 600.0);
     const auto frame = (*camera)->next();
-    ASSERT_TRUE(frame) << frame.error().message;
+    ASSERT_TRUE(frame) << frame.error().text();
     ASSERT_EQ(frame->picture.size(), cv::Size(320, 240));
     const bool same = !before.empty() && cv::norm(before, frame->picture, cv::NORM_INF) == 0.0;
     equal = same ? equal + 1 : 0;
@@ -375,7 +376,7 @@ TEST(TouchpadProcess, ATakenPortAndNothingToServeAreNamed) {
   options.modbus_tcp = *protocol::parseEndpoint("127.0.0.1:0");
   const auto first = *TouchpadProcess::start(options);
   options.modbus_tcp->port = first->modbusPort();
-  EXPECT_THAT(TouchpadProcess::start(options).error().message, HasSubstr("cannot listen"));
+  EXPECT_THAT(TouchpadProcess::start(options).error().text(), HasSubstr("cannot listen"));
 }
 
 TEST(SerialEnd, TheLinkGoesWithItsTerminalAndADeadOneIsReplaced) {
@@ -383,7 +384,7 @@ TEST(SerialEnd, TheLinkGoesWithItsTerminalAndADeadOneIsReplaced) {
   std::filesystem::create_symlink("/dev/pts/there-is-none", path);
   {
     const auto end = SerialEnd::open(path, 115'200);
-    ASSERT_TRUE(end) << end.error().message;
+    ASSERT_TRUE(end) << end.error().text();
     EXPECT_TRUE(std::filesystem::exists(path));
   }
   EXPECT_FALSE(std::filesystem::is_symlink(path));

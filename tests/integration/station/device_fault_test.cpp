@@ -125,7 +125,7 @@ TEST_P(EveryBackend, ACableThatComesOutIsShownAndItsReturnDoesNotArm) {
     ASSERT_TRUE(rig.wait("the part to be shown as gone", [&] { return !rig.part().ok; }));
     shown_s = std::min(shown_s, toSeconds(Clock::now() - out));
     EXPECT_TRUE(rig.wait("the end of Active", [&] { return rig.state != SafetyState::active; }));
-    EXPECT_NE(rig.part().problem, "");
+    EXPECT_NE(rig.part().problem.text(), "");
     rig.startPeer();
     rig.active_samples = 0;
     ASSERT_TRUE(rig.wait("the sensors' return", [&] { return rig.lineOk(kDistance) && rig.lineOk(kCamera); }));
@@ -148,18 +148,18 @@ TEST(StationDevices, ReportsCarryWhatADevicesPageShows) {
              return device.ok && device.age_ms < 2000.0 && !device.values.empty();
            });
   }));
-  EXPECT_EQ(devices[0].kind, "Modbus TCP");
-  EXPECT_EQ(devices[1].kind, "qbmove");
-  EXPECT_EQ(devices[2].kind, "folder");
+  EXPECT_EQ(devices[0].kind.text(), "Modbus TCP");
+  EXPECT_EQ(devices[1].kind.text(), "qbmove");
+  EXPECT_EQ(devices[2].kind.text(), "folder");
   const auto has = [](const device::DeviceReport& report, std::string_view name) {
-    return std::ranges::any_of(report.values, [&](const auto& value) { return value.name == name; });
+    return std::ranges::any_of(report.values, [&](const auto& value) { return value.name.text() == name; });
   };
   EXPECT_TRUE(has(devices[0], "IR sensor 3"));
   EXPECT_TRUE(has(devices[0], "status word"));
   EXPECT_TRUE(has(devices[1], "encoder 2"));
   EXPECT_TRUE(rig.wait("the motor board's currents", [&] { return has(rig.station->devices()[1], "current 1"); }));
   EXPECT_EQ(devices[2].controls.size(), 3U);
-  EXPECT_THAT(devices[2].controls[0].words, HasSubstr("a folder has none"));
+  EXPECT_THAT(devices[2].controls[0].words.text(), HasSubstr("a folder has none"));
 }
 
 class TestButtons : public testing::TestWithParam<Backend> {};
@@ -185,13 +185,13 @@ TEST_P(TestButtons, AHeldButtonMovesTheMotorALittleAndItsReleaseEndsIt) {
       return furthest > 1.0 || !rig.station->deviceTestStatus().running;
     }));
   }
-  EXPECT_GT(furthest, 1.0) << rig.station->deviceTestStatus().words;
+  EXPECT_GT(furthest, 1.0) << rig.station->deviceTestStatus().words.text();
   EXPECT_LT(furthest, 3.0);
   rig.station->stopDeviceTest();
   EXPECT_TRUE(rig.wait("the motors to be off", [&] { return !rig.process->electronics().figures().motors_on; }));
   EXPECT_FALSE(rig.station->deviceTestStatus().running);
   ASSERT_TRUE(rig.armed());
-  EXPECT_THAT(rig.station->startDeviceTest(device::DeviceTest::vibration).error().message,
+  EXPECT_THAT(rig.station->startDeviceTest(device::DeviceTest::vibration).error().text(),
               HasSubstr("stop the session"));
 }
 

@@ -102,7 +102,7 @@ class DeviceRig {
     if (options.modbus_tcp && modbus_port_ != 0) options.modbus_tcp->port = modbus_port_;
     if (options.camera_mjpeg && camera_port_ != 0) options.camera_mjpeg->port = camera_port_;
     auto started = sim::TouchpadProcess::start(options);
-    ASSERT_TRUE(started) << started.error().message;
+    ASSERT_TRUE(started) << started.error().text();
     process = std::move(*started);
     modbus_port_ = process->modbusPort();
     camera_port_ = process->cameraPort();
@@ -117,7 +117,7 @@ class DeviceRig {
   /// Whether a problem with these words is shown, or was since `inject`: many last for a few milliseconds only.
   [[nodiscard]] bool told(std::string_view words) const {
     const PartStatus now = part();
-    return (!now.ok && now.problem.find(words) != std::string::npos) || log_->has(words);
+    return (!now.ok && now.problem.text().find(words) != std::string::npos) || log_->has(words);
   }
   void inject(sim::TouchpadFault fault, double seconds) {
     log_->forget();
@@ -125,7 +125,7 @@ class DeviceRig {
   }
   [[nodiscard]] bool lineOk(std::string_view what) const {
     for (const ReadinessLine& line : station->readiness()) {
-      if (line.what == what) return line.ok;
+      if (line.what == phrase(what)) return line.ok;
     }
     return false;
   }
@@ -158,7 +158,7 @@ class DeviceRig {
           return condition();
         },
         patience);
-    if (!came) came << "; state " << toString(state) << ", " << part().problem;
+    if (!came) came << "; state " << toString(state) << ", " << part().problem.text();
     return came;
   }
   /// Until that many steps later: what they could do, they have done.
@@ -169,7 +169,7 @@ class DeviceRig {
   /// Everything answers; switched-off motors are given free as their device says: "stop, then arm again".
   [[nodiscard]] testing::AssertionResult well() {
     return wait("every device and line of the readiness list", [this] {
-      if (part().problem.find("stop, then arm again") != std::string::npos) station->requestStop();
+      if (part().problem.text().find("stop, then arm again") != std::string::npos) station->requestStop();
       return allOk();
     });
   }

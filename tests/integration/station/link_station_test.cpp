@@ -44,13 +44,13 @@ TEST_F(LinkStation, RunsWithARobotThatHasTheKeyAndHearsItsGoodbye) {
   EXPECT_TRUE(comesTrue("20 states", [&] { return station->status().link.states_received > 20; }));
   const LinkStatus link = station->status().link;
   EXPECT_TRUE(link.secured);
-  EXPECT_THAT(link.protocol, ::testing::HasSubstr("FYD Link"));
+  EXPECT_THAT(link.protocol.text(), ::testing::HasSubstr("FYD Link"));
   EXPECT_EQ(link.peer, protocol::toString(arm->local()));
   EXPECT_GE(link.figures.round_trip_ms, 0.0);
   // The texture waits for the link's batches of 10 ms: its delay is raised, and the operator is told.
   EXPECT_TRUE(comesTrue("the notice of a raised texture.input_delay_ms", [&] {
     for (const Notice& notice : station->takeNotices()) {
-      if (notice.text.starts_with("texture.input_delay_ms is now")) return true;
+      if (notice.message.text().starts_with("texture.input_delay_ms is now")) return true;
     }
     return false;
   }));
@@ -91,7 +91,7 @@ TEST_F(LinkStation, StationThatStopsTellsTheRobot) {
 TEST_F(LinkStation, WrongOptionsAreNamed) {
   const auto message = [](const StationOptions& wrong) {
     const auto station = Station::open(wrong);
-    return station ? std::string("accepted") : station.error().message;
+    return station ? std::string("accepted") : station.error().text();
   };
   EXPECT_THAT(message({.robot = "link:127.0.0.1:0"}), ::testing::HasSubstr("needs a key file"));
   EXPECT_THAT(message({.robot = "classic:127.0.0.1:0", .key_file = key_file_}), ::testing::HasSubstr("no key file"));

@@ -78,7 +78,7 @@ struct Told {
 class WatchedArm final : public device::Robot {
  public:
   explicit WatchedArm(std::shared_ptr<Told> told) : arm_(sim::SimParameters{}), told_(std::move(told)) {}
-  [[nodiscard]] std::string description() const override { return "watched"; }
+  [[nodiscard]] Message description() const override { return verbatim("watched"); }
   [[nodiscard]] bool inVirtualTime() const override { return true; }
   [[nodiscard]] Result<device::RobotReadings> exchange(const Vec3& target_mm, Instant now) override {
     {

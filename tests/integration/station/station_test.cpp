@@ -87,7 +87,7 @@ testing::AssertionResult staysFor(Station& station, int count, SafetyState state
 
 std::unique_ptr<Station> opened(const StationOptions& options) {
   auto station = Station::open(options);
-  EXPECT_TRUE(station) << station.error().message;
+  EXPECT_TRUE(station) << station.error().text();
   return station ? std::move(*station) : nullptr;
 }
 
@@ -100,7 +100,7 @@ class OutsideRobot {
     options.bind = *protocol::parseEndpoint(bind);
     options.link.reply_timeout = std::chrono::seconds(5);  // a busy machine's pauses are no missed replies here
     auto robot = sim::SimulatedRobot::open(options, std::make_unique<sim::RobotArm>(sim::SimParameters{}));
-    EXPECT_TRUE(robot) << robot.error().message;
+    EXPECT_TRUE(robot) << robot.error().text();
     robot_ = std::move(*robot);
     thread_ = std::jthread([this](const std::stop_token& stop) { robot_->run(stop); });
   }
@@ -134,7 +134,7 @@ TEST(Station, AWholeSessionFromTheFingerToTheRobotAndBack) {
   EXPECT_TRUE(comesTrue("every line of the readiness list", [&] {
     missing.clear();
     for (const ReadinessLine& line : station->readiness())
-      if (!line.ok) missing += line.what + "; ";
+      if (!line.ok) missing += line.what.text() + "; ";
     return missing.empty();
   })) << missing;
   ASSERT_TRUE(comesTrue("100 states", [&] { return station->status().link.states_received > 100U; }));
@@ -242,7 +242,7 @@ TEST(Station, ATakenPortIsAClearError) {
   options.robot = "classic:" + protocol::toString(socket->local());
   const auto station = Station::open(options);
   ASSERT_FALSE(station);
-  EXPECT_THAT(station.error().message, testing::HasSubstr(protocol::toString(socket->local())));
+  EXPECT_THAT(station.error().text(), testing::HasSubstr(protocol::toString(socket->local())));
 }
 
 TEST(Station, WrongOptionsAreClearErrors) {
@@ -250,7 +250,7 @@ TEST(Station, WrongOptionsAreClearErrors) {
     StationOptions options;
     change(options);
     const auto station = Station::open(options);
-    return station ? std::string("no error") : station.error().message;
+    return station ? std::string("no error") : station.error().text();
   };
   EXPECT_THAT(problem([](auto& o) { o.robot = "robby"; }),
               testing::HasSubstr("robot 'robby': expected simulated, none"));
@@ -268,7 +268,7 @@ TEST(Station, AMissingCameraIsShownAndNeverReady) {
                       [](const auto& s) { return s.state == SafetyState::connected && s.step > 300; }));
   const auto status = station->status();
   EXPECT_FALSE(status.parts[1].ok);
-  EXPECT_THAT(status.parts[1].problem, testing::HasSubstr("no-such-camera.avi"));
+  EXPECT_THAT(status.parts[1].problem.text(), testing::HasSubstr("no-such-camera.avi"));
   ASSERT_TRUE(station->command({.action = OperatorAction::arm}));
   bool refused = false;
   EXPECT_TRUE(waitFor(*station, "the refusal to arm", [&](const auto& s) {
@@ -291,7 +291,7 @@ TEST(Station, LiveParametersReachTheStepAndWrongOnesAreRefused) {
   station->start();
   EXPECT_TRUE(comesTrue("the notice that texture.k_vib is now 2", [&] {
     return std::ranges::any_of(station->takeNotices(),
-                               [](const Notice& notice) { return notice.text == "texture.k_vib is now 2."; });
+                               [](const Notice& notice) { return notice.message.text() == "texture.k_vib is now 2."; });
   }));
   EXPECT_EQ(station->currentProfile().step.texture.k_vib, 2.0);
 }

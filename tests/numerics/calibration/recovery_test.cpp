@@ -151,7 +151,7 @@ TEST(IrCalibration, RecoversTheThesisPolynomialFromItsOwnPoints) {
   const sensing::IrDistance thesis;
   const auto found =
       calibrateIr(readingsOf([&](double d) { return thesis.voltsAt(d); }, kDistances, 1, 0, 1), kPresent, kStandard);
-  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason;
+  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason.text();
   EXPECT_TRUE(found.result.outliers.empty());
   EXPECT_LT(found.result.max_residual, 1e-6) << found.result.curve;
   const auto fitted = found.curve.sensor(0, 4095);
@@ -171,7 +171,7 @@ TEST(IrCalibration, RecoversAnInverseCurveWithinItsUncertainty) {
   for (unsigned seed = 0; seed < kTrials; ++seed) {
     const auto samples = readingsOf([](double d) { return 130.0 / (d + 6.0) - 0.05; }, kDistances, 4, 0.004, seed);
     const auto curve = fitIrCurve(IrCandidate::inverse, irPoints(samples.adc, samples.distance_mm, 4));
-    ASSERT_TRUE(curve.has_value()) << curve.error().message;
+    ASSERT_TRUE(curve.has_value()) << curve.error().text();
     held += std::abs(curve->coefficients[0] - 130) <= 2 * curve->standard_errors[0];
   }
   EXPECT_GE(held, 50);  // 95 % of 60 is 57
@@ -203,7 +203,7 @@ TEST(IrCalibration, AStrayPointIsFoundKeptAndLeftOutOnlyWhenSaid) {
   EXPECT_EQ(kept.result.outliers, std::vector<std::size_t>{12});
   EXPECT_FALSE(kept.result.verdict.accepted);
   const auto without = calibrateIr(samples, kPresent, kStandard, {.without_outliers = true});
-  EXPECT_TRUE(without.result.verdict.accepted) << without.result.verdict.reason;
+  EXPECT_TRUE(without.result.verdict.accepted) << without.result.verdict.reason.text();
   EXPECT_EQ(without.result.outliers, std::vector<std::size_t>{12});
   EXPECT_GT(std::abs(without.result.residuals[12]), 35);
 }
@@ -212,7 +212,7 @@ TEST(IrCalibration, WhatTheProfileGetsIsWhatTheStepReads) {
   // A unit 15 mm off at 100 mm. The changes go into a profile; the estimator with that profile reads the truth.
   const auto volts = [](double d) { return 150.0 / (d + 10.0) - 0.02; };
   const auto found = calibrateIr(readingsOf(volts, kDistances, 8, 0.005, 5), kPresent, kStandard, {.sensor = 1});
-  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason;
+  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason.text();
   sensing::SensingParameters profile;
   ASSERT_TRUE(applyChanges(bindParameters(profile), found.result.changes).has_value());
   const auto& p = profile.indentation;
@@ -247,7 +247,7 @@ TEST(LoadCell, RecoversTheThesisFormula) {
     samples.value_mV_per_V.push_back((g + 20.2512) / 1004.8805 + noise(random));
   }
   const auto found = calibrateLoadCell(samples, kStandard);
-  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason;
+  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason.text();
   const auto& [slope, offset] = std::tie(found.result.coefficients[0], found.result.coefficients[1]);
   EXPECT_NEAR(slope.value, 1.0048805 * 9.80665, 3 * slope.standard_error);
   EXPECT_NEAR(offset.value, -0.0202512 * 9.80665, 3 * offset.standard_error);
@@ -331,7 +331,7 @@ TEST(StiffnessMap, RecoversTheThesisPointsWithAWrongTare) {
       }
     }
     const auto map = calibrateStiffness(samples, kStandard);
-    ASSERT_TRUE(map.result.verdict.accepted) << map.result.verdict.reason;
+    ASSERT_TRUE(map.result.verdict.accepted) << map.result.verdict.reason.text();
     ASSERT_EQ(map.angles.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i)
       held += map.angles[i].low_95 <= kThesis[i].second && kThesis[i].second <= map.angles[i].high_95;
@@ -368,7 +368,7 @@ TEST(Camera, RecoversScalesTurnAndMirrorAsTheDetectorUsesThem) {
         }
       }
       const auto found = calibrateCamera(samples, kStandard);
-      ASSERT_TRUE(found.result.verdict.accepted) << turn << found.result.verdict.reason;
+      ASSERT_TRUE(found.result.verdict.accepted) << turn << found.result.verdict.reason.text();
       sensing::FingerParameters profile;
       ASSERT_TRUE(applyChanges(bindParameters(profile), found.result.changes).has_value());
       for (const auto& [u, v] : {std::pair{60.0, 60.0}, {240.0, 180.0}, {150.0, 120.0}}) {
@@ -397,7 +397,7 @@ TEST(Camera, ATiltedViewIsFoundOut) {
   }
   const auto found = calibrateCamera(samples, kStandard);
   EXPECT_FALSE(found.result.verdict.accepted);
-  EXPECT_THAT(found.result.verdict.reason, testing::HasSubstr("square"));
+  EXPECT_THAT(found.result.verdict.reason.text(), testing::HasSubstr("square"));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST_P(RestoredState, ContinuesBitForBitFromAnyStep) {
       const std::string state = original.saveState();
       restored = std::make_unique<Pipeline>(parameters, surface);
       const auto done = restored->restoreState(state);
-      ASSERT_TRUE(done) << done.error().message << " at step " << step;
+      ASSERT_TRUE(done) << done.error().text() << " at step " << step;
       ASSERT_EQ(restored->saveState(), state);
       until_next = 500 + static_cast<int>(random() % 3000);
       ++restores;
@@ -158,7 +158,7 @@ void expectRefused(Pipeline& pipeline, std::string_view state, std::string_view 
   const std::string before = pipeline.saveState();
   const auto done = pipeline.restoreState(state);
   ASSERT_FALSE(done) << "expected: " << why;
-  EXPECT_THAT(done.error().message, ::testing::HasSubstr(std::string(why)));
+  EXPECT_THAT(done.error().text(), ::testing::HasSubstr(std::string(why)));
   ASSERT_EQ(pipeline.saveState(), before);
 }
 

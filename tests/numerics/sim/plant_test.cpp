@@ -127,7 +127,7 @@ TEST(LongRecording, OfAMillionRowsLoadsAndAnswersAnywhere) {
   }
   const auto path = FingerPath::fromCsv(file);
   std::filesystem::remove(file);
-  ASSERT_TRUE(path) << path.error().message;
+  ASSERT_TRUE(path) << path.error().text();
   EXPECT_EQ(path->rows(), 1'000'000U);
   double sum = 0.0;
   for (int i = 0; i < 1'000'000; ++i) sum += path->at(i * 0.9).indentation_mm;  // hopeless unless the look-up is fast

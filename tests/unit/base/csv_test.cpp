@@ -7,7 +7,7 @@ namespace {
 
 TEST(Csv, ReadsTheWantedColumnsWhateverTheirOrder) {
   const auto table = parseCsv("y,x,note\n1,2,a\n-3.5e2,nan,\"b,c\"\n", "f.csv", {"x", "y"});
-  ASSERT_TRUE(table) << table.error().message;
+  ASSERT_TRUE(table) << table.error().text();
   EXPECT_EQ(table->rows(), 2U);
   EXPECT_EQ(table->values[0][0], 2.0);
   EXPECT_TRUE(std::isnan(table->values[0][1]));
@@ -18,13 +18,13 @@ TEST(Csv, ReadsTheWantedColumnsWhateverTheirOrder) {
 TEST(Csv, BlankLinesKeepTheLineNumbersTrue) {
   const auto table = parseCsv("x\r\n\r\n1\r\n\r\ntwo\r\n", "f.csv", {"x"});
   ASSERT_FALSE(table);
-  EXPECT_EQ(table.error().message, "f.csv:5: column x: 'two' is not a number");
+  EXPECT_EQ(table.error().text(), "f.csv:5: column x: 'two' is not a number");
 }
 
 TEST(Csv, NamesWhatIsWrong) {
   const auto message = [](std::string_view text) {
     const auto table = parseCsv(text, "f.csv", {"t", "x"});
-    return table ? std::string("no error") : table.error().message;
+    return table ? std::string("no error") : table.error().text();
   };
   EXPECT_EQ(message(""), "f.csv: empty; expected a header with t,x");
   EXPECT_EQ(message("t,x\n"), "f.csv: a header but no rows");

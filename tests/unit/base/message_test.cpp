@@ -19,10 +19,10 @@ TEST(Message, ItsTextIsTheFormatWithTheValuesFilledIn) {
 }
 
 TEST(Message, AMessageMayBeAValueOfAnother) {
-  const Message message = within("x.fyd", say("Not armed: {}.", phrase(kSilent)));
+  const Message message = about("x.fyd", say("Not armed: {}.", phrase(kSilent)));
   EXPECT_EQ(message.text(), "x.fyd: Not armed: the robot is silent.");
-  EXPECT_EQ(message, within("x.fyd", say("Not armed: {}.", phrase(kSilent))));
-  EXPECT_NE(message, within("x.fyd", say("Not armed: {}.", phrase("another"))));
+  EXPECT_EQ(message, about("x.fyd", say("Not armed: {}.", phrase(kSilent))));
+  EXPECT_NE(message, about("x.fyd", say("Not armed: {}.", phrase("another"))));
 }
 
 TEST(Message, WordsOfOthersAreAValue) {

@@ -32,7 +32,7 @@ struct Sample {
 std::string problem(std::string_view text) {
   Sample sample;
   const auto result = parseProfile(text, "p.toml", bindParameters(sample));
-  return result ? "none" : result.error().message;
+  return result ? "none" : result.error().text();
 }
 
 TEST(Parameter, DefaultsAreTheInitialisers) {
@@ -53,7 +53,7 @@ TEST(Parameter, AProfileRoundTrips) {
   written.where = R"(modbus-rtu:"odd\name" [x]=1 # é)";
   Sample read;
   const auto result = parseProfile(formatProfile(bindParameters(written)), "p.toml", bindParameters(read));
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().text();
   EXPECT_EQ(read.gain, written.gain);
   EXPECT_FALSE(read.on);
   EXPECT_EQ(read.colour, Colour::red);

@@ -70,22 +70,22 @@ CameraSamples gridOf(double sx, double sy) {
 TEST(IrRefusal, TooFewDistancesSayWhereToAddSome) {
   const auto found = calibrateIr(thesisAt({40, 60, 100, 150, 100, 60}), kPresent, kStandard);
   EXPECT_FALSE(found.result.verdict.accepted);
-  EXPECT_THAT(found.result.verdict.reason, HasSubstr("4 different distances in 6 points"));
-  EXPECT_THAT(found.result.verdict.reason, HasSubstr("add points between 150 and 300 mm"));
+  EXPECT_THAT(found.result.verdict.reason.text(), HasSubstr("4 different distances in 6 points"));
+  EXPECT_THAT(found.result.verdict.reason.text(), HasSubstr("add points between 150 and 300 mm"));
   EXPECT_TRUE(found.result.changes.empty());
 }
 
 TEST(IrRefusal, RepeatedPointsAreNoNewDistances) {
   const auto found = calibrateIr(thesisAt(std::vector<double>(40, 100.0)), kPresent, kStandard);
-  EXPECT_THAT(found.result.verdict.reason, HasSubstr("1 different distances in 40 points"));
+  EXPECT_THAT(found.result.verdict.reason.text(), HasSubstr("1 different distances in 40 points"));
 }
 
 TEST(IrRefusal, ClusteredPointsAreSpreadOut) {
   const auto found = calibrateIr(thesisAt({98, 99, 100, 101, 102, 103}), kPresent, kStandard);
   EXPECT_FALSE(found.result.verdict.accepted);
-  EXPECT_THAT(found.result.verdict.reason, HasSubstr("span only 5 mm"));
+  EXPECT_THAT(found.result.verdict.reason.text(), HasSubstr("span only 5 mm"));
   const auto gap = calibrateIr(thesisAt({40, 45, 50, 55, 60, 300}), kPresent, kStandard);
-  EXPECT_THAT(gap.result.verdict.reason, HasSubstr("add points between 60 and 300 mm"));
+  EXPECT_THAT(gap.result.verdict.reason.text(), HasSubstr("add points between 60 and 300 mm"));
 }
 
 TEST(IrRefusal, AFoldedSensorIsNamedByItsDistances) {
@@ -94,8 +94,8 @@ TEST(IrRefusal, AFoldedSensorIsNamedByItsDistances) {
   samples.distance_mm.push_back(20);
   const auto found = calibrateIr(samples, kPresent, kStandard);
   EXPECT_FALSE(found.result.verdict.accepted);
-  EXPECT_THAT(found.result.verdict.reason, HasSubstr("adc rises from 2400 at 20 mm"));
-  EXPECT_THAT(found.result.verdict.reason, HasSubstr("too near"));
+  EXPECT_THAT(found.result.verdict.reason.text(), HasSubstr("adc rises from 2400 at 20 mm"));
+  EXPECT_THAT(found.result.verdict.reason.text(), HasSubstr("too near"));
 }
 
 TEST(IrRefusal, ConstantCodesAndNonsenseAreRefused) {
@@ -116,7 +116,7 @@ TEST(BadRow, TheFirstBadPointIsNamed) {
     const auto found = calibrateIr(samples, kPresent, kStandard);
     EXPECT_FALSE(found.result.verdict.accepted);
     EXPECT_EQ(found.result.bad_row, 2U) << bad;
-    EXPECT_THAT(found.result.verdict.reason, HasSubstr("adc = "));
+    EXPECT_THAT(found.result.verdict.reason.text(), HasSubstr("adc = "));
   }
   LoadCellSamples cell = thesisCell({0, 0.2, 0.4, 0.6});
   cell.force_N[3] = std::nan("");
@@ -126,44 +126,44 @@ TEST(BadRow, TheFirstBadPointIsNamed) {
 TEST(Enormous, AMillionPointsAreRefusedAtOnce) {
   const std::vector<double> many(1'000'000, 0.5);
   const auto found = calibrateLoadCell({.value_mV_per_V = many, .force_N = many}, kStandard);
-  EXPECT_THAT(found.result.verdict.reason, HasSubstr("1000000 points"));
+  EXPECT_THAT(found.result.verdict.reason.text(), HasSubstr("1000000 points"));
 }
 
 TEST(LoadCellRefusal, NeedsDifferentWeightsOverASpan) {
-  EXPECT_THAT(calibrateLoadCell(thesisCell({0, 0, 0.3, 0.3}), kStandard).result.verdict.reason,
+  EXPECT_THAT(calibrateLoadCell(thesisCell({0, 0, 0.3, 0.3}), kStandard).result.verdict.reason.text(),
               HasSubstr("2 different weights in 4 points"));
   const auto narrow = calibrateLoadCell(thesisCell({0.10, 0.11, 0.12}), kStandard);
-  EXPECT_THAT(narrow.result.verdict.reason, HasSubstr("add weights between 0.984 and 7.65 N"));
+  EXPECT_THAT(narrow.result.verdict.reason.text(), HasSubstr("add weights between 0.984 and 7.65 N"));
   EXPECT_FALSE(calibrateLoadCell({}, kStandard).result.verdict.accepted);
   LoadCellSamples dead = thesisCell({0, 0.2, 0.4, 0.6});
   dead.value_mV_per_V.assign(4, 0.1);
-  EXPECT_THAT(calibrateLoadCell(dead, kStandard).result.verdict.reason, HasSubstr("cable"));
+  EXPECT_THAT(calibrateLoadCell(dead, kStandard).result.verdict.reason.text(), HasSubstr("cable"));
 }
 
 TEST(StiffnessRefusal, AFallingStiffnessIsNamedByItsAngles) {
   const auto map = calibrateStiffness(mapOf({{20, 0.5}, {45, 0.7}, {60, 0.55}, {90, 0.72}}), kStandard);
   EXPECT_FALSE(map.result.verdict.accepted);
-  EXPECT_THAT(map.result.verdict.reason, HasSubstr("falls from 0.7"));
-  EXPECT_THAT(map.result.verdict.reason, HasSubstr("45 deg"));
+  EXPECT_THAT(map.result.verdict.reason.text(), HasSubstr("falls from 0.7"));
+  EXPECT_THAT(map.result.verdict.reason.text(), HasSubstr("45 deg"));
   EXPECT_TRUE(map.result.changes.empty());
 }
 
 TEST(StiffnessRefusal, NeedsAnglesPressesAndDepth) {
-  EXPECT_THAT(calibrateStiffness(mapOf({{20, 0.5}, {90, 0.7}}), kStandard).result.verdict.reason,
+  EXPECT_THAT(calibrateStiffness(mapOf({{20, 0.5}, {90, 0.7}}), kStandard).result.verdict.reason.text(),
               HasSubstr("between 20 and 90 deg"));
   StiffnessSamples few = mapOf({{20, 0.5}, {45, 0.55}, {60, 0.67}});
   few.angle_deg.push_back(90);
   few.indentation_mm.push_back(5);
   few.force_N.push_back(3.6);
-  EXPECT_THAT(calibrateStiffness(few, kStandard).result.verdict.reason, HasSubstr("1 points at 90 deg"));
+  EXPECT_THAT(calibrateStiffness(few, kStandard).result.verdict.reason.text(), HasSubstr("1 points at 90 deg"));
   StiffnessSamples shallow = mapOf({{20, 0.5}, {45, 0.55}, {60, 0.67}});
   for (std::size_t i = 8; i < 12; ++i) shallow.indentation_mm[i] = 0.0;
-  EXPECT_THAT(calibrateStiffness(shallow, kStandard).result.verdict.reason, HasSubstr("press deeper"));
+  EXPECT_THAT(calibrateStiffness(shallow, kStandard).result.verdict.reason.text(), HasSubstr("press deeper"));
 }
 
 TEST(StiffnessMapping, NeighboursWithinTheirUncertaintyArePooledAndTheLawStillRises) {
   const auto map = calibrateStiffness(mapOf({{20, 0.5}, {45, 0.6}, {60, 0.599}, {90, 0.72}}), kStandard);
-  ASSERT_TRUE(map.result.verdict.accepted) << map.result.verdict.reason;
+  ASSERT_TRUE(map.result.verdict.accepted) << map.result.verdict.reason.text();
   ASSERT_EQ(map.law_angle_deg.size(), 3U);
   control::ControlParameters control;
   ASSERT_TRUE(applyChanges(bindParameters(control), map.result.changes).has_value());
@@ -187,7 +187,7 @@ TEST(CameraRefusal, PointsOnALineAndRepeatsSayWhatToAdd) {
     line.x_mm.push_back(20 * t);
     line.y_mm.push_back(-14 * t);
   }
-  EXPECT_THAT(calibrateCamera(line, kStandard).result.verdict.reason, HasSubstr("add points off that line"));
+  EXPECT_THAT(calibrateCamera(line, kStandard).result.verdict.reason.text(), HasSubstr("add points off that line"));
   CameraSamples repeated;
   for (int i = 0; i < 20; ++i) {
     repeated.x_px.push_back(100);
@@ -195,7 +195,7 @@ TEST(CameraRefusal, PointsOnALineAndRepeatsSayWhatToAdd) {
     repeated.x_mm.push_back(0);
     repeated.y_mm.push_back(0);
   }
-  EXPECT_THAT(calibrateCamera(repeated, kStandard).result.verdict.reason, HasSubstr("1 different points"));
+  EXPECT_THAT(calibrateCamera(repeated, kStandard).result.verdict.reason.text(), HasSubstr("1 different points"));
 }
 
 TEST(CameraMapping, AMirroredTargetIsPointedOut) {
@@ -203,7 +203,7 @@ TEST(CameraMapping, AMirroredTargetIsPointedOut) {
   const auto wrong = calibrateCamera(gridOf(0.45, 0.47), kStandard);
   EXPECT_TRUE(wrong.mirrored);
   ASSERT_FALSE(wrong.result.notes.empty());
-  EXPECT_THAT(wrong.result.notes.back(), HasSubstr("signs of y_mm"));
+  EXPECT_THAT(wrong.result.notes.back().text(), HasSubstr("signs of y_mm"));
 }
 
 TEST(Threshold, LiesInTheValleyBetweenFingerAndCloth) {
@@ -239,7 +239,7 @@ TEST(Encoders, FindSignAndZeroAcrossTheSeam) {
     samples.counts[1].push_back(onCircle(std::round(100 + angle * 4096 / 360)));
   }
   const auto found = calibrateEncoders(samples, kStandard);
-  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason;
+  ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason.text();
   EXPECT_NEAR(found.encoders[0].zero_counts, 4000, 1);
   EXPECT_FALSE(found.encoders[0].inverted);
   EXPECT_NEAR(found.encoders[1].zero_counts, 100, 1);
@@ -249,7 +249,7 @@ TEST(Encoders, FindSignAndZeroAcrossTheSeam) {
   EXPECT_TRUE(control.encoder_second_inverted);
 
   for (double& counts : samples.counts[1]) counts = 100;  // a motor that does not turn
-  EXPECT_THAT(calibrateEncoders(samples, kStandard).result.verdict.reason,
+  EXPECT_THAT(calibrateEncoders(samples, kStandard).result.verdict.reason.text(),
               HasSubstr("second encoder turns 100.0 % less"));
 }
 
@@ -267,18 +267,18 @@ TEST(Rest, AcceptsStillnessAndRefusesMotionAndAWrongScale) {
     without_gravity.axis_g[2][i] -= 0.8;
   }
   const auto taken_away = calibrateRest(without_gravity, kStandard).result;
-  EXPECT_TRUE(taken_away.verdict.accepted) << taken_away.verdict.reason;
+  EXPECT_TRUE(taken_away.verdict.accepted) << taken_away.verdict.reason.text();
   ASSERT_EQ(taken_away.notes.size(), 1U);
   RestSamples dead = samples;
   for (auto& axis : dead.axis_g) std::fill(axis.begin(), axis.end(), 0.0);
   EXPECT_FALSE(calibrateRest(dead, kStandard).result.verdict.accepted);
   RestSamples moving = samples;
   for (std::size_t i = 0; i < 200; ++i) moving.axis_g[0][i] *= 20;
-  EXPECT_THAT(calibrateRest(moving, kStandard).result.verdict.reason, HasSubstr("it moves"));
+  EXPECT_THAT(calibrateRest(moving, kStandard).result.verdict.reason.text(), HasSubstr("it moves"));
   for (auto& axis : samples.axis_g) {
     for (double& a : axis) a *= 1.3;
   }
-  EXPECT_THAT(calibrateRest(samples, kStandard).result.verdict.reason, HasSubstr("counts per g"));
+  EXPECT_THAT(calibrateRest(samples, kStandard).result.verdict.reason.text(), HasSubstr("counts per g"));
 }
 
 TEST(NoTouch, AFinishedTareBecomesOffsetsAndAFailedOneWords) {
@@ -291,7 +291,7 @@ TEST(NoTouch, AFinishedTareBecomesOffsetsAndAFailedOneWords) {
   const auto moved = judgeTare(sensing::TareState::unsteady, tare, 0.1);
   EXPECT_FALSE(moved.verdict.accepted);
   EXPECT_TRUE(moved.changes.empty());
-  EXPECT_THAT(moved.verdict.reason, HasSubstr("come to rest"));
+  EXPECT_THAT(moved.verdict.reason.text(), HasSubstr("come to rest"));
 }
 
 TEST(Folds, WholeTargetsAreHeldOutAndTheEndsAreNotWhenKept) {
@@ -312,7 +312,7 @@ TEST(Apply, IsAllOrNothing) {
   const auto failed = applyChanges(
       parameters, std::vector<ParameterChange>{{"sensing.force_zero_N", "1"}, {"sensing.force_slope_g", "1e9"}});
   ASSERT_FALSE(failed.has_value());
-  EXPECT_THAT(failed.error().message, HasSubstr("sensing.force_slope_g"));
+  EXPECT_THAT(failed.error().text(), HasSubstr("sensing.force_slope_g"));
   EXPECT_EQ(sensing.load_cell.zero_N, 0.0);
   EXPECT_FALSE(applyChanges(parameters, std::vector<ParameterChange>{{"no.such", "1"}}).has_value());
 }
@@ -339,7 +339,7 @@ TEST(Record, ReadsBackWhatItWroteToTheLastBit) {
   const std::vector<CalibrationRecord> records = {exampleRecord(), exampleRecord()};
   const std::string text = formatRecords(records);
   const auto back = parseRecords(text, "lab.calibration.toml");
-  ASSERT_TRUE(back.has_value()) << back.error().message;
+  ASSERT_TRUE(back.has_value()) << back.error().text();
   ASSERT_EQ(back->size(), 2U);
   const CalibrationRecord& r = back->front();
   EXPECT_EQ(r.who, exampleRecord().who);
@@ -357,7 +357,7 @@ TEST(Record, ReadsBackWhatItWroteToTheLastBit) {
 TEST(Record, WhatIsNoRecordIsRefusedWithItsLine) {
   const auto problemOf = [](std::string_view text) {
     const auto parsed = parseRecords(text, "f");
-    return parsed ? std::string("accepted") : parsed.error().message;
+    return parsed ? std::string("accepted") : parsed.error().text();
   };
   EXPECT_THAT(problemOf(""), HasSubstr("format"));
   EXPECT_THAT(problemOf("format = 2\n"), HasSubstr("format 2"));

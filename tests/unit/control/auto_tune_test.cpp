@@ -46,7 +46,7 @@ TEST(Excitation, StaysInTheMiddleOfTheTravelAndSlow) {
 
 TEST(AutoTune, FindsScaleDelayAndLag) {
   const auto fabric = identifyFabric(excite(1.2, 0.08, 0.3, 0.0), {});
-  ASSERT_TRUE(fabric) << fabric.error().message;
+  ASSERT_TRUE(fabric) << fabric.error().text();
   EXPECT_NEAR(fabric->scale, 1.2, 0.02);
   EXPECT_NEAR(fabric->shape_gain, 1.0, 0.03);
   EXPECT_NEAR(fabric->delay_s, 0.08, 0.02);
@@ -56,7 +56,7 @@ TEST(AutoTune, FindsScaleDelayAndLag) {
 
 TEST(AutoTune, FindsThemThroughNoise) {
   const auto fabric = identifyFabric(excite(0.75, 0.05, 0.2, 0.05), {});
-  ASSERT_TRUE(fabric) << fabric.error().message;
+  ASSERT_TRUE(fabric) << fabric.error().text();
   EXPECT_NEAR(fabric->scale, 0.75, 0.03);
   EXPECT_NEAR(fabric->shape_gain, 1.0, 0.1);
   EXPECT_NEAR(fabric->delay_s + fabric->lag_s, 0.25, 0.08);
@@ -65,7 +65,7 @@ TEST(AutoTune, FindsThemThroughNoise) {
 
 TEST(AutoTune, ProposesGainsThatKeepTheirMarginsAndSettle) {
   const auto proposal = proposeGains(excite(1.1, 0.05, 0.2, 0.03), {});
-  ASSERT_TRUE(proposal) << proposal.error().message;
+  ASSERT_TRUE(proposal) << proposal.error().text();
   EXPECT_TRUE(proposal->after.stable);
   EXPECT_GE(proposal->after.margins.gain_margin, 2.0);
   EXPECT_GE(proposal->after.margins.phase_margin_deg, 60.0);
@@ -86,7 +86,7 @@ TEST(AutoTune, FindsHowLongTheNoiseRepeatsItself) {
     sample.stiffness_N_per_mm *= std::exp(noise);
   }
   const auto fabric = identifyFabric(recording, {});
-  ASSERT_TRUE(fabric) << fabric.error().message;
+  ASSERT_TRUE(fabric) << fabric.error().text();
   EXPECT_GT(fabric->noise_correlation_s, 0.12);
   EXPECT_LT(fabric->noise_correlation_s, 0.5);
   EXPECT_NEAR(identifyFabric(excite(1, 0.05, 0.1, 0.04), {})->noise_correlation_s, 0.02, 0.01) << "white noise";
@@ -102,7 +102,7 @@ TEST(AutoTune, LateSensorsGetSlowerGains) {
 TEST(AutoTune, SaysWhatTheRecordingLacks) {
   const auto problem = [](std::vector<TuneSample> recording) {
     const auto proposal = proposeGains(recording, {});
-    return proposal ? std::string("none") : proposal.error().message;
+    return proposal ? std::string("none") : proposal.error().text();
   };
   const auto good = excite(1, 0.05, 0.1, 0.02);
   EXPECT_EQ(problem(good), "none");
@@ -199,7 +199,7 @@ TEST(AutoTune, TellsHowFarItIsAndEndsWhenAsked) {
   const auto ended = proposeGains(recording, {}, [&](double) { return ++asked < 2; });
   ASSERT_FALSE(ended);
   EXPECT_EQ(asked, 2);
-  EXPECT_THAT(ended.error().message, testing::HasSubstr("cancelled"));
+  EXPECT_THAT(ended.error().text(), testing::HasSubstr("cancelled"));
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ TEST(ControlParameters, NamesWhatIsWrongWithTheLawsPoints) {
     ControlParameters parameters;
     EXPECT_TRUE(parseProfile(profile, "p.toml", bindParameters(parameters)));
     const auto checked = checkControlParameters(parameters);
-    return checked ? std::string("none") : checked.error().message;
+    return checked ? std::string("none") : checked.error().text();
   };
   EXPECT_EQ(problem(""), "none");
   EXPECT_THAT(problem("[control]\nlaw_angle_deg = [20, 45, 45, 90]"), testing::HasSubstr("control.law_angle_deg: 45"));

@@ -44,7 +44,7 @@ class CameraSource : public ::testing::Test {
 
   static std::string errorOf(const std::string& source) {
     const auto camera = openCamera(source);
-    return camera ? "opened " + (*camera)->description() : camera.error().message;
+    return camera ? "opened " + (*camera)->description().text() : camera.error().text();
   }
   static int greyOf(const CameraFrame& frame) {
     return frame.picture.at<std::uint8_t>(120, 160 * frame.picture.channels());
@@ -77,12 +77,12 @@ TEST_F(CameraSource, FolderGivesItsPicturesByNameAndStartsAgain) {
   writePicture("c.pgm", 0);  // black: passed on
   std::ofstream(path("notes.txt")) << "no picture";
   auto camera = openCamera(folder_.string());
-  ASSERT_TRUE(camera) << camera.error().message;
-  EXPECT_THAT((*camera)->description(), HasSubstr("3 pictures at 30 fps, repeating"));
+  ASSERT_TRUE(camera) << camera.error().text();
+  EXPECT_THAT((*camera)->description().text(), HasSubstr("3 pictures at 30 fps, repeating"));
   Instant last{};
   for (const int grey : {10, 20, 0, 10}) {
     const auto frame = (*camera)->next();
-    ASSERT_TRUE(frame) << frame.error().message;
+    ASSERT_TRUE(frame) << frame.error().text();
     EXPECT_EQ(greyOf(*frame), grey);
     EXPECT_EQ(frame->picture.depth(), CV_8U);
     EXPECT_GT(frame->taken, last);
@@ -97,7 +97,7 @@ TEST_F(CameraSource, AnUnreadablePictureIsNamedAndTheNextOneFollows) {
   ASSERT_TRUE(camera);
   const auto broken = (*camera)->next();
   ASSERT_FALSE(broken);
-  EXPECT_THAT(broken.error().message, HasSubstr("a.png' is not a picture"));
+  EXPECT_THAT(broken.error().text(), HasSubstr("a.png' is not a picture"));
   const auto frame = (*camera)->next();
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->picture.depth(), CV_8U) << "16-bit pictures come as 8 bit";
@@ -140,7 +140,7 @@ TEST_F(CameraSource, AThirdOfAPictureIsRefusedWhateverItsKind) {
   ASSERT_TRUE(camera);
   const auto frame = (*camera)->next();
   ASSERT_FALSE(frame);
-  EXPECT_THAT(frame.error().message, HasSubstr("a.jpg' is not a picture that can be read: Premature end of JPEG"));
+  EXPECT_THAT(frame.error().text(), HasSubstr("a.jpg' is not a picture that can be read: Premature end of JPEG"));
 }
 
 TEST(PictureDecoder, WholeJpegsOfEveryUsualKindAreRead) {
@@ -159,7 +159,7 @@ TEST(PictureDecoder, WholeJpegsOfEveryUsualKindAreRead) {
           for (const std::size_t padding : {0U, 1U, 100U}) {  // as drivers and containers add
             bytes.resize(bytes.size() + padding);
             const auto read = decodeJpeg(bytes);
-            ASSERT_TRUE(read) << quality << progressive << restart << channels << ": " << read.error().message;
+            ASSERT_TRUE(read) << quality << progressive << restart << channels << ": " << read.error().text();
             EXPECT_EQ(read->channels(), channels);
             EXPECT_LT(cv::norm(*read, cv::imdecode(bytes, cv::IMREAD_ANYCOLOR), cv::NORM_INF), 3.0);
           }
@@ -176,7 +176,7 @@ TEST(PictureDecoder, HostileSizesAndNoJpegAreRefused) {
     std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(i) + 5, 4, std::uint8_t{0xFE});  // height and width
     break;
   }
-  EXPECT_THAT(decodeJpeg(bytes).error().message, HasSubstr("65278 × 65278 pixels, expected at most"));
+  EXPECT_THAT(decodeJpeg(bytes).error().text(), HasSubstr("65278 × 65278 pixels, expected at most"));
   EXPECT_FALSE(decodeJpeg({}));
   const std::array<std::uint8_t, 4> start = {0xFF, 0xD8, 0xFF, 0xE0};
   EXPECT_FALSE(decodeJpeg(start));
@@ -253,10 +253,10 @@ class Stream {
 TEST(CameraStream, ADamagedPictureIsPassedOverAndCounted) {
   Stream stream([](std::vector<std::uint8_t> jpeg, int n) { return n % 20 == 10 ? cut(jpeg, 0.34) : jpeg; });
   auto camera = openCamera(stream.url());
-  ASSERT_TRUE(camera) << camera.error().message;
+  ASSERT_TRUE(camera) << camera.error().text();
   for (int i = 0; i < 60; ++i) {
     const auto frame = (*camera)->next();
-    ASSERT_TRUE(frame) << frame.error().message;
+    ASSERT_TRUE(frame) << frame.error().text();
     cv::Scalar mean, deviation;
     cv::meanStdDev(frame->picture, mean, deviation);
     EXPECT_NEAR(deviation[0], 3.0, 1.0) << "no grey filling";
@@ -273,19 +273,19 @@ TEST(CameraStream, ASourceOfDamagedPicturesIsNotBelievedAndBelievedAgainWhenItIs
     return jpeg;
   });
   auto camera = openCamera(stream.url());
-  ASSERT_TRUE(camera) << camera.error().message;
+  ASSERT_TRUE(camera) << camera.error().text();
   ASSERT_TRUE((*camera)->next());
   damaged = true;
   int believed = 0;  // of those sent before, and of the damaged ones before three were found
   Result<CameraFrame> frame = (*camera)->next();
   for (; frame; frame = (*camera)->next()) ASSERT_LT(++believed, 60);
-  EXPECT_THAT(frame.error().message, HasSubstr("sends damaged pictures: "));
+  EXPECT_THAT(frame.error().text(), HasSubstr("sends damaged pictures: "));
   for (int i = 0; i < 3; ++i) EXPECT_FALSE((*camera)->next()) << "some of them decode without a warning";
   damaged = false;
   const Instant end = Clock::now() + std::chrono::seconds(20);
   do frame = (*camera)->next();
   while (!frame && Clock::now() < end);
-  EXPECT_TRUE(frame) << frame.error().message;
+  EXPECT_TRUE(frame) << frame.error().text();
 }
 
 TEST_F(CameraSource, DamagedPicturesOfAVideoArePassedOver) {
@@ -309,10 +309,10 @@ TEST_F(CameraSource, DamagedPicturesOfAVideoArePassedOver) {
   ASSERT_EQ(wiped, 2);
   write(path("film.avi"), bytes);
   auto camera = openCamera(path("film.avi"));
-  ASSERT_TRUE(camera) << camera.error().message;
+  ASSERT_TRUE(camera) << camera.error().text();
   for (int i = 0; i < 38; ++i) {
     const auto frame = (*camera)->next();
-    ASSERT_TRUE(frame) << i << ": " << frame.error().message;
+    ASSERT_TRUE(frame) << i << ": " << frame.error().text();
     double least = 0.0, most = 0.0;
     cv::Mat grey;
     cv::extractChannel(frame->picture, grey, 0);
@@ -331,19 +331,19 @@ TEST_F(CameraSource, AnEmptiedFolderIsAnErrorAndItsReturnIsSeen) {
   EXPECT_FALSE((*camera)->next());
   writePicture("b.png", 30);
   const auto frame = (*camera)->next();
-  ASSERT_TRUE(frame) << frame.error().message;
+  ASSERT_TRUE(frame) << frame.error().text();
   EXPECT_EQ(greyOf(*frame), 30);
 }
 
 TEST_F(CameraSource, VideoPlaysAtItsOwnRateAndStartsAgain) {
   writeVideo("three.avi", 3, 50.0);
   auto camera = openCamera(path("three.avi"));
-  ASSERT_TRUE(camera) << camera.error().message;
-  EXPECT_THAT((*camera)->description(), HasSubstr("320 × 240 at 50 fps, repeating"));
+  ASSERT_TRUE(camera) << camera.error().text();
+  EXPECT_THAT((*camera)->description().text(), HasSubstr("320 × 240 at 50 fps, repeating"));
   Instant first{};
   for (int i = 0; i < 7; ++i) {
     const auto frame = (*camera)->next();
-    ASSERT_TRUE(frame) << frame.error().message;
+    ASSERT_TRUE(frame) << frame.error().text();
     EXPECT_NEAR(greyOf(*frame), 10 * (i % 3 + 1), 2) << "frame " << i;
     EXPECT_EQ(frame->number, static_cast<std::uint64_t>(i + 1));
     if (i == 0) first = frame->taken;
@@ -359,25 +359,25 @@ TEST_F(CameraSource, AVideoThatVanishesFailsAndComesBack) {
   fs::rename(path("short.avi"), path("elsewhere.avi"));
   const auto gone = (*camera)->next();
   ASSERT_FALSE(gone);
-  EXPECT_THAT(gone.error().message, HasSubstr("short.avi"));
+  EXPECT_THAT(gone.error().text(), HasSubstr("short.avi"));
   fs::rename(path("elsewhere.avi"), path("short.avi"));
   const auto back = (*camera)->next();
-  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_TRUE(back) << back.error().text();
   EXPECT_EQ(back->number, 2U);
 }
 
 TEST_F(CameraSource, AStreamThatEndsFailsAndIsOpenedAgainLater) {
   writeVideo("stream.avi", 2, 100.0);
   auto camera = openCamera("file://" + path("stream.avi"));
-  ASSERT_TRUE(camera) << camera.error().message;
+  ASSERT_TRUE(camera) << camera.error().text();
   ASSERT_TRUE((*camera)->next());
   ASSERT_TRUE((*camera)->next());
   const Instant before = Clock::now();
   const auto ended = (*camera)->next();
   ASSERT_FALSE(ended) << "a stream does not repeat";
-  EXPECT_THAT(ended.error().message, HasSubstr("stream.avi': gives no picture any more"));
+  EXPECT_THAT(ended.error().text(), HasSubstr("stream.avi': gives no picture any more"));
   const auto again = (*camera)->next();
-  ASSERT_TRUE(again) << again.error().message;
+  ASSERT_TRUE(again) << again.error().text();
   EXPECT_EQ(again->number, 3U);
   EXPECT_GE(Clock::now() - before, std::chrono::milliseconds(900)) << "not in a busy loop";
 }

@@ -39,10 +39,10 @@ TEST(ModbusAddress, AColonInAPortsNameIsNoSpeed) {
 }
 
 TEST(ModbusAddress, SaysWhatItExpected) {
-  EXPECT_THAT(parseModbusAddress("modbus-tcp:nowhere").error().message, HasSubstr("nowhere"));
-  EXPECT_THAT(parseModbusAddress("modbus-rtu:").error().message, HasSubstr("modbus-rtu:TTY[:BAUD]"));
-  EXPECT_THAT(openTouchpad("touchpad", {}).error().message, HasSubstr("'touchpad'"));
-  EXPECT_THAT(withMotors(nullptr, "maxon:/dev/x", {}).error().message, HasSubstr("qbmove:TTY"));
+  EXPECT_THAT(parseModbusAddress("modbus-tcp:nowhere").error().text(), HasSubstr("nowhere"));
+  EXPECT_THAT(parseModbusAddress("modbus-rtu:").error().text(), HasSubstr("modbus-rtu:TTY[:BAUD]"));
+  EXPECT_THAT(openTouchpad("touchpad", {}).error().text(), HasSubstr("'touchpad'"));
+  EXPECT_THAT(withMotors(nullptr, "maxon:/dev/x", {}).error().text(), HasSubstr("qbmove:TTY"));
 }
 
 TEST(DeviceClock, AWrapIsNoRestartAndARestartIsSeen) {
@@ -75,11 +75,11 @@ TEST(EncoderCounts, FollowSignAndScaleOfTheProfile) {
 }
 
 TEST(SerialPort, ReasonsComeWithTheirRemedy) {
-  EXPECT_THAT(explainPort("/dev/null", EACCES), HasSubstr("usermod -aG root"));
-  EXPECT_THAT(explainPort("/dev/x", EBUSY), HasSubstr("fuser"));
-  EXPECT_THAT(SerialPort::open("/dev/there-is-none", 115'200).error().message, HasSubstr("plugged in"));
-  EXPECT_THAT(SerialPort::open("/dev/null", 115'200).error().message, HasSubstr("no serial port"));
-  EXPECT_THAT(SerialPort::open("/dev/null", 123'456).error().message, HasSubstr("123456 Bd is no speed"));
+  EXPECT_THAT(explainPort("/dev/null", EACCES).text(), HasSubstr("usermod -aG root"));
+  EXPECT_THAT(explainPort("/dev/x", EBUSY).text(), HasSubstr("fuser"));
+  EXPECT_THAT(SerialPort::open("/dev/there-is-none", 115'200).error().text(), HasSubstr("plugged in"));
+  EXPECT_THAT(SerialPort::open("/dev/null", 115'200).error().text(), HasSubstr("no serial port"));
+  EXPECT_THAT(SerialPort::open("/dev/null", 123'456).error().text(), HasSubstr("123456 Bd is no speed"));
 }
 
 TEST(SerialPort, WithoutPermissionTheGroupAndTheRemedyAreNamed) {
@@ -92,8 +92,8 @@ TEST(SerialPort, WithoutPermissionTheGroupAndTheRemedyAreNamed) {
     ModbusLink link(*parseModbusAddress("modbus-rtu:" + path), std::chrono::milliseconds(50),
                     std::chrono::milliseconds(5));
     const auto opened = link.open();
-    return !port && port.error().message.find("usermod -aG") != std::string::npos && !opened &&
-           opened.error().message.find("no permission") != std::string::npos;
+    return !port && port.error().text().find("usermod -aG") != std::string::npos && !opened &&
+           opened.error().text().find("no permission") != std::string::npos;
   };
   EXPECT_EXIT(::_exit(refused() ? 0 : 1), testing::ExitedWithCode(0), "");
   std::filesystem::remove(path);
@@ -110,7 +110,7 @@ TEST(SerialPort, ASpeedThatWasSilentlyReplacedIsFoundOut) {
   ::cfsetspeed(&mode, B9600);
   ASSERT_EQ(::tcsetattr(slave, TCSANOW, &mode), 0);
   EXPECT_TRUE(checkSpeed(slave, 9600, "port"));
-  EXPECT_THAT(checkSpeed(slave, 115'200, "port").error().message,
+  EXPECT_THAT(checkSpeed(slave, 115'200, "port").error().text(),
               HasSubstr("asked for 115200 Bd, the port runs at 9600"));
   ::close(slave);
   ::close(master);
@@ -123,7 +123,7 @@ TEST(ModbusAddress, MayNameTheAdapterAndTheTouchpad) {
   EXPECT_EQ(rtu->baud, 1'000'000);
   EXPECT_EQ(rtu->serial, "FYD-0042");
   EXPECT_EQ(parseModbusAddress("modbus-tcp:127.0.0.1:502,serial=7")->serial, "7");
-  EXPECT_THAT(parseModbusAddress("modbus-tcp:127.0.0.1:502,serial=").error().message, HasSubstr("1 to 16"));
+  EXPECT_THAT(parseModbusAddress("modbus-tcp:127.0.0.1:502,serial=").error().text(), HasSubstr("1 to 16"));
   EXPECT_FALSE(parseModbusAddress("modbus-tcp:127.0.0.1:502,serial=12345678901234567"));
 }
 
@@ -136,7 +136,7 @@ class ById : public testing::Test {
   void plugIn(const std::string& name) { std::filesystem::create_symlink("/dev/null", folder_ / name); }
   std::string resolve(const std::string& text) {
     const auto found = resolveDevice(text, folder_.string());
-    return found ? std::filesystem::path(*found).filename().string() : "error: " + found.error().message;
+    return found ? std::filesystem::path(*found).filename().string() : "error: " + found.error().text();
   }
   std::filesystem::path folder_;
 };
@@ -160,7 +160,7 @@ TEST_F(ById, NoneAndSeveralAreNamed) {
   EXPECT_EQ(resolve("id=42-if01"), "usb-Maker_Board_42-if01");
   EXPECT_EQ(resolve("id=142"), "usb-Maker_Board_142-if00");
   EXPECT_THAT(resolve("id="), HasSubstr("expected id=SERIAL"));
-  EXPECT_THAT(resolveDevice("id=7", "/there/is/none").error().message, HasSubstr("nothing"));
+  EXPECT_THAT(resolveDevice("id=7", "/there/is/none").error().text(), HasSubstr("nothing"));
 }
 
 TEST_F(ById, ACamerasPicturesComeFromItsFirstNode) {
@@ -185,7 +185,7 @@ TEST(DeviceList, StableNamesComeFirstAndOnlyOnce) {
   EXPECT_THAT(found[0].path, HasSubstr("usb-Maker_Board_42-if00"));
   EXPECT_THAT(found[0].node, HasSubstr("ttyUSB1"));
   EXPECT_THAT(found[1].path, HasSubstr("ttyUSB0"));
-  EXPECT_EQ(found[1].problem, "");
+  EXPECT_EQ(found[1].problem.text(), "");
   EXPECT_TRUE(findCaptureDevices(dev.string()).empty());
   fs::remove_all(dev);
 }

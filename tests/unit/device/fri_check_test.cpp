@@ -30,7 +30,7 @@ std::string verdict(const std::function<void(FriMeasurement&)>& spoil) {
   FriMeasurement m = sound();
   spoil(m);
   const auto good = checkMeasurement(m);
-  return good ? "possible" : good.error().message;
+  return good ? "possible" : good.error().text();
 }
 
 TEST(FriCheck, EachImpossibleQuantityIsNamedWithItsValueAndBound) {
@@ -81,7 +81,7 @@ TEST(FriCheck, AToolThatLeapsIsNamed) {
   EXPECT_FALSE(checkStep(before, now, 1));
   EXPECT_TRUE(checkStep(before, now, 2));
   now.frame[3] = 1.5F;
-  EXPECT_EQ(checkStep(before, now, 2).error().message,
+  EXPECT_EQ(checkStep(before, now, 2).error().text(),
             "KRC: the measured frame moved 1 m in 2 cycles; expected at most 0.6 m");
 }
 

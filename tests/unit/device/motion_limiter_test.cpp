@@ -189,7 +189,7 @@ TEST(MotionLimiter, StartsFromWhereTheArmStandsEvenOutsideTheWorkspace) {
 TEST(MotionLimiter, WrongLimitsAreRefusedWithTheirValue) {
   const auto message = [](const MotionLimits& limits) {
     const auto good = checkLimits(limits);
-    return good ? std::string("fine") : good.error().message;
+    return good ? std::string("fine") : good.error().text();
   };
   EXPECT_EQ(message({}), "fine");
   EXPECT_THAT(message({.workspace_mm = {35, 0, 70}}), ::testing::HasSubstr("workspace ±(35, 0, 70) mm"));
@@ -201,7 +201,7 @@ TEST(MotionLimiter, WrongLimitsAreRefusedWithTheirValue) {
 // An arm that stands where it is told, unless told not to follow; the first exchange that succeeds again holds it.
 class Obedient final : public Robot {
  public:
-  [[nodiscard]] std::string description() const override { return "obedient"; }
+  [[nodiscard]] Message description() const override { return verbatim("obedient"); }
   [[nodiscard]] Result<RobotReadings> exchange(const Vec3& target_mm, Instant now) override {
     const bool followed = std::exchange(followed_, follows);
     if (!follows) return fail("in another mode");

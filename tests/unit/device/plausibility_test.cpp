@@ -52,7 +52,7 @@ TEST(Plausibility, HealthyReadingsPassUnchanged) {
     ASSERT_EQ(out.ir.value[0], source.code[0]);
     ASSERT_EQ(out.motors.value.encoder_counts[0], source.encoder[0]);
     ASSERT_EQ(out.motors.taken, source.now);
-    ASSERT_EQ(source.watch.complaint(), "");
+    ASSERT_EQ(source.watch.complaint().text(), "");
   }
 }
 
@@ -61,13 +61,13 @@ TEST(Plausibility, AStuckSensorIsReportedUntilItMoves) {
   source.run(2.0);
   source.held = 1;
   source.run(0.9);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
   const TouchpadReadings out = source.run(0.2);
-  EXPECT_THAT(source.watch.complaint(), HasSubstr("IR sensor 2 is stuck at code"));
+  EXPECT_THAT(source.watch.complaint().text(), HasSubstr("IR sensor 2 is stuck at code"));
   EXPECT_EQ(out.ir.value[1], source.code[1]) << "the recording shows what the sensor said";
   source.held = -1;
   source.run(0.1);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 TEST(Plausibility, WhereNothingMovesNothingIsStuck) {
@@ -81,14 +81,14 @@ TEST(Plausibility, WhereNothingMovesNothingIsStuck) {
     source.readings.ir.set(still, source.now);
     ASSERT_EQ(source.watch.check(source.readings, {.active = true}, source.now).ir.value[0], codes[0]);
   }
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 TEST(Plausibility, ZeroSecondsSwitchTheWatchOff) {
   Source source(0.0);
   source.held = 0;
   source.run(5.0);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 TEST(Plausibility, AnEncoderThatJumpsIsWithheldUntilTheOperatorStops) {
@@ -99,12 +99,12 @@ TEST(Plausibility, AnEncoderThatJumpsIsWithheldUntilTheOperatorStops) {
   TouchpadReadings out = source.run(3.0);
   EXPECT_EQ(out.motors.taken, last) << "ages, so that the step holds";
   EXPECT_EQ(out.motors.value.encoder_counts[0], 10);
-  EXPECT_THAT(source.watch.complaint(), HasSubstr("encoder 1 jumped by 45° in 16 ms"));
+  EXPECT_THAT(source.watch.complaint().text(), HasSubstr("encoder 1 jumped by 45° in 16 ms"));
   source.encoder[0] -= 512;
   EXPECT_EQ(source.run(1.0).motors.taken, last) << "its return does not make it credible";
   out = source.run(0.1, false);
   EXPECT_EQ(out.motors.taken, source.now);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 TEST(Plausibility, AJumpWithTheMotorsOffIsShownForASecond) {
@@ -112,7 +112,7 @@ TEST(Plausibility, AJumpWithTheMotorsOffIsShownForASecond) {
   source.run(0.5, false);
   source.encoder[1] = 1000;
   source.run(0.5, false);
-  EXPECT_THAT(source.watch.complaint(), HasSubstr("encoder 2"));
+  EXPECT_THAT(source.watch.complaint().text(), HasSubstr("encoder 2"));
   EXPECT_EQ(source.run(0.7, false).motors.value.encoder_counts[1], 1000);
 }
 
@@ -122,7 +122,7 @@ TEST(Plausibility, AfterASilenceThereIsNothingToCompareWith) {
   source.now += std::chrono::seconds(1);
   source.encoder[0] = 2000;
   source.step();
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 std::int16_t ticks(double degrees) { return static_cast<std::int16_t>(degrees * 4200.0 / 90.0); }
@@ -132,28 +132,29 @@ TEST(Plausibility, AnEncoderThatDoesNotFollowItsMotorIsWithheldUntilTheOperatorS
   source.run(0.5);
   source.reference = {ticks(9.0), ticks(-9.0)};
   source.run(5.0);
-  EXPECT_EQ(source.watch.complaint(), "") << "friction or a finger may hold a motor back so far";
+  EXPECT_EQ(source.watch.complaint().text(), "") << "friction or a finger may hold a motor back so far";
   source.reference[1] = ticks(-12.0);
   source.run(0.9);
-  EXPECT_EQ(source.watch.complaint(), "") << "a second to begin with";
+  EXPECT_EQ(source.watch.complaint().text(), "") << "a second to begin with";
   const TouchpadReadings last = source.step();
   const TouchpadReadings out = source.run(2.0);
   EXPECT_LE(out.motors.taken - last.motors.taken, std::chrono::milliseconds(200));
-  EXPECT_THAT(source.watch.complaint(), HasSubstr("encoder 2 stands still although its motor was sent 12° further"));
+  EXPECT_THAT(source.watch.complaint().text(),
+              HasSubstr("encoder 2 stands still although its motor was sent 12° further"));
   source.encoder[1] = 3990;
   EXPECT_EQ(source.run(1.0).motors.taken, out.motors.taken) << "its return does not make it credible";
   EXPECT_EQ(source.run(0.1, false).motors.taken, source.now);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 TEST(Plausibility, AnEncoderMayStandStillWhileItsMotorIsOffOrNotSentElsewhere) {
   Source source;
   source.reference = {ticks(20.0), ticks(-20.0)};
   source.run(5.0);
-  EXPECT_EQ(source.watch.complaint(), "") << "it stands where it was when the motors went on";
+  EXPECT_EQ(source.watch.complaint().text(), "") << "it stands where it was when the motors went on";
   source.reference = {ticks(80.0), ticks(-80.0)};
   source.run(5.0, false);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 TEST(Plausibility, AnEncoderThatFollowsSlowlyIsBelieved) {
@@ -165,7 +166,7 @@ TEST(Plausibility, AnEncoderThatFollowsSlowlyIsBelieved) {
     ++source.encoder[0];
     --source.encoder[1];
     source.step();
-    ASSERT_EQ(source.watch.complaint(), "");
+    ASSERT_EQ(source.watch.complaint().text(), "");
   }
 }
 
@@ -201,15 +202,15 @@ TEST(FrozenReadings, SensorsThatRepeatThemselvesGrowOldThoughTheirCountGoesOn) {
   source.ir_noise = 0;
   TouchpadReadings out = source.run(0.4);
   EXPECT_EQ(out.ir.taken, source.now) << "chance may repeat a reading";
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
   out = source.run(1.0);
   EXPECT_GT(source.now - out.ir.taken, std::chrono::milliseconds(800));
   EXPECT_EQ(out.bridge.taken, source.now) << "the others go on";
   EXPECT_EQ(out.motors.taken, source.now);
-  EXPECT_THAT(source.watch.complaint(), HasSubstr("the distance sensors repeat the codes"));
+  EXPECT_THAT(source.watch.complaint().text(), HasSubstr("the distance sensors repeat the codes"));
   source.ir_noise = 1;
   EXPECT_EQ(source.run(0.1).ir.taken, source.now);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 TEST(FrozenReadings, SoDoesALoadCell) {
@@ -219,7 +220,7 @@ TEST(FrozenReadings, SoDoesALoadCell) {
   const TouchpadReadings out = source.run(1.0);
   EXPECT_GT(source.now - out.bridge.taken, std::chrono::milliseconds(400));
   EXPECT_EQ(out.ir.taken, source.now);
-  EXPECT_THAT(source.watch.complaint(), HasSubstr("the load cell repeats 0.25"));
+  EXPECT_THAT(source.watch.complaint().text(), HasSubstr("the load cell repeats 0.25"));
 }
 
 TEST(FrozenReadings, AtTheEndsOfAConverterThereIsNoNoiseAndTheStepCallsItInvalid) {
@@ -231,7 +232,7 @@ TEST(FrozenReadings, AtTheEndsOfAConverterThereIsNoNoiseAndTheStepCallsItInvalid
   const TouchpadReadings out = source.run(3.0);
   EXPECT_EQ(out.ir.taken, source.now);
   EXPECT_EQ(out.bridge.taken, source.now);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 TEST(FrozenReadings, ZeroMillisecondsSwitchTheWatchOff) {
@@ -239,7 +240,7 @@ TEST(FrozenReadings, ZeroMillisecondsSwitchTheWatchOff) {
   source.ir_noise = 0;
   source.bridge_noise = 0.0;
   EXPECT_EQ(source.run(3.0).ir.taken, source.now);
-  EXPECT_EQ(source.watch.complaint(), "");
+  EXPECT_EQ(source.watch.complaint().text(), "");
 }
 
 cv::Mat noisy(int seed) {

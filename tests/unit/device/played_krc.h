@@ -230,7 +230,7 @@ class PlayedKrc {
     const auto readings = followed->exchange(target_mm, options_.exchange_s, instantAt(100.0 + time_s_));
     if (!readings) {
       ++judgement.exchanges_failed;
-      judgement.last_problem = readings.error().message;
+      judgement.last_problem = readings.error().text();
     }
     std::array<std::uint8_t, 1000> buffer{};
     while (const auto received = socket_.receive(buffer, Duration::zero())) {

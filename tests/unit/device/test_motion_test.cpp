@@ -64,7 +64,7 @@ TEST(TestMotion, AtTheLimitItGoesInwardAndBeyondItNotAtAll) {
   const auto motion = TestMotion::plan(DeviceTest::motor_1, {119.5, 0.0}, 120.0);
   ASSERT_TRUE(motion);
   EXPECT_NEAR(motion->anglesAt(ms(2300))[0], 117.5, 1e-6);
-  EXPECT_THAT(TestMotion::plan(DeviceTest::motor_1, {0.0, -121.0}, 120.0).error().message,
+  EXPECT_THAT(TestMotion::plan(DeviceTest::motor_1, {0.0, -121.0}, 120.0).error().text(),
               HasSubstr("motor 2 stands at -121"));
   EXPECT_FALSE(TestMotion::plan(DeviceTest::vibration, {std::nan(""), 0.0}, 120.0));
   EXPECT_FALSE(TestMotion::plan(static_cast<DeviceTest>(9), kRest, 120.0));
@@ -126,29 +126,29 @@ TEST(CameraControls, WhatIsWantedIsSetReadBackAndSaid) {
   const auto controls =
       applyControls({.brightness_percent = 100, .contrast_percent = 100, .exposure_percent = 20}, driver.access());
   ASSERT_EQ(controls.size(), 3U);
-  EXPECT_EQ(controls[0].words, "set to 100 %");
+  EXPECT_EQ(controls[0].words.text(), "set to 100 %");
   EXPECT_EQ(controls[0].actual, 100.0);
   EXPECT_TRUE(controls[0].supported);
   EXPECT_FALSE(controls[1].supported);
-  EXPECT_THAT(controls[1].words, HasSubstr("has none"));
+  EXPECT_THAT(controls[1].words.text(), HasSubstr("has none"));
   EXPECT_NEAR(controls[2].actual, 20.0, 1e-9);
   EXPECT_EQ(driver.share[cv::CAP_PROP_AUTO_EXPOSURE], 0.25) << "manual, before the exposure is set";
-  EXPECT_EQ(missingControls(controls), "contrast: this camera has none, or refuses the value");
+  EXPECT_EQ(missingControls(controls).text(), "contrast: this camera has none, or refuses the value");
 }
 
 TEST(CameraControls, WhatIsNotWantedIsLeftAlone) {
   Driver driver{.share = {{cv::CAP_PROP_BRIGHTNESS, 0.5}}};
   const auto controls = applyControls(cameraSettings({}), driver.access());
   EXPECT_THAT(driver.set_in_order, IsEmpty());
-  EXPECT_EQ(controls[0].words, "left as it is");
+  EXPECT_EQ(controls[0].words.text(), "left as it is");
   EXPECT_EQ(controls[0].actual, 50.0);
   EXPECT_FALSE(controls[1].supported);
-  EXPECT_EQ(missingControls(controls), "");
+  EXPECT_EQ(missingControls(controls).text(), "");
 }
 
 TEST(CameraControls, ASourceWithoutThemSaysSoForWhatIsWanted) {
-  const auto controls = noControls({.brightness_percent = 40}, "a video file");
-  EXPECT_EQ(missingControls(controls), "brightness: a video file has none");
+  const auto controls = noControls({.brightness_percent = 40}, say("a video file has none"));
+  EXPECT_EQ(missingControls(controls).text(), "brightness: a video file has none");
   EXPECT_EQ(controls[0].wanted, 40.0);
   EXPECT_TRUE(std::isnan(controls[1].wanted));
 }
@@ -158,7 +158,7 @@ TEST(CameraControls, AValueThatTheCameraChangedIsSaid) {
   ControlAccess access = driver.access();
   access.set = [](int, double) { return true; };  // grants and does nothing
   const auto controls = applyControls({.contrast_percent = 90}, access);
-  EXPECT_EQ(controls[1].words, "asked for 90 %, the camera took 50 %");
+  EXPECT_EQ(controls[1].words.text(), "asked for 90 %, the camera took 50 %");
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(MessageBudget, LeavesOutFieldsInOrderUntilItFits) {
 
 TEST(MessageBudget, SaysWhichValueIsWrong) {
   const auto message = [](Vec3 extent, double precision, double flow, double period) {
-    return messageBudget(extent, precision, flow, period, {}).error().message;
+    return messageBudget(extent, precision, flow, period, {}).error().text();
   };
   EXPECT_THAT(message({0, 1, 1}, 0.02, 1, 1), ::testing::HasSubstr("every side"));
   EXPECT_THAT(message({1, 1, 1}, 0, 1, 1), ::testing::HasSubstr("precision 0"));

@@ -65,13 +65,13 @@ TEST(LinkKey, AnyOneWrongOrSwappedWordIsNoticed) {
 
 TEST(LinkKey, ErrorsNameThePlaceAndNeverAWord) {
   const std::string words = testKey().words();
-  const auto message = [](std::string_view text) { return LinkKey::parseWords(text).error().message; };
+  const auto message = [](std::string_view text) { return LinkKey::parseWords(text).error().text(); };
   EXPECT_THAT(message(words.substr(0, 59)), ::testing::HasSubstr("12 words; expected 13"));
   EXPECT_THAT(message(words + " baba"), ::testing::HasSubstr("14 words"));
   EXPECT_THAT(message(""), ::testing::HasSubstr("0 words"));
   EXPECT_THAT(message("baba secret"), ::testing::HasSubstr("word 2 is not a pairing word"));
   EXPECT_THAT(message("bado" + words.substr(4)), ::testing::HasSubstr("checksum"));
-  const auto file = [](std::string_view text) { return LinkKey::parseFile(text, "k").error().message; };
+  const auto file = [](std::string_view text) { return LinkKey::parseFile(text, "k").error().text(); };
   EXPECT_THAT(file(""), ::testing::HasSubstr("no key"));
   EXPECT_THAT(file("# c\nfyd-link-key 2\n"), ::testing::HasSubstr("k, line 2: expected \"fyd-link-key 1\""));
   EXPECT_THAT(file("fyd-link-key 1\n"), ::testing::HasSubstr("no pairing code"));
@@ -93,12 +93,12 @@ TEST(LinkKeyFile, IsPrivateNeverOverwrittenAndRefusedWhenOpenToOthers) {
   ASSERT_EQ(::stat(path.c_str(), &state), 0);
   EXPECT_EQ(state.st_mode & 07777U, 0600U);
   EXPECT_EQ(readKeyFile(path)->fingerprint(), key.fingerprint());
-  EXPECT_THAT(writeKeyFile(key, path).error().message, ::testing::HasSubstr("never overwritten"));
+  EXPECT_THAT(writeKeyFile(key, path).error().text(), ::testing::HasSubstr("never overwritten"));
   ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
-  EXPECT_THAT(readKeyFile(path).error().message, ::testing::HasSubstr("chmod 600"));
-  EXPECT_THAT(readKeyFile(folder + "/none").error().message, ::testing::HasSubstr("No such file"));
-  EXPECT_THAT(readKeyFile(folder).error().message, ::testing::HasSubstr("not a regular file"));
-  EXPECT_THAT(writeKeyFile(key, folder + "/no/key").error().message, ::testing::HasSubstr("No such file"));
+  EXPECT_THAT(readKeyFile(path).error().text(), ::testing::HasSubstr("chmod 600"));
+  EXPECT_THAT(readKeyFile(folder + "/none").error().text(), ::testing::HasSubstr("No such file"));
+  EXPECT_THAT(readKeyFile(folder).error().text(), ::testing::HasSubstr("not a regular file"));
+  EXPECT_THAT(writeKeyFile(key, folder + "/no/key").error().text(), ::testing::HasSubstr("No such file"));
 }
 
 // --- handshake

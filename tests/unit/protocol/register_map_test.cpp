@@ -108,9 +108,9 @@ TEST(RegisterCodec, NamesWhatIsWrongWithABlock) {
 TEST(RegisterCodec, WhatIsWrongIsSaidWithItsValue) {
   DeviceState state;
   state.temperature_degC = {3276.7, 23.0};
-  EXPECT_EQ(describe(StateProblem::bad_temperature, state), "motor temperatures 3276.7, 23.0 °C, expected -40 to 200");
+  EXPECT_EQ(describe(StateProblem::bad_temperature, state).text(), "motor temperatures 3276.7, 23.0 °C, expected -40 to 200");
   state.motors.current_mA = {32767.0, -5.0};
-  EXPECT_EQ(describe(StateProblem::bad_current, state), "motor currents 32767, -5 mA, expected -10000 to 10000");
+  EXPECT_EQ(describe(StateProblem::bad_current, state).text(), "motor currents 32767, -5 mA, expected -10000 to 10000");
 }
 
 TEST(RegisterCodec, SaturatesWhatDoesNotFit) {

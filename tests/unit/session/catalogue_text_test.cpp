@@ -39,7 +39,7 @@ TEST(CatalogueWord, APasswordIsRefusedAndNeverRepeated) {
         "postgresql://jo:hunter2@lab/fyd", "postgresql:host=lab sslpassword=hunter2", "postgresql:host=lab hunter2"}) {
     const auto parsed = parseCatalogueWord(word);
     ASSERT_FALSE(parsed) << word;
-    EXPECT_THAT(parsed.error().message, Not(HasSubstr("hunter2")));
+    EXPECT_THAT(parsed.error().text(), Not(HasSubstr("hunter2")));
   }
 }
 
@@ -69,7 +69,7 @@ TEST(CatalogueText, WhatMayNotGoInIsNamed) {
     CatalogueEntry entry = entryOf("abc");
     change(entry);
     const auto checked = checkEntry(entry);
-    return checked ? std::string("accepted") : checked.error().message;
+    return checked ? std::string("accepted") : checked.error().text();
   };
   EXPECT_EQ(refusal([](auto&) {}), "accepted");
   EXPECT_THAT(refusal([](auto& e) { e.id = "a'; DROP"; }), HasSubstr("id"));

@@ -73,7 +73,7 @@ class Export : public testing::Test {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
   }
   static ExportResult done(Result<ExportResult> result) {
-    EXPECT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result) << result.error().text();
     return result.value_or(ExportResult{});
   }
 
@@ -88,7 +88,7 @@ TEST_F(Export, CsvReadsBackEqualInEveryField) {
   std::vector<std::string> columns = {"time_s [s]"};
   for (const auto& field : pipeline::telemetryFields()) columns.push_back(columnTitle(field));
   const auto table = readCsv(path("a.csv"), columns);
-  ASSERT_TRUE(table) << table.error().message;
+  ASSERT_TRUE(table) << table.error().text();
   ASSERT_EQ(table->rows(), 1500U);
   std::vector<TelemetrySample> rows(1500);
   ASSERT_TRUE(recording.telemetry(0, rows));
@@ -128,7 +128,7 @@ TEST_F(Export, WrongWishesAreRefusedByNameAndLeaveNoFile) {
     const auto result = exportRecording(recording, path(name), options);
     EXPECT_FALSE(result) << name;
     EXPECT_EQ(files(), 0U) << name;
-    return result ? std::string() : result.error().message;
+    return result ? std::string() : result.error().text();
   };
   EXPECT_THAT(refused("a.xls", {}), HasSubstr(".csv, .mat"));
   EXPECT_THAT(refused("a.csv", {.fields = {"force"}}), testing::AllOf(HasSubstr("\"force\""), HasSubstr("force_N")));
@@ -146,7 +146,7 @@ TEST_F(Export, AnExistingFileIsReplacedOnlyWhenAsked) {
   for (const char* name : {"a.csv", "b.csv"}) {
     const auto result = exportRecording(session(), path(name), {});
     ASSERT_FALSE(result);
-    EXPECT_THAT(result.error().message, HasSubstr("exists already"));
+    EXPECT_THAT(result.error().text(), HasSubstr("exists already"));
   }
   EXPECT_EQ(files(), 2U);
   EXPECT_EQ(read(path("a.csv")), "mine");
@@ -163,7 +163,7 @@ TEST_F(Export, ADamagedRecordingOrAFullDiskLeavesNothing) {
   for (const char* name : {"a.csv", "a.mat", "a.mcap"}) {
     const auto result = exportRecording(recording, path(name), {});
     ASSERT_FALSE(result);
-    EXPECT_THAT(result.error().message, HasSubstr("block 7"));
+    EXPECT_THAT(result.error().text(), HasSubstr("block 7"));
     EXPECT_EQ(files(), 0U);
   }
   recording.failure_.clear();
@@ -177,7 +177,7 @@ TEST_F(Export, ADamagedRecordingOrAFullDiskLeavesNothing) {
   std::size_t left = 0;
   for (const char* name : {"a.csv", "a.mat", "a.mcap", "a.mkv"}) {
     const auto result = exportRecording(recording, path(name), {});
-    messages.push_back(result ? "no error" : result.error().message);
+    messages.push_back(result ? "no error" : result.error().text());
     left += files();
   }
   ::setrlimit(RLIMIT_FSIZE, &before);
@@ -206,7 +206,7 @@ TEST_F(Export, TellsHowFarItIsAndLeavesNothingWhenEnded) {
     int asked = 0;
     const auto ended = exportRecording(recording, path(name), {.progress = [&](double) { return ++asked < 2; }});
     ASSERT_FALSE(ended) << name;
-    EXPECT_THAT(ended.error().message, HasSubstr("cancelled"));
+    EXPECT_THAT(ended.error().text(), HasSubstr("cancelled"));
     EXPECT_EQ(asked, 2) << name;
   }
   EXPECT_EQ(files(), before);
@@ -249,7 +249,7 @@ TEST_F(Export, VideoOfTheRegionOfARangeHasAnEvenSize) {
   recording.pictures_[2].region = cv::Mat(10, 10, CV_8UC1, cv::Scalar(0));
   const auto mixed = exportRecording(recording, path("b.avi"), {.region = true});
   ASSERT_FALSE(mixed);
-  EXPECT_THAT(mixed.error().message, HasSubstr("10 × 10"));
+  EXPECT_THAT(mixed.error().text(), HasSubstr("10 × 10"));
 }
 
 TEST_F(Export, ALongBreakOfTheCameraIsCut) {

@@ -25,7 +25,7 @@ std::string errorOf(const Bytes& bytes) {
   try {
     (void)decodePicture(bytes, "the picture");
   } catch (const RecordingFailure& failure) {
-    return failure.what();
+    return failure.message.text();
   }
   return "";
 }

@@ -56,7 +56,7 @@ std::set<std::string> filesIn(const Folder& folder) {
 /// Closed, or as a killed recorder leaves it: FILE.partial. @return its name
 std::string recorded(const Folder& folder, bool closed) {
   auto writer = RecordingWriter::create(folder.file(), samples::header());
-  EXPECT_TRUE(writer) << writer.error().message;
+  EXPECT_TRUE(writer) << writer.error().text();
   for (std::uint64_t row = 0; row < 5000; ++row) EXPECT_TRUE((*writer)->append(samples::plainStep(row)));
   if (!closed) return partialOf(folder.file());
   EXPECT_TRUE((*writer)->close());
@@ -105,7 +105,7 @@ TEST(Progress, CheckingARecordingTellsAndEnds) {
   const std::string file = recorded(folder, false);
   Listener all;
   const auto checked = verify(file, all.progress());
-  ASSERT_TRUE(checked) << checked.error().message;
+  ASSERT_TRUE(checked) << checked.error().text();
   EXPECT_TRUE(checked->intact());
   all.expectRising();
   Listener some{.most = 3, .told = {}};
@@ -131,7 +131,7 @@ void expectRecoveryEndsWithoutATrace(const Folder& folder, const std::string& fi
     ASSERT_TRUE(contentOf(file) == before) << some.most;
   }
   const auto outcome = recover(file);
-  ASSERT_TRUE(outcome) << outcome.error().message;
+  ASSERT_TRUE(outcome) << outcome.error().text();
   EXPECT_EQ(outcome->result, at_last);
   EXPECT_EQ(outcome->steps + outcome->lost_steps, 5000U);
 }

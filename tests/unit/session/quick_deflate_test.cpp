@@ -27,7 +27,7 @@ TEST(QuickDeflate, GivesBackEverySize) {
     ASSERT_TRUE(quickDeflate(plain, packed));
     std::vector<std::byte> back(count);
     const auto done = quickInflate(packed, back);
-    ASSERT_TRUE(done) << done.error().message;
+    ASSERT_TRUE(done) << done.error().text();
     EXPECT_EQ(back, plain);
   }
 }

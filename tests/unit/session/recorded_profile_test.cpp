@@ -80,11 +80,11 @@ TEST(RecordedIndices, FollowAChoicesWordWhenWordsWereInsertedOrRemoved) {
 TEST(RecordedParameters, BeyondTodaysRangeAreTakenWhenTheyCanBeSetLive) {
   const RecordingHeader header = changed(lineOf("kp"), "kp = 1e13\n");
   const auto parameters = recordedParameters(header);
-  ASSERT_TRUE(parameters) << parameters.error().message;
+  ASSERT_TRUE(parameters) << parameters.error().text();
   EXPECT_EQ(parameters->control.kp, 1e13);
   const auto refused = recordedParameters(changed(lineOf("frame_half_width_mm"), "frame_half_width_mm = 1e13\n"));
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, testing::HasSubstr("sensing.frame_half_width_mm"));
+  EXPECT_THAT(refused.error().text(), testing::HasSubstr("sensing.frame_half_width_mm"));
 }
 
 TEST(ProfileEntries, TellListsAndWordsAndPassOverWhatIsNoLine) {

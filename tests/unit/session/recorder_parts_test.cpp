@@ -225,7 +225,7 @@ TEST(DiskSpace, IsTheFoldersAndAMissingFolderIsNamed) {
   EXPECT_GT(freeBytes("/tmp/x.h5").value_or(0), 0U);
   const auto missing = freeBytes("/nowhere/at/all/x.h5");
   ASSERT_FALSE(missing);
-  EXPECT_THAT(missing.error().message, testing::HasSubstr("/nowhere/at/all"));
+  EXPECT_THAT(missing.error().text(), testing::HasSubstr("/nowhere/at/all"));
 }
 
 TEST(DiskSpace, GrowthIsThatOfTheLastTenSeconds) {
@@ -284,7 +284,7 @@ TEST(Trials, BadListsAreRefusedByName) {
   EXPECT_FALSE(orderTrials({"a"}, kMaximumRepetitions + 1, 1));
   const auto twice = orderTrials({"a", "b", "a"}, 1, 1);
   ASSERT_FALSE(twice);
-  EXPECT_THAT(twice.error().message, testing::HasSubstr("'a'"));
+  EXPECT_THAT(twice.error().text(), testing::HasSubstr("'a'"));
   EXPECT_EQ(orderTrials({"a"}, 3, 1)->size(), 3U) << "one condition alone has to follow itself";
   EXPECT_EQ(markerText({.number = 3, .block = 1, .condition = "soft"}), "3 soft");
 }

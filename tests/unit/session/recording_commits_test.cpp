@@ -33,12 +33,12 @@ class DamagedCommits : public testing::Test {
   /// All of them say "damaged", and none of them calls less than everything whole.
   void expectSaid() const {
     const auto recording = Recording::open(file);
-    ASSERT_TRUE(recording) << recording.error().message;
+    ASSERT_TRUE(recording) << recording.error().text();
     EXPECT_EQ((*recording)->info().wholeness, Wholeness::damaged);
     EXPECT_EQ(healthOf((*recording)->info()).word, "damaged");
-    EXPECT_THAT((*recording)->info().damage, HasSubstr("/commits"));
+    EXPECT_THAT((*recording)->info().damage.text(), HasSubstr("/commits"));
     const auto checked = verify(file);
-    ASSERT_TRUE(checked) << checked.error().message;
+    ASSERT_TRUE(checked) << checked.error().text();
     EXPECT_FALSE(checked->intact());
     EXPECT_EQ(checked->wholeness, Wholeness::damaged);
     EXPECT_EQ(checked->health.word, "damaged");
@@ -48,10 +48,10 @@ class DamagedCommits : public testing::Test {
   std::unique_ptr<Recording> recovered(RecoverResult expected, std::uint64_t steps) {
     const auto outcome = recover(file);
     if (!outcome) {
-      ADD_FAILURE() << outcome.error().message;
+      ADD_FAILURE() << outcome.error().text();
       return nullptr;
     }
-    EXPECT_EQ(outcome->result, expected) << outcome->first_damage;
+    EXPECT_EQ(outcome->result, expected) << outcome->first_damage.text();
     EXPECT_EQ(outcome->steps, steps);
     EXPECT_EQ(outcome->steps + outcome->lost_steps, kRows);
     EXPECT_TRUE(verify(file)->intact());
@@ -118,7 +118,7 @@ TEST_F(DamagedCommits, RowsThatNoCommitProvesAreNeitherShownNorHidden) {
     EXPECT_FALSE((*recording)->step(kRows - 350));
     const auto all = exportRecording(**recording, folder.file("all.csv"), {});
     ASSERT_FALSE(all);
-    EXPECT_THAT(all.error().message, HasSubstr("recover"));
+    EXPECT_THAT(all.error().text(), HasSubstr("recover"));
     EXPECT_FALSE(std::filesystem::exists(folder.file("all.csv")));
     ExportOptions some;
     some.to_s = 3.0;
@@ -146,7 +146,7 @@ TEST_F(DamagedCommits, AllOfThemLostIsNoRecordingAnyMore) {
   loseBytes(file, commitAt(file, 12), 6 * sizeof(CommitRow));
   const auto recording = Recording::open(file);
   ASSERT_FALSE(recording);
-  EXPECT_THAT(recording.error().message, HasSubstr("all 18 are damaged"));
+  EXPECT_THAT(recording.error().text(), HasSubstr("all 18 are damaged"));
   const std::string before = contentOf(file);
   const auto outcome = recover(file);
   ASSERT_TRUE(outcome);

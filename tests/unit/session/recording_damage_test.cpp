@@ -19,7 +19,7 @@ using namespace samples;
 
 void record(const std::string& file, std::uint64_t rows) {
   auto writer = RecordingWriter::create(file, header());
-  ASSERT_TRUE(writer) << writer.error().message;
+  ASSERT_TRUE(writer) << writer.error().text();
   for (std::uint64_t row = 0; row < rows; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
   ASSERT_TRUE((*writer)->close());
 }
@@ -63,7 +63,7 @@ TEST(RecordingDamage, AnotherHdf5FileAndAnotherVersionAreNamedAsSuch) {
   H5Fclose(H5Fcreate(folder.file("other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   const auto other = Recording::open(folder.file("other.h5"));
   ASSERT_FALSE(other);
-  EXPECT_NE(other.error().message.find("not a recording"), std::string::npos) << other.error().message;
+  EXPECT_NE(other.error().text().find("not a recording"), std::string::npos) << other.error().text();
 
   record(folder.file(), 10);
   const hid_t file = H5Fopen(folder.file().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
@@ -75,7 +75,7 @@ TEST(RecordingDamage, AnotherHdf5FileAndAnotherVersionAreNamedAsSuch) {
   H5Fclose(file);
   const auto newer = Recording::open(folder.file());
   ASSERT_FALSE(newer);
-  EXPECT_NE(newer.error().message.find("format 2"), std::string::npos) << newer.error().message;
+  EXPECT_NE(newer.error().text().find("format 2"), std::string::npos) << newer.error().text();
 }
 
 TEST(RecordingDamage, AFlippedByteIsAnErrorOrChangesNothing) {
@@ -126,9 +126,9 @@ TEST(RecordingDamage, OneBadBlockCostsItselfAndRecoverSavesTheRest) {
     ASSERT_TRUE(checked);
     EXPECT_FALSE(checked->intact()) << table;
     EXPECT_EQ(checked->wholeness, Wholeness::damaged) << table;
-    EXPECT_NE(checked->health.reason.find(table), std::string::npos) << checked->health.reason;
+    EXPECT_NE(checked->health.reason.text().find(table), std::string::npos) << checked->health.reason.text();
     const auto outcome = recover(folder.file());
-    ASSERT_TRUE(outcome) << outcome.error().message;
+    ASSERT_TRUE(outcome) << outcome.error().text();
     EXPECT_EQ(outcome->result, RecoverResult::part_lost) << table;
     EXPECT_EQ(outcome->steps + outcome->lost_steps, 5000U) << table;
     EXPECT_EQ(outcome->lost_steps, lost) << table;
@@ -138,7 +138,7 @@ TEST(RecordingDamage, OneBadBlockCostsItselfAndRecoverSavesTheRest) {
     EXPECT_NE(outcome->missing[0].why.find("damaged"), std::string::npos) << outcome->missing[0].why;
     EXPECT_TRUE(contentOf(outcome->kept) == bad);
     const auto saved = Recording::open(folder.file());
-    ASSERT_TRUE(saved) << saved.error().message;
+    ASSERT_TRUE(saved) << saved.error().text();
     EXPECT_EQ((*saved)->info().committed_samples, outcome->steps);
     EXPECT_EQ((*saved)->info().gaps, lost) << table;
     EXPECT_EQ((*saved)->info().header.missing, outcome->missing) << table;
@@ -157,7 +157,7 @@ TEST(RecordingDamage, WhatIsMadeOfTheRowsIsMadeAnew) {
   damageChunk(folder.file(), "/overview/rows_25", 3);
   EXPECT_FALSE(verify(folder.file())->intact());
   const auto outcome = recover(folder.file());
-  ASSERT_TRUE(outcome) << outcome.error().message;
+  ASSERT_TRUE(outcome) << outcome.error().text();
   EXPECT_EQ(outcome->result, RecoverResult::whole);
   EXPECT_EQ(outcome->steps, 5000U);
   EXPECT_TRUE(outcome->missing.empty());

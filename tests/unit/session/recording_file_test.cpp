@@ -107,7 +107,7 @@ TEST(RecordingCrc, IsTheCastagnoliPolynomial) {
 TEST(RecordingFile, RandomStepsComeBackBitForBit) {
   const Folder folder;
   auto writer = RecordingWriter::create(folder.file(), header());
-  ASSERT_TRUE(writer) << writer.error().message;
+  ASSERT_TRUE(writer) << writer.error().text();
   RandomSteps random(1);
   std::vector<StepRecord> steps;
   for (int i = 0; i < 1103; ++i) {
@@ -119,7 +119,7 @@ TEST(RecordingFile, RandomStepsComeBackBitForBit) {
   }
   ASSERT_TRUE((*writer)->close());
   const auto opened = Recording::open(folder.file());
-  ASSERT_TRUE(opened) << opened.error().message;
+  ASSERT_TRUE(opened) << opened.error().text();
   const Recording& recording = **opened;
   EXPECT_EQ(recording.info().wholeness, Wholeness::whole);
   ASSERT_EQ(recording.info().committed_samples, steps.size());
@@ -129,7 +129,7 @@ TEST(RecordingFile, RandomStepsComeBackBitForBit) {
   ASSERT_TRUE(recording.field(11, 0, force));
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto step = recording.step(i);
-    ASSERT_TRUE(step) << step.error().message;
+    ASSERT_TRUE(step) << step.error().text();
     ASSERT_TRUE(sameRecord(*step, steps[i])) << i;
     ASSERT_TRUE(same(telemetry[i], steps[i].telemetry)) << i;
     ASSERT_EQ(std::bit_cast<std::uint64_t>(force[i]), std::bit_cast<std::uint64_t>(steps[i].telemetry.force_N));
@@ -155,19 +155,19 @@ TEST(RecordingFile, NumbersThatALaterProgramGaveMeaningStayAndCostNothingElse) {
   ASSERT_TRUE((*writer)->append({.when = instantAt(1000.0), .kind = static_cast<NoteKind>(47), .text = "later"}));
   ASSERT_TRUE((*writer)->close());
   const auto recording = Recording::open(folder.file());
-  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_TRUE(recording) << recording.error().text();
   ASSERT_EQ((*recording)->info().committed_samples, 2U);
   const auto back = (*recording)->step(0);
-  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_TRUE(back) << back.error().text();
   EXPECT_TRUE(sameRecord(*back, step));
   EXPECT_TRUE((*recording)->step(1));
   std::vector<pipeline::TelemetrySample> samples(2);
   EXPECT_TRUE((*recording)->telemetry(0, samples));
   const auto events = (*recording)->events();
-  ASSERT_TRUE(events) << events.error().message;
+  ASSERT_TRUE(events) << events.error().text();
   ASSERT_EQ(events->size(), 1U);
   const auto notes = (*recording)->notes();
-  ASSERT_TRUE(notes) << notes.error().message;
+  ASSERT_TRUE(notes) << notes.error().text();
   EXPECT_EQ(notes->at(0).text, "later");
 }
 
@@ -178,7 +178,7 @@ TEST(RecordingFile, HeaderComesBack) {
   ASSERT_TRUE(writer);
   ASSERT_TRUE((*writer)->close());
   const auto recording = Recording::open(folder.file());
-  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_TRUE(recording) << recording.error().text();
   const RecordingHeader& h = (*recording)->info().header;
   EXPECT_EQ(h.id, wanted.id);
   EXPECT_EQ(h.started_utc, wanted.started_utc);
@@ -207,7 +207,7 @@ TEST(RecordingFile, NotesLinksAndPicturesComeBack) {
   const auto recording = Recording::open(folder.file());
   ASSERT_TRUE(recording);
   const auto notes = (*recording)->notes();
-  ASSERT_TRUE(notes) << notes.error().message;
+  ASSERT_TRUE(notes) << notes.error().text();
   ASSERT_EQ(notes->size(), 2U);
   EXPECT_EQ((*notes)[0].text, note.text);
   EXPECT_EQ((*notes)[0].kind, note.kind);

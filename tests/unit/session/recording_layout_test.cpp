@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 void record(const std::string& file) {
   auto writer = RecordingWriter::create(file, header());
-  ASSERT_TRUE(writer) << writer.error().message;
+  ASSERT_TRUE(writer) << writer.error().text();
   for (std::uint64_t row = 0; row < 600; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
   ASSERT_TRUE((*writer)->close());
 }
@@ -32,15 +32,15 @@ void record(const std::string& file) {
 void expectRefused(const std::string& file, const std::string& words) {
   const auto opened = Recording::open(file);
   ASSERT_FALSE(opened);
-  EXPECT_THAT(opened.error().message, HasSubstr(file));
-  EXPECT_THAT(opened.error().message, HasSubstr(words));
+  EXPECT_THAT(opened.error().text(), HasSubstr(file));
+  EXPECT_THAT(opened.error().text(), HasSubstr(words));
   const auto checked = verify(file);
   ASSERT_FALSE(checked);
-  EXPECT_THAT(checked.error().message, HasSubstr(words));
+  EXPECT_THAT(checked.error().text(), HasSubstr(words));
   const auto recovered = recover(file);
-  ASSERT_TRUE(recovered) << recovered.error().message;
+  ASSERT_TRUE(recovered) << recovered.error().text();
   EXPECT_EQ(recovered->result, RecoverResult::nothing);
-  EXPECT_THAT(recovered->first_damage, HasSubstr(words));
+  EXPECT_THAT(recovered->first_damage.text(), HasSubstr(words));
 }
 
 class RecordingLayout : public testing::Test {
@@ -121,7 +121,7 @@ TEST_F(RecordingLayout, LinksAreRefusedOnEachStepOfTheWay) {
       });
       const auto opened = Recording::open(file);
       ASSERT_FALSE(opened);
-      EXPECT_THAT(opened.error().message, HasSubstr(std::string(path) + ": a link to another place"));
+      EXPECT_THAT(opened.error().text(), HasSubstr(std::string(path) + ": a link to another place"));
     }
   }
 }
@@ -176,7 +176,7 @@ TEST_F(RecordingLayout, ACommitThatCountsMoreStepsThanItMayIsNotTaken) {
     H5Dclose(set);
   });
   const auto recording = Recording::open(file);
-  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_TRUE(recording) << recording.error().text();
   EXPECT_EQ((*recording)->info().committed_samples, 500U);
 }
 
@@ -219,7 +219,7 @@ TEST_F(RecordingLayout, WhatAProgramAddsBesideIsNoTrouble) {
     H5Lcreate_hard(id, "/", id, "/inputs/again", H5P_DEFAULT, H5P_DEFAULT);
   });
   const auto checked = verify(file);
-  ASSERT_TRUE(checked) << checked.error().message;
+  ASSERT_TRUE(checked) << checked.error().text();
   EXPECT_TRUE(checked->intact());
 }
 

@@ -81,7 +81,7 @@ TEST(RecordingOverview, IsExactlyTheExtremesOfItsBuckets) {
     const std::size_t buckets = std::array{1, 2, 7, 100, 1000, 3000}[random() % 6];
     const auto overview = recording->overview(kForce, static_cast<double>(first) / 1000.0,
                                               static_cast<double>(end - 1) / 1000.0, buckets);
-    ASSERT_TRUE(overview) << overview.error().message;
+    ASSERT_TRUE(overview) << overview.error().text();
     ASSERT_LE(overview->values.size(), buckets);
     ASSERT_EQ(overview->values.size(), overview->time_s.size());
     for (std::size_t b = 0; b < overview->values.size(); ++b) {
@@ -202,12 +202,12 @@ TEST(RecordingOverview, AGrowingRecordingIsReadInItsOwnProcess) {
   auto writer = RecordingWriter::create(folder.file(), header());
   ASSERT_TRUE(writer);
   const auto recording = Recording::open(folder.file());
-  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_TRUE(recording) << recording.error().text();
   for (std::uint64_t row = 0; row < 1000; ++row) {
     ASSERT_TRUE((*writer)->append(plainStep(row)));
     if (row % 250 != 249) continue;
     const auto news = (*recording)->refresh();
-    ASSERT_TRUE(news) << news.error().message;
+    ASSERT_TRUE(news) << news.error().text();
     EXPECT_TRUE(*news);
     EXPECT_EQ((*recording)->info().committed_samples, row + 1);
     EXPECT_EQ((*recording)->info().wholeness, Wholeness::growing);

@@ -40,7 +40,7 @@ FakeRecording session() {
 
 ReportContent contentOf(const Recording& recording) {
   auto content = gatherReport(recording);
-  EXPECT_TRUE(content) << content.error().message;
+  EXPECT_TRUE(content) << content.error().text();
   return content.value_or(ReportContent{});
 }
 
@@ -105,7 +105,7 @@ TEST(Report, HtmlIsEscapedAndFetchesNothing) {
   recording.notes_.push_back({instantAt(101.0), NoteKind::note, "<img src=x onerror=alert(1)> \"quoted\""});
   recording.info_.header.notes = "</dd><script>x</script>";
   const auto html = reportHtml(contentOf(recording));
-  ASSERT_TRUE(html) << html.error().message;
+  ASSERT_TRUE(html) << html.error().text();
   EXPECT_THAT(*html, HasSubstr("&lt;script&gt;alert(&#39;S7&#39;)"));
   EXPECT_THAT(*html, Not(HasSubstr("<script")));
   EXPECT_THAT(*html, Not(HasSubstr("<img")));
@@ -123,10 +123,10 @@ TEST(Report, ASessionWithoutATouchSaysSo) {
     const ReportContent content = contentOf(*recording);
     EXPECT_THAT(tableOf(content, "Touches").remark, HasSubstr("No touch"));
     const auto html = reportHtml(content);
-    ASSERT_TRUE(html) << html.error().message;
+    ASSERT_TRUE(html) << html.error().text();
     EXPECT_THAT(*html, HasSubstr("No touch"));
     const auto pdf = reportPdf(content);
-    ASSERT_TRUE(pdf) << pdf.error().message;
+    ASSERT_TRUE(pdf) << pdf.error().text();
     EXPECT_THAT(*pdf, testing::StartsWith("%PDF-"));
     EXPECT_EQ(html->find("<svg") == std::string::npos, recording == &empty);
   }
@@ -139,7 +139,7 @@ TEST(Report, PdfGoesOnOverPagesForLongNotesAndManyEvents) {
   recording.notes_.push_back({instantAt(100.5), NoteKind::note, std::string(30'000, 'y')});
   for (int i = 0; i < 1000; ++i) recording.notes_.push_back({instantAt(100.6), NoteKind::bookmark, "b"});
   const auto pdf = reportPdf(contentOf(recording));
-  ASSERT_TRUE(pdf) << pdf.error().message;
+  ASSERT_TRUE(pdf) << pdf.error().text();
   std::size_t pages = 0;
   for (std::size_t at = pdf->find("/Type /Page\n"); at != std::string::npos; at = pdf->find("/Type /Page\n", at + 1))
     ++pages;
@@ -155,12 +155,12 @@ TEST(Report, TheFileAppearsWholeAndIsNotReplacedUnasked) {
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);
   const std::string path = folder + "/r.pdf";
   EXPECT_TRUE(writeReport(session(), path, false));
-  EXPECT_THAT(writeReport(session(), path, false).error().message, HasSubstr("exists already"));
+  EXPECT_THAT(writeReport(session(), path, false).error().text(), HasSubstr("exists already"));
   EXPECT_TRUE(writeReport(session(), path, true));
-  EXPECT_THAT(writeReport(session(), folder + "/r.doc", false).error().message, HasSubstr(".html or .pdf"));
+  EXPECT_THAT(writeReport(session(), folder + "/r.doc", false).error().text(), HasSubstr(".html or .pdf"));
   FakeRecording damaged = session();
   damaged.failure_ = "block 2: checksum";
-  EXPECT_THAT(writeReport(damaged, folder + "/d.html", false).error().message, HasSubstr("block 2"));
+  EXPECT_THAT(writeReport(damaged, folder + "/d.html", false).error().text(), HasSubstr("block 2"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
   std::filesystem::remove_all(folder);
 }

@@ -20,7 +20,7 @@ FakeRecording everyMillisecond(std::uint64_t rows, Fill fill) {
 
 std::vector<Touch> touchesOf(const Recording& recording) {
   auto touches = findTouches(recording);
-  EXPECT_TRUE(touches) << touches.error().message;
+  EXPECT_TRUE(touches) << touches.error().text();
   return touches.value_or(std::vector<Touch>{});
 }
 
@@ -138,7 +138,7 @@ TEST(Touches, ReadsInBlocksAndHandsOnAnError) {
   recording.failure_ = "block 3 is damaged";
   const auto touches = findTouches(recording);
   ASSERT_FALSE(touches);
-  EXPECT_THAT(touches.error().message, testing::HasSubstr("block 3"));
+  EXPECT_THAT(touches.error().text(), testing::HasSubstr("block 3"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ class Recording : public ::testing::Test {
   std::string errorOf(const std::string& rows) const {
     const auto path = load("t_s,x_mm,y_mm,z_mm\n" + rows);
     if (path) return "accepted";
-    std::string message = path.error().message;
+    std::string message = path.error().text();
     if (message.starts_with(path_)) message.erase(0, path_.size());
     return message;
   }
@@ -32,7 +32,7 @@ class Recording : public ::testing::Test {
 
 TEST_F(Recording, OneThatFitsIsTakenAsItStands) {
   const auto path = load("t_s,x_mm,y_mm,z_mm\n5,-10,4,-2\n6,10,8,-4\n7,10,8,1\n");
-  ASSERT_TRUE(path) << path.error().message;
+  ASSERT_TRUE(path) << path.error().text();
   EXPECT_EQ(path->at(0.0).x_mm, -10.0);
   EXPECT_EQ(path->at(0.0).indentation_mm, 2.0);
   const FingerState half = path->at(0.5);
@@ -49,7 +49,7 @@ TEST_F(Recording, AnyOtherIsScaledByOneFactorIntoTheUsableArea) {
   std::string text = "t_s,x_mm,y_mm,z_mm\n";
   for (int i = 0; i <= 10; ++i) text += fmt::format("{},{},{},{}\n", 0.1 * i, 1000 + 18 * i, -60 + 6 * i, 100 + 10 * i);
   const auto path = load(text);
-  ASSERT_TRUE(path) << path.error().message;
+  ASSERT_TRUE(path) << path.error().text();
   EXPECT_NEAR(path->at(0.0).x_mm, -45.0, 1e-9);
   EXPECT_NEAR(path->at(0.0).y_mm, -15.0, 1e-9);
   EXPECT_NEAR(path->at(0.0).indentation_mm, 8.0, 1e-9) << "the lowest point is the deepest press";
@@ -61,7 +61,7 @@ TEST_F(Recording, AnyOtherIsScaledByOneFactorIntoTheUsableArea) {
 
 TEST_F(Recording, ARowOfNaNsIsALiftedFingerThatStaysWhereItWas) {
   const auto path = load("t_s,x_mm,y_mm,z_mm\n0,1,2,-3\n1,nan,NaN,nan\n2,5,6,-3\n");
-  ASSERT_TRUE(path) << path.error().message;
+  ASSERT_TRUE(path) << path.error().text();
   EXPECT_FALSE(path->at(0.5).lifted) << "until the row that says lifted";
   EXPECT_EQ(path->at(0.5).x_mm, 1.0) << "no motion towards a row without a place";
   EXPECT_TRUE(path->at(1.5).lifted);
@@ -105,7 +105,7 @@ TEST_F(Recording, ConstantAndEmptyHandsAreFine) {
 
 TEST(RealHand, PressesAndLiftsWithinTheUsableArea) {
   const auto path = FingerPath::fromCsv(FYD_TEST_DATA "/hand_motion/index_tip.csv");
-  ASSERT_TRUE(path) << path.error().message;
+  ASSERT_TRUE(path) << path.error().text();
   EXPECT_EQ(path->rows(), 6000U);
   int pressing = 0;
   int samples = 0;

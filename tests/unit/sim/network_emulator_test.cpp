@@ -158,7 +158,7 @@ TEST_F(Trace, RowsWithTimesHoldUntilTheNext) {
 TEST_F(Trace, WrongFilesAreRefusedWithFileAndLine) {
   const auto message = [&](const std::string& text) {
     const auto trace = readDelayTrace(write(text));
-    return trace ? std::string("read") : trace.error().message;
+    return trace ? std::string("read") : trace.error().text();
   };
   EXPECT_THAT(message("delay_ms\n10\n-1\n"), ::testing::HasSubstr(".csv:3: delay -1 ms"));
   EXPECT_THAT(message("delay_ms\n10\nslow\n"), ::testing::HasSubstr("slow"));
@@ -177,13 +177,13 @@ TEST(NetworkProfile, NamedOnesAreThereAndOthersAreRefused) {
     EXPECT_GT(profile->backward.rate_bit_per_s, 0.0);
   }
   EXPECT_EQ(networkProfile("isdn")->forward.rate_bit_per_s, 64'000.0);
-  EXPECT_THAT(networkProfile("modem").error().message, ::testing::HasSubstr("modem"));
+  EXPECT_THAT(networkProfile("modem").error().text(), ::testing::HasSubstr("modem"));
 }
 
 TEST(NetworkProfile, SettingsOutOfRangeAreNamed) {
   const auto message = [](const NetworkSettings& settings) {
     const auto good = checkNetwork(settings);
-    return good ? std::string("fine") : good.error().message;
+    return good ? std::string("fine") : good.error().text();
   };
   EXPECT_THAT(message({.loss_percent = 101}), ::testing::HasSubstr("loss 101 %"));
   EXPECT_THAT(message({.delay_ms = -1}), ::testing::HasSubstr("delay -1 ms"));

@@ -199,7 +199,7 @@ TEST(TouchpadFault, ReadsTimesAndNamesWhatItExpected) {
   EXPECT_EQ(parseTimedFault("late-reply@2")->for_s, 0.0);
   for (const char* wrong :
        {"silence", "silence@", "silence@x", "silence@1+", "noise@1", "@1", "silence@-1", "silence@nan"}) {
-    EXPECT_THAT(parseTimedFault(wrong).error().message, testing::HasSubstr("camera-freeze")) << wrong;
+    EXPECT_THAT(parseTimedFault(wrong).error().text(), testing::HasSubstr("camera-freeze")) << wrong;
   }
 }
 

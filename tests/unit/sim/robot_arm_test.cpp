@@ -100,7 +100,7 @@ TEST(RobotArm, ATargetThatIsNoNumberIsRefusedAndTheLastOneKept) {
   robot.hold({10, 0, 0}, 500);
   const auto refused = robot.arm.exchange({0, std::nan(""), 0}, robot.now + 1ms);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, "robot target (0, nan, 0) mm: expected three finite numbers");
+  EXPECT_EQ(refused.error().text(), "robot target (0, nan, 0) mm: expected three finite numbers");
   EXPECT_FALSE(robot.arm.exchange({INFINITY, 0, 0}, robot.now + 2ms));
   EXPECT_NEAR(robot.hold({10, 0, 0}, 10).position_mm.x, 10.0, 0.01);
 }

@@ -286,7 +286,7 @@ TEST(TouchpadWorld, SpreadNoiseAndOffsetShowInTheReadings) {
 TEST(SimulatedTouchpad, ReadsUnderTheOldCommandAndThenTakesTheNewOne) {
   auto world = std::make_shared<TouchpadWorld>(noiseless(), FingerPath::demonstration(), kStart);
   SimulatedTouchpad touchpad(world);
-  EXPECT_EQ(touchpad.description(), "simulated touchpad, seed 1");
+  EXPECT_EQ(touchpad.description().text(), "simulated touchpad, seed 1");
   ASSERT_TRUE(touchpad.exchange(stretchTo(60.0), kStart + 100ms));
   EXPECT_EQ(world->truth().angle_deg, 20.0) << "motors were not active before";
   const auto readings = touchpad.exchange(stretchTo(60.0), kStart + 200ms);

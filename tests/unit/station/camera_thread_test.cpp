@@ -12,8 +12,8 @@ using sensing::FingerReason;
 class FlatCamera final : public device::Camera {
  public:
   explicit FlatCamera(int grey) : grey_(grey) {}
-  [[nodiscard]] std::string description() const override { return "flat"; }
-  [[nodiscard]] std::string kind() const override { return "test"; }
+  [[nodiscard]] Message description() const override { return verbatim("flat"); }
+  [[nodiscard]] Message kind() const override { return verbatim("test"); }
   [[nodiscard]] bool live() const override { return true; }
   [[nodiscard]] Result<device::CameraFrame> next() override {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -28,7 +28,8 @@ class FlatCamera final : public device::Camera {
 
 FingerReason reasonOf(int grey, bool flat_cloth) {
   CameraThread thread(
-      "flat", [grey]() -> Result<std::unique_ptr<device::Camera>> { return std::make_unique<FlatCamera>(grey); }, {},
+      verbatim("flat"),
+      [grey]() -> Result<std::unique_ptr<device::Camera>> { return std::make_unique<FlatCamera>(grey); }, {},
       device::DeviceParameters{.camera_flat_cloth = flat_cloth});
   thread.start();
   const Instant end = Clock::now() + std::chrono::seconds(30);

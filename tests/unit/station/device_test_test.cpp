@@ -49,7 +49,7 @@ struct Loop {
     held = true;
     return runner.start(test, inputs.now, stretch_deg);
   }
-  std::string words() const { return runner.status().words; }
+  std::string words() const { return runner.status().words.text(); }
 
   DeviceTestRunner runner;
   pipeline::Inputs inputs{.now = instantAt(10)};
@@ -126,13 +126,13 @@ TEST(DeviceTestRunner, IsRefusedWhileTheSessionHoldsTheMotors) {
     loop.step();
     const auto refused = loop.press();
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message, HasSubstr("stop the session first"));
+    EXPECT_THAT(refused.error().text(), HasSubstr("stop the session first"));
     EXPECT_EQ(loop.run(100), 0);
   }
   Loop loop;
   loop.encoders_answer = false;
   loop.step();
-  EXPECT_THAT(loop.press().error().message, HasSubstr("do not answer"));
+  EXPECT_THAT(loop.press().error().text(), HasSubstr("do not answer"));
 }
 
 TEST(DeviceTestRunner, APressThatComesTooLateMovesNothing) {
@@ -147,7 +147,7 @@ TEST(DeviceTestRunner, APressThatComesTooLateMovesNothing) {
 TEST(DeviceTestRunner, BeforeTheFirstStepNothingMayMove) {
   DeviceTestRunner runner;
   EXPECT_FALSE(runner.start(DeviceTest::motor_1, instantAt(1)));
-  EXPECT_EQ(runner.status().words, "");
+  EXPECT_EQ(runner.status().words.text(), "");
 }
 
 TEST(DeviceTestRunner, AMotorBeyondItsLimitIsNotMoved) {

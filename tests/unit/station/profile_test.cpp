@@ -45,7 +45,7 @@ TEST_F(ProfileFile, RoundTrips) {
   written.sim.seed = 42;
   ASSERT_TRUE(saveProfile(written, path()));
   const auto read = loadProfile(path());
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->step.control.kp, written.step.control.kp);
   EXPECT_EQ(read->step.sensing.indentation.ir_offset_mm[1], 99.5);
   EXPECT_EQ(read->sim.seed, 42);
@@ -54,7 +54,7 @@ TEST_F(ProfileFile, RoundTrips) {
 TEST_F(ProfileFile, SaysWhichDevicesTheStationHas) {
   ASSERT_TRUE(saveProfile(withLaboratory(), path()));
   const auto read = loadProfile(path());
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
 
   const StationOptions all = withProfileSources({.profile = *read});
   EXPECT_EQ(all.touchpad, "modbus-tcp:192.168.0.7:502");
@@ -77,7 +77,7 @@ TEST_F(ProfileFile, ANamedTouchpadOrRobotLeavesTheProfilesDevicesAlone) {
 TEST_F(ProfileFile, AMissingFileIsNamed) {
   const auto read = loadProfile(path("none.toml"));
   ASSERT_FALSE(read);
-  EXPECT_THAT(read.error().message, testing::HasSubstr("none.toml"));
+  EXPECT_THAT(read.error().text(), testing::HasSubstr("none.toml"));
 }
 
 TEST_F(ProfileFile, EveryHalfWrittenProfileIsRefusedOrWhole) {
@@ -113,7 +113,7 @@ TEST_F(ProfileFile, AReadOnlyFolderIsAClearErrorAndLeavesTheOldProfile) {
 TEST(Profile, AFolderThatTakesNoFilesIsAClearError) {
   const auto saved = saveProfile(Profile{}, "/proc/profile.toml");
   ASSERT_FALSE(saved);
-  EXPECT_THAT(saved.error().message, testing::HasSubstr("/proc/profile.toml: cannot be written"));
+  EXPECT_THAT(saved.error().text(), testing::HasSubstr("/proc/profile.toml: cannot be written"));
 }
 
 TEST_F(ProfileFile, AnEnormousFileIsRefusedUnread) {
@@ -121,7 +121,7 @@ TEST_F(ProfileFile, AnEnormousFileIsRefusedUnread) {
   std::filesystem::resize_file(path(), 8ULL << 30);
   const auto read = loadProfile(path());
   ASSERT_FALSE(read);
-  EXPECT_THAT(read.error().message, testing::HasSubstr("a profile has at most"));
+  EXPECT_THAT(read.error().text(), testing::HasSubstr("a profile has at most"));
 }
 
 TEST(Profile, EveryParameterIsDescribedOnceAndItsDefaultIsAllowed) {

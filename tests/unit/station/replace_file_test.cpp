@@ -40,7 +40,7 @@ class ReplaceFile : public testing::Test {
   }
   static std::string refusalOf(const std::string& path) {
     const auto done = replaceFile(path, "new");
-    return done ? "" : done.error().message;
+    return done ? "" : done.error().text();
   }
 
   fs::path folder;

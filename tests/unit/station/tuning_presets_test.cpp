@@ -36,9 +36,9 @@ TEST_F(Presets, WhatIsSavedComesBackOverAnotherProfile) {
   base.step.control.ki_per_s = 9.0;
   base.step.control.travel_maximum_deg = 80.0;  // not live: stays the base's
   const auto text = readPreset(folder_, "soft cloth");
-  ASSERT_TRUE(text) << text.error().message;
+  ASSERT_TRUE(text) << text.error().text();
   const auto read = parsePreset(*text, "soft cloth", base);
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->step.control.kp, soft.step.control.kp);
   EXPECT_EQ(read->step.control.ki_per_s, soft.step.control.ki_per_s);
   EXPECT_EQ(read->step.texture.method, texture::MethodChoice::soc);
@@ -49,7 +49,7 @@ TEST_F(Presets, AParameterThatIsNotNamedStays) {
   Profile base;
   base.step.control.ki_per_s = 9.0;
   const auto read = parsePreset("[control]\nkp = 0.5\n", "p", base);
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->step.control.kp, 0.5);
   EXPECT_EQ(read->step.control.ki_per_s, 9.0);
 }
@@ -65,7 +65,7 @@ TEST_F(Presets, ABadOneIsRefusedWithItsPlace) {
                                        {"kp = 1\n", "outside a table"}}) {
     const auto read = parsePreset(text, "p", base);
     ASSERT_FALSE(read) << text;
-    EXPECT_NE(read.error().message.find(expected), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().text().find(expected), std::string::npos) << read.error().text();
   }
 }
 
@@ -83,8 +83,8 @@ TEST_F(Presets, NamesStayInTheFolder) {
 }
 
 TEST_F(Presets, WhatCannotBeReadOrWrittenIsSaid) {
-  EXPECT_NE(readPreset(folder_, "none").error().message.find("none.toml"), std::string::npos);
-  EXPECT_NE(removePreset(folder_, "none").error().message.find("no such file"), std::string::npos);
+  EXPECT_NE(readPreset(folder_, "none").error().text().find("none.toml"), std::string::npos);
+  EXPECT_NE(removePreset(folder_, "none").error().text().find("no such file"), std::string::npos);
   std::ofstream(root_ / "presets") << "a file in the way";
   EXPECT_FALSE(writePreset(folder_, "soft", ""));
   EXPECT_TRUE(presetNames(folder_).empty());

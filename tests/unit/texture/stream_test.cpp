@@ -152,22 +152,22 @@ TEST(UniformStream, GoesOnAfterTheClockJumpsEitherWay) {
 
 TEST(Recording, ReadsTimesPlainColumnsAndNoHeader) {
   const auto timed = parseRecording("az,t_s,ax,ay\n3,10,1,2\n6,10.001,4,5\n", "r.csv", 0.0);
-  ASSERT_TRUE(timed) << timed.error().message;
+  ASSERT_TRUE(timed) << timed.error().text();
   EXPECT_EQ(timed->rate_Hz, 1000.0);
   EXPECT_EQ(timed->start_s, 10.0);
   EXPECT_EQ(timed->samples[1].acceleration_g, (Vec3{4, 5, 6}));
   const auto plain = parseRecording("1,2,3\n4,5,6\n", "r.csv", 500.0);
-  ASSERT_TRUE(plain) << plain.error().message;
+  ASSERT_TRUE(plain) << plain.error().text();
   EXPECT_EQ(plain->samples[1].taken, instantAt(0.002));
   const auto named = parseRecording("u,v,w\n1,2,3\n", "r.csv", 500.0);
-  ASSERT_TRUE(named) << named.error().message;
+  ASSERT_TRUE(named) << named.error().text();
   EXPECT_EQ(named->samples[0].acceleration_g, (Vec3{1, 2, 3}));
 }
 
 TEST(Recording, SaysWhatIsWrongAndWhere) {
   const auto message = [](std::string_view text, double rate_Hz = 0.0) {
     const auto result = parseRecording(text, "r.csv", rate_Hz);
-    return result ? std::string("none") : result.error().message;
+    return result ? std::string("none") : result.error().text();
   };
   EXPECT_EQ(message("t_s,ax,ay,az\n0,1,1,1\n0.2,1,1,1\n0.1,1,1,1\n"),
             "r.csv:4: t_s = 0.1 after 0.2: expected times that do not go backwards");

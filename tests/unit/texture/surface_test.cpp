@@ -85,7 +85,7 @@ TEST(SurfaceModel, EveryStoredTextureReadsAndSounds) {
     std::stringstream text;
     text << file.rdbuf();
     const auto model = parseSurface(text.str(), entry.path().filename().string());
-    ASSERT_TRUE(model) << model.error().message;
+    ASSERT_TRUE(model) << model.error().text();
     const double rms = rmsAt(*model, model->reference_speed_mm_s, model->reference_force_N, 2.0);
     EXPECT_GT(rms, 0.02) << model->name;
     EXPECT_LT(rms, 2.0) << model->name;
@@ -99,7 +99,7 @@ TEST(SurfaceModel, WrittenTextReadsBackEqual) {
   model.description = "odd \"characters\"\nand lines";
   model.speed_exponent = 0.1 + 0.2;
   const auto read = parseSurface(formatSurface(model), "m.toml");
-  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->description, model.description);
   EXPECT_EQ(read->speed_exponent, model.speed_exponent);
   ASSERT_EQ(read->bands.size(), 2U);
@@ -111,7 +111,7 @@ TEST(SurfaceModel, RefusesWithFileAndLine) {
   const std::string good = formatSurface(ribs());
   const auto message = [](const std::string& text) {
     const auto result = parseSurface(text, "m.toml");
-    return result ? std::string("none") : result.error().message;
+    return result ? std::string("none") : result.error().text();
   };
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string text = good;
@@ -137,7 +137,7 @@ TEST(SurfaceFit, FindsTheSpectrumAndStrengthOfASurface) {
   for (double& v : z) v = surface.step(40.0, 1.0);
   const std::vector<double> none(z.size(), 0.0);
   const auto fit = fitSurface(none, none, z, {.name = "copy", .sample_rate_Hz = 1000.0, .speed_mm_s = 40.0});
-  ASSERT_TRUE(fit) << fit.error().message;
+  ASSERT_TRUE(fit) << fit.error().text();
   EXPECT_GT(fit->spectral_match, 0.9);
   EXPECT_NEAR(rmsAt(fit->model, 40.0, 1.0), rmsAt(ribs(), 40.0, 1.0), 0.05);
   EXPECT_FALSE(fitSurface(none, none, none, {}));

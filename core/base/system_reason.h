@@ -1,0 +1,14 @@
+// Why a call of the system failed, in words that can be translated.
+#pragma once
+
+#include <system_error>
+
+#include "core/base/message.h"
+
+namespace fyd {
+
+/// @param error as `errno` has it; what the system says of it, in English
+[[nodiscard]] Message systemReason(int error);
+[[nodiscard]] Message systemReason(const std::error_code& error);
+
+}  // namespace fyd

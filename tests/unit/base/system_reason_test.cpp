@@ -1,0 +1,23 @@
+// Why a call of the system failed: in English what the system itself says, so that it can be looked up.
+#include "core/base/system_reason.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace fyd {
+namespace {
+
+TEST(SystemReason, IsWhatTheSystemSays) {
+  for (int error = 1; error < 134; ++error) EXPECT_EQ(systemReason(error).text(), std::strerror(error)) << error;
+  EXPECT_EQ(systemReason(std::make_error_code(std::errc::no_such_file_or_directory)).text(), std::strerror(ENOENT));
+}
+
+TEST(SystemReason, WhatPeopleMeetIsAPhraseThatCanBeTranslated) {
+  for (const int error : {ENOENT, EACCES, ENOSPC, EROFS, EIO, EBUSY, EADDRINUSE, ECONNREFUSED, EMFILE}) {
+    EXPECT_TRUE(systemReason(error).values.empty()) << std::strerror(error);
+  }
+}
+
+}  // namespace
+}  // namespace fyd
