@@ -125,10 +125,10 @@ template <class T>
 [[nodiscard]] bool sameBits(const T& a, const T& b) {
   bool same = true;
   forEachField<T>([&](auto, const auto& field) {
-    using Value = FieldValue<decltype(field), const T>;
-    const Value& x = field.of(a);
-    const Value& y = field.of(b);
-    same = same && std::memcmp(&x, &y, sizeof(Value)) == 0;
+    using Item = FieldValue<decltype(field), const T>;
+    const Item& x = field.of(a);
+    const Item& y = field.of(b);
+    same = same && std::memcmp(&x, &y, sizeof(Item)) == 0;
   });
   return same;
 }

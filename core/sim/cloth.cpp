@@ -42,7 +42,7 @@ std::shared_ptr<const ClothTable> tableOf(std::string_view name) {
   std::shared_ptr<const ClothTable>& table = read[name];
   if (!table) {
     auto parsed = ClothTable::parse(clothTableText(name));
-    if (!parsed) throw std::runtime_error(fmt::format("cloth {}: {}", name, parsed.error().message));
+    if (!parsed) throw std::runtime_error(fmt::format("cloth {}: {}", name, parsed.error().text()));
     table = std::make_shared<const ClothTable>(std::move(*parsed));
   }
   return table;
