@@ -149,7 +149,7 @@ class FrameTest : public QObject {
     QCOMPARE(page->cardCount(), std::size_t{2});
     QCOMPARE(page->card(1)->stateWord(), QStringLiteral("Problem"));
     f.session->reports[1].ok = true;
-    f.session->reports[1].problem.clear();
+    f.session->reports[1].problem = {};
     WAIT_EQUAL(page->card(1)->stateWord(), QStringLiteral("Well"));  // by itself
     f.session->reports.resize(1);
     WAIT_EQUAL(page->cardCount(), std::size_t{1});

@@ -276,12 +276,12 @@ class LinkTest : public QObject {
     QVERIFY(opened.has_value());
     console::Session& session = **opened;
     session.start();
-    for (const station::ReadinessLine& line : session.readiness()) QVERIFY(line.what != "Robot connected");
+    for (const station::ReadinessLine& line : session.readiness()) QVERIFY(line.what != say("Robot connected"));
     QVERIFY(session.setParameter("texture.k_vib", 1.75).has_value());
 
     QVERIFY(session.reconnect({.robot = "classic:127.0.0.1:0"}).has_value());
     const station::LinkStatus classic = session.status().link;
-    QVERIFY(!classic.secured && classic.protocol.starts_with("classic"));
+    QVERIFY(!classic.secured && classic.protocol.text().starts_with("classic"));
     QCOMPARE(session.currentProfile().step.texture.k_vib, 1.75);
 
     // Wrong words, and a port somebody else has: both times the former robot is there afterwards.

@@ -193,10 +193,10 @@ class MannersTest : public QObject {
     const Speaking italian("it");
     pipeline::Parameters parameters;
     const auto bound = bindParameters(parameters);
-    const auto refused = checkParameter(*findParameter(bound, "control.kd"), 99.5);
+    const auto refused = checkParameter(*findParameter(bound, "control.kd"), -1.5);
     QVERIFY(!refused);
     const QString said = widgets::coreText(refused.error().message);
-    QVERIFY2(said.startsWith(QStringLiteral("control.kd = 99,5: atteso un numero da 0 a ")), qPrintable(said));
+    QVERIFY2(said.startsWith(QStringLiteral("control.kd = -1,5: atteso un numero da 0 a ")), qPrintable(said));
   }
 
   void theLanguageIsTheWantedOneTheKeptOneOrTheSystems() {

@@ -44,13 +44,13 @@ class ScriptedSession : public console::Session {
     if (refuses) return fail("device test: refused by the script");
     tests.push_back(test);
     stretches.push_back(stretch_deg);
-    test_status = {.running = true, .test = test, .progress = 0.0, .words = say("running")};
+    test_status = {.running = true, .test = test, .progress = 0.0, .words = fyd::say("running")};
     return {};
   }
   void keepDeviceTest() override { ++keeps; }
   void stopDeviceTest() override {
     ++test_stops;
-    if (test_status.running) test_status = {.test = test_status.test, .words = say("ended: the button was released")};
+    if (test_status.running) test_status = {.test = test_status.test, .words = fyd::say("ended: the button was released")};
   }
   station::DeviceTestStatus deviceTestStatus() const override { return test_status; }
   Result<void> startRecording(const session::RecordingRequest& request) override {
@@ -108,7 +108,7 @@ class ScriptedSession : public console::Session {
   std::vector<station::Notice> notices;
   station::CameraView view;
   station::StationStatus now;
-  std::vector<station::ReadinessLine> lines = {{.what = say("Motors answer"), .ok = true}};
+  std::vector<station::ReadinessLine> lines = {{.what = fyd::say("Motors answer"), .ok = true}};
   std::vector<double> finger;
   std::vector<device::DeviceReport> reports;
   std::vector<device::DeviceTest> tests;

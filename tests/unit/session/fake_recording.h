@@ -42,13 +42,13 @@ class FakeRecording : public Recording {
   Result<bool> refresh() override { return false; }
 
   Result<void> telemetry(std::uint64_t first, std::span<pipeline::TelemetrySample> out) const override {
-    if (!failure_.empty()) return fail("{}", failure_);
+    if (!failure_.empty()) return fail(verbatim(failure_));
     largest_read_ = std::max(largest_read_, out.size());
     for (auto& sample : out) sample = row_(first++);
     return {};
   }
   Result<void> field(std::size_t field, std::uint64_t first, std::span<double> out) const override {
-    if (!failure_.empty()) return fail("{}", failure_);
+    if (!failure_.empty()) return fail(verbatim(failure_));
     for (double& value : out) value = pipeline::telemetryFields()[field].read(row_(first++));
     return {};
   }
