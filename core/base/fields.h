@@ -26,9 +26,8 @@ namespace fyd {
 
 template <class Member>
 struct Field {
-  constexpr Field(std::string_view its_name, std::string_view its_unit, std::string_view its_help, Member its_member,
-                  int its_decimals = 0)
-      : name(its_name), unit(its_unit), help(its_help), member(its_member), decimals(its_decimals) {}
+  constexpr Field(std::string_view its_name, std::string_view its_unit, std::string_view its_help, Member its_member)
+      : name(its_name), unit(its_unit), help(its_help), member(its_member) {}
 
   /// The struct's member; what `member` computes is only written, never read back.
   template <class T>
@@ -42,12 +41,11 @@ struct Field {
     return out;
   }
 
-  std::string_view name;  ///< in files: it stays
-  std::string_view unit;  ///< "1" for a plain number
-  std::string_view help;  ///< a phrase for the manual
-  Member member;          ///< pointer to a member, or a function of the struct
-  int decimals;           ///< in text, where a fixed number of them is wanted
-  std::string_view count;
+  std::string_view name;    ///< in files: it stays
+  std::string_view unit;    ///< "1" for a plain number
+  std::string_view help;    ///< a phrase for the manual
+  Member member;            ///< pointer to a member, or a function of the struct
+  std::string_view count;   ///< of a list: the name of the column that counts its items
   std::string_view ending;  ///< of the name
 };
 
@@ -108,8 +106,8 @@ template <class Part, class Outer>
 [[nodiscard]] constexpr auto part(Outer outer) {
   return std::apply(
       [=](const auto&... field) {
-        return std::tuple(Field(field.name, field.unit, field.help, inside(outer, field.member), field.decimals)
-                              .counted(field.count)...);
+        return std::tuple(
+            Field(field.name, field.unit, field.help, inside(outer, field.member)).counted(field.count)...);
       },
       kFieldsOf<Part>);
 }

@@ -10,7 +10,7 @@ constexpr std::size_t kInstants = 1;  // the first of the fields
 template <std::size_t... I>
 constexpr std::array<TelemetryField, sizeof...(I)> numbers(std::index_sequence<I...>) {
   constexpr auto of = [](const auto& field, double (*read)(const TelemetrySample&)) {
-    return TelemetryField{field.name, field.unit, field.help, field.decimals, read};
+    return TelemetryField{field.name, field.unit, field.help, read};
   };
   return {of(std::get<I + kInstants>(kFieldsOf<TelemetrySample>), [](const TelemetrySample& sample) {
     return static_cast<double>(std::get<I + kInstants>(kFieldsOf<TelemetrySample>).of(sample));
