@@ -41,6 +41,8 @@ std::shared_ptr<const ClothTable> tableOf(std::string_view name) {
   const std::scoped_lock lock(mutex);
   std::shared_ptr<const ClothTable>& table = read[name];
   if (!table) {
+    if (clothTableText(name).empty())
+      throw std::runtime_error(fmt::format("cloth {}: no such table is built in", name));
     auto parsed = ClothTable::parse(clothTableText(name));
     if (!parsed) throw std::runtime_error(fmt::format("cloth {}: {}", name, parsed.error().text()));
     table = std::make_shared<const ClothTable>(std::move(*parsed));

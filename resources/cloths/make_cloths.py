@@ -1,9 +1,8 @@
 #!/usr/bin/python3
 """Makes the tables of the simulated cloths (*.cloth beside this script) with cloth_solver.py: see there for the physics.
 
-    make_cloths.py                 every table (an hour of one core)
-    make_cloths.py NAME…           these, e.g. frame_sphere8
-    make_cloths.py --check NAME N  N random presses between the nodes of a table: what the interpolation costs
+    make_cloths.py           every table
+    make_cloths.py NAME…     these, e.g. frame_sphere8
 
 A table holds, for places x × y (a quarter of the cloth; both signs of y where the finger is not symmetric) and for depths:
     force      N, area mm², centre of the contact mm beside the finger's tip, at two stretches. A stretch is named by the

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/pipeline/pipeline.h"
+#include "core/sensing/membrane.h"
 
 namespace fyd::pipeline {
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "core/sensing/membrane.h"
 #include "core/sim/ir_sensor.h"
 #include "core/sim/simulated_camera.h"
 #include "core/sim/simulated_touchpad.h"

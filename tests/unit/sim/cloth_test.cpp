@@ -3,11 +3,13 @@
 #include "core/sim/cloth.h"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "core/base/csv.h"
 #include "core/sim/cloth_tables.h"
 #include "core/sim/picture.h"
 #include "core/sim/touchpad_world.h"
@@ -50,6 +52,43 @@ TEST(Cloth, StiffensWithDepthAndTowardsTheFrame) {
   EXPECT_NEAR(k(0, 0, 4), 0.585, 0.01);
   EXPECT_NEAR(k(40, 0, 4), 0.908, 0.03);
   EXPECT_NEAR(k(40, 25, 4), 1.143, 0.05);
+}
+
+// Presses solved by themselves, on another mesh (tests/data/cloths): most lie between the nodes of the table.
+TEST(Cloth, BetweenTheNodesTheTableSaysWhatTheFiniteElementsSay) {
+  const auto points = readCsv(FYD_TEST_DATA "/cloths/membrane_sphere8.csv",
+                              {"x_mm", "y_mm", "depth_mm", "reference_N_per_mm", "force_N", "area_mm2",
+                               "deflection1_mm", "deflection2_mm", "deflection3_mm"});
+  ASSERT_TRUE(points) << points.error().message;
+  const ClothTable table = tableOf("frame_sphere8");
+  double force_squares = 0.0, area_squares = 0.0, shape_squares = 0.0, worst_force = 0.0, worst_shape_mm = 0.0;
+  const std::size_t count = points->rows();
+  ASSERT_GT(count, 50U);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto value = [&](std::size_t column) { return points->values[column][i]; };
+    const double x = value(0), y = value(1), depth = value(2);
+    const Pressing pressed = table.press(x, y, depth, value(3));
+    const double force = pressed.force_N / value(4) - 1, area = pressed.area_mm2 / value(5) - 1;
+    force_squares += force * force;
+    area_squares += area * area;
+    worst_force = std::max(worst_force, std::abs(force));
+    const std::pair<double, double> sensors[] = {{-22, -3}, {0, 27}, {22, -3}};
+    for (std::size_t s = 0; s < 3; ++s) {
+      const double off = depth * table.shape(sensors[s].first, sensors[s].second, x, y, depth) - value(6 + s);
+      shape_squares += off * off;
+      worst_shape_mm = std::max(worst_shape_mm, std::abs(off));
+    }
+  }
+  const auto n = static_cast<double>(count);
+  const auto rms = [](double squares, double of) { return std::sqrt(squares / of); };
+  std::printf("interpolation: force %.2f %% RMS, worst %.2f %%; area %.1f %% RMS; sensors %.3f mm RMS, worst %.3f mm\n",
+              100 * rms(force_squares, n), 100 * worst_force, 100 * rms(area_squares, n), rms(shape_squares, 3 * n),
+              worst_shape_mm);
+  EXPECT_LT(rms(force_squares, n), 0.015);
+  EXPECT_LT(worst_force, 0.04);
+  EXPECT_LT(rms(area_squares, n), 0.05);
+  EXPECT_LT(rms(shape_squares, 3 * n), 0.04);
+  EXPECT_LT(worst_shape_mm, 0.15);
 }
 
 TEST(Cloth, ForceNeverFallsOnTheWayDownAndIsSmoothFromTheSurfaceOn) {

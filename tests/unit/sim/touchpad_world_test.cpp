@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/sensing/membrane.h"
 #include "core/sim/ir_sensor.h"
 #include "core/sim/simulated_touchpad.h"
 
