@@ -303,31 +303,31 @@
     </message>
     <message>
         <source>'{}' is not a picture that can be read: {}</source>
-        <translation>'{}' n'est pas une image lisible : {}</translation>
+        <translation>'{}' n'est pas une image lisible : {}</translation>
     </message>
     <message>
         <source>'{}': expected [[record]]</source>
-        <translation>'{}' : attendu [[record]]</translation>
+        <translation>'{}' : attendu [[record]]</translation>
     </message>
     <message>
         <source>'{}': expected a date such as 2026-11-21</source>
-        <translation>'{}' : attendu une date comme 2026-11-21</translation>
+        <translation>'{}' : attendu une date comme 2026-11-21</translation>
     </message>
     <message>
         <source>'{}': expected a serial number of 1 to {} characters behind serial=</source>
-        <translation>'{}' : attendu un numéro de série de 1 à {} caractères après serial=</translation>
+        <translation>'{}' : attendu un numéro de série de 1 à {} caractères après serial=</translation>
     </message>
     <message>
         <source>'{}': expected id=SERIAL, as it stands in {}</source>
-        <translation>'{}' : attendu id=SERIAL, comme il figure dans {}</translation>
+        <translation>'{}' : attendu id=SERIAL, comme il figure dans {}</translation>
     </message>
     <message>
         <source>'{}': expected id=value</source>
-        <translation>'{}' : attendu id=value</translation>
+        <translation>'{}' : attendu id=value</translation>
     </message>
     <message>
         <source>'{}': expected modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]</source>
-        <translation>'{}' : attendu modbus-tcp:HOST:PORT ou modbus-rtu:TTY[:BAUD]</translation>
+        <translation>'{}' : attendu modbus-tcp:HOST:PORT ou modbus-rtu:TTY[:BAUD]</translation>
     </message>
     <message>
         <source>, shuffled and deflated</source>
@@ -335,23 +335,23 @@
     </message>
     <message>
         <source>--after {}: expected a number of seconds from 0 to 3600</source>
-        <translation>--after {} : attendu un nombre de secondes de 0 à 3600</translation>
+        <translation>--after {} : attendu un nombre de secondes de 0 à 3600</translation>
     </message>
     <message>
         <source>--catalogue: {}</source>
-        <translation>--catalogue : {}</translation>
+        <translation>--catalogue : {}</translation>
     </message>
     <message>
         <source>--language {}: expected one of {}</source>
-        <translation>--language {} : attendu l'une de {}</translation>
+        <translation>--language {} : attendu l'une de {}</translation>
     </message>
     <message>
         <source>--operator, --subject, --notes and --tag describe a recording; add --record FILE</source>
-        <translation>--operator, --subject, --notes et --tag décrivent un enregistrement ; ajouter --record FILE</translation>
+        <translation>--operator, --subject, --notes et --tag décrivent un enregistrement ; ajouter --record FILE</translation>
     </message>
     <message>
         <source>--page {}: expected one of {}</source>
-        <translation>--page {} : attendu l'une de {}</translation>
+        <translation>--page {} : attendu l'une de {}</translation>
     </message>
     <message>
         <source>--simulate contradicts --touchpad {}</source>
@@ -359,27 +359,27 @@
     </message>
     <message>
         <source>--theme {}: expected dark, light or system</source>
-        <translation>--theme {} : attendu dark, light ou system</translation>
+        <translation>--theme {} : attendu dark, light ou system</translation>
     </message>
     <message>
         <source>--trial-repetitions: expected a whole number from 1</source>
-        <translation>--trial-repetitions : attendu un nombre entier à partir de 1</translation>
+        <translation>--trial-repetitions : attendu un nombre entier à partir de 1</translation>
     </message>
     <message>
         <source>--trial-seed: expected a whole number from 0</source>
-        <translation>--trial-seed : attendu un nombre entier à partir de 0</translation>
+        <translation>--trial-seed : attendu un nombre entier à partir de 0</translation>
     </message>
     <message>
         <source>--trials: {}</source>
-        <translation>--trials : {}</translation>
+        <translation>--trials : {}</translation>
     </message>
     <message>
         <source>/commits: row {} counts backwards</source>
-        <translation>/commits : la ligne {} compte à rebours</translation>
+        <translation>/commits : la ligne {} compte à rebours</translation>
     </message>
     <message>
         <source>/commits: row {} is damaged</source>
-        <translation>/commits : la ligne {} est endommagée</translation>
+        <translation>/commits : la ligne {} est endommagée</translation>
     </message>
     <message>
         <source>/commits: {} of {} rows are damaged, the first: row {}</source>
@@ -984,10 +984,6 @@
     <message>
         <source>Corner (-3 dB) of the default high-pass.</source>
         <translation>Fréquence de coupure (-3 dB) du passe-haut par défaut.</translation>
-    </message>
-    <message>
-        <source>Correction limit</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Crossfade</source>
@@ -1844,88 +1840,92 @@ Robot : %2
         <translation>Gigue</translation>
     </message>
     <message>
+        <source>K vib</source>
+        <translation>K vib</translation>
+    </message>
+    <message>
         <source>KRC control strategy {}: expected Cartesian impedance</source>
-        <translation>stratégie de commande KRC {} : attendu l'impédance cartésienne</translation>
+        <translation>stratégie de commande KRC {} : attendu l'impédance cartésienne</translation>
     </message>
     <message>
         <source>KRC in monitor mode: the arm holds; link quality {}; the program on the controller starts command mode</source>
-        <translation>KRC en mode moniteur : le bras tient sa place ; qualité de la liaison {} ; le programme sur le contrôleur lance le mode commande</translation>
+        <translation>KRC en mode moniteur : le bras tient sa place ; qualité de la liaison {} ; le programme sur le contrôleur lance le mode commande</translation>
     </message>
     <message>
         <source>KRC link quality {}: {:.0f} % of its measurements answered; expected good or perfect</source>
-        <translation>qualité de la liaison KRC {} : {:.0f} % de ses mesures ont eu une réponse ; attendu bonne ou parfaite</translation>
+        <translation>qualité de la liaison KRC {} : {:.0f} % de ses mesures ont eu une réponse ; attendu bonne ou parfaite</translation>
     </message>
     <message>
         <source>KRC off: open FRI in the program on the controller</source>
-        <translation>KRC arrêté : ouvrir FRI dans le programme sur le contrôleur</translation>
+        <translation>KRC arrêté : ouvrir FRI dans le programme sur le contrôleur</translation>
     </message>
     <message>
         <source>KRC reports drive errors {:#04x}: acknowledge them on the controller</source>
-        <translation>le KRC signale des défauts d'entraînement {:#04x} : les acquitter sur le contrôleur</translation>
+        <translation>le KRC signale des défauts d'entraînement {:#04x} : les acquitter sur le contrôleur</translation>
     </message>
     <message>
         <source>KRC silent for {:.0f} ms; expected a measurement every 1 to 100 ms: cable, or FRI closed</source>
-        <translation>KRC muet depuis {:.0f} ms ; attendu une mesure toutes les 1 à 100 ms : câble, ou FRI fermé</translation>
+        <translation>KRC muet depuis {:.0f} ms ; attendu une mesure toutes les 1 à 100 ms : câble, ou FRI fermé</translation>
     </message>
     <message>
         <source>KRC: command mode has just begun, the arm holds</source>
-        <translation>KRC : le mode commande vient de commencer, le bras tient sa place</translation>
+        <translation>KRC : le mode commande vient de commencer, le bras tient sa place</translation>
     </message>
     <message>
         <source>KRC: commanded and measured frame are {:g} m apart; expected at most {:g} m</source>
-        <translation>KRC : les repères commandé et mesuré sont à {:g} m l'un de l'autre ; attendu au plus {:g} m</translation>
+        <translation>KRC : les repères commandé et mesuré sont à {:g} m l'un de l'autre ; attendu au plus {:g} m</translation>
     </message>
     <message>
         <source>KRC: leap {} mm/s; expected more than 0</source>
-        <translation>KRC : saut de {} mm/s ; attendu plus de 0</translation>
+        <translation>KRC : saut de {} mm/s ; attendu plus de 0</translation>
     </message>
     <message>
         <source>KRC: none of the last {} answers shows in its commanded frame; expected the place that was commanded</source>
-        <translation>KRC : aucune des {} dernières réponses n'apparaît dans son repère commandé ; attendu la place qui avait été commandée</translation>
+        <translation>KRC : aucune des {} dernières réponses n'apparaît dans son repère commandé ; attendu la place qui avait été commandée</translation>
     </message>
     <message>
         <source>KRC: nothing heard on {}; expected a measurement every 1 to 100 ms: is FRI open on the controller?</source>
-        <translation>KRC : rien reçu sur {} ; attendu une mesure toutes les 1 à 100 ms : FRI est-il ouvert sur le contrôleur ?</translation>
+        <translation>KRC : rien reçu sur {} ; attendu une mesure toutes les 1 à 100 ms : FRI est-il ouvert sur le contrôleur ?</translation>
     </message>
     <message>
         <source>KRC: period {} ms; expected 1 to 100</source>
-        <translation>KRC : période {} ms ; attendu de 1 à 100</translation>
+        <translation>KRC : période {} ms ; attendu de 1 à 100</translation>
     </message>
     <message>
         <source>KRC: target ({}, {}, {}) mm: expected three finite numbers</source>
-        <translation>KRC : cible ({}, {}, {}) mm : attendu trois nombres finis</translation>
+        <translation>KRC : cible ({}, {}, {}) mm : attendu trois nombres finis</translation>
     </message>
     <message>
         <source>KRC: the arm is coming to rest</source>
-        <translation>KRC : le bras est en train de s'arrêter</translation>
+        <translation>KRC : le bras est en train de s'arrêter</translation>
     </message>
     <message>
         <source>KRC: the measured frame moved {:g} m in {} cycles; expected at most {:g} m</source>
-        <translation>KRC : le repère mesuré a bougé de {:g} m en {} cycles ; attendu au plus {:g} m</translation>
+        <translation>KRC : le repère mesuré a bougé de {:g} m en {} cycles ; attendu au plus {:g} m</translation>
     </message>
     <message>
         <source>KRC: the remote's address {} has no port to send to</source>
-        <translation>KRC : l'adresse {} du côté distant n'a pas de port où envoyer</translation>
+        <translation>KRC : l'adresse {} du côté distant n'a pas de port où envoyer</translation>
     </message>
     <message>
         <source>KRC: the rotation of the {} frame is off by {:g}; expected rows of length 1 at right angles, within {}</source>
-        <translation>KRC : la rotation du repère {} est fausse de {:g} ; attendu des lignes de longueur 1 à angle droit, à {} près</translation>
+        <translation>KRC : la rotation du repère {} est fausse de {:g} ; attendu des lignes de longueur 1 à angle droit, à {} près</translation>
     </message>
     <message>
         <source>KRC: the {} frame is a mirror; expected a rotation (determinant 1)</source>
-        <translation>KRC : le repère {} est un miroir ; attendu une rotation (déterminant 1)</translation>
+        <translation>KRC : le repère {} est un miroir ; attendu une rotation (déterminant 1)</translation>
     </message>
     <message>
         <source>KRC: the {} frame is at ({:g}, {:g}, {:g}) m; expected within {:g} m of the base</source>
-        <translation>KRC : le repère {} est à ({:g}, {:g}, {:g}) m ; attendu à moins de {:g} m de la base</translation>
+        <translation>KRC : le repère {} est à ({:g}, {:g}, {:g}) m ; attendu à moins de {:g} m de la base</translation>
     </message>
     <message>
         <source>KRC: {} cannot reach {}: both must be IPv4 or both IPv6</source>
-        <translation>KRC : {} ne peut pas atteindre {} : les deux doivent être IPv4 ou tous deux IPv6</translation>
+        <translation>KRC : {} ne peut pas atteindre {} : les deux doivent être IPv4 ou tous deux IPv6</translation>
     </message>
     <message>
         <source>KRC: {} {} is {:g} {}; expected within ±{:g} {}</source>
-        <translation>KRC : {} {} vaut {:g} {} ; attendu à ±{:g} {} près</translation>
+        <translation>KRC : {} {} vaut {:g} {} ; attendu à ±{:g} {} près</translation>
     </message>
     <message>
         <source>KRL real</source>
@@ -1988,10 +1988,6 @@ Robot : %2
         <translation>Rapport cyclique maximal que la vibration peut utiliser.</translation>
     </message>
     <message>
-        <source>Largest relative correction of the law; a measurement that asks for more contradicts it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Last answer</source>
         <translation>Dernière réponse</translation>
     </message>
@@ -2002,10 +1998,6 @@ Robot : %2
     <message>
         <source>Last picture</source>
         <translation>Dernière image</translation>
-    </message>
-    <message>
-        <source>Lasting measurement error</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
@@ -2221,7 +2213,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>MJPEG {}: cannot listen: {}</source>
-        <translation>MJPEG {} : écoute impossible : {}</translation>
+        <translation>MJPEG {} : écoute impossible : {}</translation>
     </message>
     <message>
         <source>Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted.</source>
@@ -2301,11 +2293,11 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Modbus TCP {}: cannot listen: {}</source>
-        <translation>Modbus TCP {} : écoute impossible : {}</translation>
+        <translation>Modbus TCP {} : écoute impossible : {}</translation>
     </message>
     <message>
         <source>Modbus TCP: no socket: {}</source>
-        <translation>Modbus TCP : pas de socket : {}</translation>
+        <translation>Modbus TCP : pas de socket : {}</translation>
     </message>
     <message>
         <source>Motion depth scale</source>
@@ -3096,10 +3088,6 @@ Appuyer pour lire pourquoi</translation>
         <translation>Refusés : aucun</translation>
     </message>
     <message>
-        <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rename</source>
         <translation>Renommer</translation>
     </message>
@@ -3752,10 +3740,6 @@ N/mm</translation>
         <translation>L'horloge a reculé de {:.3f} s ; ce pas n'a rien bougé.</translation>
     </message>
     <message>
-        <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The current values (B) are felt.</source>
         <translation>On sent les valeurs actuelles (B).</translation>
     </message>
@@ -4121,7 +4105,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>UDP {}: {}: {}</source>
-        <translation>UDP {} : {} : {}</translation>
+        <translation>UDP {} : {} : {}</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -4321,11 +4305,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>a picture is {} × {} px, those before {} × {}; choose a time with one size</source>
-        <translation>une image fait {} × {} px, les précédentes {} × {} ; choisir un temps d'une seule taille</translation>
+        <translation>une image fait {} × {} px, les précédentes {} × {} ; choisir un temps d'une seule taille</translation>
     </message>
     <message>
         <source>a picture of {} x {} pixels: too large</source>
-        <translation>une image de {} x {} pixels : trop grande</translation>
+        <translation>une image de {} x {} pixels : trop grande</translation>
     </message>
     <message>
         <source>a reason that this program does not know</source>
@@ -4333,7 +4317,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>a recording of format {}; this program reads format {}</source>
-        <translation>un enregistrement au format {} ; ce programme lit le format {}</translation>
+        <translation>un enregistrement au format {} ; ce programme lit le format {}</translation>
     </message>
     <message>
         <source>a second</source>
@@ -4393,7 +4377,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>acceleration limit {} mm/s²: expected 10 to 100000</source>
-        <translation>limite d'accélération {} mm/s² : attendu de 10 à 100000</translation>
+        <translation>limite d'accélération {} mm/s² : attendu de 10 à 100000</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -4405,11 +4389,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both again</source>
-        <translation>adc monte de {:.0f} à {:g} mm à {:.0f} à {:g} mm, mais une cible plus éloignée doit donner moins : mesurer de nouveau les deux</translation>
+        <translation>adc monte de {:.0f} à {:g} mm à {:.0f} à {:g} mm, mais une cible plus éloignée doit donner moins : mesurer de nouveau les deux</translation>
     </message>
     <message>
         <source>adc rises from {:.0f} at {:g} mm to {:.0f} at {:g} mm, but a farther target must read less: measure both again, and leave out distances the sensor is too near for</source>
-        <translation>adc monte de {:.0f} à {:g} mm à {:.0f} à {:g} mm, mais une cible plus éloignée doit donner moins : mesurer de nouveau les deux, et laisser de côté les distances trop proches pour le capteur</translation>
+        <translation>adc monte de {:.0f} à {:g} mm à {:.0f} à {:g} mm, mais une cible plus éloignée doit donner moins : mesurer de nouveau les deux, et laisser de côté les distances trop proches pour le capteur</translation>
     </message>
     <message>
         <source>add weights between {:.3g} and {:.3g} N</source>
@@ -4513,7 +4497,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>arithmetic {}: expected 1 or more</source>
-        <translation>arithmétique {} : attendu 1 ou plus</translation>
+        <translation>arithmétique {} : attendu 1 ou plus</translation>
     </message>
     <message>
         <source>asked for {:.0f} %, the camera took {:.0f} %</source>
@@ -4545,11 +4529,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>auto-tune: cancelled</source>
-        <translation>auto-tune : annulé</translation>
+        <translation>auto-tune : annulé</translation>
     </message>
     <message>
         <source>auto-tune: no time constant up to {} s keeps gain margin {} and phase margin {}° (dead time {:.3f} s, lag {:.3f} s, noise {:.1f} %)</source>
-        <translation>auto-tune : aucune constante de temps jusqu'à {} s ne garde la marge de gain {} et la marge de phase {}° (temps mort {:.3f} s, retard {:.3f} s, bruit {:.1f} %)</translation>
+        <translation>auto-tune : aucune constante de temps jusqu'à {} s ne garde la marge de gain {} et la marge de phase {}° (temps mort {:.3f} s, retard {:.3f} s, bruit {:.1f} %)</translation>
     </message>
     <message>
         <source>average more readings at each distance, target square to the sensor</source>
@@ -4557,7 +4541,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>axes "{}": expected x, y and z once each, such as -y,-x,z</source>
-        <translation>axes « {} » : attendu x, y et z une fois chacun, comme -y,-x,z</translation>
+        <translation>axes « {} » : attendu x, y et z une fois chacun, comme -y,-x,z</translation>
     </message>
     <message>
         <source>back to the saved values</source>
@@ -4613,7 +4597,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, id=SERIAL, a video file, a folder of pictures or a stream's URL</source>
-        <translation>caméra '{}' : aucun fichier ou dossier de ce nom ; attendu un numéro d'appareil, un chemin comme /dev/video0, id=SERIAL, un fichier vidéo, un dossier d'images ou l'URL d'un flux</translation>
+        <translation>caméra '{}' : aucun fichier ou dossier de ce nom ; attendu un numéro d'appareil, un chemin comme /dev/video0, id=SERIAL, un fichier vidéo, un dossier d'images ou l'URL d'un flux</translation>
     </message>
     <message>
         <source>camera device</source>
@@ -4633,15 +4617,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>camera folder '{}': no pictures; expected {}</source>
-        <translation>dossier de la caméra '{}' : pas d'images ; attendu {}</translation>
+        <translation>dossier de la caméra '{}' : pas d'images ; attendu {}</translation>
     </message>
     <message>
         <source>camera folder '{}': {}</source>
-        <translation>dossier de la caméra '{}' : {}</translation>
+        <translation>dossier de la caméra '{}' : {}</translation>
     </message>
     <message>
         <source>camera folder: {}</source>
-        <translation>dossier de la caméra : {}</translation>
+        <translation>dossier de la caméra : {}</translation>
     </message>
     <message>
         <source>camera stream '{}'</source>
@@ -4649,11 +4633,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>camera: none given; only the simulated touchpad has a simulated camera</source>
-        <translation>caméra : aucune donnée ; seul le touchpad simulé a une caméra simulée</translation>
+        <translation>caméra : aucune donnée ; seul le touchpad simulé a une caméra simulée</translation>
     </message>
     <message>
         <source>camera: {}</source>
-        <translation>caméra : {}</translation>
+        <translation>caméra : {}</translation>
     </message>
     <message>
         <source>cancelled before it was done</source>
@@ -4689,31 +4673,31 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>catalogue 'sqlite:{}': expected a file</source>
-        <translation>catalogue 'sqlite:{}' : attendu un fichier</translation>
+        <translation>catalogue 'sqlite:{}' : attendu un fichier</translation>
     </message>
     <message>
         <source>catalogue '{}': a path with a quotation mark is not possible</source>
-        <translation>catalogue '{}' : un chemin avec un guillemet n'est pas possible</translation>
+        <translation>catalogue '{}' : un chemin avec un guillemet n'est pas possible</translation>
     </message>
     <message>
         <source>catalogue '{}': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none</source>
-        <translation>catalogue '{}' : attendu sqlite:PATH, postgresql:host=… dbname=… user=…, ou none</translation>
+        <translation>catalogue '{}' : attendu sqlite:PATH, postgresql:host=… dbname=… user=…, ou none</translation>
     </message>
     <message>
         <source>catalogue: libpq cannot read the words after '{}'; expected host=… dbname=… user=…</source>
-        <translation>catalogue : libpq ne peut pas lire les mots après '{}' ; attendu host=… dbname=… user=…</translation>
+        <translation>catalogue : libpq ne peut pas lire les mots après '{}' ; attendu host=… dbname=… user=…</translation>
     </message>
     <message>
         <source>catalogue: the word carries a password, which logs and lists of processes would show; put it into ~/.pgpass (mode 600) instead</source>
-        <translation>catalogue : le mot contient un mot de passe, que journaux et listes de processus montreraient ; le mettre plutôt dans ~/.pgpass (mode 600)</translation>
+        <translation>catalogue : le mot contient un mot de passe, que journaux et listes de processus montreraient ; le mettre plutôt dans ~/.pgpass (mode 600)</translation>
     </message>
     <message>
         <source>change: expected [[record.change]]</source>
-        <translation>change : attendu [[record.change]]</translation>
+        <translation>change : attendu [[record.change]]</translation>
     </message>
     <message>
         <source>change: expected id, before and after</source>
-        <translation>change : attendu id, before et after</translation>
+        <translation>change : attendu id, before et after</translation>
     </message>
     <message>
         <source>changed since it was calibrated %1 days ago</source>
@@ -4749,55 +4733,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>closed loop: the recording does not say how the cloth answers: {}</source>
-        <translation>boucle fermée : l'enregistrement ne dit pas comment le tissu répond : {}</translation>
+        <translation>boucle fermée : l'enregistrement ne dit pas comment le tissu répond : {}</translation>
     </message>
     <message>
         <source>closing</source>
         <translation>en fermeture</translation>
-    </message>
-    <message>
-        <source>cloth table: "{}" where "{}" was expected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: does not begin with "fyd-cloth 1"</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: ends before "{}"</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: expected two half sides, one distance and two reference stiffnesses, all above 0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: no line "finger"</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: shape: expected one number, 3 … {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: x from 0, depth above 0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: {} holds something that is no number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: {} holds {}, expected finite numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: {}: expected 2 … {} rising numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: {}: {} of {} numbers</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>command</source>
@@ -4849,19 +4789,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>control.law_angle_deg: {} points; expected at least 2</source>
-        <translation>control.law_angle_deg : {} points ; attendu au moins 2</translation>
+        <translation>control.law_angle_deg : {} points ; attendu au moins 2</translation>
     </message>
     <message>
         <source>control.law_stiffness_N_per_mm: {} values for {} angles; expected one for each</source>
-        <translation>control.law_stiffness_N_per_mm : {} valeurs pour {} angles ; attendu une pour chacun</translation>
+        <translation>control.law_stiffness_N_per_mm : {} valeurs pour {} angles ; attendu une pour chacun</translation>
     </message>
     <message>
         <source>control.law_stiffness_N_per_mm: {}; expected above 0</source>
-        <translation>control.law_stiffness_N_per_mm : {} ; attendu au-dessus de 0</translation>
+        <translation>control.law_stiffness_N_per_mm : {} ; attendu au-dessus de 0</translation>
     </message>
     <message>
         <source>control.travel_maximum_deg = {}: expected more than control.travel_minimum_deg = {}</source>
-        <translation>control.travel_maximum_deg = {} : attendu plus que control.travel_minimum_deg = {}</translation>
+        <translation>control.travel_maximum_deg = {} : attendu plus que control.travel_minimum_deg = {}</translation>
     </message>
     <message>
         <source>cookie</source>
@@ -4925,7 +4865,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>device test {}: there is none of this number</source>
-        <translation>essai d'appareil {} : il n'y en a pas de ce numéro</translation>
+        <translation>essai d'appareil {} : il n'y en a pas de ce numéro</translation>
     </message>
     <message>
         <source>device test: the session is closed</source>
@@ -4960,6 +4900,10 @@ Pour commencer : %1</translation>
         <translation>le capteur de distance {} lit {:.0f} points, hors de sa plage : voir si quelque chose est devant</translation>
     </message>
     <message>
+        <source>distance sensors: {} of them</source>
+        <translation>capteurs de distance : {} en tout</translation>
+    </message>
+    <message>
         <source>distances to the untouched cloth {} mm, spread {:.2f} mm; force {:.3f} N</source>
         <translation>distances au tissu non touché {} mm, dispersion {:.2f} mm ; force {:.3f} N</translation>
     </message>
@@ -4985,7 +4929,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>duration {} s: expected 0 or more</source>
-        <translation>durée {} s : attendu 0 ou plus</translation>
+        <translation>durée {} s : attendu 0 ou plus</translation>
     </message>
     <message>
         <source>each ±%1 %2</source>
@@ -5045,11 +4989,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>exception 10: the gateway has no path to it</source>
-        <translation>exception 10 : la passerelle n'a pas de chemin vers lui</translation>
+        <translation>exception 10 : la passerelle n'a pas de chemin vers lui</translation>
     </message>
     <message>
         <source>exception 11: the gateway gets no answer from it; is it switched on?</source>
-        <translation>exception 11 : la passerelle ne reçoit pas de réponse ; est-il allumé ?</translation>
+        <translation>exception 11 : la passerelle ne reçoit pas de réponse ; est-il allumé ?</translation>
     </message>
     <message>
         <source>exception 1: it does not know this function; is it a touchpad with this register map?</source>
@@ -5069,7 +5013,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>exception 5: it needs longer</source>
-        <translation>exception 5 : il lui faut plus de temps</translation>
+        <translation>exception 5 : il lui faut plus de temps</translation>
     </message>
     <message>
         <source>exception 6: it is busy, another program drives its motors; close that one</source>
@@ -5077,31 +5021,31 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>exception 7: it cannot do this</source>
-        <translation>exception 7 : il ne peut pas faire cela</translation>
+        <translation>exception 7 : il ne peut pas faire cela</translation>
     </message>
     <message>
         <source>exception 8: memory parity error</source>
-        <translation>exception 8 : erreur de parité de la mémoire</translation>
+        <translation>exception 8 : erreur de parité de la mémoire</translation>
     </message>
     <message>
         <source>excitation at {} s: angle {}°; expected numbers</source>
-        <translation>excitation à {} s : angle {}° ; attendu des nombres</translation>
+        <translation>excitation à {} s : angle {}° ; attendu des nombres</translation>
     </message>
     <message>
         <source>excitation: stiffness observable in {} samples over {:.2f} s; expected at least {} over {} s</source>
-        <translation>excitation : raideur observable en {} échantillons sur {:.2f} s ; attendu au moins {} sur {} s</translation>
+        <translation>excitation : raideur observable en {} échantillons sur {:.2f} s ; attendu au moins {} sur {} s</translation>
     </message>
     <message>
         <source>excitation: stretch {:.1f}…{:.1f}° moves the law by {:.1f} %; expected at least {:.0f} %</source>
-        <translation>excitation : l'étirement {:.1f}…{:.1f}° fait varier la loi de {:.1f} % ; attendu au moins {:.0f} %</translation>
+        <translation>excitation : l'étirement {:.1f}…{:.1f}° fait varier la loi de {:.1f} % ; attendu au moins {:.0f} %</translation>
     </message>
     <message>
         <source>excitation: the model explains {:.0f} % of the measured stiffness' changes; expected at least {:.0f} %</source>
-        <translation>excitation : le modèle explique {:.0f} % des variations de la raideur mesurée ; attendu au moins {:.0f} %</translation>
+        <translation>excitation : le modèle explique {:.0f} % des variations de la raideur mesurée ; attendu au moins {:.0f} %</translation>
     </message>
     <message>
         <source>excitation: {} s after {} s; expected time to rise</source>
-        <translation>excitation : {} s après {} s ; le temps doit croître</translation>
+        <translation>excitation : {} s après {} s ; le temps doit croître</translation>
     </message>
     <message>
         <source>expected [[record]]</source>
@@ -5129,7 +5073,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>fault '{}': expected NAME@SECONDS or NAME@SECONDS+DURATION with one of {}</source>
-        <translation>défaut '{}' : attendu NAME@SECONDS ou NAME@SECONDS+DURATION avec l'un de {}</translation>
+        <translation>défaut '{}' : attendu NAME@SECONDS ou NAME@SECONDS+DURATION avec l'un de {}</translation>
     </message>
     <message>
         <source>fault reaction active</source>
@@ -5141,11 +5085,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>field "{}": asked for twice</source>
-        <translation>champ « {} » : demandé deux fois</translation>
+        <translation>champ « {} » : demandé deux fois</translation>
     </message>
     <message>
         <source>field "{}": there is none of this name; there are {}</source>
-        <translation>champ « {} » : il n'y en a pas de ce nom ; il y a {}</translation>
+        <translation>champ « {} » : il n'y en a pas de ce nom ; il y a {}</translation>
     </message>
     <message>
         <source>field {} of {}</source>
@@ -5161,7 +5105,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>filter: {}</source>
-        <translation>filtre : {}</translation>
+        <translation>filtre : {}</translation>
     </message>
     <message>
         <source>fine: calibrated %1 days ago</source>
@@ -5177,11 +5121,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>finger '{}': only the simulated touchpad has a simulated finger</source>
-        <translation>doigt '{}' : seul le touchpad simulé a un doigt simulé</translation>
+        <translation>doigt '{}' : seul le touchpad simulé a un doigt simulé</translation>
     </message>
     <message>
         <source>finger ({:.0f}) and cloth ({:.0f}) are not told apart: put a finger on the cloth, or more light behind it</source>
-        <translation>doigt ({:.0f}) et tissu ({:.0f}) ne se distinguent pas : poser un doigt sur le tissu, ou plus de lumière derrière</translation>
+        <translation>doigt ({:.0f}) et tissu ({:.0f}) ne se distinguent pas : poser un doigt sur le tissu, ou plus de lumière derrière</translation>
     </message>
     <message>
         <source>finger at {:.0f}, cloth at {:.0f}, threshold {}</source>
@@ -5205,7 +5149,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>flow {} bit/s: expected more than 0</source>
-        <translation>débit {} bit/s : attendu plus de 0</translation>
+        <translation>débit {} bit/s : attendu plus de 0</translation>
     </message>
     <message>
         <source>folder</source>
@@ -5217,7 +5161,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>folder: {}</source>
-        <translation>dossier : {}</translation>
+        <translation>dossier : {}</translation>
     </message>
     <message>
         <source>for %1</source>
@@ -5229,7 +5173,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>force = {} N: expected 0.01 … 20</source>
-        <translation>force = {} N : attendu 0.01 … 20</translation>
+        <translation>force = {} N : attendu 0.01 … 20</translation>
     </message>
     <message>
         <source>force too small</source>
@@ -5245,7 +5189,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>frame = {}: expected 2 … {} samples</source>
-        <translation>frame = {} : attendu 2 … {} échantillons</translation>
+        <translation>frame = {} : attendu 2 … {} échantillons</translation>
     </message>
     <message>
         <source>from</source>
@@ -5265,7 +5209,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>from {} s to {} s: the first must not be larger than the second</source>
-        <translation>de {} s à {} s : le premier ne doit pas dépasser le second</translation>
+        <translation>de {} s à {} s : le premier ne doit pas dépasser le second</translation>
     </message>
     <message>
         <source>gone</source>
@@ -5329,7 +5273,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>hop = {}: expected a divisor of the frame, {} (blocks) or less (overlapped)</source>
-        <translation>hop = {} : attendu un diviseur de la trame, {} (blocs) ou moins (avec recouvrement)</translation>
+        <translation>hop = {} : attendu un diviseur de la trame, {} (blocs) ou moins (avec recouvrement)</translation>
     </message>
     <message>
         <source>hysteresis %1</source>
@@ -5369,19 +5313,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>its header is damaged: the checksum differs</source>
-        <translation>son en-tête est endommagé : la somme de contrôle diffère</translation>
+        <translation>son en-tête est endommagé : la somme de contrôle diffère</translation>
     </message>
     <message>
         <source>its lock cannot be had, it may be recorded at this moment: {}</source>
-        <translation>son verrou ne peut pas être obtenu, il est peut-être en cours d'enregistrement : {}</translation>
+        <translation>son verrou ne peut pas être obtenu, il est peut-être en cours d'enregistrement : {}</translation>
     </message>
     <message>
         <source>its recorder is gone; make it whole with: fyd session recover</source>
-        <translation>son enregistreur n'est plus là ; le rendre entier par : fyd session recover</translation>
+        <translation>son enregistreur n'est plus là ; le rendre entier par : fyd session recover</translation>
     </message>
     <message>
         <source>jerk limit {} mm/s³: expected 1000 to 10000000</source>
-        <translation>limite d'à-coup {} mm/s³ : attendu de 1000 à 10000000</translation>
+        <translation>limite d'à-coup {} mm/s³ : attendu de 1000 à 10000000</translation>
     </message>
     <message>
         <source>joint impedance</source>
@@ -5393,11 +5337,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>key file {}: exists already; a key is never overwritten</source>
-        <translation>fichier de clé {} : existe déjà ; une clé n'est jamais écrasée</translation>
+        <translation>fichier de clé {} : existe déjà ; une clé n'est jamais écrasée</translation>
     </message>
     <message>
         <source>key file {}: longer than {} bytes; not a key</source>
-        <translation>fichier de clé {} : plus long que {} octets ; pas une clé</translation>
+        <translation>fichier de clé {} : plus long que {} octets ; pas une clé</translation>
     </message>
     <message>
         <source>key file {}: not a regular file</source>
@@ -5413,7 +5357,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>kind "{}"; expected note or bookmark</source>
-        <translation>sorte « {} » ; attendu note ou bookmark</translation>
+        <translation>sorte « {} » ; attendu note ou bookmark</translation>
     </message>
     <message>
         <source>largest %1 at %2</source>
@@ -5533,7 +5477,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>method number {}: unknown</source>
-        <translation>méthode numéro {} : inconnue</translation>
+        <translation>méthode numéro {} : inconnue</translation>
     </message>
     <message>
         <source>mm</source>
@@ -5605,7 +5549,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>motor {} stands at {:.1f}°, beyond control.motor_limit_deg = {:.0f}: check the encoder's zero</source>
-        <translation>le moteur {} est à {:.1f}°, au-delà de control.motor_limit_deg = {:.0f} : vérifier le zéro du codeur</translation>
+        <translation>le moteur {} est à {:.1f}°, au-delà de control.motor_limit_deg = {:.0f} : vérifier le zéro du codeur</translation>
     </message>
     <message>
         <source>motors</source>
@@ -5613,11 +5557,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>motors '{}': a recording drives no motors</source>
-        <translation>moteurs '{}' : un enregistrement ne commande pas de moteurs</translation>
+        <translation>moteurs '{}' : un enregistrement ne commande pas de moteurs</translation>
     </message>
     <message>
         <source>motors '{}': expected qbmove:TTY</source>
-        <translation>moteurs '{}' : attendu qbmove:TTY</translation>
+        <translation>moteurs '{}' : attendu qbmove:TTY</translation>
     </message>
     <message>
         <source>motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool</source>
@@ -5633,11 +5577,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>network profile "{}": expected isdn, adsl, lan or a CSV file</source>
-        <translation>profil de réseau « {} » : attendu isdn, adsl, lan ou un fichier CSV</translation>
+        <translation>profil de réseau « {} » : attendu isdn, adsl, lan ou un fichier CSV</translation>
     </message>
     <message>
         <source>network {} {} {}: expected 0 to {}</source>
-        <translation>réseau {} {} {} : attendu de 0 à {}</translation>
+        <translation>réseau {} {} {} : attendu de 0 à {}</translation>
     </message>
     <message>
         <source>never calibrated</source>
@@ -5645,7 +5589,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no JPEG decoder: {}</source>
-        <translation>pas de décodeur JPEG : {}</translation>
+        <translation>pas de décodeur JPEG : {}</translation>
     </message>
     <message>
         <source>no answer in {:.0f} ms; is it switched on and connected?</source>
@@ -5657,11 +5601,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no commit in it can be trusted: all {} are damaged</source>
-        <translation>aucune validation n'y est fiable : toutes les {} sont endommagées</translation>
+        <translation>aucune validation n'y est fiable : toutes les {} sont endommagées</translation>
     </message>
     <message>
         <source>no commit in it can be trusted: nothing was ever completely written</source>
-        <translation>aucune validation n'y est fiable : rien n'a jamais été écrit en entier</translation>
+        <translation>aucune validation n'y est fiable : rien n'a jamais été écrit en entier</translation>
     </message>
     <message>
         <source>no contact within the travel limit</source>
@@ -5669,7 +5613,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no curve can be used ({}): add points, spread over 40 to 300 mm</source>
-        <translation>aucune courbe n'est utilisable ({}) : ajouter des points, répartis de 40 à 300 mm</translation>
+        <translation>aucune courbe n'est utilisable ({}) : ajouter des points, répartis de 40 à 300 mm</translation>
     </message>
     <message>
         <source>no data</source>
@@ -5713,7 +5657,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no points: add points between 40 and 300 mm</source>
-        <translation>aucun point : ajouter des points entre 40 et 300 mm</translation>
+        <translation>aucun point : ajouter des points entre 40 et 300 mm</translation>
     </message>
     <message>
         <source>no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: press deeper there</source>
@@ -5745,7 +5689,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no samples from {} s to {} s: the recording has {}, to {:.3f} s</source>
-        <translation>pas d'échantillons de {} s à {} s : l'enregistrement en a {}, jusqu'à {:.3f} s</translation>
+        <translation>pas d'échantillons de {} s à {} s : l'enregistrement en a {}, jusqu'à {:.3f} s</translation>
     </message>
     <message>
         <source>no stiffness target</source>
@@ -5757,7 +5701,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no threshold is suggested, the present one stays: {}</source>
-        <translation>aucun seuil n'est proposé, le présent reste : {}</translation>
+        <translation>aucun seuil n'est proposé, le présent reste : {}</translation>
     </message>
     <message>
         <source>no touchpad answered</source>
@@ -5773,7 +5717,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no video can be written: OpenCV has no coder for it, or the disk is full</source>
-        <translation>aucune vidéo ne peut être écrite : OpenCV n'a pas de codeur pour elle, ou le disque est plein</translation>
+        <translation>aucune vidéo ne peut être écrite : OpenCV n'a pas de codeur pour elle, ou le disque est plein</translation>
     </message>
     <message>
         <source>none</source>
@@ -5869,7 +5813,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>only {} of {} frames could be written; is the disk full?</source>
-        <translation>seules {} images sur {} ont pu être écrites ; le disque est-il plein ?</translation>
+        <translation>seules {} images sur {} ont pu être écrites ; le disque est-il plein ?</translation>
     </message>
     <message>
         <source>operation enabled</source>
@@ -5897,7 +5841,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>outside {:.0f} to {:.0f} mm the sensor will count as invalid: the cloth rests at about 100 mm</source>
-        <translation>hors de {:.0f} à {:.0f} mm le capteur comptera comme non valable : le tissu au repos est à environ 100 mm</translation>
+        <translation>hors de {:.0f} à {:.0f} mm le capteur comptera comme non valable : le tissu au repos est à environ 100 mm</translation>
     </message>
     <message>
         <source>pairing code</source>
@@ -5905,15 +5849,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>pairing code: the checksum does not fit; a word is another than it was, or the order is</source>
-        <translation>code d'appairage : la somme de contrôle ne correspond pas ; un mot n'est pas celui d'origine, ou l'ordre</translation>
+        <translation>code d'appairage : la somme de contrôle ne correspond pas ; un mot n'est pas celui d'origine, ou l'ordre</translation>
     </message>
     <message>
         <source>pairing code: word {} is not a pairing word; check its spelling</source>
-        <translation>code d'appairage : le mot {} n'est pas un mot d'appairage ; vérifier son orthographe</translation>
+        <translation>code d'appairage : le mot {} n'est pas un mot d'appairage ; vérifier son orthographe</translation>
     </message>
     <message>
         <source>pairing code: {} words; expected {}</source>
-        <translation>code d'appairage : {} mots ; attendu {}</translation>
+        <translation>code d'appairage : {} mots ; attendu {}</translation>
     </message>
     <message>
         <source>parts missing</source>
@@ -5921,11 +5865,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>path '{}': expected an absolute one</source>
-        <translation>chemin '{}' : attendu un chemin absolu</translation>
+        <translation>chemin '{}' : attendu un chemin absolu</translation>
     </message>
     <message>
         <source>path: {}</source>
-        <translation>chemin : {}</translation>
+        <translation>chemin : {}</translation>
     </message>
     <message>
         <source>paused</source>
@@ -5937,11 +5881,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>period {} ms: expected more than 0</source>
-        <translation>période {} ms : attendu plus de 0</translation>
+        <translation>période {} ms : attendu plus de 0</translation>
     </message>
     <message>
         <source>picture and target are mirror images; if the camera shows no mirrored picture, the signs of y_mm are wrong: it grows to the back, upward in the picture</source>
-        <translation>image et cible sont en miroir ; si la caméra ne montre pas une image inversée, les signes de y_mm sont faux : il croît vers l'arrière, vers le haut dans l'image</translation>
+        <translation>image et cible sont en miroir ; si la caméra ne montre pas une image inversée, les signes de y_mm sont faux : il croît vers l'arrière, vers le haut dans l'image</translation>
     </message>
     <message>
         <source>picture {} cannot be coded</source>
@@ -5957,7 +5901,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>png: the picture could not be made</source>
-        <translation>png : l'image n'a pas pu être faite</translation>
+        <translation>png : l'image n'a pas pu être faite</translation>
     </message>
     <message>
         <source>polynomial of degree 2</source>
@@ -5993,7 +5937,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>precision {} mm: expected more than 0</source>
-        <translation>précision {} mm : attendu plus de 0</translation>
+        <translation>précision {} mm : attendu plus de 0</translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -6001,11 +5945,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>preset '{}': expected a name of 1 to {} letters, digits, spaces, '-' or '_', with no space at its ends</source>
-        <translation>préréglage '{}' : attendu un nom de 1 à {} lettres, chiffres, espaces, '-' ou '_', sans espace aux bords</translation>
+        <translation>préréglage '{}' : attendu un nom de 1 à {} lettres, chiffres, espaces, '-' ou '_', sans espace aux bords</translation>
     </message>
     <message>
         <source>preset '{}': there is one of this name; delete it first or choose another name</source>
-        <translation>préréglage '{}' : il y en a un de ce nom ; le supprimer d'abord ou choisir un autre nom</translation>
+        <translation>préréglage '{}' : il y en a un de ce nom ; le supprimer d'abord ou choisir un autre nom</translation>
     </message>
     <message>
         <source>press slower, and hold each depth</source>
@@ -6045,7 +5989,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>recorded at {} Hz: {} Hz is less than 1/{} of that</source>
-        <translation>enregistré à {} Hz : {} Hz est moins que 1/{} de cela</translation>
+        <translation>enregistré à {} Hz : {} Hz est moins que 1/{} de cela</translation>
     </message>
     <message>
         <source>recorder crashed</source>
@@ -6057,11 +6001,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>recording of {} samples: expected at least {}</source>
-        <translation>enregistrement de {} échantillons : attendu au moins {}</translation>
+        <translation>enregistrement de {} échantillons : attendu au moins {}</translation>
     </message>
     <message>
         <source>recording {}, {:.1f} s, played once; motors are not driven</source>
-        <translation>enregistrement {}, {:.1f} s, lu une fois ; les moteurs ne sont pas commandés</translation>
+        <translation>enregistrement {}, {:.1f} s, lu une fois ; les moteurs ne sont pas commandés</translation>
     </message>
     <message>
         <source>recording {}, {} pictures, played once</source>
@@ -6069,19 +6013,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>recording {}: the count {} is beyond all measure</source>
-        <translation>enregistrement {} : le compte {} est hors de toute mesure</translation>
+        <translation>enregistrement {} : le compte {} est hors de toute mesure</translation>
     </message>
     <message>
         <source>recording's id '{}': expected 1 to 64 letters, digits or dashes</source>
-        <translation>id de l'enregistrement '{}' : attendu 1 à 64 lettres, chiffres ou tirets</translation>
+        <translation>id de l'enregistrement '{}' : attendu 1 à 64 lettres, chiffres ou tirets</translation>
     </message>
     <message>
         <source>recording: no file name</source>
-        <translation>enregistrement : pas de nom de fichier</translation>
+        <translation>enregistrement : pas de nom de fichier</translation>
     </message>
     <message>
         <source>recording: no vibration above {} Hz in it</source>
-        <translation>enregistrement : pas de vibration au-dessus de {} Hz</translation>
+        <translation>enregistrement : pas de vibration au-dessus de {} Hz</translation>
     </message>
     <message>
         <source>reference</source>
@@ -6097,7 +6041,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>relay: the called side's address {} has no port</source>
-        <translation>relais : l'adresse {} du côté appelé n'a pas de port</translation>
+        <translation>relais : l'adresse {} du côté appelé n'a pas de port</translation>
     </message>
     <message>
         <source>renaming of preset %1</source>
@@ -6117,11 +6061,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>residuals: expected a list of numbers</source>
-        <translation>residuals : attendu une liste de nombres</translation>
+        <translation>residuals : attendu une liste de nombres</translation>
     </message>
     <message>
         <source>residuals: expected numbers with a point</source>
-        <translation>residuals : attendu des nombres avec un point</translation>
+        <translation>residuals : attendu des nombres avec un point</translation>
     </message>
     <message>
         <source>resume</source>
@@ -6133,7 +6077,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>robot '{}': FYD Link needs a key file; fyd link keygen makes one</source>
-        <translation>robot '{}' : FYD Link a besoin d'un fichier de clé ; fyd link keygen en fait un</translation>
+        <translation>robot '{}' : FYD Link a besoin d'un fichier de clé ; fyd link keygen en fait un</translation>
     </message>
     <message>
         <source>robot '{}': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
@@ -6141,35 +6085,35 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>robot '{}': takes no key file; only link:HOST:PORT does</source>
-        <translation>robot '{}' : ne prend pas de fichier de clé ; seul link:HOST:PORT en prend un</translation>
+        <translation>robot '{}' : ne prend pas de fichier de clé ; seul link:HOST:PORT en prend un</translation>
     </message>
     <message>
         <source>robot end: the touchpad's address {} has no port to call</source>
-        <translation>côté robot : l'adresse {} du touchpad n'a pas de port à appeler</translation>
+        <translation>côté robot : l'adresse {} du touchpad n'a pas de port à appeler</translation>
     </message>
     <message>
         <source>robot end: {}</source>
-        <translation>côté robot : {}</translation>
+        <translation>côté robot : {}</translation>
     </message>
     <message>
         <source>robot end: {} cannot call {}: both must be IPv4 or both IPv6</source>
-        <translation>côté robot : {} ne peut pas appeler {} : les deux doivent être IPv4 ou tous deux IPv6</translation>
+        <translation>côté robot : {} ne peut pas appeler {} : les deux doivent être IPv4 ou tous deux IPv6</translation>
     </message>
     <message>
         <source>robot end: {} states a second; expected 1 to 10000</source>
-        <translation>côté robot : {} états par seconde ; attendu de 1 à 10000</translation>
+        <translation>côté robot : {} états par seconde ; attendu de 1 à 10000</translation>
     </message>
     <message>
         <source>robot target ({}, {}, {}) mm: expected three finite numbers</source>
-        <translation>cible du robot ({}, {}, {}) mm : attendu trois nombres finis</translation>
+        <translation>cible du robot ({}, {}, {}) mm : attendu trois nombres finis</translation>
     </message>
     <message>
         <source>row {}: {} events</source>
-        <translation>ligne {} : {} événements</translation>
+        <translation>ligne {} : {} événements</translation>
     </message>
     <message>
         <source>rows at its end that no sound commit proves: {}</source>
-        <translation>lignes à sa fin qu'aucune validation saine ne prouve : {}</translation>
+        <translation>lignes à sa fin qu'aucune validation saine ne prouve : {}</translation>
     </message>
     <message>
         <source>rows {}+{} of {}</source>
@@ -6193,7 +6137,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>saved values are felt now; go back to the current ones to change any</source>
-        <translation>les valeurs enregistrées sont ressenties ; revenir aux actuelles pour en changer</translation>
+        <translation>les valeurs enregistrées sont ressenties ; revenir aux actuelles pour en changer</translation>
     </message>
     <message>
         <source>saving of preset %1</source>
@@ -6201,11 +6145,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>search text: {}</source>
-        <translation>texte cherché : {}</translation>
+        <translation>texte cherché : {}</translation>
     </message>
     <message>
         <source>search text: {} bytes, at most {} words are looked for</source>
-        <translation>texte cherché : {} octets, au plus {} mots sont cherchés</translation>
+        <translation>texte cherché : {} octets, au plus {} mots sont cherchés</translation>
     </message>
     <message>
         <source>second</source>
@@ -6217,11 +6161,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>sensor {} with {} codes and {} distances; expected 1 to {} and as many of each</source>
-        <translation>capteur {} avec {} codes et {} distances ; attendu 1 à {} et autant de chaque</translation>
+        <translation>capteur {} avec {} codes et {} distances ; attendu 1 à {} et autant de chaque</translation>
     </message>
     <message>
         <source>sensor: expected 0 to 8</source>
-        <translation>sensor : attendu de 0 à 8</translation>
+        <translation>sensor : attendu de 0 à 8</translation>
     </message>
     <message>
         <source>sensors contradict each other</source>
@@ -6229,7 +6173,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>sensors: nothing received yet</source>
-        <translation>capteurs : encore rien reçu</translation>
+        <translation>capteurs : encore rien reçu</translation>
     </message>
     <message>
         <source>sent, not yet confirmed</source>
@@ -6241,11 +6185,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>session '{}': not in {}</source>
-        <translation>session '{}' : pas dans {}</translation>
+        <translation>session '{}' : pas dans {}</translation>
     </message>
     <message>
         <source>session '{}': several begin so; give more digits</source>
-        <translation>session '{}' : plusieurs commencent ainsi ; donner plus de chiffres</translation>
+        <translation>session '{}' : plusieurs commencent ainsi ; donner plus de chiffres</translation>
     </message>
     <message>
         <source>set to {:.0f} %</source>
@@ -6289,7 +6233,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>simulated touchpad: nothing to serve it through</source>
-        <translation>touchpad simulé : rien par quoi le servir</translation>
+        <translation>touchpad simulé : rien par quoi le servir</translation>
     </message>
     <message>
         <source>skipped</source>
@@ -6309,11 +6253,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>speed = {} mm/s: expected 1 … 1000, or none when it is unknown</source>
-        <translation>speed = {} mm/s : attendu 1 … 1000, ou rien si elle est inconnue</translation>
+        <translation>speed = {} mm/s : attendu 1 … 1000, ou rien si elle est inconnue</translation>
     </message>
     <message>
         <source>speed limit {} mm/s: expected 1 to 1000</source>
-        <translation>limite de vitesse {} mm/s : attendu de 1 à 1000</translation>
+        <translation>limite de vitesse {} mm/s : attendu de 1 à 1000</translation>
     </message>
     <message>
         <source>spread x %1, y %2, z %3</source>
@@ -6333,27 +6277,27 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>started_utc: {}</source>
-        <translation>started_utc : {}</translation>
+        <translation>started_utc : {}</translation>
     </message>
     <message>
         <source>state of {} bytes: damaged</source>
-        <translation>état de {} octets : endommagé</translation>
+        <translation>état de {} octets : endommagé</translation>
     </message>
     <message>
         <source>state of {} bytes: expected at least {}</source>
-        <translation>état de {} octets : attendu au moins {}</translation>
+        <translation>état de {} octets : attendu au moins {}</translation>
     </message>
     <message>
         <source>state of {} bytes: {}</source>
-        <translation>état de {} octets : {}</translation>
+        <translation>état de {} octets : {}</translation>
     </message>
     <message>
         <source>state saved with another surface; expected the same</source>
-        <translation>état enregistré avec une autre surface ; attendu la même</translation>
+        <translation>état enregistré avec une autre surface ; attendu la même</translation>
     </message>
     <message>
         <source>state with {} bytes of content: expected {}</source>
-        <translation>état avec {} octets de contenu : attendu {}</translation>
+        <translation>état avec {} octets de contenu : attendu {}</translation>
     </message>
     <message>
         <source>status word</source>
@@ -6381,7 +6325,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>stretch {:g}°: beyond control.motor_limit_deg = {:.0f}</source>
-        <translation>étirement {:g}° : au-delà de control.motor_limit_deg = {:.0f}</translation>
+        <translation>étirement {:g}° : au-delà de control.motor_limit_deg = {:.0f}</translation>
     </message>
     <message>
         <source>subject %1</source>
@@ -6409,11 +6353,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>tag '{}': empty</source>
-        <translation>étiquette '{}' : vide</translation>
+        <translation>étiquette '{}' : vide</translation>
     </message>
     <message>
         <source>tags: {}, at most {} are catalogued</source>
-        <translation>étiquettes : {}, au plus {} sont cataloguées</translation>
+        <translation>étiquettes : {}, au plus {} sont cataloguées</translation>
     </message>
     <message>
         <source>take points first</source>
@@ -6449,7 +6393,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant</source>
-        <translation>les axes s'écartent de {:.1f}° d'un angle droit : la caméra regarde le tissu de biais</translation>
+        <translation>les axes s'écartent de {:.1f}° d'un angle droit : la caméra regarde le tissu de biais</translation>
     </message>
     <message>
         <source>the block changed while it was read (its two sequence numbers differ)</source>
@@ -6481,11 +6425,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the disk: one commit changes more than the journal holds</source>
-        <translation>le disque : une validation change plus que le journal ne contient</translation>
+        <translation>le disque : une validation change plus que le journal ne contient</translation>
     </message>
     <message>
         <source>the disk: {}</source>
-        <translation>le disque : {}</translation>
+        <translation>le disque : {}</translation>
     </message>
     <message>
         <source>the distance sensors are silent</source>
@@ -6533,7 +6477,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm</source>
-        <translation>les millimètres sont sur une droite alors que les pixels n'y sont pas : vérifier les colonnes x_mm et y_mm</translation>
+        <translation>les millimètres sont sur une droite alors que les pixels n'y sont pas : vérifier les colonnes x_mm et y_mm</translation>
     </message>
     <message>
         <source>the motor board is silent</source>
@@ -6569,7 +6513,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the points lie on one line in the picture: add points off that line, at the corners of the cloth</source>
-        <translation>les points sont sur une droite dans l'image : ajouter des points hors de cette droite, aux coins du tissu</translation>
+        <translation>les points sont sur une droite dans l'image : ajouter des points hors de cette droite, aux coins du tissu</translation>
     </message>
     <message>
         <source>the reading drifts by {:.3f} N over the measurement: let the bridge warm up</source>
@@ -6581,7 +6525,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the recording holds no state of the step to start from: steps had been lost before it began; it can be looked at, not replayed</source>
-        <translation>l'enregistrement ne contient pas d'état du pas d'où partir : des pas avaient été perdus avant son début ; on peut le regarder, pas le rejouer</translation>
+        <translation>l'enregistrement ne contient pas d'état du pas d'où partir : des pas avaient été perdus avant son début ; on peut le regarder, pas le rejouer</translation>
     </message>
     <message>
         <source>the recording holds no step</source>
@@ -6637,11 +6581,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the temporary columns cannot be mapped: {}</source>
-        <translation>les colonnes temporaires ne peuvent pas être projetées : {}</translation>
+        <translation>les colonnes temporaires ne peuvent pas être projetées : {}</translation>
     </message>
     <message>
         <source>the temporary columns cannot be written: {}</source>
-        <translation>les colonnes temporaires ne peuvent pas être écrites : {}</translation>
+        <translation>les colonnes temporaires ne peuvent pas être écrites : {}</translation>
     </message>
     <message>
         <source>the three axes differ in length</source>
@@ -6677,11 +6621,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the value does not follow the weight: check the cell's cable</source>
-        <translation>la valeur ne suit pas le poids : vérifier le câble de la cellule</translation>
+        <translation>la valeur ne suit pas le poids : vérifier le câble de la cellule</translation>
     </message>
     <message>
         <source>the value stays at {:.6g} mV/V whatever the weight: check the cell's cable and the bridge's channel</source>
-        <translation>la valeur reste à {:.6g} mV/V quel que soit le poids : vérifier le câble de la cellule et la voie du pont</translation>
+        <translation>la valeur reste à {:.6g} mV/V quel que soit le poids : vérifier le câble de la cellule et la voie du pont</translation>
     </message>
     <message>
         <source>the values are too large to compute with</source>
@@ -6729,7 +6673,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>time '{}': expected UTC as 2026-11-21, 2026-11-21T14:05 or 2026-11-21T14:05:09.250Z</source>
-        <translation>temps '{}' : attendu UTC comme 2026-11-21, 2026-11-21T14:05 ou 2026-11-21T14:05:09.250Z</translation>
+        <translation>temps '{}' : attendu UTC comme 2026-11-21, 2026-11-21T14:05 ou 2026-11-21T14:05:09.250Z</translation>
     </message>
     <message>
         <source>time (s)</source>
@@ -6817,7 +6761,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>unexpected argument '{}'; --help shows the options</source>
-        <translation>argument inattendu '{}' ; --help montre les options</translation>
+        <translation>argument inattendu '{}' ; --help montre les options</translation>
     </message>
     <message>
         <source>unexpected kind</source>
@@ -6841,7 +6785,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>unknown parameter '{}'; a replay changes the step's only</source>
-        <translation>paramètre inconnu '{}' ; une relecture ne change que ceux du pas</translation>
+        <translation>paramètre inconnu '{}' ; une relecture ne change que ceux du pas</translation>
     </message>
     <message>
         <source>unknown problem</source>
@@ -6929,15 +6873,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>workspace {} x {} x {} mm at {} mm: more than {} points on an axis</source>
-        <translation>espace de travail {} x {} x {} mm à {} mm : plus de {} points sur un axe</translation>
+        <translation>espace de travail {} x {} x {} mm à {} mm : plus de {} points sur un axe</translation>
     </message>
     <message>
         <source>workspace {} x {} x {} mm: every side must be longer than 0</source>
-        <translation>espace de travail {} x {} x {} mm : chaque côté doit dépasser 0</translation>
+        <translation>espace de travail {} x {} x {} mm : chaque côté doit dépasser 0</translation>
     </message>
     <message>
         <source>workspace ±({}, {}, {}) mm: expected three numbers above 0</source>
-        <translation>espace de travail ±({}, {}, {}) mm : attendu trois nombres au-dessus de 0</translation>
+        <translation>espace de travail ±({}, {}, {}) mm : attendu trois nombres au-dessus de 0</translation>
     </message>
     <message>
         <source>writing</source>
@@ -7029,7 +6973,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{:.1f} % of the picture is dark; a finger takes {:.1f} to {:.0f} %: check the region of interest</source>
-        <translation>{:.1f} % de l'image sont sombres ; un doigt en prend {:.1f} à {:.0f} % : vérifier la région d'intérêt</translation>
+        <translation>{:.1f} % de l'image sont sombres ; un doigt en prend {:.1f} à {:.0f} % : vérifier la région d'intérêt</translation>
     </message>
     <message>
         <source>{:.3f} N/mm at {:.3g} deg is known only to {:.0f} %; expected at most {:g} %: press there more often and deeper</source>
@@ -7041,15 +6985,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} = "{}": expected {}</source>
-        <translation>{} = « {} » : attendu {}</translation>
+        <translation>{} = « {} » : attendu {}</translation>
     </message>
     <message>
         <source>{} = '{}': expected true or false</source>
-        <translation>{} = '{}' : attendu true ou false</translation>
+        <translation>{} = '{}' : attendu true ou false</translation>
     </message>
     <message>
         <source>{} = '{}': expected {}</source>
-        <translation>{} = '{}' : attendu {}</translation>
+        <translation>{} = '{}' : attendu {}</translation>
     </message>
     <message>
         <source>{} = {} was refused.</source>
@@ -7057,11 +7001,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} = {}: expected a list such as [1, 2]</source>
-        <translation>{} = {} : attendu une liste comme [1, 2]</translation>
+        <translation>{} = {} : attendu une liste comme [1, 2]</translation>
     </message>
     <message>
         <source>{} = {}: expected a number from {} to {}; correct or delete the row</source>
-        <translation>{} = {} : attendu un nombre de {} à {} ; corriger ou supprimer la ligne</translation>
+        <translation>{} = {} : attendu un nombre de {} à {} ; corriger ou supprimer la ligne</translation>
     </message>
     <message>
         <source>{} = {}: expected {}</source>
@@ -7085,7 +7029,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} cannot be drawn: {}</source>
-        <translation>{} ne peut pas être dessiné : {}</translation>
+        <translation>{} ne peut pas être dessiné : {}</translation>
     </message>
     <message>
         <source>{} cannot change while the station runs</source>
@@ -7097,7 +7041,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} conditions: expected 1 … {}</source>
-        <translation>{} conditions : attendu 1 … {}</translation>
+        <translation>{} conditions : attendu 1 … {}</translation>
     </message>
     <message>
         <source>{} different angles; expected at least {}: add presses at an angle between {:.3g} and {:.3g} deg</source>
@@ -7117,7 +7061,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} distances; needs {}</source>
-        <translation>{} distances ; il en faut {}</translation>
+        <translation>{} distances ; il en faut {}</translation>
     </message>
     <message>
         <source>{} does not answer: {}</source>
@@ -7129,7 +7073,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} encoder: {}</source>
-        <translation>codeur {} : {}</translation>
+        <translation>codeur {} : {}</translation>
     </message>
     <message>
         <source>{} encoder: {} points over {:.3g} deg; expected at least 5 over {:g} deg: sweep farther</source>
@@ -7137,7 +7081,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} had {} values when the state was saved, here it has {}; expected the same</source>
-        <translation>{} avait {} valeurs quand l'état fut enregistré, ici il en a {} ; attendu le même nombre</translation>
+        <translation>{} avait {} valeurs quand l'état fut enregistré, ici il en a {} ; attendu le même nombre</translation>
     </message>
     <message>
         <source>{} is another kind of parameter in this program</source>
@@ -7169,19 +7113,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} points for a {}; expected at least {}</source>
-        <translation>{} points pour {} ; attendu au moins {}</translation>
+        <translation>{} points pour {} ; attendu au moins {}</translation>
     </message>
     <message>
         <source>{} points for {} unknowns; expected at least as many</source>
-        <translation>{} points pour {} inconnues ; attendu au moins autant</translation>
+        <translation>{} points pour {} inconnues ; attendu au moins autant</translation>
     </message>
     <message>
         <source>{} points; at most {}: take fewer, or means</source>
-        <translation>{} points ; au plus {} : en prendre moins, ou des moyennes</translation>
+        <translation>{} points ; au plus {} : en prendre moins, ou des moyennes</translation>
     </message>
     <message>
         <source>{} repetitions: expected 1 … {}</source>
-        <translation>{} répétitions : attendu 1 … {}</translation>
+        <translation>{} répétitions : attendu 1 … {}</translation>
     </message>
     <message>
         <source>{} rows of {} are gone before its row {} ({})</source>
@@ -7189,15 +7133,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} s at {} Hz are {} samples: expected at most {}</source>
-        <translation>{} s à {} Hz font {} échantillons : attendu au plus {}</translation>
+        <translation>{} s à {} Hz font {} échantillons : attendu au plus {}</translation>
     </message>
     <message>
         <source>{} samples; expected at least {}: wait longer</source>
-        <translation>{} échantillons ; attendu au moins {} : attendre plus longtemps</translation>
+        <translation>{} échantillons ; attendu au moins {} : attendre plus longtemps</translation>
     </message>
     <message>
         <source>{} spans only {:.3g} px; expected at least {:g}: add points farther {}</source>
-        <translation>{} ne couvre que {:.3g} px ; attendu au moins {:g} : ajouter des points plus éloignés {}</translation>
+        <translation>{} ne couvre que {:.3g} px ; attendu au moins {:g} : ajouter des points plus éloignés {}</translation>
     </message>
     <message>
         <source>{} steps are not committed yet</source>
@@ -7209,7 +7153,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} values and {} forces; expected as many of each</source>
-        <translation>{} valeurs et {} forces ; attendu autant de chaque</translation>
+        <translation>{} valeurs et {} forces ; attendu autant de chaque</translation>
     </message>
     <message>
         <source>{} values and {} weights for {} points</source>
@@ -7217,11 +7161,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} was {} when the state was saved, here it is {}; expected the same</source>
-        <translation>{} valait {} quand l'état fut enregistré, ici il vaut {} ; attendu le même</translation>
+        <translation>{} valait {} quand l'état fut enregistré, ici il vaut {} ; attendu le même</translation>
     </message>
     <message>
         <source>{} {}: no such file, or it may not be read</source>
-        <translation>{} {} : ce fichier n'existe pas, ou ne peut pas être lu</translation>
+        <translation>{} {} : ce fichier n'existe pas, ou ne peut pas être lu</translation>
     </message>
     <message>
         <source>{} × {} pixels, expected at most {}</source>
@@ -7237,11 +7181,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}, from line {}: {}</source>
-        <translation>{}, à partir de la ligne {} : {}</translation>
+        <translation>{}, à partir de la ligne {} : {}</translation>
     </message>
     <message>
         <source>{}, line {}: expected "{}"</source>
-        <translation>{}, ligne {} : attendu « {} »</translation>
+        <translation>{}, ligne {} : attendu « {} »</translation>
     </message>
     <message>
         <source>{}, {} at {:.4g} fps, repeating</source>
@@ -7249,7 +7193,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover</source>
-        <translation>{}. Ce qui a été écrit jusqu'à {:.1f} s est en sûreté dans {}.partial ; le rendre entier par : fyd session recover</translation>
+        <translation>{}. Ce qui a été écrit jusqu'à {:.1f} s est en sûreté dans {}.partial ; le rendre entier par : fyd session recover</translation>
     </message>
     <message>
         <source>{}: '{}' is not a number; expected {}</source>
@@ -7257,23 +7201,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: '{}' stands outside a table; expected a table such as [control]</source>
-        <translation>{} : '{}' est hors d'une table ; attendu une table comme [control]</translation>
+        <translation>{} : '{}' est hors d'une table ; attendu une table comme [control]</translation>
     </message>
     <message>
         <source>{}: [[band]]: expected either wavelength_mm or frequency_Hz</source>
-        <translation>{} : [[band]] : attendu soit wavelength_mm, soit frequency_Hz</translation>
-    </message>
-    <message>
-        <source>{}: a column without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : [[band]] : attendu soit wavelength_mm, soit frequency_Hz</translation>
     </message>
     <message>
         <source>{}: a header but no rows</source>
-        <translation>{} : un en-tête mais pas de lignes</translation>
+        <translation>{} : un en-tête mais pas de lignes</translation>
     </message>
     <message>
         <source>{}: a link to another place; a recording holds its own values</source>
-        <translation>{} : un lien vers un autre endroit ; un enregistrement contient ses propres valeurs</translation>
+        <translation>{} : un lien vers un autre endroit ; un enregistrement contient ses propres valeurs</translation>
     </message>
     <message>
         <source>{}: a report ends in .html or .pdf</source>
@@ -7281,19 +7221,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: a size in it is beyond all reason</source>
-        <translation>{} : une taille y est hors de toute mesure</translation>
+        <translation>{} : une taille y est hors de toute mesure</translation>
     </message>
     <message>
         <source>{}: a text of {} bytes</source>
-        <translation>{} : un texte de {} octets</translation>
+        <translation>{} : un texte de {} octets</translation>
     </message>
     <message>
         <source>{}: a video has no fields to choose</source>
-        <translation>{} : une vidéo n'a pas de champs à choisir</translation>
+        <translation>{} : une vidéo n'a pas de champs à choisir</translation>
     </message>
     <message>
         <source>{}: already in {}</source>
-        <translation>{} : déjà dans {}</translation>
+        <translation>{} : déjà dans {}</translation>
     </message>
     <message>
         <source>{}: an answer to an earlier question was refused; does the touchpad need longer than device.response_timeout_ms = {}?</source>
@@ -7301,7 +7241,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: an export ends in .csv, .mat, .mkv, .avi or .mcap</source>
-        <translation>{} : un export se termine par .csv, .mat, .mkv, .avi ou .mcap</translation>
+        <translation>{} : un export se termine par .csv, .mat, .mkv, .avi ou .mcap</translation>
     </message>
     <message>
         <source>{}: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than {:.3f}</source>
@@ -7309,11 +7249,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: another recording is being started</source>
-        <translation>{} : un autre enregistrement est en train de commencer</translation>
+        <translation>{} : un autre enregistrement est en train de commencer</translation>
     </message>
     <message>
         <source>{}: another touchpad answers: '{}', expected '{}'; plug the right one in, or open a session for this one</source>
-        <translation>{} : un autre touchpad répond : '{}', attendu '{}' ; brancher le bon, ou ouvrir une session pour celui-ci</translation>
+        <translation>{} : un autre touchpad répond : '{}', attendu '{}' ; brancher le bon, ou ouvrir une session pour celui-ci</translation>
     </message>
     <message>
         <source>{}: asked for {} Bd, the port runs at {} Bd; choose a speed its driver supports</source>
@@ -7321,7 +7261,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: at most {} values</source>
-        <translation>{} : au plus {} valeurs</translation>
+        <translation>{} : au plus {} valeurs</translation>
     </message>
     <message>
         <source>{}: belongs to another user (uid {}, gid {}), who would lose it; choose another name</source>
@@ -7329,19 +7269,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: bytes {}+{} of {}</source>
-        <translation>{} : octets {}+{} sur {}</translation>
+        <translation>{} : octets {}+{} sur {}</translation>
     </message>
     <message>
         <source>{}: cannot be deleted: {}</source>
-        <translation>{} : ne peut pas être supprimé : {}</translation>
+        <translation>{} : ne peut pas être supprimé : {}</translation>
     </message>
     <message>
         <source>{}: cannot be made a link to {}: {}</source>
-        <translation>{} : ne peut pas devenir un lien vers {} : {}</translation>
+        <translation>{} : ne peut pas devenir un lien vers {} : {}</translation>
     </message>
     <message>
         <source>{}: cannot be named {}: {}</source>
-        <translation>{} : ne peut pas être nommé {} : {}</translation>
+        <translation>{} : ne peut pas être nommé {} : {}</translation>
     </message>
     <message>
         <source>{}: cannot be opened for reading</source>
@@ -7353,7 +7293,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: cannot be read</source>
-        <translation>{} : ne peut pas être lu</translation>
+        <translation>{} : ne peut pas être lu</translation>
     </message>
     <message>
         <source>{}: cannot be read: {}</source>
@@ -7361,19 +7301,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: cannot be set up: {}</source>
-        <translation>{} : ne peut pas être réglé : {}</translation>
+        <translation>{} : ne peut pas être réglé : {}</translation>
     </message>
     <message>
         <source>{}: cannot be written</source>
-        <translation>{} : ne peut pas être écrit</translation>
+        <translation>{} : ne peut pas être écrit</translation>
     </message>
     <message>
         <source>{}: cannot be written or opened ({}); check the folder's permissions</source>
-        <translation>{} : ne peut pas être écrit ou ouvert ({}) ; vérifier les droits du dossier</translation>
+        <translation>{} : ne peut pas être écrit ou ouvert ({}) ; vérifier les droits du dossier</translation>
     </message>
     <message>
         <source>{}: cannot be written: another program takes its part files away</source>
-        <translation>{} : ne peut pas être écrit : un autre programme enlève ses fichiers partiels</translation>
+        <translation>{} : ne peut pas être écrit : un autre programme enlève ses fichiers partiels</translation>
     </message>
     <message>
         <source>{}: cannot be written: {}</source>
@@ -7381,15 +7321,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: changed while it was copied; is it still being recorded?</source>
-        <translation>{} : modifié pendant la copie ; est-il encore en cours d'enregistrement ?</translation>
-    </message>
-    <message>
-        <source>{}: column {} is not of this format's type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{}: does not count the tables' rows</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : modifié pendant la copie ; est-il encore en cours d'enregistrement ?</translation>
     </message>
     <message>
         <source>{}: does not open: {}</source>
@@ -7401,7 +7333,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: empty; expected a header with {}</source>
-        <translation>{} : vide ; attendu un en-tête avec {}</translation>
+        <translation>{} : vide ; attendu un en-tête avec {}</translation>
     </message>
     <message>
         <source>{}: everything needed is there. Arm to start.</source>
@@ -7413,7 +7345,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: exists; a recording never replaces a file</source>
-        <translation>{} : existe ; un enregistrement ne remplace jamais un fichier</translation>
+        <translation>{} : existe ; un enregistrement ne remplace jamais un fichier</translation>
     </message>
     <message>
         <source>{}: exists; move one of the two away first</source>
@@ -7421,15 +7353,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: expected a folder</source>
-        <translation>{} : attendu un dossier</translation>
+        <translation>{} : attendu un dossier</translation>
     </message>
     <message>
         <source>{}: expected an ordinary file</source>
-        <translation>{} : attendu un fichier ordinaire</translation>
+        <translation>{} : attendu un fichier ordinaire</translation>
     </message>
     <message>
         <source>{}: expected at least one [[band]]</source>
-        <translation>{} : attendu au moins une [[band]]</translation>
+        <translation>{} : attendu au moins une [[band]]</translation>
     </message>
     <message>
         <source>{}: expected true or false</source>
@@ -7441,27 +7373,23 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: expected {}, in quotes</source>
-        <translation>{} : attendu {}, entre guillemets</translation>
+        <translation>{} : attendu {}, entre guillemets</translation>
     </message>
     <message>
         <source>{}: fewer than two different times: the sample rate is unknown</source>
-        <translation>{} : moins de deux temps différents : la fréquence d'échantillonnage est inconnue</translation>
+        <translation>{} : moins de deux temps différents : la fréquence d'échantillonnage est inconnue</translation>
     </message>
     <message>
         <source>{}: format {}; this program reads format {}</source>
-        <translation>{} : format {} ; ce programme lit le format {}</translation>
+        <translation>{} : format {} ; ce programme lit le format {}</translation>
     </message>
     <message>
         <source>{}: gives no picture any more</source>
-        <translation>{} : ne donne plus d'image</translation>
+        <translation>{} : ne donne plus d'image</translation>
     </message>
     <message>
         <source>{}: gone while it was read</source>
-        <translation>{} : disparu pendant la lecture</translation>
-    </message>
-    <message>
-        <source>{}: has no checksums</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : disparu pendant la lecture</translation>
     </message>
     <message>
         <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
@@ -7469,11 +7397,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: holds no picture</source>
-        <translation>{} : ne contient pas d'image</translation>
+        <translation>{} : ne contient pas d'image</translation>
     </message>
     <message>
         <source>{}: holds the control character U+{:04X}</source>
-        <translation>{} : contient le caractère de commande U+{:04X}</translation>
+        <translation>{} : contient le caractère de commande U+{:04X}</translation>
     </message>
     <message>
         <source>{}: in use by another program ("fuser {}" names it)</source>
@@ -7501,7 +7429,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: is damaged; `fyd session recover` keeps what can be proven of it first</source>
-        <translation>{} : est endommagé ; `fyd session recover` en garde d'abord ce qui peut être prouvé</translation>
+        <translation>{} : est endommagé ; `fyd session recover` en garde d'abord ce qui peut être prouvé</translation>
     </message>
     <message>
         <source>{}: is no serial port</source>
@@ -7509,11 +7437,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: is still being recorded; close it first</source>
-        <translation>{} : est encore en cours d'enregistrement ; le fermer d'abord</translation>
+        <translation>{} : est encore en cours d'enregistrement ; le fermer d'abord</translation>
     </message>
     <message>
         <source>{}: its columns are not those of this format</source>
-        <translation>{} : ses colonnes ne sont pas celles de ce format</translation>
+        <translation>{} : ses colonnes ne sont pas celles de ce format</translation>
     </message>
     <message>
         <source>{}: its links run in a circle</source>
@@ -7521,39 +7449,39 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: its values lie in other datasets; a recording holds its own</source>
-        <translation>{} : ses valeurs sont dans d'autres jeux de données ; un enregistrement contient les siennes</translation>
+        <translation>{} : ses valeurs sont dans d'autres jeux de données ; un enregistrement contient les siennes</translation>
     </message>
     <message>
         <source>{}: its values lie in other files; a recording holds its own</source>
-        <translation>{} : ses valeurs sont dans d'autres fichiers ; un enregistrement contient les siennes</translation>
+        <translation>{} : ses valeurs sont dans d'autres fichiers ; un enregistrement contient les siennes</translation>
     </message>
     <message>
         <source>{}: its {} bytes are no picture</source>
-        <translation>{} : ses {} octets ne sont pas une image</translation>
+        <translation>{} : ses {} octets ne sont pas une image</translation>
     </message>
     <message>
         <source>{}: its {} bytes are no picture as the recorder writes it</source>
-        <translation>{} : ses {} octets ne sont pas une image telle que l'écrit l'enregistreur</translation>
+        <translation>{} : ses {} octets ne sont pas une image telle que l'écrit l'enregistreur</translation>
     </message>
     <message>
         <source>{}: lies on {}; a recording needs a local disk, whose promise to have written can be trusted</source>
-        <translation>{} : est sur {} ; un enregistrement a besoin d'un disque local, dont la promesse d'avoir écrit est fiable</translation>
+        <translation>{} : est sur {} ; un enregistrement a besoin d'un disque local, dont la promesse d'avoir écrit est fiable</translation>
     </message>
     <message>
         <source>{}: locked by another program for more than {} s; it is open in {}</source>
-        <translation>{} : verrouillé par un autre programme depuis plus de {} s ; il est ouvert dans {}</translation>
+        <translation>{} : verrouillé par un autre programme depuis plus de {} s ; il est ouvert dans {}</translation>
     </message>
     <message>
         <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>
-        <translation>{} : fait par une version plus récente de ce programme (tables {}, celui-ci connaît {})</translation>
+        <translation>{} : fait par une version plus récente de ce programme (tables {}, celui-ci connaît {})</translation>
     </message>
     <message>
         <source>{}: no 'format'; expected a record of calibrations, format = {}</source>
-        <translation>{} : pas de 'format' ; attendu un registre d'étalonnages, format = {}</translation>
+        <translation>{} : pas de 'format' ; attendu un registre d'étalonnages, format = {}</translation>
     </message>
     <message>
         <source>{}: no memory for its variables</source>
-        <translation>{} : pas de mémoire pour ses variables</translation>
+        <translation>{} : pas de mémoire pour ses variables</translation>
     </message>
     <message>
         <source>{}: no permission. Add yourself to its group with "sudo usermod -aG {} $USER" and log in again</source>
@@ -7561,11 +7489,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: no picture of this format can be made</source>
-        <translation>{} : aucune image de ce format ne peut être faite</translation>
+        <translation>{} : aucune image de ce format ne peut être faite</translation>
     </message>
     <message>
         <source>{}: no pseudo-terminal to be had: {}</source>
-        <translation>{} : pas de pseudo-terminal disponible : {}</translation>
+        <translation>{} : pas de pseudo-terminal disponible : {}</translation>
     </message>
     <message>
         <source>{}: no such parameter</source>
@@ -7573,79 +7501,79 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: no such parameter in this profile</source>
-        <translation>{} : pas de paramètre de ce nom dans ce profil</translation>
+        <translation>{} : pas de paramètre de ce nom dans ce profil</translation>
     </message>
     <message>
         <source>{}: no temporary file can be made: {}</source>
-        <translation>{} : aucun fichier temporaire ne peut être créé : {}</translation>
+        <translation>{} : aucun fichier temporaire ne peut être créé : {}</translation>
     </message>
     <message>
         <source>{}: no {}; expected "{}" and {} words</source>
-        <translation>{} : pas de {} ; attendu « {} » et {} mots</translation>
+        <translation>{} : pas de {} ; attendu « {} » et {} mots</translation>
     </message>
     <message>
         <source>{}: not UTF-8</source>
-        <translation>{} : pas de l'UTF-8</translation>
+        <translation>{} : pas de l'UTF-8</translation>
     </message>
     <message>
         <source>{}: not a dataset</source>
-        <translation>{} : pas un jeu de données</translation>
+        <translation>{} : pas un jeu de données</translation>
     </message>
     <message>
         <source>{}: not a file's name</source>
-        <translation>{} : n'est pas un nom de fichier</translation>
+        <translation>{} : n'est pas un nom de fichier</translation>
     </message>
     <message>
         <source>{}: not a folder</source>
-        <translation>{} : pas un dossier</translation>
+        <translation>{} : pas un dossier</translation>
     </message>
     <message>
         <source>{}: not a group as a recording has it</source>
-        <translation>{} : pas un groupe tel qu'en a un enregistrement</translation>
+        <translation>{} : pas un groupe tel qu'en a un enregistrement</translation>
     </message>
     <message>
         <source>{}: not a list of rows</source>
-        <translation>{} : pas une liste de lignes</translation>
+        <translation>{} : pas une liste de lignes</translation>
     </message>
     <message>
         <source>{}: not a text</source>
-        <translation>{} : pas un texte</translation>
+        <translation>{} : pas un texte</translation>
     </message>
     <message>
         <source>{}: not a touchpad: its first registers say 0x{:08X}, expected 0x{:08X}</source>
-        <translation>{} : pas un touchpad : ses premiers registres disent 0x{:08X}, attendu 0x{:08X}</translation>
+        <translation>{} : pas un touchpad : ses premiers registres disent 0x{:08X}, attendu 0x{:08X}</translation>
     </message>
     <message>
         <source>{}: not all of it could be written; is the disk full?</source>
-        <translation>{} : tout n'a pas pu être écrit ; le disque est-il plein ?</translation>
+        <translation>{} : tout n'a pas pu être écrit ; le disque est-il plein ?</translation>
     </message>
     <message>
         <source>{}: not bytes</source>
-        <translation>{} : pas des octets</translation>
+        <translation>{} : pas des octets</translation>
     </message>
     <message>
         <source>{}: not in chunks of {} rows{}, as this program stores it: another program packed it anew</source>
-        <translation>{} : pas en blocs de {} lignes{}, comme ce programme les range : un autre programme l'a recompressé</translation>
+        <translation>{} : pas en blocs de {} lignes{}, comme ce programme les range : un autre programme l'a recompressé</translation>
     </message>
     <message>
         <source>{}: not in one piece</source>
-        <translation>{} : pas d'un seul tenant</translation>
+        <translation>{} : pas d'un seul tenant</translation>
     </message>
     <message>
         <source>{}: not kept, nothing is being recorded</source>
-        <translation>{} : pas conservé, rien n'est en cours d'enregistrement</translation>
+        <translation>{} : pas conservé, rien n'est en cours d'enregistrement</translation>
     </message>
     <message>
         <source>{}: not kept, the session is closed</source>
-        <translation>{} : pas conservé, la session est fermée</translation>
+        <translation>{} : pas conservé, la session est fermée</translation>
     </message>
     <message>
         <source>{}: not one number</source>
-        <translation>{} : pas un seul nombre</translation>
+        <translation>{} : pas un seul nombre</translation>
     </message>
     <message>
         <source>{}: not one text</source>
-        <translation>{} : pas un seul texte</translation>
+        <translation>{} : pas un seul texte</translation>
     </message>
     <message>
         <source>{}: not open</source>
@@ -7653,35 +7581,35 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: note {}: {}</source>
-        <translation>{} : note {} : {}</translation>
+        <translation>{} : note {} : {}</translation>
     </message>
     <message>
         <source>{}: nothing more can be recorded: {}</source>
-        <translation>{} : rien de plus ne peut être enregistré : {}</translation>
+        <translation>{} : rien de plus ne peut être enregistré : {}</translation>
     </message>
     <message>
         <source>{}: on a network share, where SQLite would be damaged; use a local path, or postgresql:…</source>
-        <translation>{} : sur un partage réseau, où SQLite serait endommagé ; utiliser un chemin local, ou postgresql:…</translation>
+        <translation>{} : sur un partage réseau, où SQLite serait endommagé ; utiliser un chemin local, ou postgresql:…</translation>
     </message>
     <message>
         <source>{}: only notes and bookmarks are written here</source>
-        <translation>{} : seuls des notes et des signets s'écrivent ici</translation>
+        <translation>{} : seuls des notes et des signets s'écrivent ici</translation>
     </message>
     <message>
         <source>{}: out of memory</source>
-        <translation>{} : plus de mémoire</translation>
+        <translation>{} : plus de mémoire</translation>
     </message>
     <message>
         <source>{}: picture {} was not kept</source>
-        <translation>{} : l'image {} n'a pas été gardée</translation>
+        <translation>{} : l'image {} n'a pas été gardée</translation>
     </message>
     <message>
         <source>{}: pseudo-terminal: {}</source>
-        <translation>{} : pseudo-terminal : {}</translation>
+        <translation>{} : pseudo-terminal : {}</translation>
     </message>
     <message>
         <source>{}: reading failed</source>
-        <translation>{} : échec de la lecture</translation>
+        <translation>{} : échec de la lecture</translation>
     </message>
     <message>
         <source>{}: reads differently each time; copy it to another disk first</source>
@@ -7689,11 +7617,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: refused, nothing is saved: {}</source>
-        <translation>{} : refusée, rien n'est enregistré : {}</translation>
+        <translation>{} : refusée, rien n'est enregistré : {}</translation>
     </message>
     <message>
         <source>{}: register map {}.{}, this program knows {}.x; update the older of the two</source>
-        <translation>{} : table des registres {}.{}, ce programme connaît la {}.x ; mettre à jour le plus ancien des deux</translation>
+        <translation>{} : table des registres {}.{}, ce programme connaît la {}.x ; mettre à jour le plus ancien des deux</translation>
     </message>
     <message>
         <source>{}: rendering.</source>
@@ -7701,47 +7629,39 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: room for other rows than asked</source>
-        <translation>{} : place pour un autre nombre de lignes que demandé</translation>
-    </message>
-    <message>
-        <source>{}: row {} has a list that counts more than it can hold</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : place pour un autre nombre de lignes que demandé</translation>
     </message>
     <message>
         <source>{}: row {} of {}</source>
-        <translation>{} : ligne {} sur {}</translation>
+        <translation>{} : ligne {} sur {}</translation>
     </message>
     <message>
         <source>{}: rows from {} on are packed otherwise</source>
-        <translation>{} : les lignes à partir de {} sont compressées autrement</translation>
+        <translation>{} : les lignes à partir de {} sont compressées autrement</translation>
     </message>
     <message>
         <source>{}: rows from {} on take {} bytes</source>
-        <translation>{} : les lignes à partir de {} prennent {} octets</translation>
+        <translation>{} : les lignes à partir de {} prennent {} octets</translation>
     </message>
     <message>
         <source>{}: rows from {} on: {}</source>
-        <translation>{} : lignes à partir de {} : {}</translation>
-    </message>
-    <message>
-        <source>{}: rows of {} bytes; this program's have {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : lignes à partir de {} : {}</translation>
     </message>
     <message>
         <source>{}: rows {} to {} are damaged: CRC32C {:08x}, committed as {:08x}</source>
-        <translation>{} : les lignes {} à {} sont endommagées : CRC32C {:08x}, validées comme {:08x}</translation>
+        <translation>{} : les lignes {} à {} sont endommagées : CRC32C {:08x}, validées comme {:08x}</translation>
     </message>
     <message>
         <source>{}: rows {} to {} in one block</source>
-        <translation>{} : lignes {} à {} dans un bloc</translation>
+        <translation>{} : lignes {} à {} dans un bloc</translation>
     </message>
     <message>
         <source>{}: rows {}+{} of {}</source>
-        <translation>{} : lignes {}+{} sur {}</translation>
+        <translation>{} : lignes {}+{} sur {}</translation>
     </message>
     <message>
         <source>{}: saved values are felt now; go back to the current ones to change it</source>
-        <translation>{} : les valeurs enregistrées sont ressenties ; revenir aux actuelles pour le changer</translation>
+        <translation>{} : les valeurs enregistrées sont ressenties ; revenir aux actuelles pour le changer</translation>
     </message>
     <message>
         <source>{}: sends damaged pictures: {}</source>
@@ -7761,23 +7681,23 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>
-        <translation>{} : archivé, mais la source ne peut pas être supprimée : {} ; il est entier aux deux endroits</translation>
+        <translation>{} : archivé, mais la source ne peut pas être supprimée : {} ; il est entier aux deux endroits</translation>
     </message>
     <message>
         <source>{}: the CSV parser could not start</source>
-        <translation>{} : le lecteur CSV n'a pas pu démarrer</translation>
+        <translation>{} : le lecteur CSV n'a pas pu démarrer</translation>
     </message>
     <message>
         <source>{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list --rebuild FOLDER` moves the file aside and reads the recordings again</source>
-        <translation>{} : le catalogue est endommagé ({}) ; les enregistrements n'en sont pas touchés. `fyd session list --rebuild FOLDER` met le fichier de côté et relit les enregistrements</translation>
+        <translation>{} : le catalogue est endommagé ({}) ; les enregistrements n'en sont pas touchés. `fyd session list --rebuild FOLDER` met le fichier de côté et relit les enregistrements</translation>
     </message>
     <message>
         <source>{}: the copy cannot get its name: {}</source>
-        <translation>{} : la copie ne peut pas recevoir son nom : {}</translation>
+        <translation>{} : la copie ne peut pas recevoir son nom : {}</translation>
     </message>
     <message>
         <source>{}: the copy reads back differently from the source; the storage is not to be trusted</source>
-        <translation>{} : la copie relue diffère de la source ; ce stockage n'est pas fiable</translation>
+        <translation>{} : la copie relue diffère de la source ; ce stockage n'est pas fiable</translation>
     </message>
     <message>
         <source>{}: the device behind the port is gone; is the cable plugged in?</source>
@@ -7797,15 +7717,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: the disk is full; nothing of this change was kept</source>
-        <translation>{} : le disque est plein ; rien de cette modification n'a été gardé</translation>
+        <translation>{} : le disque est plein ; rien de cette modification n'a été gardé</translation>
     </message>
     <message>
         <source>{}: the entry {} is damaged: {}</source>
-        <translation>{} : l'entrée {} est endommagée : {}</translation>
+        <translation>{} : l'entrée {} est endommagée : {}</translation>
     </message>
     <message>
         <source>{}: the folder cannot be made: {}</source>
-        <translation>{} : le dossier ne peut pas être créé : {}</translation>
+        <translation>{} : le dossier ne peut pas être créé : {}</translation>
     </message>
     <message>
         <source>{}: the folder cannot be used: {}</source>
@@ -7813,11 +7733,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: the picture could not be made</source>
-        <translation>{} : l'image n'a pas pu être faite</translation>
+        <translation>{} : l'image n'a pas pu être faite</translation>
     </message>
     <message>
         <source>{}: the pseudo-terminal has no name</source>
-        <translation>{} : le pseudo-terminal n'a pas de nom</translation>
+        <translation>{} : le pseudo-terminal n'a pas de nom</translation>
     </message>
     <message>
         <source>{}: the recorder is not running</source>
@@ -7825,7 +7745,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: the recording has ended</source>
-        <translation>{} : l'enregistrement est terminé</translation>
+        <translation>{} : l'enregistrement est terminé</translation>
     </message>
     <message>
         <source>{}: the recording holds no picture</source>
@@ -7833,11 +7753,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: the recording holds no step</source>
-        <translation>{} : l'enregistrement ne contient aucun pas</translation>
+        <translation>{} : l'enregistrement ne contient aucun pas</translation>
     </message>
     <message>
         <source>{}: the recording shows no picture for another {:.1f} s</source>
-        <translation>{} : l'enregistrement ne montre pas d'image pendant encore {:.1f} s</translation>
+        <translation>{} : l'enregistrement ne montre pas d'image pendant encore {:.1f} s</translation>
     </message>
     <message>
         <source>{}: the session is closed</source>
@@ -7849,11 +7769,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: there is a file of this name already</source>
-        <translation>{} : il y a déjà un fichier de ce nom</translation>
+        <translation>{} : il y a déjà un fichier de ce nom</translation>
     </message>
     <message>
         <source>{}: there is another file of this name; nothing was moved</source>
-        <translation>{} : il y a un autre fichier de ce nom ; rien n'a été déplacé</translation>
+        <translation>{} : il y a un autre fichier de ce nom ; rien n'a été déplacé</translation>
     </message>
     <message>
         <source>{}: there is no such file</source>
@@ -7869,23 +7789,23 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: too many of this name; move them away</source>
-        <translation>{} : trop de fichiers de ce nom ; les déplacer</translation>
+        <translation>{} : trop de fichiers de ce nom ; les déplacer</translation>
     </message>
     <message>
         <source>{}: unknown key '{}' in {}</source>
-        <translation>{} : clé inconnue '{}' dans {}</translation>
+        <translation>{} : clé inconnue '{}' dans {}</translation>
     </message>
     <message>
         <source>{}: unknown parameter '{}'; 'fyd params' lists those there are</source>
-        <translation>{} : paramètre inconnu '{}' ; 'fyd params' donne la liste de ceux qui existent</translation>
+        <translation>{} : paramètre inconnu '{}' ; 'fyd params' donne la liste de ceux qui existent</translation>
     </message>
     <message>
         <source>{}: was left behind by a crash; `fyd session recover` makes it whole first</source>
-        <translation>{} : laissé par un arrêt brutal ; `fyd session recover` le rend d'abord entier</translation>
+        <translation>{} : laissé par un arrêt brutal ; `fyd session recover` le rend d'abord entier</translation>
     </message>
     <message>
         <source>{}: without a column t_s the sample rate must be given</source>
-        <translation>{} : sans colonne t_s, la fréquence d'échantillonnage doit être donnée</translation>
+        <translation>{} : sans colonne t_s, la fréquence d'échantillonnage doit être donnée</translation>
     </message>
     <message>
         <source>{}: writing failed: {}</source>
@@ -7901,79 +7821,79 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: writing {} failed; is the disk full?</source>
-        <translation>{} : l'écriture de {} a échoué ; le disque est-il plein ?</translation>
+        <translation>{} : l'écriture de {} a échoué ; le disque est-il plein ?</translation>
     </message>
     <message>
         <source>{}: {:.1f} MB free, the recording needs {:.1f} MB</source>
-        <translation>{} : {:.1f} Mo libres, l'enregistrement a besoin de {:.1f} Mo</translation>
+        <translation>{} : {:.1f} Mo libres, l'enregistrement a besoin de {:.1f} Mo</translation>
     </message>
     <message>
         <source>{}: {} Bd is no speed of this system</source>
-        <translation>{} : {} Bd n'est pas une vitesse de ce système</translation>
+        <translation>{} : {} Bd n'est pas une vitesse de ce système</translation>
     </message>
     <message>
         <source>{}: {} Bd is no speed of this system; expected one of {}</source>
-        <translation>{} : {} Bd n'est pas une vitesse de ce système ; attendu l'une de {}</translation>
+        <translation>{} : {} Bd n'est pas une vitesse de ce système ; attendu l'une de {}</translation>
     </message>
     <message>
         <source>{}: {} IR sensors and {} motors, expected {} and {}</source>
-        <translation>{} : {} capteurs IR et {} moteurs, attendu {} et {}</translation>
+        <translation>{} : {} capteurs IR et {} moteurs, attendu {} et {}</translation>
     </message>
     <message>
         <source>{}: {} at register {}: {}</source>
-        <translation>{} : {} au registre {} : {}</translation>
+        <translation>{} : {} au registre {} : {}</translation>
     </message>
     <message>
         <source>{}: {} bands; at most {}</source>
-        <translation>{} : {} bandes ; au plus {}</translation>
+        <translation>{} : {} bandes ; au plus {}</translation>
     </message>
     <message>
         <source>{}: {} bytes</source>
-        <translation>{} : {} octets</translation>
+        <translation>{} : {} octets</translation>
     </message>
     <message>
         <source>{}: {} bytes long, at most {} are catalogued</source>
-        <translation>{} : long de {} octets, au plus {} sont catalogués</translation>
+        <translation>{} : long de {} octets, au plus {} sont catalogués</translation>
     </message>
     <message>
         <source>{}: {} bytes with control characters; expected {}</source>
-        <translation>{} : {} octets avec des caractères de commande ; attendu {}</translation>
+        <translation>{} : {} octets avec des caractères de commande ; attendu {}</translation>
     </message>
     <message>
         <source>{}: {} bytes; a preset has at most {}</source>
-        <translation>{} : {} octets ; un préréglage en a au plus {}</translation>
+        <translation>{} : {} octets ; un préréglage en a au plus {}</translation>
     </message>
     <message>
         <source>{}: {} bytes; a profile has at most {}</source>
-        <translation>{} : {} octets ; un profil en a au plus {}</translation>
+        <translation>{} : {} octets ; un profil en a au plus {}</translation>
     </message>
     <message>
         <source>{}: {} bytes; at most {}: move it away, a new one will be begun</source>
-        <translation>{} : {} octets ; au plus {} : le déplacer, un nouveau sera commencé</translation>
+        <translation>{} : {} octets ; au plus {} : le déplacer, un nouveau sera commencé</translation>
     </message>
     <message>
         <source>{}: {} bytes; expected {}</source>
-        <translation>{} : {} octets ; attendu {}</translation>
+        <translation>{} : {} octets ; attendu {}</translation>
     </message>
     <message>
         <source>{}: {} bytes; notes have at most {}</source>
-        <translation>{} : {} octets ; les notes en ont au plus {}</translation>
+        <translation>{} : {} octets ; les notes en ont au plus {}</translation>
     </message>
     <message>
         <source>{}: {} cannot change while the station runs; a preset holds live parameters only</source>
-        <translation>{} : {} ne peut pas changer pendant que la station tourne ; un préréglage ne contient que des paramètres modifiables en marche</translation>
+        <translation>{} : {} ne peut pas changer pendant que la station tourne ; un préréglage ne contient que des paramètres modifiables en marche</translation>
     </message>
     <message>
         <source>{}: {} follows {}; expected rising values</source>
-        <translation>{} : {} suit {} ; attendu des valeurs croissantes</translation>
+        <translation>{} : {} suit {} ; attendu des valeurs croissantes</translation>
     </message>
     <message>
         <source>{}: {} in one step</source>
-        <translation>{} : {} en un pas</translation>
+        <translation>{} : {} en un pas</translation>
     </message>
     <message>
         <source>{}: {} is no folder</source>
-        <translation>{} : {} n'est pas un dossier</translation>
+        <translation>{} : {} n'est pas un dossier</translation>
     </message>
     <message>
         <source>{}: {} is still being recorded; stop it first</source>
@@ -7981,27 +7901,27 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: {} rows of {} bytes each, while the whole file takes {} bytes</source>
-        <translation>{} : {} lignes de {} octets chacune, alors que le fichier entier prend {} octets</translation>
+        <translation>{} : {} lignes de {} octets chacune, alors que le fichier entier prend {} octets</translation>
     </message>
     <message>
         <source>{}: {} rows of {} fields are {:.1f} GiB, a MATLAB 5 file takes 2; choose fewer fields or a shorter time</source>
-        <translation>{} : {} lignes de {} champs font {:.1f} Gio, un fichier MATLAB 5 en prend 2 ; choisir moins de champs ou un temps plus court</translation>
+        <translation>{} : {} lignes de {} champs font {:.1f} Gio, un fichier MATLAB 5 en prend 2 ; choisir moins de champs ou un temps plus court</translation>
     </message>
     <message>
         <source>{}: {} values; expected at most {}</source>
-        <translation>{} : {} valeurs ; attendu au plus {}</translation>
+        <translation>{} : {} valeurs ; attendu au plus {}</translation>
     </message>
     <message>
         <source>{}: {} without '{}'</source>
-        <translation>{} : {} sans '{}'</translation>
+        <translation>{} : {} sans '{}'</translation>
     </message>
     <message>
         <source>{}: {} × {} pixels; at most {} are read</source>
-        <translation>{} : {} × {} pixels ; au plus {} sont lus</translation>
+        <translation>{} : {} × {} pixels ; au plus {} sont lus</translation>
     </message>
     <message>
         <source>{}: {}, {} times in a row</source>
-        <translation>{} : {}, {} fois de suite</translation>
+        <translation>{} : {}, {} fois de suite</translation>
     </message>
     <message>
         <source>{}: {}. {} Then re-arm.</source>
@@ -8009,71 +7929,71 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: {}: expected a text in quotes</source>
-        <translation>{} : {} : attendu un texte entre guillemets</translation>
+        <translation>{} : {} : attendu un texte entre guillemets</translation>
     </message>
     <message>
         <source>{}: {}; the recording stays at {}</source>
-        <translation>{} : {} ; l'enregistrement reste à {}</translation>
+        <translation>{} : {} ; l'enregistrement reste à {}</translation>
     </message>
     <message>
         <source>{}: {}{}: expected a number from {} to {}</source>
-        <translation>{} : {}{} : attendu un nombre de {} à {}</translation>
+        <translation>{} : {}{} : attendu un nombre de {} à {}</translation>
     </message>
     <message>
         <source>{}:{}: column {}: '{}' is not a number</source>
-        <translation>{}:{} : colonne {} : '{}' n'est pas un nombre</translation>
+        <translation>{}:{} : colonne {} : '{}' n'est pas un nombre</translation>
     </message>
     <message>
         <source>{}:{}: delay {} ms: expected 0 to 60000, or nan for a loss</source>
-        <translation>{}:{} : retard {} ms : attendu de 0 à 60000, ou nan pour une perte</translation>
+        <translation>{}:{} : retard {} ms : attendu de 0 à 60000, ou nan pour une perte</translation>
     </message>
     <message>
         <source>{}:{}: no column '{}'; expected {}</source>
-        <translation>{}:{} : pas de colonne '{}' ; attendu {}</translation>
+        <translation>{}:{} : pas de colonne '{}' ; attendu {}</translation>
     </message>
     <message>
         <source>{}:{}: not valid CSV: {}</source>
-        <translation>{}:{} : CSV non valable : {}</translation>
+        <translation>{}:{} : CSV non valable : {}</translation>
     </message>
     <message>
         <source>{}:{}: t_s = {} after {}: expected times that do not go backwards</source>
-        <translation>{}:{} : t_s = {} après {} : attendu des temps qui ne reculent pas</translation>
+        <translation>{}:{} : t_s = {} après {} : attendu des temps qui ne reculent pas</translation>
     </message>
     <message>
         <source>{}:{}: t_s = {}: expected a finite time in seconds</source>
-        <translation>{}:{} : t_s = {} : attendu un temps fini en secondes</translation>
+        <translation>{}:{} : t_s = {} : attendu un temps fini en secondes</translation>
     </message>
     <message>
         <source>{}:{}: t_s is {} after {}; time must increase from row to row</source>
-        <translation>{}:{} : t_s vaut {} après {} ; le temps doit croître de ligne en ligne</translation>
+        <translation>{}:{} : t_s vaut {} après {} ; le temps doit croître de ligne en ligne</translation>
     </message>
     <message>
         <source>{}:{}: t_s is {}; expected a time in seconds</source>
-        <translation>{}:{} : t_s vaut {} ; attendu un temps en secondes</translation>
+        <translation>{}:{} : t_s vaut {} ; attendu un temps en secondes</translation>
     </message>
     <message>
         <source>{}:{}: time {} s: expected times that start at 0 and rise</source>
-        <translation>{}:{} : temps {} s : attendu des temps qui commencent à 0 et croissent</translation>
+        <translation>{}:{} : temps {} s : attendu des temps qui commencent à 0 et croissent</translation>
     </message>
     <message>
         <source>{}:{}: {} fields; the header has {}</source>
-        <translation>{}:{} : {} champs ; l'en-tête en a {}</translation>
+        <translation>{}:{} : {} champs ; l'en-tête en a {}</translation>
     </message>
     <message>
         <source>{}:{}: {} is {}; expected millimetres within ±{}</source>
-        <translation>{}:{} : {} vaut {} ; attendu des millimètres à ±{} près</translation>
+        <translation>{}:{} : {} vaut {} ; attendu des millimètres à ±{} près</translation>
     </message>
     <message>
         <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
-        <translation>{}:{} : {} parmi x_mm, y_mm, z_mm sont NaN ; tous les trois veulent dire un doigt levé, sinon aucun ne peut l'être</translation>
+        <translation>{}:{} : {} parmi x_mm, y_mm, z_mm sont NaN ; tous les trois veulent dire un doigt levé, sinon aucun ne peut l'être</translation>
     </message>
     <message>
         <source>{}; make what can be proven whole with: fyd session recover</source>
-        <translation>{} ; rendre entier ce qui peut être prouvé par : fyd session recover</translation>
+        <translation>{} ; rendre entier ce qui peut être prouvé par : fyd session recover</translation>
     </message>
     <message>
         <source>{}; nor can the entry wait: {}. The recording is safe; put it in later with `fyd session add {}`</source>
-        <translation>{} ; et l'entrée ne peut pas attendre non plus : {}. L'enregistrement est en sûreté ; l'ajouter plus tard par `fyd session add {}`</translation>
+        <translation>{} ; et l'entrée ne peut pas attendre non plus : {}. L'enregistrement est en sûreté ; l'ajouter plus tard par `fyd session add {}`</translation>
     </message>
     <message>
         <source>{}; robot {} could not be had again either: {}</source>
@@ -8081,7 +8001,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}; the entry waits in {} and goes in when the catalogue is next opened</source>
-        <translation>{} ; l'entrée attend dans {} et y entrera à la prochaine ouverture du catalogue</translation>
+        <translation>{} ; l'entrée attend dans {} et y entrera à la prochaine ouverture du catalogue</translation>
     </message>
     <message>
         <source>{}; the former session could not be had again either: {}</source>
@@ -8089,11 +8009,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}; the recording is whole in both places, {} and {}: store it again to finish</source>
-        <translation>{} ; l'enregistrement est entier aux deux endroits, {} et {} : l'archiver de nouveau pour terminer</translation>
+        <translation>{} ; l'enregistrement est entier aux deux endroits, {} et {} : l'archiver de nouveau pour terminer</translation>
     </message>
     <message>
         <source>{}; the recording stays at {}</source>
-        <translation>{} ; l'enregistrement reste à {}</translation>
+        <translation>{} ; l'enregistrement reste à {}</translation>
     </message>
     <message>
         <source>{}; {} is whole up to here. Make room or choose another disk</source>
@@ -8101,7 +8021,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}{}: cannot be moved aside to {}: {}</source>
-        <translation>{}{} : ne peut pas être mis de côté vers {} : {}</translation>
+        <translation>{}{} : ne peut pas être mis de côté vers {} : {}</translation>
     </message>
     <message>
         <source>Δ %1</source>
@@ -8122,6 +8042,94 @@ Pour commencer : %1</translation>
     <message>
         <source>…</source>
         <translation>…</translation>
+    </message>
+    <message>
+        <source>Correction limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest relative correction of the law; a measurement that asks for more contradicts it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lasting measurement error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: "{}" where "{}" was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: does not begin with "fyd-cloth 1"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: ends before "{}"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: expected two half sides, one distance and two reference stiffnesses, all above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: no line "finger"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: shape: expected one number, 3 … {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: x from 0, depth above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {} holds something that is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {} holds {}, expected finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {}: expected 2 … {} rising numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {}: {} of {} numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: a column without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: column {} is not of this format's type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: does not count the tables' rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: has no checksums</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: row {} has a list that counts more than it can hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: rows of {} bytes; this program's have {}</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -117,7 +117,7 @@ class MannersTest : public QObject {
              QString::fromUtf8("/dev/ttyUSB0 : utilisé par un autre programme (« fuser /dev/ttyUSB0 » le nomme)"));
     QCOMPARE(said(say("{}: {} at register {}: {}", "10.0.0.7:502", say("reading"), 5,
                       say("exception 3: it refuses the value"))),
-             QString::fromUtf8("10.0.0.7:502 : lecture au registre 5 : exception 3 : il refuse la valeur"));
+             QString::fromUtf8("10.0.0.7:502 : lecture au registre 5 : exception 3 : il refuse la valeur"));
     QCOMPARE(
         said(say("{}: stop, then arm again",
                  explained(say("the touchpad's motors are in the state {}", say("fault")), say("heartbeat lost")))),

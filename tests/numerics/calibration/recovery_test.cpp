@@ -153,7 +153,7 @@ TEST(IrCalibration, RecoversTheThesisPolynomialFromItsOwnPoints) {
       calibrateIr(readingsOf([&](double d) { return thesis.voltsAt(d); }, kDistances, 1, 0, 1), kPresent, kStandard);
   ASSERT_TRUE(found.result.verdict.accepted) << found.result.verdict.reason.text();
   EXPECT_TRUE(found.result.outliers.empty());
-  EXPECT_LT(found.result.max_residual, 1e-6) << found.result.curve;
+  EXPECT_LT(found.result.max_residual, 1e-6) << found.result.curve.text();
   const auto fitted = found.curve.sensor(0, 4095);
   for (double d = 45; d < 295; d += 5) EXPECT_NEAR(fitted.distance_mm(thesis.voltsAt(d)), d, 1e-5);
   // and the degree-5 candidate itself finds the six printed figures

@@ -213,7 +213,7 @@ TEST(Threshold, LiesInTheValleyBetweenFingerAndCloth) {
     histogram[static_cast<std::size_t>(220 + i)] = 1200;  // on 30 000 of cloth
   }
   const auto found = suggestThreshold(histogram);
-  ASSERT_TRUE(found.plausible) << found.reason;
+  ASSERT_TRUE(found.plausible) << found.reason.text();
   EXPECT_GT(found.threshold, 73);
   EXPECT_LT(found.threshold, 207);
   EXPECT_NEAR(found.finger_share, 500.0 / 30500, 1e-6);
@@ -223,9 +223,9 @@ TEST(Threshold, ACoveredOrEmptyPictureGivesNone) {
   std::array<std::uint64_t, 256> histogram{};
   EXPECT_FALSE(suggestThreshold(histogram).plausible);
   histogram[200] = 1000;
-  EXPECT_THAT(suggestThreshold(histogram).reason, HasSubstr("one grey value"));
+  EXPECT_THAT(suggestThreshold(histogram).reason.text(), HasSubstr("one grey value"));
   for (std::size_t i = 150; i < 250; ++i) histogram[i] = 100;
-  EXPECT_THAT(suggestThreshold(histogram).reason, HasSubstr("not told apart"));
+  EXPECT_THAT(suggestThreshold(histogram).reason.text(), HasSubstr("not told apart"));
 }
 
 TEST(Encoders, FindSignAndZeroAcrossTheSeam) {
@@ -405,7 +405,7 @@ TEST(Record, AgesByTheCalendar) {
   EXPECT_EQ(age("2026-10-31")->age, Age::ageing);
   EXPECT_EQ(age("2027-08-01T00:00:00Z")->age, Age::ageing);  // 365 days
   EXPECT_EQ(age("2027-08-02")->age, Age::old);
-  EXPECT_THAT(age("2026-07-01")->warning, HasSubstr("future"));
+  EXPECT_THAT(age("2026-07-01")->warning.text(), HasSubstr("future"));
   for (const char* bad : {"", "yesterday", "2026-13-01", "2026-02-30", "2026/08/01", "2026-08-01x"}) {
     EXPECT_FALSE(age(bad).has_value()) << bad;
   }
