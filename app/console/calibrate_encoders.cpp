@@ -46,7 +46,7 @@ class EncoderStep : public CalibrationStep {
   }
   Result<std::vector<double>> read(const CalibrationScene& scene) const override {
     std::vector<double> out;
-    for (const int motor : {1, 2}) {
+    for (const std::size_t motor : {std::size_t{1}, std::size_t{2}}) {
       const auto counts = liveValue(scene.devices, say("encoder {}", motor));
       if (!counts) return tl::unexpected(counts.error());
       out.push_back(*counts);

@@ -198,6 +198,9 @@ class Case(unittest.TestCase):
         """The operation fails with this exit code; returns what it says on standard error."""
         done = run(*arguments)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        self.assertEqual(done.stdout, "")
+        if "--json" in arguments:
+            self.assertEqual(list(json.loads(done.stdout)), ["error"])
+        else:
+            self.assertEqual(done.stdout, "")
         self.assertNotEqual(done.stderr, "")
         return done.stderr

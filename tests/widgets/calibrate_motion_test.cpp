@@ -52,8 +52,10 @@ device::DeviceReport encoders(double stretch_deg) {
   const auto counts = [](double deg, double zero) {
     return std::fmod(std::round(zero + deg * control::kEncoderCountsPerDegree) + 4096.0, 4096.0);
   };
-  out.values.push_back({.name = say("encoder {}", 1), .number = counts(stretch_deg, 4000.0), .unit = "counts"});
-  out.values.push_back({.name = say("encoder {}", 2), .number = counts(stretch_deg, 700.0), .unit = "counts"});
+  out.values.push_back(
+      {.name = say("encoder {}", std::size_t{1}), .number = counts(stretch_deg, 4000.0), .unit = "counts"});
+  out.values.push_back(
+      {.name = say("encoder {}", std::size_t{2}), .number = counts(stretch_deg, 700.0), .unit = "counts"});
   return out;
 }
 

@@ -17,7 +17,7 @@ inline device::DeviceReport touchpad(double bridge_mV_per_V, double ir_counts = 
       .part = device::Part::touchpad, .kind = verbatim("Modbus TCP"), .description = verbatim("10.0.0.7:502")};
   out.ok = true;
   out.age_ms = 4.0;
-  for (int i = 1; i <= 3; ++i) {
+  for (std::size_t i = 1; i <= 3; ++i) {
     out.values.push_back({.name = say("IR sensor {}", i), .number = ir_counts, .unit = "counts"});
   }
   out.values.push_back({.name = say("load cell"), .number = bridge_mV_per_V, .unit = "mV/V"});
