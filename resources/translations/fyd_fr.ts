@@ -986,6 +986,10 @@
         <translation>Fréquence de coupure (-3 dB) du passe-haut par défaut.</translation>
     </message>
     <message>
+        <source>Correction limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Crossfade</source>
         <translation>Fondu</translation>
     </message>
@@ -1840,10 +1844,6 @@ Robot : %2
         <translation>Gigue</translation>
     </message>
     <message>
-        <source>K vib</source>
-        <translation>K vib</translation>
-    </message>
-    <message>
         <source>KRC control strategy {}: expected Cartesian impedance</source>
         <translation>stratégie de commande KRC {} : attendu l'impédance cartésienne</translation>
     </message>
@@ -1988,6 +1988,10 @@ Robot : %2
         <translation>Rapport cyclique maximal que la vibration peut utiliser.</translation>
     </message>
     <message>
+        <source>Largest relative correction of the law; a measurement that asks for more contradicts it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Last answer</source>
         <translation>Dernière réponse</translation>
     </message>
@@ -1998,6 +2002,10 @@ Robot : %2
     <message>
         <source>Last picture</source>
         <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>Lasting measurement error</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
@@ -3088,6 +3096,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Refusés : aucun</translation>
     </message>
     <message>
+        <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Rename</source>
         <translation>Renommer</translation>
     </message>
@@ -3738,6 +3750,10 @@ N/mm</translation>
     <message>
         <source>The clock went back by {:.3f} s; that step moved nothing.</source>
         <translation>L'horloge a reculé de {:.3f} s ; ce pas n'a rien bougé.</translation>
+    </message>
+    <message>
+        <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The current values (B) are felt.</source>
@@ -4740,6 +4756,50 @@ Pour commencer : %1</translation>
         <translation>en fermeture</translation>
     </message>
     <message>
+        <source>cloth table: "{}" where "{}" was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: does not begin with "fyd-cloth 1"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: ends before "{}"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: expected two half sides, one distance and two reference stiffnesses, all above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: no line "finger"</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: shape: expected one number, 3 … {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: x from 0, depth above 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {} holds something that is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {} holds {}, expected finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {}: expected 2 … {} rising numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth table: {}: {} of {} numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>command</source>
         <translation>commande</translation>
     </message>
@@ -4898,10 +4958,6 @@ Pour commencer : %1</translation>
     <message>
         <source>distance sensor {} reads {:.0f} counts, outside its span: look whether something stands before it</source>
         <translation>le capteur de distance {} lit {:.0f} points, hors de sa plage : voir si quelque chose est devant</translation>
-    </message>
-    <message>
-        <source>distance sensors: {} of them</source>
-        <translation>capteurs de distance : {} en tout</translation>
     </message>
     <message>
         <source>distances to the untouched cloth {} mm, spread {:.2f} mm; force {:.3f} N</source>
@@ -7208,6 +7264,10 @@ Pour commencer : %1</translation>
         <translation>{} : [[band]] : attendu soit wavelength_mm, soit frequency_Hz</translation>
     </message>
     <message>
+        <source>{}: a column without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: a header but no rows</source>
         <translation>{} : un en-tête mais pas de lignes</translation>
     </message>
@@ -7324,6 +7384,14 @@ Pour commencer : %1</translation>
         <translation>{} : modifié pendant la copie ; est-il encore en cours d'enregistrement ?</translation>
     </message>
     <message>
+        <source>{}: column {} is not of this format's type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: does not count the tables' rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: does not open: {}</source>
         <translation>{} : ne s'ouvre pas : {}</translation>
     </message>
@@ -7390,6 +7458,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: gone while it was read</source>
         <translation>{} : disparu pendant la lecture</translation>
+    </message>
+    <message>
+        <source>{}: has no checksums</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
@@ -7632,6 +7704,10 @@ Pour commencer : %1</translation>
         <translation>{} : place pour un autre nombre de lignes que demandé</translation>
     </message>
     <message>
+        <source>{}: row {} has a list that counts more than it can hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: row {} of {}</source>
         <translation>{} : ligne {} sur {}</translation>
     </message>
@@ -7646,6 +7722,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: rows from {} on: {}</source>
         <translation>{} : lignes à partir de {} : {}</translation>
+    </message>
+    <message>
+        <source>{}: rows of {} bytes; this program's have {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: rows {} to {} are damaged: CRC32C {:08x}, committed as {:08x}</source>
@@ -8042,94 +8122,6 @@ Pour commencer : %1</translation>
     <message>
         <source>…</source>
         <translation>…</translation>
-    </message>
-    <message>
-        <source>Correction limit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest relative correction of the law; a measurement that asks for more contradicts it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lasting measurement error</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: "{}" where "{}" was expected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: does not begin with "fyd-cloth 1"</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: ends before "{}"</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: expected two half sides, one distance and two reference stiffnesses, all above 0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: no line "finger"</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: shape: expected one number, 3 … {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: x from 0, depth above 0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: {} holds something that is no number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: {} holds {}, expected finite numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: {}: expected 2 … {} rising numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cloth table: {}: {} of {} numbers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{}: a column without a name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{}: column {} is not of this format's type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{}: does not count the tables' rows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{}: has no checksums</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{}: row {} has a list that counts more than it can hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{}: rows of {} bytes; this program's have {}</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
