@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <fstream>
-#include <iterator>
 #include <limits>
 
 #include <csv.h>
@@ -13,6 +12,7 @@ namespace {
 struct Reader {
   std::string_view source;
   const std::vector<std::string>& wanted;
+  EmptyField empty;
   CsvTable table;
   std::vector<std::size_t> position;  // of each wanted column in the file
   std::vector<std::string> header;
@@ -37,6 +37,7 @@ struct Reader {
   double number(std::string_view text, const std::string& column) {
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    if (text.empty() && empty == EmptyField::nan) return std::numeric_limits<double>::quiet_NaN();
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -79,9 +80,16 @@ struct Reader {
 
 }  // namespace
 
-Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, const std::vector<std::string>& wanted) {
-  Reader reader{
-      .source = source_name, .wanted = wanted, .table = {}, .position = {}, .header = {}, .row = {}, .problem = {}};
+Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, const std::vector<std::string>& wanted,
+                          EmptyField empty) {
+  Reader reader{.source = source_name,
+                .wanted = wanted,
+                .empty = empty,
+                .table = {},
+                .position = {},
+                .header = {},
+                .row = {},
+                .problem = {}};
   csv_parser parser{};
   if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0)
     return fail("{}: the CSV parser could not start", source_name);
@@ -109,12 +117,22 @@ Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, c
   return std::move(reader.table);
 }
 
-Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted) {
+Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted, EmptyField empty) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return fail("{}: cannot be opened for reading", path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t kPiece = std::size_t{1} << 16;
+  std::string text;
+  while (file) {
+    const std::size_t before = text.size();
+    text.resize(before + kPiece);
+    file.read(text.data() + before, static_cast<std::streamsize>(kPiece));
+    text.resize(before + static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kLargestCsv_bytes) {
+      return fail("{}: longer than {} MB; expected a table of measurements", path, kLargestCsv_bytes >> 20);
+    }
+  }
   if (file.bad()) return fail("{}: reading failed", path);
-  return parseCsv(text, path, wanted);
+  return parseCsv(text, path, wanted, empty);
 }
 
 }  // namespace fyd

@@ -1,6 +1,8 @@
 // Tables of numbers from CSV text (quoting and line ends by libcsv, numbers by std::from_chars).
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,13 +20,20 @@ struct CsvTable {
   [[nodiscard]] std::size_t rows() const { return lines.size(); }
 };
 
+/// What an empty field is: text that is no number, or NaN.
+enum class EmptyField : std::uint8_t { refused, nan };
+
 /// Reads the named columns, in that order, whatever their order in the file; other columns are ignored.
 /// "nan" (any case) reads as NaN; whether that is allowed is the caller's question.
 /// @return an error with file and line for a missing column, text in a number, a short row, or no rows
 [[nodiscard]] Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name,
-                                        const std::vector<std::string>& wanted);
+                                        const std::vector<std::string>& wanted, EmptyField empty = EmptyField::refused);
+
+/// A larger file is refused: a table of measurements is shorter, and a device or a pipe may never end.
+inline constexpr std::size_t kLargestCsv_bytes = std::size_t{256} << 20;
 
 /// parseCsv on a file's contents.
-[[nodiscard]] Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted);
+[[nodiscard]] Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted,
+                                       EmptyField empty = EmptyField::refused);
 
 }  // namespace fyd

@@ -26,6 +26,7 @@ Pipeline::Pipeline(const Parameters& parameters, const std::optional<texture::Su
   const StepParameters& ages = parameters_.step;
   indentation_.setMaximumAges(fromSeconds(ages.ir_maximum_age_ms * 1e-3),
                               fromSeconds(ages.finger_maximum_age_ms * 1e-3));
+  indentation_.setPixelArea(sensing::pixelArea_mm2(parameters_.sensing.finger));
   stiffness_.setMaximumAge(fromSeconds(ages.bridge_maximum_age_ms * 1e-3));
   stretch_deg_ = parameters.control.travel_minimum_deg;
 }
@@ -103,6 +104,7 @@ void Pipeline::changeParameter(std::uint16_t index, double value) {
 
 void Pipeline::configure() {
   indentation_.configure(parameters_.sensing.indentation);
+  indentation_.setPixelArea(sensing::pixelArea_mm2(parameters_.sensing.finger));
   load_cell_.configure(parameters_.sensing.load_cell);
   stiffness_.configure(parameters_.sensing.stiffness);
   controller_.configure(parameters_.control);
@@ -162,14 +164,14 @@ void Pipeline::sense(const Inputs& inputs) {
                 .count = inputs.bridge.count};
   }
   indent_ = indentation_.step(inputs.now, inputs.ir, inputs.finger, force_N_);
+  contact_ = indentation_.contactOf(inputs.finger.value);
   stiff_ = stiffness_.step(inputs.now, force_N_, indent_);
   rollers_ = inputs.motors.count == 0 ? control::RollerAngles{}
                                       : control::rollerAngles(inputs.motors.value, parameters_.control);
   if (inputs.finger.count != last_finger_) {
     last_finger_ = inputs.finger.count;
-    const sensing::FingerDetection& finger = inputs.finger.value;
-    if (finger.contact) {
-      finger_speed_.observe(finger.x_mm, finger.y_mm, inputs.finger.taken);
+    if (inputs.finger.value.contact) {
+      finger_speed_.observe(contact_.x_mm, contact_.y_mm, inputs.finger.taken);
     } else {
       finger_speed_.lift();
     }

@@ -138,6 +138,7 @@ class Pipeline {
   Duration elapsed_{};
   Timed<double> force_N_;
   sensing::IndentationEstimate indent_;
+  sensing::Contact contact_;
   sensing::StiffnessEstimate stiff_;
   control::RollerAngles rollers_;
   control::ControlOutput control_;

@@ -84,8 +84,8 @@ void Pipeline::stepMotion(const Inputs& inputs) {
   outputs_.touch = motion_.step({.elapsed = elapsed_,
                                  .enabled = rendering(inputs),
                                  .contact = indent_.touched,
-                                 .finger_x_mm = inputs.finger.value.x_mm,
-                                 .finger_y_mm = inputs.finger.value.y_mm,
+                                 .finger_x_mm = contact_.x_mm,
+                                 .finger_y_mm = contact_.y_mm,
                                  .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
                                  .force_N = force_N_.value,
                                  .absolute = step.absolute_motion,
@@ -104,8 +104,8 @@ void Pipeline::writeTelemetry(const Inputs& inputs) {
   out.link = inputs.robot.phase;
   out.contact = indent_.touched;
   if (indent_.touched) {
-    out.finger_x_mm = inputs.finger.value.x_mm;
-    out.finger_y_mm = inputs.finger.value.y_mm;
+    out.finger_x_mm = contact_.x_mm;
+    out.finger_y_mm = contact_.y_mm;
   }
   if (inputs.finger.count > 0) out.finger_area_px = inputs.finger.value.area_px;
   if (indent_.available) {

@@ -121,4 +121,12 @@ struct FingerParameters {
   }
 };
 
+/// Area of the untouched cloth, mm², that one pixel of FingerDetection::area_px stands for.
+[[nodiscard]] inline double pixelArea_mm2(const FingerParameters& p) {
+  constexpr double kWorkingPixels = 160.0 * 120.0;  // thesis mode counts in its working picture
+  const double own = p.scale_x_mm_per_px * p.scale_y_mm_per_px;
+  if (p.mode != FingerMode::thesis) return own;
+  return own * p.roi_width_px * p.roi_height_px / kWorkingPixels;
+}
+
 }  // namespace fyd::sensing

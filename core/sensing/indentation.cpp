@@ -11,7 +11,6 @@ namespace fyd::sensing {
 namespace {
 
 constexpr std::uint32_t kFewestForMembrane = 2;  // so that one can contradict the other
-constexpr double kShapeError = 0.02;             // of δ: what the membrane's formula leaves
 constexpr double kInconsistent = 4.0;            // squared standard deviations
 constexpr std::uint32_t kStuckReadings = 60;     // 1 s at 60 Hz without one changed count …
 constexpr double kStuckTravel_counts = 200.0;    // … while the others went this far
@@ -39,6 +38,7 @@ void IndentationEstimator::configure(const IndentationParameters& parameters) {
                             static_cast<int>(at(parameters.ir_highest_code, i, 3408)), parameters.ir_curve_form[i]);
   }
   membrane_ = Membrane(parameters.frame_half_width_mm, parameters.frame_half_depth_mm, parameters.finger_radius_mm);
+  cloth_ = ContactCloth(parameters);
   filter_.configure(parameters.holding_mm_per_sqrt_s, parameters.moving_mm_per_sqrt_s);
   plane_mask_ = bitsBelow(sensor_count_);
   plane_.solve(std::span(positions_).first(sensor_count_), plane_mask_, parameters.ir_condition_limit);
@@ -116,11 +116,15 @@ IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts
     } else if (parameters_.mode == IndentationMode::thesis) {
       stepThesis(seen);
     } else {
-      updateMembrane(new_touch ? 0.0 : dt_s, ir.taken, seen);
-      readMembrane(now);
+      if (parameters_.mode == IndentationMode::contact) {
+        updateContact(new_touch ? 0.0 : dt_s, ir.taken, seen);
+      } else {
+        updateMembrane(new_touch ? 0.0 : dt_s, ir.taken, seen);
+      }
+      readFilters(now);
     }
-  } else if (parameters_.mode == IndentationMode::membrane && was_readable_) {
-    readMembrane(now);
+  } else if (parameters_.mode != IndentationMode::thesis && was_readable_) {
+    readFilters(now);
   } else {
     estimate_.available = was_available_;
     estimate_.reason = last_reason_;
@@ -134,17 +138,20 @@ IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts
 void IndentationEstimator::readSensors(const IrCounts& counts) {
   noticeStuck(counts);
   for (std::size_t i = 0; i < sensor_count_; ++i) {
-    Reading& r = readings_[i];
-    const double offset = at(parameters_.ir_offset_mm, i, std::numeric_limits<double>::quiet_NaN());
-    r.ir = i < counts.size() ? curves_[i].read(counts[i])
-                             : IrReading{.distance_mm = std::numeric_limits<double>::quiet_NaN()};
-    const bool stuck = unchanged_[i] >= kStuckReadings && others_travel_[i] >= kStuckTravel_counts;
-    r.used = r.ir.valid && !stuck && std::isfinite(offset);
-    r.z_mm = r.ir.distance_mm - offset;
-    r.sigma_mm = std::max(r.ir.slope_mm_per_V * parameters_.ir_noise_mV * 1e-3, 0.01);
-    estimate_.valid[i] = r.used;
-    estimate_.distance_mm[i] = r.ir.distance_mm;
+    readSensor(i, i < counts.size() ? counts[i] : std::numeric_limits<double>::quiet_NaN());
   }
+}
+
+void IndentationEstimator::readSensor(std::size_t i, double code) {
+  Reading& r = readings_[i];
+  const double offset = at(parameters_.ir_offset_mm, i, std::numeric_limits<double>::quiet_NaN());
+  r.ir = curves_[i].read(code);
+  const bool stuck = unchanged_[i] >= kStuckReadings && others_travel_[i] >= kStuckTravel_counts;
+  r.used = r.ir.valid && !stuck && std::isfinite(offset);
+  r.z_mm = r.ir.distance_mm - offset;
+  r.sigma_mm = std::max(r.ir.slope_mm_per_V * parameters_.ir_noise_mV * 1e-3, 0.01);
+  estimate_.valid[i] = r.used;
+  estimate_.distance_mm[i] = r.ir.distance_mm;
 }
 
 void IndentationEstimator::noticeStuck(const IrCounts& counts) {
@@ -173,7 +180,7 @@ std::uint32_t IndentationEstimator::usedMask() const {
 
 bool IndentationEstimator::enoughSensors() {
   const std::uint32_t mask = usedMask();
-  if (parameters_.mode == IndentationMode::membrane) {
+  if (parameters_.mode != IndentationMode::thesis) {
     return static_cast<std::uint32_t>(std::popcount(mask)) >= kFewestForMembrane;
   }
   if (mask != plane_mask_) {
@@ -196,11 +203,43 @@ void IndentationEstimator::updateMembrane(double dt_s, Instant taken, const Fing
   fusion_.compare(dt_s, filter_.value_mm(), filter_.sigma_mm());
 }
 
-void IndentationEstimator::readMembrane(Instant now) {
+Contact IndentationEstimator::contactOf(const FingerDetection& finger) const {
+  const Contact seen{.x_mm = finger.x_mm, .y_mm = finger.y_mm, .area_mm2 = finger.area_px * pixel_area_mm2_};
+  if (parameters_.mode != IndentationMode::contact) return seen;
+  return withoutPerspective(seen, estimate_.indentation_mm, parameters_.camera_height_mm);
+}
+
+void IndentationEstimator::updateContact(double dt_s, Instant taken, const FingerDetection& finger) {
+  cloth_.press(contactOf(finger));
+  reach_ = cloth_.reach();
+  const double depth = filter_.value_mm();
+  std::array<IndentationFilter::Measurement, kMaximumIrSensors> alone;
+  std::array<IndentationFilter::Measurement, kMaximumIrSensors> with_force;
+  std::array<double, kMaximumIrSensors> weights{};
+  double information = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const Reading& r = readings_[i];
+    if (!r.used) continue;
+    const double sigma = math::hypot(r.sigma_mm, depth * cloth_.doubt(i));
+    alone[count] = {.z_mm = -r.z_mm, .h = cloth_.share(i), .sigma_mm = sigma};
+    with_force[count] = {.z_mm = -r.z_mm, .h = cloth_.share(i) * reach_, .sigma_mm = sigma};
+    ++count;
+    weights[i] = cloth_.share(i) / (sigma * sigma);
+    information += weights[i] * cloth_.share(i);
+  }
+  for (double& weight : weights) weight = information > 0.0 ? weight / information : 0.0;
+  doubt_ = cloth_.doubt(std::span(weights).first(sensor_count_));
+  fusion_.update(dt_s, taken, std::span(with_force).first(count));
+  filter_.update(dt_s, std::span(alone).first(count));
+  fusion_.compare(dt_s, filter_.value_mm() / reach_, filter_.sigma_mm() / reach_);
+}
+
+void IndentationEstimator::readFilters(Instant now) {
   const bool fused = fusion_.usable(now);
-  const double value = fused ? fusion_.indentation_mm() : filter_.value_mm();
-  const double sigma = fused ? fusion_.sigma_mm() : filter_.sigma_mm();
-  const double shape_error = kShapeError * value;
+  const double value = fused ? reach_ * fusion_.indentation_mm() : filter_.value_mm();
+  const double sigma = fused ? reach_ * fusion_.sigma_mm() : filter_.sigma_mm();
+  const double shape_error = doubt_ * value;
   const double excess = std::max(1.0, filter_.disagreement());
   estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);
   estimate_.sigma_mm = std::sqrt(sigma * sigma * excess + shape_error * shape_error);
@@ -216,7 +255,7 @@ void IndentationEstimator::readMembrane(Instant now) {
 }
 
 void IndentationEstimator::stepThesis(const FingerDetection& finger) {
-  const PlaneReading plane = readPlane(finger.x_mm, finger.y_mm);
+  const Reduced plane = readPlane(finger.x_mm, finger.y_mm);
   estimate_.indentation_mm = std::clamp(smoother_.update(plane.indentation_mm), kLowest_mm, kHighest_mm);
   // Variance that remains after old·0.8 + new·0.2 of independent readings: 0.2/(2 − 0.2) of one reading's.
   constexpr double kNew = 1.0 - ThesisSmoother::kOldShare;
@@ -236,9 +275,9 @@ void IndentationEstimator::updateShapes(double x_mm, double y_mm) {
   shapes_known_ = true;
 }
 
-IndentationEstimator::PlaneReading IndentationEstimator::readPlane(double x_mm, double y_mm) const {
+IndentationEstimator::Reduced IndentationEstimator::readPlane(double x_mm, double y_mm) const {
   const PlaneWeights weights = plane_.weightsAt(x_mm, y_mm);
-  PlaneReading out;
+  Reduced out;
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const Reading& r = readings_[i];
     if (!r.used) continue;
@@ -248,40 +287,73 @@ IndentationEstimator::PlaneReading IndentationEstimator::readPlane(double x_mm, 
   return out;
 }
 
-IndentationEstimate IndentationEstimator::once(const IrCounts& counts, double x_mm, double y_mm) {
+IndentationEstimator::Reduced IndentationEstimator::readShares() const {
+  double information = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const Reading& r = readings_[i];
+    if (!r.used) continue;
+    const double weight = shapes_[i] / (r.sigma_mm * r.sigma_mm);
+    information += weight * shapes_[i];
+    sum -= weight * r.z_mm;
+  }
+  if (!(information > 0.0)) return {.variance_mm2 = std::numeric_limits<double>::infinity()};
+  const double value = sum / information;
+  return {.indentation_mm = value, .variance_mm2 = 1.0 / information + math::square(kShapeError * value)};
+}
+
+/// Least squares whose weights know the noise and, for the depth found so far, the doubt of each share.
+IndentationEstimator::Reduced IndentationEstimator::readCloth() const {
+  constexpr int kRounds = 3;  // the weights follow the depth; it moves little after the first
+  std::array<double, kMaximumIrSensors> weights{};
+  double value = 0.0;
+  double noise = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    double information = 0.0;
+    for (std::size_t i = 0; i < sensor_count_; ++i) {
+      const Reading& r = readings_[i];
+      const double share = cloth_.share(i);
+      weights[i] = r.used ? share / (math::square(r.sigma_mm) + math::square(value * cloth_.doubt(i))) : 0.0;
+      information += weights[i] * share;
+    }
+    if (!(information > 0.0)) return {.variance_mm2 = std::numeric_limits<double>::infinity()};
+    value = 0.0;
+    noise = 0.0;
+    for (std::size_t i = 0; i < sensor_count_; ++i) {
+      weights[i] /= information;
+      if (!readings_[i].used) continue;
+      value -= weights[i] * readings_[i].z_mm;
+      noise += math::square(weights[i] * readings_[i].sigma_mm);
+    }
+  }
+  const double doubt = value * cloth_.doubt(std::span(weights).first(sensor_count_));
+  return {.indentation_mm = value, .variance_mm2 = noise + doubt * doubt};
+}
+
+IndentationEstimate IndentationEstimator::once(const PressReading& press) {
   reset();
   estimate_.sensors = sensor_count_;
   estimate_.touched = true;
-  readSensors(counts);
-  double value = 0.0;
-  double variance = std::numeric_limits<double>::infinity();
-  if (!std::isfinite(x_mm) || !std::isfinite(y_mm)) {
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    readSensor(i, i < press.codes.size() ? press.codes[i] : std::numeric_limits<double>::quiet_NaN());
+  }
+  Reduced found{.variance_mm2 = std::numeric_limits<double>::infinity()};
+  if (!std::isfinite(press.x_mm) || !std::isfinite(press.y_mm)) {
     estimate_.reason = IndentationReason::finger_stale;
   } else if (!enoughSensors()) {
     estimate_.reason = IndentationReason::too_few_sensors;
   } else if (parameters_.mode == IndentationMode::thesis) {
-    const PlaneReading plane = readPlane(x_mm, y_mm);
-    value = plane.indentation_mm;
-    variance = plane.variance_mm2;
+    found = readPlane(press.x_mm, press.y_mm);
+  } else if (parameters_.mode == IndentationMode::membrane) {
+    updateShapes(press.x_mm, press.y_mm);
+    found = readShares();
   } else {
-    updateShapes(x_mm, y_mm);
-    double information = 0.0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < sensor_count_; ++i) {
-      const Reading& r = readings_[i];
-      if (!r.used) continue;
-      const double weight = shapes_[i] / (r.sigma_mm * r.sigma_mm);
-      information += weight * shapes_[i];
-      sum -= weight * r.z_mm;
-    }
-    if (information > 0.0) {
-      value = sum / information;
-      variance = 1.0 / information + math::square(kShapeError * value);
-    }
+    cloth_.press({.x_mm = press.x_mm, .y_mm = press.y_mm, .area_mm2 = press.area_mm2});
+    found = readCloth();
   }
-  if (std::isfinite(variance)) {
-    estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);
-    estimate_.sigma_mm = std::min(std::sqrt(variance), 1e3);
+  if (std::isfinite(found.variance_mm2)) {
+    estimate_.indentation_mm = std::clamp(found.indentation_mm, kLowest_mm, kHighest_mm);
+    estimate_.sigma_mm = std::min(std::sqrt(found.variance_mm2), 1e3);
     estimate_.available = estimate_.sigma_mm <= parameters_.sigma_limit_mm;
     estimate_.reason = !estimate_.available                     ? IndentationReason::uncertain
                        : usedMask() == bitsBelow(sensor_count_) ? IndentationReason::measured

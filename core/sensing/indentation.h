@@ -1,6 +1,9 @@
 // Indentation of the cloth under the finger from distance sensors beside it (thesis §4.1.2).
 //
-// membrane (default): each sensor sees its own share of the indentation δ, zᵢ = dᵢ − offsetᵢ = −sᵢ(x, y)·δ, with sᵢ
+// contact: as membrane, with the radius from the area that the camera sees, the camera's perspective removed, and with
+//   the doubt of what the model does not know (contact_cloth.h). The force tells of the compliance at the middle of the
+//   cloth; place and contact make it that of here.
+// membrane: each sensor sees its own share of the indentation δ, zᵢ = dᵢ − offsetᵢ = −sᵢ(x, y)·δ, with sᵢ
 // from
 //   membrane.h at the camera's (x, y). Two Kalman filters of δ, one for a finger that holds and one for a finger
 //   that moves, share their beliefs at each reading (interacting multiple models); readings far from what
@@ -17,10 +20,12 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
 #include "core/base/timed.h"
+#include "core/sensing/contact_cloth.h"
 #include "core/sensing/fabric_plane.h"
 #include "core/sensing/finger_types.h"
 #include "core/sensing/force_fusion.h"
@@ -64,6 +69,14 @@ struct IndentationEstimate {
   }
 };
 
+/// One press as the sensors read it.
+struct PressReading {
+  std::span<const double> codes;  ///< 12-bit codes or means of them, in the profile's order; NaN: none
+  double x_mm = 0.0;              ///< of the contact on the cloth, perspective removed
+  double y_mm = 0.0;
+  double area_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< of the contact; NaN or 0: unknown
+};
+
 class IndentationEstimator {
  public:
   explicit IndentationEstimator(const IndentationParameters& parameters = {});
@@ -71,14 +84,22 @@ class IndentationEstimator {
   void configure(const IndentationParameters& parameters);
   /// Readings older than these are stale.
   void setMaximumAges(Duration ir, Duration finger);
+  /// Area of one pixel of the finger's area on the untouched cloth (finger_parameters.h); not positive: no area is
+  /// known.
+  void setPixelArea(double area_mm2) { pixel_area_mm2_ = area_mm2; }
 
   /// @param force_N this step's force on the cloth, NaN when invalid; without one the distances are used alone
   [[nodiscard]] IndentationEstimate step(Instant now, const Timed<IrCounts>& ir, const Timed<FingerDetection>& finger,
                                          const Timed<double>& force_N = {});
 
-  /// One set of readings on its own, with the finger at (x, y): no filter, nothing kept for the next step.
-  /// membrane: least squares over the sensors' shares, weighted by their noise; thesis: the plane.
-  [[nodiscard]] IndentationEstimate once(const IrCounts& counts, double x_mm, double y_mm);
+  /// One set of readings on its own: no filter, nothing kept for the next step.
+  /// contact and membrane: least squares over the sensors' shares, weighted by their noise and, in contact, by what the
+  /// model does not know; thesis: the plane.
+  [[nodiscard]] IndentationEstimate once(const PressReading& press);
+
+  /// Where the finger of a picture touches the cloth: in contact mode with the camera's perspective at the present
+  /// indentation removed, else as it was seen.
+  [[nodiscard]] Contact contactOf(const FingerDetection& finger) const;
 
   /// New distances to the untouched cloth, one per sensor (see tare.h).
   void tare(std::span<const double> offset_mm);
@@ -89,10 +110,17 @@ class IndentationEstimator {
 
   void reset();
 
+  static constexpr std::uint16_t kStateVersion = 2;  ///< 2: reach and doubt of the contact mode
+
   template <class Archive>
   void serialize(Archive& archive) {
+    restore(archive, kStateVersion);
+  }
+  template <class Archive>
+  void restore(Archive& archive, std::uint16_t version) {
     archive(readings_, last_codes_, unchanged_, others_travel_, filter_, fusion_, smoother_, touched_, last_count_,
             was_readable_, was_available_, within(last_reason_, IndentationReason::finger_stale), estimate_);
+    if (version >= 2) archive(reach_, doubt_);
   }
 
  private:
@@ -109,18 +137,24 @@ class IndentationEstimator {
   };
 
   void readSensors(const IrCounts& counts);
+  void readSensor(std::size_t i, double code);
   void noticeStuck(const IrCounts& counts);
   void updateMembrane(double dt_s, Instant taken, const FingerDetection& finger);
-  void readMembrane(Instant now);
+  void updateContact(double dt_s, Instant taken, const FingerDetection& finger);
+  void readFilters(Instant now);
   void stepThesis(const FingerDetection& finger);
   void updateShapes(double x_mm, double y_mm);
-  struct PlaneReading {
+  struct Reduced {
     double indentation_mm = 0.0;
     double variance_mm2 = 0.0;
   };
-  [[nodiscard]] PlaneReading readPlane(double x_mm, double y_mm) const;
+  [[nodiscard]] Reduced readPlane(double x_mm, double y_mm) const;
+  [[nodiscard]] Reduced readShares() const;
+  [[nodiscard]] Reduced readCloth() const;
   [[nodiscard]] std::uint32_t usedMask() const;
   [[nodiscard]] bool enoughSensors();
+
+  static constexpr double kShapeError = 0.02;  // of δ: what the membrane's formula leaves for a disc
 
   IndentationParameters parameters_;
   Duration ir_maximum_age_ = std::chrono::milliseconds(100);
@@ -133,6 +167,7 @@ class IndentationEstimator {
   std::array<std::uint32_t, kMaximumIrSensors> unchanged_{};  // readings since the code last changed
   std::array<double, kMaximumIrSensors> others_travel_{};     // counts the others moved meanwhile
   Membrane membrane_;
+  ContactCloth cloth_;
   FabricPlane plane_;
   std::uint32_t plane_mask_ = 0;
   double condition_number_ = 0.0;
@@ -140,6 +175,9 @@ class IndentationEstimator {
   double shapes_x_mm_ = 0.0;
   double shapes_y_mm_ = 0.0;
   bool shapes_known_ = false;
+  double pixel_area_mm2_ = 0.0;
+  double reach_ = 1.0;          // contact: of the last readings' place
+  double doubt_ = kShapeError;  // of δ, as a part of it: what the shares leave
   IndentationFilter filter_;
   ForceFusion fusion_;
   ThesisSmoother smoother_;

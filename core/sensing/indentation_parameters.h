@@ -7,12 +7,13 @@
 #include "core/base/message.h"
 #include "core/base/parameter.h"
 #include "core/sensing/ir_distance.h"
+#include "core/sensing/membrane.h"
 #include "core/sensing/readings.h"
 
 namespace fyd::sensing {
 
-enum class IndentationMode : std::uint8_t { membrane, thesis };
-inline constexpr std::array<std::string_view, 2> kIndentationModeNames = {"membrane", "thesis"};
+enum class IndentationMode : std::uint8_t { membrane, thesis, contact };
+inline constexpr std::array<std::string_view, 3> kIndentationModeNames = {"membrane", "thesis", "contact"};
 
 /// A list with these values.
 template <class... Values>
@@ -34,6 +35,12 @@ struct IndentationParameters {
   double frame_half_width_mm = 50.0;
   double frame_half_depth_mm = 35.0;
   double finger_radius_mm = 7.0;
+  double contact_radius_share = 0.7;
+  double contact_radius_share_sigma = 0.12;
+  ClothEdges cloth_edges = ClothEdges::held;
+  double cloth_tension_ratio = 1.0;
+  double cloth_tension_ratio_sigma = 0.15;
+  double camera_height_mm = 100.0;
   double holding_mm_per_sqrt_s = 0.5;
   double moving_mm_per_sqrt_s = 20.0;
   double sigma_limit_mm = 10.0;
@@ -49,8 +56,8 @@ struct IndentationParameters {
     v.choice("sensing.indentation_mode", mode, kIndentationModeNames,
              {.name = sentence("Indentation mode"),
               .help = sentence(
-                  "membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a "
-                  "2 mm gate."),
+                  "contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area "
+                  "that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate."),
               .live = true});
     v.list("sensing.ir_x_mm", ir_x_mm,
            {.unit = "mm",
@@ -98,7 +105,44 @@ struct IndentationParameters {
            {.unit = "mm",
             .minimum = 1,
             .maximum = 20,
-            .help = sentence("Radius of the finger's contact with the cloth.")});
+            .help = sentence("Radius of the finger's contact with the cloth where no area tells it.")});
+    v.real("sensing.contact_radius_share", contact_radius_share,
+           {.name = sentence("Contact radius share"),
+            .minimum = 0.3,
+            .maximum = 1,
+            .help = sentence("Contact mode: radius of the disc that the finger looks like from afar, as a share of the "
+                             "contact's: 0.6 for a sphere, 1 for a flat disc."),
+            .live = true});
+    v.real("sensing.contact_radius_share_sigma", contact_radius_share_sigma,
+           {.name = sentence("Uncertainty of the contact radius share"),
+            .minimum = 0,
+            .maximum = 1,
+            .help = sentence("Contact mode: how uncertain that share is."),
+            .live = true});
+    v.choice("sensing.cloth_edges", cloth_edges, kClothEdgesNames,
+             {.name = sentence("Cloth edges"),
+              .help = sentence("Contact mode: held on all four sides, or held by two rollers left and right with front "
+                               "and back free."),
+              .live = true});
+    v.real("sensing.cloth_tension_ratio", cloth_tension_ratio,
+           {.name = sentence("Cloth tension ratio"),
+            .minimum = 0.05,
+            .maximum = 20,
+            .help = sentence("Contact mode: the cloth's tension from left to right over that from front to back."),
+            .live = true});
+    v.real("sensing.cloth_tension_ratio_sigma", cloth_tension_ratio_sigma,
+           {.name = sentence("Uncertainty of the tension ratio"),
+            .minimum = 0,
+            .maximum = 2,
+            .help = sentence("Contact mode: how uncertain that ratio is, as a part of it."),
+            .live = true});
+    v.real("sensing.camera_height_mm", camera_height_mm,
+           {.name = sentence("Camera height"),
+            .unit = "mm",
+            .minimum = 30,
+            .maximum = 10000,
+            .help = sentence("Contact mode: from the camera's lens to the untouched cloth."),
+            .live = true});
     v.real("sensing.indentation_holding_mm_per_sqrt_s", holding_mm_per_sqrt_s,
            {.name = sentence("Indentation holding"),
             .unit = "mm/√s",

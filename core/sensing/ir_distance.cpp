@@ -34,9 +34,9 @@ double IrDistance::distance_mm(double volts) const {
   return d;
 }
 
-IrReading IrDistance::read(std::uint16_t code) const {
+IrReading IrDistance::read(double code) const {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  if (code < lowest_code_ || code > highest_code_) return {.distance_mm = kNan};
+  if (!(code >= lowest_code_ && code <= highest_code_)) return {.distance_mm = kNan};
   const double v = voltsFromCode(code);
   double d = 0.0;
   double slope = 0.0;

@@ -41,7 +41,8 @@ class IrDistance {
   IrDistance(std::span<const double> coefficients_mm, int lowest_code, int highest_code,
              IrCurveForm form = IrCurveForm::polynomial);
 
-  [[nodiscard]] IrReading read(std::uint16_t code) const;
+  /// @param code a code, or a mean of codes; NaN is out of span
+  [[nodiscard]] IrReading read(double code) const;
 
   /// The curve without the span; for drawing and calibration.
   [[nodiscard]] double distance_mm(double volts) const;

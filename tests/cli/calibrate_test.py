@@ -12,6 +12,7 @@ import fyd
 PEER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scipy_peer.py")
 SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's own, which has Debian's scipy
 THESIS = [790.712, -1885.623, 2208.604, -1338.297, 399.54, -46.327]
+TABLE = "adc1,adc2,adc3,x_mm,y_mm,area_mm2,bridge_mV_per_V"
 KEYS = ["coefficients", "rmse", "held_out_rmse", "max_residual", "condition_number", "valid_from", "valid_to", "accepted",
         "reason"]
 
@@ -129,11 +130,12 @@ class Calibrate(fyd.Case):
         self.assertEqual(found["to_do_again"], [
             {"part": "no-touch", "why": "taken with another curve: take it again (distance sensor 2)"}])
         self.assertNotIn("sensing.ir_offset_mm", [change["id"] for change in found["changes"]])
-        sensed = self.json("sense", "--adc", f"{code},{code},{code}", "--at", "0,0", "--profile", profile, "--json")
+        table = self.write("table.csv", f"{TABLE}\n{code},{code},{code},0,0,,\n")
+        sensed, = self.json("sense", "--table", table, "--profile", profile, "--json")
         self.assertAlmostEqual(sensed["distance_mm"][1], 100, delta=1)
         self.assertGreater(abs(sensed["distance_mm"][0] - 100), 2)
         again = "no-touch: taken with another curve: take it again (distance sensor 2)"
-        sense = ["sense", "--adc", f"{code},{code},{code}", "--at", "0,0", "--profile", profile]
+        sense = ["sense", "--table", table, "--profile", profile]
         self.assertIn(again, fyd.run(*sense).stderr)
         self.assertEqual("", fyd.run(*sense, "--set", "sensing.ir_offset_mm=[100, 99.5, 100]").stderr)  # a tare since
         with open(self.path("lab.calibration.toml"), encoding="utf-8") as record:
@@ -170,8 +172,8 @@ class Calibrate(fyd.Case):
     def test_a_profile_that_is_not_there_is_made(self):
         file = self.csv("cell.csv", "value,force_N", self.load_rows())
         self.json("calibrate", "load-cell", file, "--profile", self.path("new.toml"), "--json")
-        sensed = self.json("sense", "--adc", "1241,1241,1241", "--at", "0,0", "--bridge", 0.8, "--profile",
-                           self.path("new.toml"), "--json")
+        table = self.write("table.csv", f"{TABLE}\n1241,1241,1241,0,0,,0.8\n")
+        sensed, = self.json("sense", "--table", table, "--profile", self.path("new.toml"), "--json")
         self.assertAlmostEqual(sensed["force_N"], 7.685, delta=0.05)
 
     def test_bad_rows_are_refused_with_file_and_line(self):

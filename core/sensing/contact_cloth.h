@@ -1,0 +1,69 @@
+// What each distance sensor sees of a press by a round finger, and what of that is not known.
+//
+//   zᵢ = −sᵢ(x, y, r)·δ,    r = κ·√(area/π)
+//
+// The shares sᵢ are those of a stretched membrane (membrane.h) with the cloth's tension ratio and edges. They are wrong
+// by what nobody measured: κ follows the finger's form (0.6 for a sphere, 1 for a flat disc), the tension ratio the way
+// the cloth was clamped, and a part of its own remains for each sensor, because a cloth pressed deep is no linear
+// membrane. Errors of κ and of the ratio move all shares together; a longer look averages none of the three away.
+//
+// No allocation; the same bits on every processor.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+
+#include "core/sensing/fabric_plane.h"
+#include "core/sensing/indentation_parameters.h"
+#include "core/sensing/membrane.h"
+
+namespace fyd::sensing {
+
+/// Where the finger touches the cloth: on the cloth itself, perspective removed.
+struct Contact {
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  double area_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< of the patch; NaN or 0: unknown
+};
+
+/// The camera at height H sees what lies δ nearer to it larger by H/(H − δ): the contact from its shadow on the rest
+/// plane. A height that is not finite or not above δ removes nothing.
+[[nodiscard]] Contact withoutPerspective(const Contact& seen, double indentation_mm, double camera_height_mm);
+
+class ContactCloth {
+ public:
+  explicit ContactCloth(const IndentationParameters& parameters = {});
+
+  /// Shares for a finger here; kept until the next.
+  void press(const Contact& contact);
+
+  [[nodiscard]] double share(std::size_t sensor) const { return shares_[sensor].value; }
+  /// Standard deviation of one sensor's share, all that is not known together.
+  [[nodiscard]] double doubt(std::size_t sensor) const;
+  /// Standard deviation of Σ wᵢ·sᵢ.
+  [[nodiscard]] double doubt(std::span<const double> weights) const;
+  /// Compliance here over that of a shallow press in the middle: δ/F grows with it.
+  [[nodiscard]] double reach() const { return reach_; }
+
+ private:
+  struct Share {
+    double value = 0.0;
+    double by_radius = 0.0;  // error of one standard deviation of ln r
+    double by_ratio = 0.0;   // … of the tension ratio's logarithm
+    double own = 0.0;
+  };
+
+  std::size_t sensors_ = 0;
+  std::array<SensorPosition, kMaximumIrSensors> positions_{};
+  Membrane membrane_;
+  Membrane other_ratio_;  // one standard deviation away
+  double radius_share_ = 0.7;
+  double radius_share_sigma_ = 0.0;  // of its logarithm
+  double unknown_radius_mm_ = 7.0;
+  double middle_level_ = 1.0;
+  std::array<Share, kMaximumIrSensors> shares_{};
+  double reach_ = 1.0;
+};
+
+}  // namespace fyd::sensing
