@@ -9,11 +9,13 @@
 namespace fyd::sensing {
 namespace {
 
-constexpr double kUnknownRadiusSigma = 0.8;  // of ln r: a fingertip looks like 2 to 7 mm
+constexpr double kUnknownRadiusSigma = 1.1;  // of ln r: a fingertip looks like 1 to 7 mm
 constexpr double kRadiusSigma_mm = 0.1;      // of the contact's radius from its area
-constexpr double kLeastOwn = 0.006;          // a share's own error over the sensor …
-constexpr double kMostOwn = 0.02;            // … and far from it
-constexpr double kMiddleRadius_mm = 2.8;     // of the contact under a fingertip pressed 3 mm deep
+constexpr double kLeastOwn = 0.006;          // a share's own error over the sensor
+constexpr double kWiden_per_mm = 0.085;      // w, from finite strain; nearly the same for every finger and stretch
+constexpr double kDeepest_mm = 15.0;
+constexpr double kLeastReach = 0.5;       // of 2πU: nearer to the frame the finger nearly fills the cloth
+constexpr double kMiddleRadius_mm = 2.8;  // of the contact under a fingertip pressed 3 mm deep
 
 }  // namespace
 
@@ -30,18 +32,23 @@ ContactCloth::ContactCloth(const IndentationParameters& p)
                    p.cloth_tension_ratio * math::exp(p.cloth_tension_ratio_sigma)),
       radius_share_(p.contact_radius_share),
       radius_share_sigma_(p.contact_radius_share_sigma / p.contact_radius_share),
+      share_sigma_(p.cloth_share_sigma),
       unknown_radius_mm_(p.finger_radius_mm) {
   for (std::size_t i = 0; i < sensors_; ++i) positions_[i] = {p.ir_x_mm[i], p.ir_y_mm[i]};
   middle_level_ = membrane_.press(0.0, 0.0, kMiddleRadius_mm, radius_share_ * kMiddleRadius_mm).level();
 }
 
-void ContactCloth::press(const Contact& contact) {
+void ContactCloth::press(const Contact& contact, double indentation_mm) {
+  const double deep = std::isfinite(indentation_mm) ? std::clamp(indentation_mm, 0.0, kDeepest_mm) : 0.0;
   const bool known = contact.area_mm2 > 0.0 && std::isfinite(contact.area_mm2);
   const double outer = known ? std::sqrt(contact.area_mm2 / std::numbers::pi) : unknown_radius_mm_;
   const double inner = known ? radius_share_ * outer : outer;
   const double sigma = known ? math::hypot(radius_share_sigma_, kRadiusSigma_mm / outer) : kUnknownRadiusSigma;
-  const Membrane::Press press = membrane_.press(contact.x_mm, contact.y_mm, outer, inner);
-  const Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, inner);
+  Membrane::Press press = membrane_.press(contact.x_mm, contact.y_mm, outer, inner);
+  const double reach = std::max(2.0 * std::numbers::pi * press.level(), kLeastReach);
+  const double wide = inner * (1.0 + kWiden_per_mm * deep / reach);
+  press.setEffectiveRadius(wide);
+  const Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, wide);
   reach_ = press.level() / middle_level_;
   if (!(reach_ > 0.0) || !std::isfinite(reach_)) reach_ = 1.0;
   for (std::size_t i = 0; i < sensors_; ++i) {
@@ -50,8 +57,37 @@ void ContactCloth::press(const Contact& contact) {
     shares_[i] = {.value = here.value,
                   .by_radius = here.per_log_radius * sigma,
                   .by_ratio = there - here.value,
-                  .own = kMostOwn + (kLeastOwn - kMostOwn) * here.value};
+                  .own = share_sigma_ + (kLeastOwn - share_sigma_) * here.value};
   }
+}
+
+ClothDepth ContactCloth::solve(const Contact& contact, std::span<const Drop> drops) {
+  constexpr int kRounds = 4;  // shares and weights follow the depth; it moves little after the first
+  const std::size_t count = std::min(drops.size(), sensors_);
+  std::array<double, kMaximumIrSensors> weights{};
+  ClothDepth out;
+  double noise = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    const double before = out.indentation_mm;
+    press(contact, before);
+    double information = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double variance = math::square(drops[i].sigma_mm) + math::square(before * doubt(i));
+      weights[i] = drops[i].used && variance > 0.0 ? share(i) / variance : 0.0;
+      information += weights[i] * share(i);
+    }
+    if (!(information > 0.0)) return {};
+    out.indentation_mm = 0.0;
+    noise = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      weights[i] /= information;
+      if (!drops[i].used) continue;
+      out.indentation_mm += weights[i] * drops[i].drop_mm;
+      noise += math::square(weights[i] * drops[i].sigma_mm);
+    }
+  }
+  out.variance_mm2 = noise + math::square(out.indentation_mm * doubt(std::span(weights).first(count)));
+  return out;
 }
 
 double ContactCloth::doubt(std::size_t sensor) const {

@@ -1,11 +1,13 @@
 // What each distance sensor sees of a press by a round finger, and what of that is not known.
 //
-//   zᵢ = −sᵢ(x, y, r)·δ,    r = κ·√(area/π)
+//   zᵢ = −sᵢ(x, y, r)·δ,    r = κ·√(area/π)·(1 + w·δ/2πU)
 //
-// The shares sᵢ are those of a stretched membrane (membrane.h) with the cloth's tension ratio and edges. They are wrong
-// by what nobody measured: κ follows the finger's form (0.6 for a sphere, 1 for a flat disc), the tension ratio the way
-// the cloth was clamped, and a part of its own remains for each sensor, because a cloth pressed deep is no linear
-// membrane. Errors of κ and of the ratio move all shares together; a longer look averages none of the three away.
+// The shares sᵢ are those of a stretched membrane (membrane.h) with the cloth's tension ratio and edges. A deep press
+// stretches the cloth under the finger more than elsewhere, the more the steeper (δ/2πU), so that the finger looks
+// wider from afar: w. They are wrong by what nobody measured: κ follows the finger's form (0.6 for a sphere, 1 for a
+// flat disc), the tension ratio the way the cloth was clamped, and a part of its own remains for each sensor, because a
+// cloth pressed deep is no linear membrane. Errors of κ and of the ratio move all shares together; a longer look
+// averages none of the three away.
 //
 // No allocation; the same bits on every processor.
 #pragma once
@@ -31,13 +33,31 @@ struct Contact {
 /// plane. A height that is not finite or not above δ removes nothing.
 [[nodiscard]] Contact withoutPerspective(const Contact& seen, double indentation_mm, double camera_height_mm);
 
+/// What one sensor says of a press: how far the cloth came nearer to it.
+struct Drop {
+  double drop_mm = 0.0;
+  double sigma_mm = 0.0;  ///< noise of the reading
+  bool used = false;
+};
+
+/// Indentation from all drops of one moment.
+struct ClothDepth {
+  double indentation_mm = 0.0;
+  double variance_mm2 = std::numeric_limits<double>::infinity();  ///< noise and doubt; infinite: no sensor told
+};
+
 class ContactCloth {
  public:
   explicit ContactCloth(const IndentationParameters& parameters = {});
 
-  /// Shares for a finger here; kept until the next.
-  void press(const Contact& contact);
+  /// Shares for a finger here and this deep; kept until the next.
+  void press(const Contact& contact, double indentation_mm);
 
+  /// Least squares whose weights know the noise and, for the depth found so far, the doubt of each share.
+  /// @param drops one per sensor
+  [[nodiscard]] ClothDepth solve(const Contact& contact, std::span<const Drop> drops);
+
+  [[nodiscard]] std::size_t sensors() const { return sensors_; }
   [[nodiscard]] double share(std::size_t sensor) const { return shares_[sensor].value; }
   /// Standard deviation of one sensor's share, all that is not known together.
   [[nodiscard]] double doubt(std::size_t sensor) const;
@@ -58,8 +78,9 @@ class ContactCloth {
   std::array<SensorPosition, kMaximumIrSensors> positions_{};
   Membrane membrane_;
   Membrane other_ratio_;  // one standard deviation away
-  double radius_share_ = 0.7;
+  double radius_share_ = 1.0;
   double radius_share_sigma_ = 0.0;  // of its logarithm
+  double share_sigma_ = 0.0;
   double unknown_radius_mm_ = 7.0;
   double middle_level_ = 1.0;
   std::array<Share, kMaximumIrSensors> shares_{};

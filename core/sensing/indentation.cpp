@@ -210,7 +210,7 @@ Contact IndentationEstimator::contactOf(const FingerDetection& finger) const {
 }
 
 void IndentationEstimator::updateContact(double dt_s, Instant taken, const FingerDetection& finger) {
-  cloth_.press(contactOf(finger));
+  cloth_.press(contactOf(finger), estimate_.indentation_mm);
   reach_ = cloth_.reach();
   const double depth = filter_.value_mm();
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> alone;
@@ -302,32 +302,14 @@ IndentationEstimator::Reduced IndentationEstimator::readShares() const {
   return {.indentation_mm = value, .variance_mm2 = 1.0 / information + math::square(kShapeError * value)};
 }
 
-/// Least squares whose weights know the noise and, for the depth found so far, the doubt of each share.
-IndentationEstimator::Reduced IndentationEstimator::readCloth() const {
-  constexpr int kRounds = 3;  // the weights follow the depth; it moves little after the first
-  std::array<double, kMaximumIrSensors> weights{};
-  double value = 0.0;
-  double noise = 0.0;
-  for (int round = 0; round < kRounds; ++round) {
-    double information = 0.0;
-    for (std::size_t i = 0; i < sensor_count_; ++i) {
-      const Reading& r = readings_[i];
-      const double share = cloth_.share(i);
-      weights[i] = r.used ? share / (math::square(r.sigma_mm) + math::square(value * cloth_.doubt(i))) : 0.0;
-      information += weights[i] * share;
-    }
-    if (!(information > 0.0)) return {.variance_mm2 = std::numeric_limits<double>::infinity()};
-    value = 0.0;
-    noise = 0.0;
-    for (std::size_t i = 0; i < sensor_count_; ++i) {
-      weights[i] /= information;
-      if (!readings_[i].used) continue;
-      value -= weights[i] * readings_[i].z_mm;
-      noise += math::square(weights[i] * readings_[i].sigma_mm);
-    }
+IndentationEstimator::Reduced IndentationEstimator::readCloth(const Contact& contact) {
+  std::array<Drop, kMaximumIrSensors> drops;
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const Reading& r = readings_[i];
+    drops[i] = {.drop_mm = -r.z_mm, .sigma_mm = r.sigma_mm, .used = r.used};
   }
-  const double doubt = value * cloth_.doubt(std::span(weights).first(sensor_count_));
-  return {.indentation_mm = value, .variance_mm2 = noise + doubt * doubt};
+  const ClothDepth found = cloth_.solve(contact, std::span(drops).first(sensor_count_));
+  return {.indentation_mm = found.indentation_mm, .variance_mm2 = found.variance_mm2};
 }
 
 IndentationEstimate IndentationEstimator::once(const PressReading& press) {
@@ -348,8 +330,7 @@ IndentationEstimate IndentationEstimator::once(const PressReading& press) {
     updateShapes(press.x_mm, press.y_mm);
     found = readShares();
   } else {
-    cloth_.press({.x_mm = press.x_mm, .y_mm = press.y_mm, .area_mm2 = press.area_mm2});
-    found = readCloth();
+    found = readCloth({.x_mm = press.x_mm, .y_mm = press.y_mm, .area_mm2 = press.area_mm2});
   }
   if (std::isfinite(found.variance_mm2)) {
     estimate_.indentation_mm = std::clamp(found.indentation_mm, kLowest_mm, kHighest_mm);

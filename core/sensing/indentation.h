@@ -150,7 +150,7 @@ class IndentationEstimator {
   };
   [[nodiscard]] Reduced readPlane(double x_mm, double y_mm) const;
   [[nodiscard]] Reduced readShares() const;
-  [[nodiscard]] Reduced readCloth() const;
+  [[nodiscard]] Reduced readCloth(const Contact& contact);
   [[nodiscard]] std::uint32_t usedMask() const;
   [[nodiscard]] bool enoughSensors();
 

@@ -35,11 +35,12 @@ struct IndentationParameters {
   double frame_half_width_mm = 50.0;
   double frame_half_depth_mm = 35.0;
   double finger_radius_mm = 7.0;
-  double contact_radius_share = 0.7;
-  double contact_radius_share_sigma = 0.12;
+  double contact_radius_share = 0.65;
+  double contact_radius_share_sigma = 0.1;
+  double cloth_share_sigma = 0.02;
   ClothEdges cloth_edges = ClothEdges::held;
   double cloth_tension_ratio = 1.0;
-  double cloth_tension_ratio_sigma = 0.15;
+  double cloth_tension_ratio_sigma = 0.12;
   double camera_height_mm = 100.0;
   double holding_mm_per_sqrt_s = 0.5;
   double moving_mm_per_sqrt_s = 20.0;
@@ -109,7 +110,7 @@ struct IndentationParameters {
     v.real("sensing.contact_radius_share", contact_radius_share,
            {.name = sentence("Contact radius share"),
             .minimum = 0.3,
-            .maximum = 1,
+            .maximum = 1.3,
             .help = sentence("Contact mode: radius of the disc that the finger looks like from afar, as a share of the "
                              "contact's: 0.6 for a sphere, 1 for a flat disc."),
             .live = true});
@@ -118,6 +119,13 @@ struct IndentationParameters {
             .minimum = 0,
             .maximum = 1,
             .help = sentence("Contact mode: how uncertain that share is."),
+            .live = true});
+    v.real("sensing.cloth_share_sigma", cloth_share_sigma,
+           {.name = sentence("Uncertainty of the cloth's formula"),
+            .minimum = 0,
+            .maximum = 0.5,
+            .help = sentence("Contact mode: what the cloth's formula leaves of each sensor's share, as a part of the "
+                             "indentation."),
             .live = true});
     v.choice("sensing.cloth_edges", cloth_edges, kClothEdgesNames,
              {.name = sentence("Cloth edges"),

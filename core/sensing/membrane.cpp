@@ -104,7 +104,7 @@ Membrane::Press Membrane::press(double finger_x_mm, double finger_y_mm, double c
   if (!out.known_) return out;
   const double widest = kWidestPart * std::min(half_width_mm_, half_depth_mm_);
   out.contact_mm_ = std::clamp(contact_radius_mm, kLeastRadius_mm, widest);
-  const double r = std::clamp(effective_radius_mm, kLeastRadius_mm, out.contact_mm_);
+  const double r = std::clamp(effective_radius_mm, kLeastRadius_mm, widest);
   const double limit_x = half_width_mm_ - r;
   const double limit_y = half_depth_mm_ - r;
   out.x_mm_ = std::clamp(finger_x_mm, -limit_x, limit_x);
@@ -112,15 +112,23 @@ Membrane::Press Membrane::press(double finger_x_mm, double finger_y_mm, double c
   const Place source = place(out.x_mm_, out.y_mm_);
   const Green at_finger =
       green(length_, breadth_, mirror_, source.along, source.across, source.along, source.across, true);
-  // A circle on the cloth is an ellipse in the scaled plane, and that looks like a disc of half its axes' sum.
-  const double scaled = r * 0.5 * (scale_x_ + scale_y_);
-  out.dipole_ = -2.0 * kPi * scaled * scaled;
+  out.regular_ = at_finger.value;
   out.along_ = at_finger.along;
   out.across_ = at_finger.across;
-  const double bend = out.dipole_ * (out.along_ * out.along_ + out.across_ * out.across_);
-  out.level_ = -math::log(scaled) / (2.0 * kPi) + at_finger.value + bend;
-  out.level_per_log_radius_ = -1.0 / (2.0 * kPi) + 2.0 * bend;
+  out.setEffectiveRadius(r);
   return out;
+}
+
+void Membrane::Press::setEffectiveRadius(double radius_mm) {
+  const Membrane& m = *membrane_;
+  if (!known_ || !std::isfinite(radius_mm)) return;
+  const double r = std::clamp(radius_mm, kLeastRadius_mm, kWidestPart * std::min(m.half_width_mm_, m.half_depth_mm_));
+  // A circle on the cloth is an ellipse in the scaled plane, and that looks like a disc of half its axes' sum.
+  const double scaled = r * 0.5 * (m.scale_x_ + m.scale_y_);
+  dipole_ = -2.0 * kPi * scaled * scaled;
+  const double bend = dipole_ * (along_ * along_ + across_ * across_);
+  level_ = -math::log(scaled) / (2.0 * kPi) + regular_ + bend;
+  level_per_log_radius_ = -1.0 / (2.0 * kPi) + 2.0 * bend;
 }
 
 MembraneShare Membrane::Press::outside(double x_mm, double y_mm) const {

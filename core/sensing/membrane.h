@@ -56,8 +56,10 @@ class Membrane {
    public:
     /// Share at (x, y), as `shape`, with the contact's own shape inside it.
     [[nodiscard]] MembraneShare share(double x_mm, double y_mm) const;
-    /// Indentation per force and tension, without a unit: U above.
+    /// Indentation times tension per force: U above.
     [[nodiscard]] double level() const { return level_; }
+    /// The same press with another effective radius.
+    void setEffectiveRadius(double radius_mm);
 
    private:
     friend class Membrane;
@@ -69,13 +71,14 @@ class Membrane {
     double y_mm_ = 0.0;
     double contact_mm_ = 0.0;
     double dipole_ = 0.0;
-    double along_ = 0.0;  // gradient of the regular part at the finger
+    double regular_ = 0.0;  // at the finger, and its gradient
+    double along_ = 0.0;
     double across_ = 0.0;
     double level_ = 1.0;
     double level_per_log_radius_ = 0.0;
   };
   /// @param contact_radius_mm of the patch that touches; @param effective_radius_mm r of the disc it looks like from
-  ///        afar, at most the contact's
+  ///        afar
   [[nodiscard]] Press press(double finger_x_mm, double finger_y_mm, double contact_radius_mm,
                             double effective_radius_mm) const;
 
