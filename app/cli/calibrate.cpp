@@ -1,12 +1,18 @@
-// fyd calibrate ir|load-cell|stiffness|camera|encoders|rest SAMPLES.csv [--profile P] [--who W] [--conditions C]
+// fyd calibrate ir|load-cell|stiffness|cloth|camera|encoders|rest SAMPLES.csv [--profile P] [--who W] [--conditions C]
 // [--json]
+#include <algorithm>
+#include <filesystem>
+
 #include "app/cli/calibrate_report.h"
+#include "app/cli/sense_table.h"
 #include "core/calibration/camera_calibration.h"
+#include "core/calibration/cloth_calibration.h"
 #include "core/calibration/encoder_calibration.h"
 #include "core/calibration/ir_calibration.h"
 #include "core/calibration/load_cell_calibration.h"
 #include "core/calibration/rest_calibration.h"
 #include "core/calibration/stiffness_map.h"
+#include "core/station/calibration_file.h"
 
 namespace fyd::cli {
 namespace {
@@ -49,11 +55,23 @@ void calibrateLoadCell(const CalibrateOptions& options) {
   finish(options, found.result, table, json);
 }
 
+/// Whether the profile's cloth was calibrated, and is used as it was.
+bool clothProven(const CalibrateOptions& options) {
+  if (options.profile.empty() || !std::filesystem::exists(options.profile)) return false;
+  station::Profile profile = options.load();
+  const auto records = valueOrFail(station::loadCalibrationRecords(options.profile));
+  const auto parameters = bindParameters(profile);
+  return std::ranges::any_of(records, [&](const calibration::CalibrationRecord& record) {
+    return record.procedure == "cloth" && calibration::inForce(record, parameters);
+  });
+}
+
 void calibrateStiffness(const CalibrateOptions& options) {
   const CsvTable table = valueOrFail(readCsv(options.samples, {"angle_deg", "indentation_mm", "force_N"}));
-  const auto found = calibration::calibrateStiffness(
+  auto found = calibration::calibrateStiffness(
       {.angle_deg = table.values[0], .indentation_mm = table.values[1], .force_N = table.values[2]},
       options.load().calibration);
+  if (!clothProven(options)) calibration::sayIndentationUnproven(found.result);
   nlohmann::ordered_json json = describe(found.result, table);
   json["force_offset_N"] = jsonNumber(found.force_offset_N);
   json["force_offset_error_N"] = jsonNumber(found.force_offset_error_N);
@@ -113,6 +131,26 @@ void calibrateRest(const CalibrateOptions& options) {
   finish(options, found.result, table, json);
 }
 
+void calibrateCloth(const CalibrateOptions& options) {
+  const station::Profile profile = options.load();
+  const sensing::IndentationParameters& indentation = profile.step.sensing.indentation;
+  const SenseTable table = readSenseTable(options.samples, indentation);
+  const auto found = calibration::calibrateCloth(
+      {.codes = table.codes, .x_mm = table.x_mm, .y_mm = table.y_mm, .area_mm2 = table.area_mm2}, indentation,
+      profile.calibration);
+  nlohmann::ordered_json json = describe(found.result, table.csv);
+  json["edges"] = sensing::kClothEdgesNames[static_cast<std::size_t>(found.edges)];
+  json["other_edges_rmse"] = jsonNumber(found.other_edges_rmse);
+  json["share_sigma"] = jsonNumber(found.share_sigma);
+  json["sensors"] = nlohmann::ordered_json::array();
+  for (const calibration::ClothSensor& sensor : found.sensors) {
+    json["sensors"].push_back({{"presses", sensor.presses},
+                               {"shallowest_mm", jsonNumber(sensor.shallowest_mm)},
+                               {"deepest_mm", jsonNumber(sensor.deepest_mm)}});
+  }
+  finish(options, found.result, table.csv, json);
+}
+
 template <class Options>
 std::shared_ptr<Options> addPart(CLI::App& parent, const std::string& name, const std::string& help,
                                  const std::string& columns, void (*run)(const Options&)) {
@@ -137,6 +175,8 @@ void add_calibrate(CLI::App& app) {
   addPart(*command, "load-cell", "The load cell under known weights", "value,force_N", calibrateLoadCell);
   addPart(*command, "stiffness", "Presses at known stretch angles", "angle_deg,indentation_mm,force_N",
           calibrateStiffness);
+  addPart(*command, "cloth", "Presses over each distance sensor at two depths",
+          "adc1,adc2,adc3,x_mm,y_mm,area_mm2,bridge_mV_per_V", calibrateCloth);
   addPart(*command, "camera", "A printed target", "x_px,y_px,x_mm,y_mm", calibrateCamera);
   addPart(*command, "encoders", "A commanded sweep of both motors", "first_deg,first_counts,second_deg,second_counts",
           calibrateEncoders);

@@ -21,6 +21,7 @@ constexpr Dependence kDependences[] = {
     {kStiffness, "encoders", {}},
     {kStiffness, "load-cell", {}},
     {kStiffness, "ir", {}},
+    {kStiffness, "cloth", {}},
 };
 
 using Records = std::span<const CalibrationRecord>;

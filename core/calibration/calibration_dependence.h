@@ -2,7 +2,7 @@
 //
 // A new curve of a distance sensor moves what it reads of the untouched cloth, and a new line of the load cell moves
 // its zero: the no-touch offsets taken before are wrong by as much. A stiffness map holds for the encoders, the load
-// cell and the distance sensors it was measured with. The camera's scale is one of the whole picture: its region of
+// cell, the distance sensors and the cloth's calibration it was measured with. The camera's scale is one of the whole picture: its region of
 // interest does not move it.
 //
 // Offsets and zero are also changed by a tare, which writes no record. So the record of what they rest on notes the

@@ -19,6 +19,12 @@ struct CalibrationParameters {
   int stiffness_fewest_presses = 3;
   double stiffness_held_out_N = 0.3;
   double stiffness_interval_percent = 20.0;
+  double cloth_beside_mm = 2.5;
+  double cloth_least_depth_mm = 2.0;
+  double cloth_depth_ratio = 1.4;
+  double cloth_share_percent = 8.0;
+  double cloth_ratio_percent = 15.0;
+  double cloth_held_out_mm = 0.2;
   int camera_fewest_points = 4;
   double camera_least_span_px = 40.0;
   double camera_held_out_mm = 1.0;
@@ -67,6 +73,25 @@ struct CalibrationParameters {
             .minimum = 1,
             .maximum = 100,
             .help = "Stiffness map: widest half 95 % interval of an angle's stiffness."});
+    v.real("calibration.cloth_beside_mm", cloth_beside_mm,
+           {.unit = "mm",
+            .minimum = 0.5,
+            .maximum = 10,
+            .help = "Cloth: a press farther than this beside a distance sensor tells no depth."});
+    v.real(
+        "calibration.cloth_least_depth_mm", cloth_least_depth_mm,
+        {.unit = "mm", .minimum = 0.5, .maximum = 20, .help = "Cloth: least depth of the deepest press of a sensor."});
+    v.real("calibration.cloth_depth_ratio", cloth_depth_ratio,
+           {.minimum = 1.1, .maximum = 5, .help = "Cloth: deepest over shallowest press of a sensor, at least."});
+    v.real("calibration.cloth_share_percent", cloth_share_percent,
+           {.unit = "%", .minimum = 0.5, .maximum = 100, .help = "Cloth: largest uncertainty of the radius share."});
+    v.real("calibration.cloth_ratio_percent", cloth_ratio_percent,
+           {.unit = "%", .minimum = 0.5, .maximum = 100, .help = "Cloth: largest uncertainty of the tension ratio."});
+    v.real("calibration.cloth_held_out_mm", cloth_held_out_mm,
+           {.unit = "mm",
+            .minimum = 0.01,
+            .maximum = 20,
+            .help = "Cloth: largest held-out error of a reading beside the finger."});
     v.integer("calibration.camera_fewest_points", camera_fewest_points,
               {.minimum = 4, .maximum = 1000, .help = "Camera: fewest points of the printed target."});
     v.real("calibration.camera_least_span_px", camera_least_span_px,

@@ -148,6 +148,15 @@ std::vector<MonotonePoint> poolViolators(std::vector<MonotonePoint> points) {
   return blocks;
 }
 
+void sayIndentationUnproven(CalibrationResult& result) {
+  constexpr std::string_view kUnproven =
+      "the indentation was never proven on this cloth (fyd calibrate cloth): an indentation from the distance sensors "
+      "can be "
+      "wrong by 15 % and more, and the stiffness with it";
+  result.notes.emplace_back(kUnproven);
+  if (result.verdict.accepted) result.verdict.reason += fmt::format("; WARNING: {}", kUnproven);
+}
+
 StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationParameters& p) {
   StiffnessMap out;
   CalibrationResult& result = out.result;

@@ -43,6 +43,9 @@ struct StiffnessMap {
 
 [[nodiscard]] StiffnessMap calibrateStiffness(const StiffnessSamples& samples, const CalibrationParameters& parameters);
 
+/// Says in the verdict and the notes that the indentation was never proven: stiffness is as wrong as the indentation.
+void sayIndentationUnproven(CalibrationResult& result);
+
 /// Weighted isotonic regression by pooling adjacent violators: blocks with their mean place and rising level.
 struct MonotonePoint {
   double place = 0.0;
