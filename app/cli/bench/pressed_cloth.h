@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <random>
 
@@ -42,6 +43,8 @@ struct PressedClothOptions {
 
 class PressedCloth {
  public:
+  static constexpr double kMm2PerWorkingPixel = 100.0 * 70.0 / (160.0 * 120.0);
+
   explicit PressedCloth(const PressedClothOptions& options)
       : o_(options), membrane_(50.0, 35.0, options.finger_radius_mm), random_(options.seed) {
     if (o_.cloth != sim::ClothKind::ideal) {
@@ -77,6 +80,7 @@ class PressedCloth {
       sensing::FingerDetection seen;
       seen.contact = time_s_ - 0.02 > o_.touch_at_s;
       double x_mm = o_.x_mm, y_mm = o_.y_mm;
+      seen.area_px = std::numbers::pi * o_.finger_radius_mm * o_.finger_radius_mm / kMm2PerWorkingPixel;
       if (cloth_) {
         const sim::Pressing contact = sim::Cloth(*cloth_).press(angle_deg_, state, 0.0);
         const double nearer = sim::perspective(std::max(0.0, depth_mm), 100.0);
@@ -112,7 +116,6 @@ class PressedCloth {
   Timed<double> force_N;
 
  private:
-  static constexpr double kMm2PerWorkingPixel = 100.0 * 70.0 / (160.0 * 120.0);
   static constexpr std::array<double, 3> kX = {-22.0, 0.0, 22.0};
   static constexpr std::array<double, 3> kY = {-3.0, 27.0, -3.0};
 
