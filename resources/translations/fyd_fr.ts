@@ -718,6 +718,10 @@
         <translation>Caméra</translation>
     </message>
     <message>
+        <source>Camera height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Camera panel</source>
         <translation>Panneau de la caméra</translation>
     </message>
@@ -934,6 +938,14 @@
         <translation>Tissu et robot répondent (boucle fermée)</translation>
     </message>
     <message>
+        <source>Cloth edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cloth tension ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Commanded, °</source>
         <translation>Commandé, °</translation>
     </message>
@@ -968,6 +980,38 @@
     <message>
         <source>Connection timed out</source>
         <translation>délai de connexion dépassé</translation>
+    </message>
+    <message>
+        <source>Contact mode: from the camera's lens to the untouched cloth.</source>
+        <translation>Mode contact : de l'objectif de la caméra au tissu non touché.</translation>
+    </message>
+    <message>
+        <source>Contact mode: held on all four sides, or held by two rollers left and right with front and back free.</source>
+        <translation>Mode contact : tenu sur les quatre côtés, ou tenu par deux rouleaux à gauche et à droite, l'avant et l'arrière libres.</translation>
+    </message>
+    <message>
+        <source>Contact mode: how uncertain that ratio is, as a part of it.</source>
+        <translation>Mode contact : incertitude de ce rapport, en part de celui-ci.</translation>
+    </message>
+    <message>
+        <source>Contact mode: how uncertain that share is.</source>
+        <translation>Mode contact : incertitude de cette part.</translation>
+    </message>
+    <message>
+        <source>Contact mode: radius of the disc that the finger looks like from afar, as a share of the contact's: 0.6 for a sphere, 1 for a flat disc.</source>
+        <translation>Mode contact : rayon du disque que le doigt paraît être de loin, en part de celui du contact : 0.6 pour une sphère, 1 pour un disque plat.</translation>
+    </message>
+    <message>
+        <source>Contact mode: the cloth's tension from left to right over that from front to back.</source>
+        <translation>Mode contact : tension du tissu de gauche à droite divisée par celle d'avant en arrière.</translation>
+    </message>
+    <message>
+        <source>Contact mode: what the cloth's formula leaves of each sensor's share, as a part of the indentation.</source>
+        <translation>Mode contact : ce que la formule du tissu laisse dans la part de chaque capteur, en part de l'enfoncement.</translation>
+    </message>
+    <message>
+        <source>Contact radius share</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Contents</source>
@@ -2950,8 +2994,8 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>RMS</translation>
     </message>
     <message>
-        <source>Radius of the finger's contact with the cloth.</source>
-        <translation>Rayon du contact du doigt avec le tissu.</translation>
+        <source>Radius of the finger's contact with the cloth where no area tells it.</source>
+        <translation>Rayon du contact du doigt avec le tissu quand aucune aire ne le dit.</translation>
     </message>
     <message>
         <source>Rate at which the texture step is called and its filters are designed.</source>
@@ -4124,6 +4168,18 @@ Pour commencer : %1</translation>
         <translation>UDP {} : {} : {}</translation>
     </message>
     <message>
+        <source>Uncertainty of the cloth's formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the contact radius share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the tension ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Annuler</translation>
     </message>
@@ -4844,6 +4900,10 @@ Pour commencer : %1</translation>
         <translation>connexions</translation>
     </message>
     <message>
+        <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
+        <translation>contact et membrane utilisent la forme du tissu enfoncé et un filtre de Kalman, contact avec l'aire que voit la caméra ; thesis un plan, 0.8/0.2 et un seuil de 2 mm.</translation>
+    </message>
+    <message>
         <source>contrast</source>
         <translation>contraste</translation>
     </message>
@@ -5522,10 +5582,6 @@ Pour commencer : %1</translation>
     <message>
         <source>measured without the invalid sensors</source>
         <translation>mesuré sans les capteurs invalides</translation>
-    </message>
-    <message>
-        <source>membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
-        <translation>membrane utilise la forme du tissu enfoncé et un filtre de Kalman ; thesis un plan, 0.8/0.2 et un seuil de 2 mm.</translation>
     </message>
     <message>
         <source>message</source>
@@ -7542,6 +7598,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: locked by another program for more than {} s; it is open in {}</source>
         <translation>{} : verrouillé par un autre programme depuis plus de {} s ; il est ouvert dans {}</translation>
+    </message>
+    <message>
+        <source>{}: longer than {} MB; expected a table of measurements</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>

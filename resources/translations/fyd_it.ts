@@ -718,6 +718,10 @@
         <translation>Telecamera</translation>
     </message>
     <message>
+        <source>Camera height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Camera panel</source>
         <translation>Pannello della telecamera</translation>
     </message>
@@ -934,6 +938,14 @@
         <translation>Tessuto e robot rispondono (anello chiuso)</translation>
     </message>
     <message>
+        <source>Cloth edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cloth tension ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Commanded, °</source>
         <translation>Comandato, °</translation>
     </message>
@@ -968,6 +980,38 @@
     <message>
         <source>Connection timed out</source>
         <translation>tempo di connessione scaduto</translation>
+    </message>
+    <message>
+        <source>Contact mode: from the camera's lens to the untouched cloth.</source>
+        <translation>Modo contact: dall'obiettivo della telecamera al tessuto non toccato.</translation>
+    </message>
+    <message>
+        <source>Contact mode: held on all four sides, or held by two rollers left and right with front and back free.</source>
+        <translation>Modo contact: tenuto sui quattro lati, o tenuto da due rulli a sinistra e a destra con davanti e dietro liberi.</translation>
+    </message>
+    <message>
+        <source>Contact mode: how uncertain that ratio is, as a part of it.</source>
+        <translation>Modo contact: quanto è incerto questo rapporto, come parte di esso.</translation>
+    </message>
+    <message>
+        <source>Contact mode: how uncertain that share is.</source>
+        <translation>Modo contact: quanto è incerta questa parte.</translation>
+    </message>
+    <message>
+        <source>Contact mode: radius of the disc that the finger looks like from afar, as a share of the contact's: 0.6 for a sphere, 1 for a flat disc.</source>
+        <translation>Modo contact: raggio del disco che il dito sembra da lontano, come parte di quello del contatto: 0.6 per una sfera, 1 per un disco piatto.</translation>
+    </message>
+    <message>
+        <source>Contact mode: the cloth's tension from left to right over that from front to back.</source>
+        <translation>Modo contact: tensione del tessuto da sinistra a destra divisa per quella da davanti a dietro.</translation>
+    </message>
+    <message>
+        <source>Contact mode: what the cloth's formula leaves of each sensor's share, as a part of the indentation.</source>
+        <translation>Modo contact: ciò che la formula del tessuto lascia nella quota di ogni sensore, come parte dell'affondamento.</translation>
+    </message>
+    <message>
+        <source>Contact radius share</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Contents</source>
@@ -2950,8 +2994,8 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>RMS</translation>
     </message>
     <message>
-        <source>Radius of the finger's contact with the cloth.</source>
-        <translation>Raggio del contatto del dito col tessuto.</translation>
+        <source>Radius of the finger's contact with the cloth where no area tells it.</source>
+        <translation>Raggio del contatto del dito con il tessuto quando nessuna area lo dice.</translation>
     </message>
     <message>
         <source>Rate at which the texture step is called and its filters are designed.</source>
@@ -4124,6 +4168,18 @@ Per cominciare: %1</translation>
         <translation>UDP {}: {}: {}</translation>
     </message>
     <message>
+        <source>Uncertainty of the cloth's formula</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the contact radius share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the tension ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Annulla</translation>
     </message>
@@ -4844,6 +4900,10 @@ Per cominciare: %1</translation>
         <translation>connessioni</translation>
     </message>
     <message>
+        <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
+        <translation>contact e membrane usano la forma del tessuto premuto e un filtro di Kalman, contact con l'area che la telecamera vede; thesis un piano, 0.8/0.2 e una soglia di 2 mm.</translation>
+    </message>
+    <message>
         <source>contrast</source>
         <translation>contrasto</translation>
     </message>
@@ -5522,10 +5582,6 @@ Per cominciare: %1</translation>
     <message>
         <source>measured without the invalid sensors</source>
         <translation>misurato senza i sensori non validi</translation>
-    </message>
-    <message>
-        <source>membrane uses the shape of the pushed cloth and a Kalman filter; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
-        <translation>membrane usa la forma del tessuto premuto e un filtro di Kalman; thesis un piano, 0.8/0.2 e una soglia di 2 mm.</translation>
     </message>
     <message>
         <source>message</source>
@@ -7542,6 +7598,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: locked by another program for more than {} s; it is open in {}</source>
         <translation>{}: bloccato da un altro programma da più di {} s; è aperto in {}</translation>
+    </message>
+    <message>
+        <source>{}: longer than {} MB; expected a table of measurements</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>
