@@ -226,18 +226,18 @@ bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing
     out.push_back(press);
   }
   if (out.empty()) {
-    result = refused(std::move(result),
-                     fmt::format("no press is within {:g} mm of a distance sensor that reads: press over each sensor",
-                                 p.cloth_beside_mm),
-                     "calibration.cloth_beside_mm");
+    result = refused(
+        std::move(result),
+        say("no press is within {:g} mm of a distance sensor that reads: press over each sensor", p.cloth_beside_mm),
+        "calibration.cloth_beside_mm");
     return false;
   }
   if (out.size() < s.codes.size()) {
     result.notes.push_back(
-        fmt::format("{} of {} presses are more than {:g} mm beside a sensor (up to {:.1f} mm), or over one that does "
-                    "not read; they "
-                    "tell no depth and were left out",
-                    s.codes.size() - out.size(), s.codes.size(), p.cloth_beside_mm, farthest));
+        say("{} of {} presses are more than {:g} mm beside a sensor (up to {:.1f} mm), or over one that does "
+            "not read; they "
+            "tell no depth and were left out",
+            s.codes.size() - out.size(), s.codes.size(), p.cloth_beside_mm, farthest));
   }
   return true;
 }
@@ -262,28 +262,27 @@ bool enoughPresses(ClothCalibration& out, const std::vector<Press>& presses, std
     const ClothSensor& sensor = out.sensors[i];
     if (sensor.presses == 0) {
       if (!reads[i] && pressed >= 2) {
-        result.notes.push_back(fmt::format("distance sensor {} did not read in any press", i + 1));
+        result.notes.push_back(say("distance sensor {} did not read in any press", i + 1));
         continue;
       }
       result = refused(std::move(result),
-                       fmt::format("no press over distance sensor {}: press over each sensor, at two depths", i + 1));
+                       say("no press over distance sensor {}: press over each sensor, at two depths", i + 1));
       return false;
     }
     if (!(sensor.deepest_mm >= p.cloth_least_depth_mm)) {
       result = refused(std::move(result),
-                       fmt::format("the deepest press over distance sensor {} is {:.2f} mm; expected at least {:g} mm: "
-                                   "press deeper there",
-                                   i + 1, sensor.deepest_mm, p.cloth_least_depth_mm),
+                       say("the deepest press over distance sensor {} is {:.2f} mm; expected at least {:g} mm: "
+                           "press deeper there",
+                           i + 1, sensor.deepest_mm, p.cloth_least_depth_mm),
                        "calibration.cloth_least_depth_mm");
       return false;
     }
     if (!(sensor.shallowest_mm > 0.0) || !(sensor.deepest_mm >= p.cloth_depth_ratio * sensor.shallowest_mm)) {
-      result =
-          refused(std::move(result),
-                  fmt::format("the presses over distance sensor {} are all about equally deep ({:.2f} to {:.2f} mm); "
-                              "expected {:g} times as deep at the deepest: press there at two depths",
-                              i + 1, sensor.shallowest_mm, sensor.deepest_mm, p.cloth_depth_ratio),
-                  "calibration.cloth_depth_ratio");
+      result = refused(std::move(result),
+                       say("the presses over distance sensor {} are all about equally deep ({:.2f} to {:.2f} mm); "
+                           "expected {:g} times as deep at the deepest: press there at two depths",
+                           i + 1, sensor.shallowest_mm, sensor.deepest_mm, p.cloth_depth_ratio),
+                       "calibration.cloth_depth_ratio");
       return false;
     }
   }
@@ -314,23 +313,23 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   ClothCalibration out;
   CalibrationResult& result = out.result;
   result = {.procedure = "cloth",
-            .curve = "membrane: radius share and tension ratio",
+            .curve = say("membrane: radius share and tension ratio"),
             .unit = "mm",
             .points = s.codes.size(),
             .valid_unit = "mm"};
   const std::size_t sensors = std::min(profile.ir_x_mm.size(), profile.ir_y_mm.size());
   if (s.x_mm.size() != s.codes.size() || s.y_mm.size() != s.codes.size() || s.area_mm2.size() != s.codes.size()) {
-    result = refused(std::move(result), "the columns differ in length");
+    result = refused(std::move(result), say("the columns differ in length"));
     return out;
   }
   if (s.codes.size() > kMostPresses) {
     result = refused(std::move(result),
-                     fmt::format("{} presses; at most {}: take the mean of each press", s.codes.size(), kMostPresses));
+                     say("{} presses; at most {}: take the mean of each press", s.codes.size(), kMostPresses));
     return out;
   }
   if (profile.ir_offset_mm.size() < sensors) {
-    result = refused(std::move(result), fmt::format("sensing.ir_offset_mm has {} values for {} sensors: tare first",
-                                                    profile.ir_offset_mm.size(), sensors));
+    result = refused(std::move(result), say("sensing.ir_offset_mm has {} values for {} sensors: tare first",
+                                            profile.ir_offset_mm.size(), sensors));
     return out;
   }
   bool good = checkColumn(result, "x_mm", s.x_mm, -profile.frame_half_width_mm, profile.frame_half_width_mm);
@@ -342,8 +341,8 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   const Fitter fitter(profile, sensors);
   const auto held = fitter.fit(presses, ClothEdges::held), rollers = fitter.fit(presses, ClothEdges::rollers);
   if (!held || !rollers) {
-    result =
-        refused(std::move(result), "too few readings beside the finger: at least two sensors must read in each press");
+    result = refused(std::move(result),
+                     say("too few readings beside the finger: at least two sensors must read in each press"));
     return out;
   }
   struct Errors {
@@ -390,26 +389,24 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   if (!(100.0 * share_part <= share_limit) || !(100.0 * ratio_part <= ratio_limit)) {
     result = refused(
         std::move(result),
-        fmt::format(
-            "the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected "
+        say("the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected "
             "at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper",
             share, 100.0 * share_part, ratio, 100.0 * ratio_part, share_limit, ratio_limit),
         "calibration.cloth_share_percent");
     return out;
   }
   if (!(result.held_out_rmse <= p.cloth_held_out_mm)) {
-    result =
-        refused(std::move(result),
-                fmt::format("held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over "
-                            "the middle of each sensor",
-                            result.held_out_rmse, p.cloth_held_out_mm),
-                "calibration.cloth_held_out_mm");
+    result = refused(std::move(result),
+                     say("held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over "
+                         "the middle of each sensor",
+                         result.held_out_rmse, p.cloth_held_out_mm),
+                     "calibration.cloth_held_out_mm");
     return out;
   }
   if (out.other_edges_rmse < kClearlyBetter * result.rmse) {
     result.notes.push_back(
-        fmt::format("held and free edges fit nearly alike (error {:.2f} and {:.2f} mm): the edges are not proven",
-                    result.rmse, out.other_edges_rmse));
+        say("held and free edges fit nearly alike (error {:.2f} and {:.2f} mm): the edges are not proven", result.rmse,
+            out.other_edges_rmse));
   }
   out.share_sigma =
       std::max(free ? kLeastFreeShareSigma : kLeastShareSigma, kElsewhere * rootMeanSquare(errors.relative));
@@ -424,17 +421,17 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
        fmt::format("{:.6g}", std::hypot(ratio_part, free ? kLeastFreeRatioLogSigma : kLeastRatioLogSigma))},
       {"sensing.cloth_share_sigma", fmt::format("{:.6g}", std::min(out.share_sigma, 0.5))}};
   result.verdict = {
-      true,
-      free ? fmt::format(
-                 "held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
-                 "{:.2f}; front and back edges are free: this cloth cannot be known better from such presses "
-                 "(about 0.6 mm and 20 % of stiffness)",
-                 result.held_out_rmse, p.cloth_held_out_mm, share, share * share_part, ratio, ratio * ratio_part)
-           : fmt::format(
-                 "held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
-                 "{:.2f}; all edges are held",
-                 result.held_out_rmse, p.cloth_held_out_mm, share, share * share_part, ratio, ratio * ratio_part),
-      "calibration.cloth_held_out_mm"};
+      .accepted = true,
+      .reason =
+          free
+              ? say("held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
+                    "{:.2f}; front and back edges are free: this cloth cannot be known better from such presses "
+                    "(about 0.6 mm and 20 % of stiffness)",
+                    result.held_out_rmse, p.cloth_held_out_mm, share, share * share_part, ratio, ratio * ratio_part)
+              : say("held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
+                    "{:.2f}; all edges are held",
+                    result.held_out_rmse, p.cloth_held_out_mm, share, share * share_part, ratio, ratio * ratio_part),
+      .threshold = "calibration.cloth_held_out_mm"};
   return out;
 }
 

@@ -149,12 +149,12 @@ std::vector<MonotonePoint> poolViolators(std::vector<MonotonePoint> points) {
 }
 
 void sayIndentationUnproven(CalibrationResult& result) {
-  constexpr std::string_view kUnproven =
-      "the indentation was never proven on this cloth (fyd calibrate cloth): an indentation from the distance sensors "
-      "can be "
-      "wrong by 15 % and more, and the stiffness with it";
-  result.notes.emplace_back(kUnproven);
-  if (result.verdict.accepted) result.verdict.reason += fmt::format("; WARNING: {}", kUnproven);
+  const Message unproven =
+      say("the indentation was never proven on this cloth (fyd calibrate cloth): an indentation from the distance "
+          "sensors can be wrong by 15 % and more, and the stiffness with it");
+  result.notes.push_back(unproven);
+  if (result.verdict.accepted)
+    result.verdict.reason = say("{}; WARNING: {}", std::move(result.verdict.reason), unproven);
 }
 
 StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationParameters& p) {

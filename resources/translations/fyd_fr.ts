@@ -719,7 +719,7 @@
     </message>
     <message>
         <source>Camera height</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur de la caméra</translation>
     </message>
     <message>
         <source>Camera panel</source>
@@ -939,11 +939,11 @@
     </message>
     <message>
         <source>Cloth edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Bords du tissu</translation>
     </message>
     <message>
         <source>Cloth tension ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapport de tension du tissu</translation>
     </message>
     <message>
         <source>Commanded, °</source>
@@ -1011,7 +1011,7 @@
     </message>
     <message>
         <source>Contact radius share</source>
-        <translation type="unfinished"></translation>
+        <translation>Part du rayon de contact</translation>
     </message>
     <message>
         <source>Contents</source>
@@ -1031,7 +1031,7 @@
     </message>
     <message>
         <source>Correction limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite de correction</translation>
     </message>
     <message>
         <source>Crossfade</source>
@@ -2033,7 +2033,7 @@ Robot : %2
     </message>
     <message>
         <source>Largest relative correction of the law; a measurement that asks for more contradicts it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus grande correction relative de la loi ; une mesure qui demande davantage la contredit.</translation>
     </message>
     <message>
         <source>Last answer</source>
@@ -2049,7 +2049,7 @@ Robot : %2
     </message>
     <message>
         <source>Lasting measurement error</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur de mesure durable</translation>
     </message>
     <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
@@ -3141,7 +3141,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erreur relative de la raideur mesurée qui peut durer ; la boucle ne corrige que ce qui la dépasse.</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -3797,7 +3797,7 @@ N/mm</translation>
     </message>
     <message>
         <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le tissu mesure {:.2f} fois la raideur de sa loi : la loi commande seule. Vérifiez lumière, capteurs et étalonnage.</translation>
     </message>
     <message>
         <source>The current values (B) are felt.</source>
@@ -4169,15 +4169,15 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Uncertainty of the cloth's formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertitude de la formule du tissu</translation>
     </message>
     <message>
         <source>Uncertainty of the contact radius share</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertitude de la part du rayon de contact</translation>
     </message>
     <message>
         <source>Uncertainty of the tension ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertitude du rapport de tension</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -4813,47 +4813,47 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>cloth table: "{}" where "{}" was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : "{}" où "{}" était attendu</translation>
     </message>
     <message>
         <source>cloth table: does not begin with "fyd-cloth 1"</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : ne commence pas par "fyd-cloth 1"</translation>
     </message>
     <message>
         <source>cloth table: ends before "{}"</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : finit avant "{}"</translation>
     </message>
     <message>
         <source>cloth table: expected two half sides, one distance and two reference stiffnesses, all above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : attendu deux demi-côtés, une distance et deux raideurs de référence, tous supérieurs à 0</translation>
     </message>
     <message>
         <source>cloth table: no line "finger"</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : pas de ligne "finger"</translation>
     </message>
     <message>
         <source>cloth table: shape: expected one number, 3 … {}</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : shape : attendu un nombre, 3 … {}</translation>
     </message>
     <message>
         <source>cloth table: x from 0, depth above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : x à partir de 0, profondeur supérieure à 0</translation>
     </message>
     <message>
         <source>cloth table: {} holds something that is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : {} contient quelque chose qui n'est pas un nombre</translation>
     </message>
     <message>
         <source>cloth table: {} holds {}, expected finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : {} contient {}, attendu des nombres finis</translation>
     </message>
     <message>
         <source>cloth table: {}: expected 2 … {} rising numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : {} : attendu 2 … {} nombres croissants</translation>
     </message>
     <message>
         <source>cloth table: {}: {} of {} numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>table du tissu : {} : {} nombres sur {}</translation>
     </message>
     <message>
         <source>command</source>
@@ -4901,7 +4901,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
-        <translation>contact et membrane utilisent la forme du tissu enfoncé et un filtre de Kalman, contact avec l'aire que voit la caméra ; thesis un plan, 0.8/0.2 et un seuil de 2 mm.</translation>
+        <translation>contact et membrane utilisent la forme du tissu pressé et un filtre de Kalman, contact avec l'aire que voit la caméra ; thesis un plan, 0.8/0.2 et un seuil de 2 mm.</translation>
     </message>
     <message>
         <source>contrast</source>
@@ -5014,6 +5014,10 @@ Pour commencer : %1</translation>
     <message>
         <source>distance sensor {}</source>
         <translation>capteur de distance {}</translation>
+    </message>
+    <message>
+        <source>distance sensor {} did not read in any press</source>
+        <translation>le capteur de distance {} n'a rien lu dans aucun appui</translation>
     </message>
     <message>
         <source>distance sensor {} reads {:.0f} counts, outside its span: look whether something stands before it</source>
@@ -5356,8 +5360,24 @@ Pour commencer : %1</translation>
         <translation>hauteur</translation>
     </message>
     <message>
+        <source>held and free edges fit nearly alike (error {:.2f} and {:.2f} mm): the edges are not proven</source>
+        <translation>bords tenus et bords libres conviennent presque autant (erreur {:.2f} et {:.2f} mm) : les bords ne sont pas prouvés</translation>
+    </message>
+    <message>
         <source>held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle</source>
         <translation>erreur de vérification {:.2f}° ; attendu au plus {:g} : balayer plus lentement, et attendre à chaque angle</translation>
+    </message>
+    <message>
+        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
+        <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; tous les bords sont tenus</translation>
+    </message>
+    <message>
+        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.6 mm and 20 % of stiffness)</source>
+        <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; les bords avant et arrière sont libres : de tels appuis ne peuvent faire mieux connaître ce tissu (environ 0,6 mm et 20 % de raideur)</translation>
+    </message>
+    <message>
+        <source>held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
+        <translation>erreur sur les points exclus {:.2f} mm ; attendu au plus {:g} mm : faites la tare et appuyez bien droit au-dessus du milieu de chaque capteur</translation>
     </message>
     <message>
         <source>held-out error {:.2f} mm; expected at most {:g} mm: {}</source>
@@ -5584,6 +5604,10 @@ Pour commencer : %1</translation>
         <translation>mesuré sans les capteurs invalides</translation>
     </message>
     <message>
+        <source>membrane: radius share and tension ratio</source>
+        <translation>membrane : part du rayon et rapport de tension</translation>
+    </message>
+    <message>
         <source>message</source>
         <translation>message</translation>
     </message>
@@ -5774,6 +5798,14 @@ Pour commencer : %1</translation>
     <message>
         <source>no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: press deeper there</source>
         <translation>aucune pression à {:.3g}° ne dépasse {:.3g} mm ; il faut au moins {:g} mm : y presser plus</translation>
+    </message>
+    <message>
+        <source>no press is within {:g} mm of a distance sensor that reads: press over each sensor</source>
+        <translation>aucun appui n'est à moins de {:g} mm d'un capteur de distance qui lit : appuyez au-dessus de chaque capteur</translation>
+    </message>
+    <message>
+        <source>no press over distance sensor {}: press over each sensor, at two depths</source>
+        <translation>aucun appui au-dessus du capteur de distance {} : appuyez au-dessus de chaque capteur, à deux profondeurs</translation>
     </message>
     <message>
         <source>no problem</source>
@@ -6272,6 +6304,10 @@ Pour commencer : %1</translation>
         <translation>envoyer les informations et pause</translation>
     </message>
     <message>
+        <source>sensing.ir_offset_mm has {} values for {} sensors: tare first</source>
+        <translation>sensing.ir_offset_mm a {} valeurs pour {} capteurs : faites d'abord la tare</translation>
+    </message>
+    <message>
         <source>sensor {} with {} codes and {} distances; expected 1 to {} and as many of each</source>
         <translation>capteur {} avec {} codes et {} distances ; attendu 1 à {} et autant de chaque</translation>
     </message>
@@ -6528,8 +6564,16 @@ Pour commencer : %1</translation>
         <translation>le tissu a été touché</translation>
     </message>
     <message>
+        <source>the columns differ in length</source>
+        <translation>les colonnes n'ont pas la même longueur</translation>
+    </message>
+    <message>
         <source>the commits that were there have gone</source>
         <translation>les validations qui y étaient ont disparu</translation>
+    </message>
+    <message>
+        <source>the deepest press over distance sensor {} is {:.2f} mm; expected at least {:g} mm: press deeper there</source>
+        <translation>l'appui le plus profond au-dessus du capteur de distance {} est de {:.2f} mm ; attendu au moins {:g} mm : appuyez-y plus profond</translation>
     </message>
     <message>
         <source>the disk has less than {:.0f} MB left: recording stopped</source>
@@ -6562,6 +6606,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the haptic loop stood still for more than 20 ms</source>
         <translation>la boucle haptique s'est arrêtée plus de 20 ms</translation>
+    </message>
+    <message>
+        <source>the indentation was never proven on this cloth (fyd calibrate cloth): an indentation from the distance sensors can be wrong by 15 % and more, and the stiffness with it</source>
+        <translation>l'indentation n'a jamais été prouvée sur ce tissu (fyd calibrate cloth) : une indentation tirée des capteurs de distance peut être fausse de 15 % et plus, et la raideur avec elle</translation>
     </message>
     <message>
         <source>the inverse form finds no curve through these points</source>
@@ -6626,6 +6674,14 @@ Pour commencer : %1</translation>
     <message>
         <source>the points lie on one line in the picture: add points off that line, at the corners of the cloth</source>
         <translation>les points sont sur une droite dans l'image : ajouter des points hors de cette droite, aux coins du tissu</translation>
+    </message>
+    <message>
+        <source>the presses over distance sensor {} are all about equally deep ({:.2f} to {:.2f} mm); expected {:g} times as deep at the deepest: press there at two depths</source>
+        <translation>les appuis au-dessus du capteur de distance {} sont tous à peu près également profonds ({:.2f} à {:.2f} mm) ; attendu le plus profond {:g} fois autant : appuyez-y à deux profondeurs</translation>
+    </message>
+    <message>
+        <source>the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper</source>
+        <translation>la part du rayon {:.2f} n'est connue qu'à {:.0f} % et le rapport de tension {:.2f} à {:.0f} % ; attendu au plus {:g} % et {:g} % : tenez chaque appui plus longtemps, pour que sa moyenne ait moins de bruit, et appuyez plus profond</translation>
     </message>
     <message>
         <source>the reading drifts by {:.3f} N over the measurement: let the bridge warm up</source>
@@ -6810,6 +6866,10 @@ Pour commencer : %1</translation>
     <message>
         <source>too few distance sensors read within their span</source>
         <translation>trop peu de capteurs de distance lisent dans leur plage</translation>
+    </message>
+    <message>
+        <source>too few readings beside the finger: at least two sensors must read in each press</source>
+        <translation>trop peu de lectures à côté du doigt : au moins deux capteurs doivent lire à chaque appui</translation>
     </message>
     <message>
         <source>too few readings in time</source>
@@ -7220,6 +7280,10 @@ Pour commencer : %1</translation>
         <translation>{} vaut maintenant {}.</translation>
     </message>
     <message>
+        <source>{} of {} presses are more than {:g} mm beside a sensor (up to {:.1f} mm), or over one that does not read; they tell no depth and were left out</source>
+        <translation>{} appuis sur {} sont à plus de {:g} mm d'un capteur (jusqu'à {:.1f} mm), ou au-dessus d'un qui ne lit pas ; ils ne disent aucune profondeur et ont été laissés de côté</translation>
+    </message>
+    <message>
         <source>{} points at {:.3g} deg; expected at least {}: press there again, to different depths</source>
         <translation>{} points à {:.3g}° ; il en faut au moins {} : presser encore là, à des profondeurs différentes</translation>
     </message>
@@ -7234,6 +7298,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{} points; at most {}: take fewer, or means</source>
         <translation>{} points ; au plus {} : en prendre moins, ou des moyennes</translation>
+    </message>
+    <message>
+        <source>{} presses; at most {}: take the mean of each press</source>
+        <translation>{} appuis ; au plus {} : prenez la moyenne de chaque appui</translation>
     </message>
     <message>
         <source>{} repetitions: expected 1 … {}</source>
@@ -7321,7 +7389,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: a column without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : une colonne sans nom</translation>
     </message>
     <message>
         <source>{}: a header but no rows</source>
@@ -7441,11 +7509,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: column {} is not of this format's type</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : la colonne {} n'est pas du type de ce format</translation>
     </message>
     <message>
         <source>{}: does not count the tables' rows</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : ne compte pas les lignes des tables</translation>
     </message>
     <message>
         <source>{}: does not open: {}</source>
@@ -7517,7 +7585,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: has no checksums</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : n'a pas de sommes de contrôle</translation>
     </message>
     <message>
         <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
@@ -7601,7 +7669,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: longer than {} MB; expected a table of measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : plus long que {} Mo ; attendu une table de mesures</translation>
     </message>
     <message>
         <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>
@@ -7765,7 +7833,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: row {} has a list that counts more than it can hold</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : la ligne {} a une liste qui compte plus qu'elle ne peut contenir</translation>
     </message>
     <message>
         <source>{}: row {} of {}</source>
@@ -7785,7 +7853,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: rows of {} bytes; this program's have {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : lignes de {} octets ; celles de ce programme en ont {}</translation>
     </message>
     <message>
         <source>{}: rows {} to {} are damaged: CRC32C {:08x}, committed as {:08x}</source>
@@ -8126,6 +8194,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
         <translation>{}:{} : {} parmi x_mm, y_mm, z_mm sont NaN ; tous les trois veulent dire un doigt levé, sinon aucun ne peut l'être</translation>
+    </message>
+    <message>
+        <source>{}; WARNING: {}</source>
+        <translation>{} ; ATTENTION : {}</translation>
     </message>
     <message>
         <source>{}; make what can be proven whole with: fyd session recover</source>

@@ -719,7 +719,7 @@
     </message>
     <message>
         <source>Camera height</source>
-        <translation type="unfinished"></translation>
+        <translation>Altezza della telecamera</translation>
     </message>
     <message>
         <source>Camera panel</source>
@@ -939,11 +939,11 @@
     </message>
     <message>
         <source>Cloth edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Bordi del tessuto</translation>
     </message>
     <message>
         <source>Cloth tension ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapporto di tensione del tessuto</translation>
     </message>
     <message>
         <source>Commanded, °</source>
@@ -1011,7 +1011,7 @@
     </message>
     <message>
         <source>Contact radius share</source>
-        <translation type="unfinished"></translation>
+        <translation>Quota del raggio di contatto</translation>
     </message>
     <message>
         <source>Contents</source>
@@ -1031,7 +1031,7 @@
     </message>
     <message>
         <source>Correction limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite di correzione</translation>
     </message>
     <message>
         <source>Crossfade</source>
@@ -2033,7 +2033,7 @@ Robot: %2
     </message>
     <message>
         <source>Largest relative correction of the law; a measurement that asks for more contradicts it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Correzione relativa più grande della legge; una misura che chiede di più la contraddice.</translation>
     </message>
     <message>
         <source>Last answer</source>
@@ -2049,7 +2049,7 @@ Robot: %2
     </message>
     <message>
         <source>Lasting measurement error</source>
-        <translation type="unfinished"></translation>
+        <translation>Errore di misura duraturo</translation>
     </message>
     <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
@@ -3141,7 +3141,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Errore relativo della rigidezza misurata che può durare; l'anello corregge solo ciò che lo supera.</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -3797,7 +3797,7 @@ N/mm</translation>
     </message>
     <message>
         <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il tessuto misura {:.2f} volte la rigidezza della sua legge: guida solo la legge. Controllare luce, sensori e calibrazione.</translation>
     </message>
     <message>
         <source>The current values (B) are felt.</source>
@@ -4169,15 +4169,15 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Uncertainty of the cloth's formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezza della formula del tessuto</translation>
     </message>
     <message>
         <source>Uncertainty of the contact radius share</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezza della quota del raggio di contatto</translation>
     </message>
     <message>
         <source>Uncertainty of the tension ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezza del rapporto di tensione</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -4813,47 +4813,47 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>cloth table: "{}" where "{}" was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: "{}" dove era atteso "{}"</translation>
     </message>
     <message>
         <source>cloth table: does not begin with "fyd-cloth 1"</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: non comincia con "fyd-cloth 1"</translation>
     </message>
     <message>
         <source>cloth table: ends before "{}"</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: finisce prima di "{}"</translation>
     </message>
     <message>
         <source>cloth table: expected two half sides, one distance and two reference stiffnesses, all above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: attesi due semilati, una distanza e due rigidezze di riferimento, tutti maggiori di 0</translation>
     </message>
     <message>
         <source>cloth table: no line "finger"</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: nessuna riga "finger"</translation>
     </message>
     <message>
         <source>cloth table: shape: expected one number, 3 … {}</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: shape: atteso un numero, 3 … {}</translation>
     </message>
     <message>
         <source>cloth table: x from 0, depth above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: x da 0, profondità maggiore di 0</translation>
     </message>
     <message>
         <source>cloth table: {} holds something that is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: {} contiene qualcosa che non è un numero</translation>
     </message>
     <message>
         <source>cloth table: {} holds {}, expected finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: {} contiene {}, attesi numeri finiti</translation>
     </message>
     <message>
         <source>cloth table: {}: expected 2 … {} rising numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: {}: attesi 2 … {} numeri crescenti</translation>
     </message>
     <message>
         <source>cloth table: {}: {} of {} numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>tabella del tessuto: {}: {} di {} numeri</translation>
     </message>
     <message>
         <source>command</source>
@@ -5014,6 +5014,10 @@ Per cominciare: %1</translation>
     <message>
         <source>distance sensor {}</source>
         <translation>sensore di distanza {}</translation>
+    </message>
+    <message>
+        <source>distance sensor {} did not read in any press</source>
+        <translation>il sensore di distanza {} non ha letto in nessuna pressione</translation>
     </message>
     <message>
         <source>distance sensor {} reads {:.0f} counts, outside its span: look whether something stands before it</source>
@@ -5356,8 +5360,24 @@ Per cominciare: %1</translation>
         <translation>altezza</translation>
     </message>
     <message>
+        <source>held and free edges fit nearly alike (error {:.2f} and {:.2f} mm): the edges are not proven</source>
+        <translation>bordi tenuti e bordi liberi si adattano quasi ugualmente (errore {:.2f} e {:.2f} mm): i bordi non sono provati</translation>
+    </message>
+    <message>
         <source>held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle</source>
         <translation>errore di verifica {:.2f} deg; atteso al più {:g}: muovere più piano, e attendere a ogni angolo</translation>
+    </message>
+    <message>
+        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
+        <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; tutti i bordi sono tenuti</translation>
+    </message>
+    <message>
+        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.6 mm and 20 % of stiffness)</source>
+        <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; i bordi davanti e dietro sono liberi: da tali pressioni questo tessuto non si può conoscere meglio (circa 0,6 mm e 20 % di rigidezza)</translation>
+    </message>
+    <message>
+        <source>held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
+        <translation>errore sui punti esclusi {:.2f} mm; atteso al massimo {:g} mm: fare la tara e premere dritto sopra il centro di ogni sensore</translation>
     </message>
     <message>
         <source>held-out error {:.2f} mm; expected at most {:g} mm: {}</source>
@@ -5584,6 +5604,10 @@ Per cominciare: %1</translation>
         <translation>misurato senza i sensori non validi</translation>
     </message>
     <message>
+        <source>membrane: radius share and tension ratio</source>
+        <translation>membrana: quota del raggio e rapporto di tensione</translation>
+    </message>
+    <message>
         <source>message</source>
         <translation>messaggio</translation>
     </message>
@@ -5774,6 +5798,14 @@ Per cominciare: %1</translation>
     <message>
         <source>no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: press deeper there</source>
         <translation>nessuna pressione a {:.3g} gradi supera {:.3g} mm; servono almeno {:g} mm: premere di più lì</translation>
+    </message>
+    <message>
+        <source>no press is within {:g} mm of a distance sensor that reads: press over each sensor</source>
+        <translation>nessuna pressione è entro {:g} mm da un sensore di distanza che legge: premere sopra ogni sensore</translation>
+    </message>
+    <message>
+        <source>no press over distance sensor {}: press over each sensor, at two depths</source>
+        <translation>nessuna pressione sopra il sensore di distanza {}: premere sopra ogni sensore, a due profondità</translation>
     </message>
     <message>
         <source>no problem</source>
@@ -6272,6 +6304,10 @@ Per cominciare: %1</translation>
         <translation>inviare informazioni e pausa</translation>
     </message>
     <message>
+        <source>sensing.ir_offset_mm has {} values for {} sensors: tare first</source>
+        <translation>sensing.ir_offset_mm ha {} valori per {} sensori: fare prima la tara</translation>
+    </message>
+    <message>
         <source>sensor {} with {} codes and {} distances; expected 1 to {} and as many of each</source>
         <translation>sensore {} con {} codici e {} distanze; atteso da 1 a {} e altrettanti gli uni e le altre</translation>
     </message>
@@ -6528,8 +6564,16 @@ Per cominciare: %1</translation>
         <translation>il tessuto è stato toccato</translation>
     </message>
     <message>
+        <source>the columns differ in length</source>
+        <translation>le colonne hanno lunghezze diverse</translation>
+    </message>
+    <message>
         <source>the commits that were there have gone</source>
         <translation>le conferme che c'erano sono sparite</translation>
+    </message>
+    <message>
+        <source>the deepest press over distance sensor {} is {:.2f} mm; expected at least {:g} mm: press deeper there</source>
+        <translation>la pressione più profonda sopra il sensore di distanza {} è {:.2f} mm; attesi almeno {:g} mm: premere lì più a fondo</translation>
     </message>
     <message>
         <source>the disk has less than {:.0f} MB left: recording stopped</source>
@@ -6562,6 +6606,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the haptic loop stood still for more than 20 ms</source>
         <translation>il ciclo aptico è rimasto fermo più di 20 ms</translation>
+    </message>
+    <message>
+        <source>the indentation was never proven on this cloth (fyd calibrate cloth): an indentation from the distance sensors can be wrong by 15 % and more, and the stiffness with it</source>
+        <translation>l'indentazione non è mai stata provata su questo tessuto (fyd calibrate cloth): un'indentazione dai sensori di distanza può essere sbagliata del 15 % e più, e con essa la rigidezza</translation>
     </message>
     <message>
         <source>the inverse form finds no curve through these points</source>
@@ -6626,6 +6674,14 @@ Per cominciare: %1</translation>
     <message>
         <source>the points lie on one line in the picture: add points off that line, at the corners of the cloth</source>
         <translation>i punti stanno su una retta nell'immagine: aggiungere punti fuori da quella retta, agli angoli del tessuto</translation>
+    </message>
+    <message>
+        <source>the presses over distance sensor {} are all about equally deep ({:.2f} to {:.2f} mm); expected {:g} times as deep at the deepest: press there at two depths</source>
+        <translation>le pressioni sopra il sensore di distanza {} sono tutte circa ugualmente profonde (da {:.2f} a {:.2f} mm); attesa la più profonda {:g} volte tanto: premere lì a due profondità</translation>
+    </message>
+    <message>
+        <source>the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper</source>
+        <translation>la quota del raggio {:.2f} è nota solo al {:.0f} % e il rapporto di tensione {:.2f} al {:.0f} %; atteso al massimo {:g} % e {:g} %: tenere più a lungo ogni pressione, perché la sua media abbia meno rumore, e premere più a fondo</translation>
     </message>
     <message>
         <source>the reading drifts by {:.3f} N over the measurement: let the bridge warm up</source>
@@ -6810,6 +6866,10 @@ Per cominciare: %1</translation>
     <message>
         <source>too few distance sensors read within their span</source>
         <translation>troppo pochi sensori di distanza leggono nel loro campo</translation>
+    </message>
+    <message>
+        <source>too few readings beside the finger: at least two sensors must read in each press</source>
+        <translation>troppo poche letture accanto al dito: almeno due sensori devono leggere in ogni pressione</translation>
     </message>
     <message>
         <source>too few readings in time</source>
@@ -7220,6 +7280,10 @@ Per cominciare: %1</translation>
         <translation>{} vale ora {}.</translation>
     </message>
     <message>
+        <source>{} of {} presses are more than {:g} mm beside a sensor (up to {:.1f} mm), or over one that does not read; they tell no depth and were left out</source>
+        <translation>{} di {} pressioni sono a più di {:g} mm da un sensore (fino a {:.1f} mm), o sopra uno che non legge; non dicono la profondità e sono state tralasciate</translation>
+    </message>
+    <message>
         <source>{} points at {:.3g} deg; expected at least {}: press there again, to different depths</source>
         <translation>{} punti a {:.3g} gradi; ne servono almeno {}: premere ancora lì, a profondità diverse</translation>
     </message>
@@ -7234,6 +7298,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{} points; at most {}: take fewer, or means</source>
         <translation>{} punti; al più {}: prenderne meno, o medie</translation>
+    </message>
+    <message>
+        <source>{} presses; at most {}: take the mean of each press</source>
+        <translation>{} pressioni; al massimo {}: prendere la media di ogni pressione</translation>
     </message>
     <message>
         <source>{} repetitions: expected 1 … {}</source>
@@ -7321,7 +7389,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: a column without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: una colonna senza nome</translation>
     </message>
     <message>
         <source>{}: a header but no rows</source>
@@ -7441,11 +7509,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: column {} is not of this format's type</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: la colonna {} non è del tipo di questo formato</translation>
     </message>
     <message>
         <source>{}: does not count the tables' rows</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: non conta le righe delle tabelle</translation>
     </message>
     <message>
         <source>{}: does not open: {}</source>
@@ -7517,7 +7585,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: has no checksums</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: non ha somme di controllo</translation>
     </message>
     <message>
         <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
@@ -7601,7 +7669,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: longer than {} MB; expected a table of measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: più lungo di {} MB; attesa una tabella di misure</translation>
     </message>
     <message>
         <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>
@@ -7765,7 +7833,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: row {} has a list that counts more than it can hold</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: la riga {} ha un elenco che conta più di quanto può contenere</translation>
     </message>
     <message>
         <source>{}: row {} of {}</source>
@@ -7785,7 +7853,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: rows of {} bytes; this program's have {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: righe di {} byte; quelle di questo programma ne hanno {}</translation>
     </message>
     <message>
         <source>{}: rows {} to {} are damaged: CRC32C {:08x}, committed as {:08x}</source>
@@ -8126,6 +8194,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
         <translation>{}:{}: {} di x_mm, y_mm, z_mm sono NaN; tutti e tre significano un dito sollevato, altrimenti nessuno può esserlo</translation>
+    </message>
+    <message>
+        <source>{}; WARNING: {}</source>
+        <translation>{}; ATTENZIONE: {}</translation>
     </message>
     <message>
         <source>{}; make what can be proven whole with: fyd session recover</source>
