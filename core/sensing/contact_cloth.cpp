@@ -55,7 +55,8 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
     const MembraneShare here = press.share(positions_[i].x_mm, positions_[i].y_mm);
     const double there = other.share(positions_[i].x_mm, positions_[i].y_mm).value;
     shares_[i] = {.value = here.value,
-                  .by_radius = here.per_log_radius * sigma,
+                  // Where the finger nearly fills the cloth the slope has no end; a share is at most 1.
+                  .by_radius = std::clamp(here.per_log_radius * sigma, -1.0, 1.0),
                   .by_ratio = there - here.value,
                   .own = share_sigma_ + (kLeastOwn - share_sigma_) * here.value};
   }
