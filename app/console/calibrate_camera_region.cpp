@@ -5,7 +5,6 @@
 
 #include "app/console/calibrate_step.h"
 #include "core/calibration/threshold_suggestion.h"
-#include "widgets/core_text.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {

@@ -5,6 +5,7 @@
 #include "app/console/calibrate_step.h"
 #include "core/calibration/camera_calibration.h"
 #include "core/sim/picture.h"
+#include "widgets/core_text.h"
 
 namespace fyd::console {
 namespace {
@@ -66,7 +67,7 @@ class CameraScaleStep : public CalibrationStep {
     CalibrationFit out{.result = found.result, .plot = {}, .legend = {}, .missing = {}};
     const std::string& threshold = found.result.verdict.threshold;
     if (!found.result.verdict.accepted && threshold != "calibration.camera_held_out_mm") {
-      out.missing = QString::fromStdString(found.result.verdict.reason);
+      out.missing = widgets::coreText(found.result.verdict.reason);
     }
     out.legend = tr("The target from above. Below, how far each mark is off. Crosses: points the others contradict.");
     out.plot = {.x_title = tr("x, mm"), .y_title = tr("y, mm"), .residual_title = tr("Error, mm")};

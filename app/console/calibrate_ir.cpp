@@ -43,7 +43,7 @@ class IrStep : public CalibrationStep {
     return {{tr("Reading"), tr("counts"), 1, kMoving_counts}};
   }
   Result<std::vector<double>> read(const CalibrationScene& scene) const override {
-    const auto value = liveValue(scene.devices, fmt::format("IR sensor {}", sensor_ + 1));
+    const auto value = liveValue(scene.devices, say("IR sensor {}", sensor_ + 1));
     if (!value) return tl::unexpected(value.error());
     return std::vector{*value};
   }

@@ -16,24 +16,7 @@ namespace {
 
 constexpr double kReferenceDepth_mm = 3.0;
 
-struct Tabulated {
-  ClothKind cloth;
-  FingerShape finger;
-  double radius_mm;
-  std::string_view name;
-};
-
-// By cloth and finger, radius rising.
-constexpr Tabulated kTabulated[] = {
-    {ClothKind::membrane, FingerShape::sphere, 6.0, "frame_sphere6"},
-    {ClothKind::membrane, FingerShape::sphere, 8.0, "frame_sphere8"},
-    {ClothKind::membrane, FingerShape::sphere, 12.0, "frame_sphere12"},
-    {ClothKind::membrane, FingerShape::capsule, 8.0, "frame_capsule8"},
-    {ClothKind::membrane, FingerShape::disc, 7.0, "frame_disc7"},
-    {ClothKind::rollers, FingerShape::sphere, 8.0, "rollers_sphere8"},
-    {ClothKind::rollers, FingerShape::capsule, 8.0, "rollers_capsule8"},
-    {ClothKind::rollers, FingerShape::disc, 7.0, "rollers_disc7"},
-};
+constexpr std::string_view kMembrane = "frame_sphere8";
 
 std::shared_ptr<const ClothTable> tableOf(std::string_view name) {
   static std::mutex mutex;
@@ -41,8 +24,6 @@ std::shared_ptr<const ClothTable> tableOf(std::string_view name) {
   const std::scoped_lock lock(mutex);
   std::shared_ptr<const ClothTable>& table = read[name];
   if (!table) {
-    if (clothTableText(name).empty())
-      throw std::runtime_error(fmt::format("cloth {}: no such table is built in", name));
     auto parsed = ClothTable::parse(clothTableText(name));
     if (!parsed) throw std::runtime_error(fmt::format("cloth {}: {}", name, parsed.error().text()));
     table = std::make_shared<const ClothTable>(std::move(*parsed));
@@ -61,30 +42,12 @@ Cloth::Cloth(const SimParameters& parameters)
     ideal_ = std::make_shared<const IdealShape>();
     return;
   }
-  const Tabulated* below = nullptr;
-  const Tabulated* above = nullptr;
-  for (const Tabulated& each : kTabulated) {
-    if (each.cloth != kind_ || each.finger != parameters.finger) continue;
-    if (below == nullptr || each.radius_mm <= parameters.finger_radius_mm) below = &each;
-    if (above == nullptr || above->radius_mm < parameters.finger_radius_mm) above = &each;
-  }
-  const double apart = above->radius_mm - below->radius_mm;
-  const double share =
-      apart > 0.0 ? std::clamp((parameters.finger_radius_mm - below->radius_mm) / apart, 0.0, 1.0) : 0.0;
-  if (share < 1.0) parts_.push_back({tableOf(below->name), 1.0 - share});
-  if (share > 0.0) parts_.push_back({tableOf(above->name), share});
+  table_ = tableOf(kMembrane);
 }
 
 Pressing Cloth::atRest(double angle_deg, double x_mm, double y_mm, double depth_mm) const {
-  Pressing out;
-  const double reference = fabricStiffness(angle_deg);
-  for (const Part& part : parts_) {
-    const Pressing one = part.table->press(x_mm, y_mm, depth_mm, reference);
-    out.force_N += part.weight * scale_ * one.force_N;
-    out.area_mm2 += part.weight * one.area_mm2;
-    out.centre_x_mm += part.weight * one.centre_x_mm;
-    out.centre_y_mm += part.weight * one.centre_y_mm;
-  }
+  Pressing out = table_->press(x_mm, y_mm, depth_mm, fabricStiffness(angle_deg));
+  out.force_N *= scale_;
   return out;
 }
 
@@ -118,11 +81,7 @@ double Cloth::deflection_mm(double x_mm, double y_mm, const FingerState& finger)
   if (finger.lifted) return 0.0;
   const double depth_mm = finger.indentation_mm;
   if (kind_ == ClothKind::ideal) return depth_mm * ideal_->at(x_mm, y_mm, finger.x_mm, finger.y_mm);
-  double share = 0.0;
-  for (const Part& part : parts_) {
-    share += part.weight * part.table->shape(x_mm, y_mm, finger.x_mm, finger.y_mm, depth_mm);
-  }
-  return depth_mm * share;
+  return depth_mm * table_->shape(x_mm, y_mm, finger.x_mm, finger.y_mm, depth_mm);
 }
 
 }  // namespace fyd::sim

@@ -2,15 +2,14 @@
 //
 //   ideal      F = k(θ)·s·δ (fabric.h); the shape is that of the estimator (core/sensing/membrane.h): what is measured
 //              on it tests the program against its own formula. The camera sees fabric.h's spot
-//   membrane,  F, contact and shape from a finite-strain solution (cloth_table.h), scaled by s. A stretch angle θ gives
-//   rollers    the pre-stretch at which a sphere of 8 mm, 3 mm deep in the middle, meets the thesis' k(θ)
+//   membrane   F, contact and shape from a finite-strain solution (cloth_table.h), scaled by s. A stretch angle θ gives
+//              the pre-stretch at which a sphere of 8 mm, 3 mm deep in the middle, meets the thesis' k(θ)
 //
 // Over both: hysteresis (fabric.h), and viscosity F·(1 + τ·δ̇/δ), never below 0. A table is read when a cloth that needs
 // it is made, once for all of them.
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "core/sim/cloth_table.h"
 #include "core/sim/fabric.h"
@@ -38,10 +37,6 @@ class Cloth {
   [[nodiscard]] double deflection_mm(double x_mm, double y_mm, const FingerState& finger) const;
 
  private:
-  struct Part {
-    std::shared_ptr<const ClothTable> table;
-    double weight = 1.0;
-  };
   [[nodiscard]] Pressing atRest(double angle_deg, double x_mm, double y_mm, double depth_mm) const;
 
   ClothKind kind_;
@@ -49,7 +44,7 @@ class Cloth {
   double scale_;
   double viscosity_s_;
   std::shared_ptr<const IdealShape> ideal_;
-  std::vector<Part> parts_;  // tables of the two finger sizes around the finger's own
+  std::shared_ptr<const ClothTable> table_;
   double last_mm_ = 0.0;
 };
 

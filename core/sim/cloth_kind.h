@@ -1,4 +1,4 @@
-// Which cloth is simulated, and which finger presses it.
+// Which cloth is simulated.
 #pragma once
 
 #include <array>
@@ -8,11 +8,8 @@
 namespace fyd::sim {
 
 /// ideal: stiffness the same everywhere and at every depth, shape by the estimator's own formula.
-/// membrane: four edges held, solved in finite strain. rollers: two edges held, two free.
-enum class ClothKind : std::uint8_t { ideal, membrane, rollers };
-inline constexpr std::array<std::string_view, 3> kClothNames{"ideal", "membrane", "rollers"};
-
-enum class FingerShape : std::uint8_t { sphere, capsule, disc };
-inline constexpr std::array<std::string_view, 3> kFingerShapeNames{"sphere", "capsule", "disc"};
+/// membrane: four edges held, pressed by a sphere of 8 mm, solved in finite strain.
+enum class ClothKind : std::uint8_t { ideal, membrane };
+inline constexpr std::array<std::string_view, 2> kClothNames{"ideal", "membrane"};
 
 }  // namespace fyd::sim

@@ -16,8 +16,6 @@ struct SimParameters {
 
   // cloth and finger
   ClothKind cloth = ClothKind::ideal;
-  FingerShape finger = FingerShape::sphere;
-  double finger_radius_mm = 8.0;
   double fabric_stiffness_scale = 1.0;
   double fabric_hysteresis = 0.0;
   double fabric_viscosity_ms = 0.0;
@@ -62,17 +60,9 @@ struct SimParameters {
     v.integer("sim.seed", seed,
               {.minimum = 0, .maximum = 1e9, .help = "Seed of every random number of the simulation."});
     v.choice("sim.cloth", cloth, kClothNames,
-             {.help = "Which cloth is simulated: solved in finite strain with four edges held (membrane) or two "
-                      "(rollers), or by the estimator's own formula (ideal).",
+             {.help = "Which cloth is simulated: pressed by a sphere and solved in finite strain (membrane), or by the "
+                      "estimator's own formula (ideal).",
               .before_it_was = 0});
-    v.choice("sim.finger", finger, kFingerShapeNames,
-             {.help = "What presses a cloth that is not ideal: a sphere, a capsule tilted by 30°, a flat disc."});
-    v.real(
-        "sim.finger_radius_mm", finger_radius_mm,
-        {.unit = "mm",
-         .minimum = 6,
-         .maximum = 12,
-         .help = "Radius of the sphere on the membrane; the sphere on rollers and the capsule have 8 mm, the disc 7."});
     v.real("sim.fabric_stiffness_scale", fabric_stiffness_scale,
            {.minimum = 0.7, .maximum = 1.3, .help = "Factor on the stiffness of the nominal fabric."});
     v.real(

@@ -19,7 +19,7 @@ const std::filesystem::path kGolden = std::filesystem::path(FYD_TEST_DATA) / "re
 
 std::unique_ptr<Recording> open(const std::filesystem::path& file) {
   auto opened = Recording::open(file.string());
-  EXPECT_TRUE(opened) << file << ": " << opened.error().message;
+  EXPECT_TRUE(opened) << file << ": " << opened.error().text();
   return opened ? std::move(*opened) : nullptr;
 }
 
@@ -61,7 +61,7 @@ TEST(Inserted, TheGoldensReplayBitForBit) {
     const auto recording = open(file);
     ASSERT_TRUE(recording);
     const auto result = replay(*recording, {});
-    ASSERT_TRUE(result) << file << ": " << result.error().message;
+    ASSERT_TRUE(result) << file << ": " << result.error().text();
     EXPECT_TRUE(result->identical) << file << ": " << result->different << " differ, first "
                                    << result->first_difference_s << " s " << result->first_difference_field;
     EXPECT_EQ(result->unknown_changes, 0U) << file;
@@ -74,7 +74,7 @@ TEST(Inserted, ThoseOfTheArithmeticBeforeReplayWithinItsTolerance) {
     const auto recording = open(file);
     ASSERT_TRUE(recording);
     const auto result = replay(*recording, {});
-    ASSERT_TRUE(result) << file << ": " << result.error().message;
+    ASSERT_TRUE(result) << file << ": " << result.error().text();
     ASSERT_TRUE(result->tolerance);
     EXPECT_EQ(result->samples, result->of) << file;
     EXPECT_EQ(result->beyond_tolerance, 0U) << file << ": " << result->max_difference_field;
@@ -88,7 +88,7 @@ TEST(Inserted, WithTodaysValueOfTheParameterTheyWouldFeelOtherwise) {
     const auto recording = open(kGolden / "arithmetic_2" / (std::string(name) + ".h5"));
     ASSERT_TRUE(recording);
     const auto result = replay(*recording, {.settings = {"pipeline.inserted_gain=2"}});
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().text();
     EXPECT_FALSE(result->from_rest);
     EXPECT_GT(result->different, 100U) << name;
     EXPECT_EQ(result->first_difference_field, "touch_z_mm");

@@ -20,10 +20,10 @@ using namespace fyd;
 template <class T>
 T orFail(Result<T> result) {
   if (result) return std::move(*result);
-  throw std::runtime_error(result.error().message);
+  throw std::runtime_error(result.error().text());
 }
 void orFail(const Result<void>& result) {
-  if (!result) throw std::runtime_error(result.error().message);
+  if (!result) throw std::runtime_error(result.error().text());
 }
 
 void replayed(const std::string& path) {

@@ -149,7 +149,7 @@ TEST_F(Replay, ARobotsKeyComesToTheValueItCameToWhateverTheRangeIsToday) {
   const auto recording = record(0.2, 2.0);
   ASSERT_TRUE(recording);
   const auto result = replay(*recording, {});
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().text();
   EXPECT_TRUE(result->identical) << result->first_difference_s << " s " << result->first_difference_field;
   EXPECT_THAT(result->out_of_range, testing::ElementsAre("texture.k_vib"));
 }
@@ -162,7 +162,7 @@ TEST_F(Replay, ARobotsKeyIsNotFollowedWhereItsParameterIsSet) {
   ASSERT_TRUE(recording);
   EXPECT_TRUE(replay(*recording, {})->identical);
   const auto set = replay(*recording, {.settings = {"texture.k_vib=1"}});  // as it was until the key
-  ASSERT_TRUE(set) << set.error().message;
+  ASSERT_TRUE(set) << set.error().text();
   EXPECT_GT(set->different, 100U);
   EXPECT_NEAR(set->first_difference_s, 1.0, 0.02);
 }
@@ -180,7 +180,7 @@ TEST_F(Replay, ATargetByHandThatWasRefusedIsRefusedAgainAndOneThatWasTakenIsMark
     const auto recording = record(0.2, 2.0);
     ASSERT_TRUE(recording);
     const auto result = replay(*recording, {});
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << result.error().text();
     EXPECT_TRUE(result->identical) << target_N_per_mm << ": " << result->first_difference_s << " s "
                                    << result->first_difference_field;
     EXPECT_EQ(result->out_of_range.size(), target_N_per_mm < 0.0 ? 1U : 0U);

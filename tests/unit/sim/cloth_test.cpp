@@ -21,25 +21,22 @@ FingerState at(double x_mm, double y_mm, double depth_mm) {
   return {.x_mm = x_mm, .y_mm = y_mm, .indentation_mm = depth_mm, .lifted = !(depth_mm > 0.0)};
 }
 
-SimParameters of(ClothKind kind, FingerShape finger = FingerShape::sphere) {
+SimParameters of(ClothKind kind) {
   SimParameters out;
   out.cloth = kind;
-  out.finger = finger;
   return out;
 }
 
 ClothTable tableOf(std::string_view name) {
   auto parsed = ClothTable::parse(clothTableText(name));
-  EXPECT_TRUE(parsed) << parsed.error().message;
+  EXPECT_TRUE(parsed) << parsed.error().text();
   return std::move(*parsed);
 }
 
 TEST(Cloth, MeetsTheFourPointsOfTheThesisInTheMiddleThreeMillimetresDeep) {
-  for (const ClothKind kind : {ClothKind::membrane, ClothKind::rollers}) {
-    Cloth cloth(of(kind));
-    for (const auto& [deg, k] : {std::pair{20.0, 0.501}, {45.0, 0.550}, {60.0, 0.673}, {90.0, 0.715}}) {
-      EXPECT_NEAR(cloth.stiffness(deg, at(0, 0, 3)), k, 0.01 * k) << deg << "°";
-    }
+  Cloth cloth(of(ClothKind::membrane));
+  for (const auto& [deg, k] : {std::pair{20.0, 0.501}, {45.0, 0.550}, {60.0, 0.673}, {90.0, 0.715}}) {
+    EXPECT_NEAR(cloth.stiffness(deg, at(0, 0, 3)), k, 0.01 * k) << deg << "°";
   }
 }
 
@@ -59,7 +56,7 @@ TEST(Cloth, BetweenTheNodesTheTableSaysWhatTheFiniteElementsSay) {
   const auto points = readCsv(FYD_TEST_DATA "/cloths/membrane_sphere8.csv",
                               {"x_mm", "y_mm", "depth_mm", "reference_N_per_mm", "force_N", "area_mm2",
                                "deflection1_mm", "deflection2_mm", "deflection3_mm"});
-  ASSERT_TRUE(points) << points.error().message;
+  ASSERT_TRUE(points) << points.error().text();
   const ClothTable table = tableOf("frame_sphere8");
   double force_squares = 0.0, area_squares = 0.0, shape_squares = 0.0, worst_force = 0.0, worst_shape_mm = 0.0;
   const std::size_t count = points->rows();
@@ -92,16 +89,14 @@ TEST(Cloth, BetweenTheNodesTheTableSaysWhatTheFiniteElementsSay) {
 }
 
 TEST(Cloth, ForceNeverFallsOnTheWayDownAndIsSmoothFromTheSurfaceOn) {
-  for (const std::string_view name : {"frame_sphere8", "frame_disc7", "rollers_sphere8"}) {
-    const ClothTable table = tableOf(name);
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {-21.0, 9.0}, {36.0, -17.0}, {45.0, 30.0}}) {
-      double before = 0.0;
-      for (double depth = 0.02; depth <= table.deepest_mm(); depth += 0.02) {
-        const double force = table.press(x, y, depth, 0.6).force_N;
-        ASSERT_GT(force, before) << name << " " << x << " " << y << " " << depth;
-        ASSERT_LT(force - before, 0.2) << name << " " << x << " " << y << " " << depth;
-        before = force;
-      }
+  const ClothTable table = tableOf("frame_sphere8");
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {-21.0, 9.0}, {36.0, -17.0}, {45.0, 30.0}}) {
+    double before = 0.0;
+    for (double depth = 0.02; depth <= table.deepest_mm(); depth += 0.02) {
+      const double force = table.press(x, y, depth, 0.6).force_N;
+      ASSERT_GT(force, before) << x << " " << y << " " << depth;
+      ASSERT_LT(force - before, 0.2) << x << " " << y << " " << depth;
+      before = force;
     }
   }
 }
@@ -125,14 +120,13 @@ TEST(Cloth, UnderTheFingerItIsAsDeepAsTheFingerAndAtTheFrameItStays) {
   EXPECT_EQ(cloth.deflection_mm(0, 0, at(0, 0, 0)), 0.0);
 }
 
-TEST(Cloth, TheContactOfASphereGrowsWithDepthAndThatOfADiscIsTheDisc) {
-  Cloth sphere(of(ClothKind::membrane)), disc(of(ClothKind::membrane, FingerShape::disc));
+TEST(Cloth, TheContactOfASphereGrowsWithDepth) {
+  Cloth sphere(of(ClothKind::membrane));
   double before = 0.0;
   for (const double depth : {0.5, 1.0, 2.0, 4.0, 8.0}) {
     const double area = sphere.press(45, at(0, 0, depth), 1e-3).area_mm2;
     EXPECT_GT(area, before);
     EXPECT_LT(area, std::numbers::pi * 64.0);
-    EXPECT_NEAR(disc.press(45, at(0, 0, depth), 1e-3).area_mm2, std::numbers::pi * 49.0, 0.01);
     before = area;
   }
 }
@@ -173,7 +167,7 @@ TEST(Cloth, ATableThatIsDamagedSaysWhereAndAnUnknownOneIsEmpty) {
                                        {"fyd-cloth 2" + good.substr(11), "fyd-cloth"}}) {
     const auto parsed = ClothTable::parse(damaged);
     ASSERT_FALSE(parsed);
-    EXPECT_NE(parsed.error().message.find(named), std::string::npos) << parsed.error().message;
+    EXPECT_NE(parsed.error().text().find(named), std::string::npos) << parsed.error().text();
   }
   for (const auto& [was, is, named] : {std::tuple{"\nx 0 ", "\nx nan ", "x"},
                                        {"\ndepth 0.5", "\ndepth 9", "depth"},
@@ -184,7 +178,7 @@ TEST(Cloth, ATableThatIsDamagedSaysWhereAndAnUnknownOneIsEmpty) {
     damaged.replace(damaged.find(was), std::string(was).size(), is);
     const auto parsed = ClothTable::parse(damaged);
     ASSERT_FALSE(parsed) << is;
-    EXPECT_NE(parsed.error().message.find(named), std::string::npos) << parsed.error().message;
+    EXPECT_NE(parsed.error().text().find(named), std::string::npos) << parsed.error().text();
   }
 }
 
