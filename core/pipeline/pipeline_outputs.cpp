@@ -25,6 +25,7 @@ void Pipeline::stepControl(const Inputs& inputs) {
                                .target_N_per_mm = target(inputs),
                                .measured_N_per_mm = stiff_.stiffness_N_per_mm,
                                .measured_sigma_N_per_mm = stiff_.sigma_N_per_mm,
+                               .place_factor = indentation_.placeFactor(),
                                .observable = stiff_.observable,
                                .measured_angle_deg = rollers_.stretch_deg,
                                .measured_angle_known = rollers_.valid,

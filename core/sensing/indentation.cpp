@@ -52,6 +52,11 @@ void IndentationEstimator::setMaximumAges(Duration ir, Duration finger) {
   finger_maximum_age_ = finger;
 }
 
+double IndentationEstimator::placeFactor() const {
+  const bool known = parameters_.mode == IndentationMode::contact && touched_ && estimate_.available;
+  return known ? 1.0 / reach_ : std::numeric_limits<double>::quiet_NaN();
+}
+
 void IndentationEstimator::tare(std::span<const double> offset_mm) {
   parameters_.ir_offset_mm.clear();
   for (std::size_t i = 0; i < std::min<std::size_t>(sensor_count_, offset_mm.size()); ++i) {

@@ -101,6 +101,10 @@ class IndentationEstimator {
   /// indentation removed, else as it was seen.
   [[nodiscard]] Contact contactOf(const FingerDetection& finger) const;
 
+  /// Stiffness of the cloth under this finger over that under a shallow press in the middle: by place and by the
+  /// contact's area (contact_cloth.h). NaN while not touched and in the other modes.
+  [[nodiscard]] double placeFactor() const;
+
   /// New distances to the untouched cloth, one per sensor (see tare.h).
   void tare(std::span<const double> offset_mm);
   [[nodiscard]] std::span<const double> offsets_mm() const { return parameters_.ir_offset_mm.view(); }

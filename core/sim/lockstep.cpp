@@ -6,7 +6,7 @@ namespace fyd::sim {
 namespace {
 
 constexpr double kTruePositionNoise_mm = 0.1;
-constexpr double kMm2PerWorkingPixel = 100.0 * 70.0 / (160.0 * 120.0);
+constexpr double kMm2PerPixel = 100.0 / 220.0 * 70.0 / 150.0;  // of the camera's picture (picture.h)
 const Instant kStart = instantAt(1000.0);
 
 }  // namespace
@@ -50,7 +50,7 @@ void Lockstep::takePicture() {
     const double nearer = perspective(finger.indentation_mm, world_->parameters().cloth_height_mm);
     x_mm = nearer * truth.contact_x_mm;
     y_mm = nearer * truth.contact_y_mm;
-    seen.area_px = nearer * nearer * truth.contact_area_mm2 / kMm2PerWorkingPixel;
+    seen.area_px = nearer * nearer * truth.contact_area_mm2 / kMm2PerPixel;
   }
   seen.x_mm = x_mm + kTruePositionNoise_mm * normal_(random_);
   seen.y_mm = y_mm + kTruePositionNoise_mm * normal_(random_);

@@ -20,7 +20,7 @@ LockstepOptions optionsOf(const StiffnessTrial& trial) {
   options.parameters = trial.parameters;
   options.parameters.step.hand_target_N_per_mm = trial.target_N_per_mm;
   options.sim = trial.sim;
-  options.finger = FingerPath::constant(0.0, 0.0, trial.press_mm);
+  options.finger = FingerPath::constant(trial.x_mm, trial.y_mm, trial.press_mm);
   options.draw_pictures = false;
   options.robot_stiffness_N_per_mm = kNone;
   return options;

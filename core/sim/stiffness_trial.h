@@ -15,6 +15,8 @@ struct StiffnessTrial {
   pipeline::Parameters parameters;
   SimParameters sim;
   double target_N_per_mm = 0.6;
+  double x_mm = 0.0;  ///< where the finger presses
+  double y_mm = 0.0;
   double press_mm = 6.0;
   double duration_s = 8.0;  ///< from the moment the motors are engaged
 };

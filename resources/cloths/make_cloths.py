@@ -26,9 +26,9 @@ SHAPE = np.linspace(-1.0, 1.0, 15)
 MESH = {"sphere": dict(fine=0.35, reach=3.0), "capsule": dict(fine=0.35, reach=3.0), "disc": dict(fine=0.5)}
 FINGERS = {"sphere8": Finger("sphere", 8.0), "disc7": Finger("disc", 7.0), "capsule8": Finger("capsule", 8.0),
            "sphere6": Finger("sphere", 6.0), "sphere12": Finger("sphere", 12.0)}
-# stretches beyond those that 0° and 120° of the motors need (0.46 and 0.76 N/mm); y_edge: where the morphed grid ends
-CLOTHS = {"frame": dict(stretches=(1.28, 1.45), x=[0, 15, 28, 37, 43], y=[0, 12, 21, 27], y_edge=HALF_Y),
-          "rollers": dict(stretches=(1.58, 1.82), x=[0, 15, 28, 37, 43], y=[0, 9, 16, 22], y_edge=29.0)}
+# x and y to where a sphere of 8 mm goes down to 8 mm without touching the frame; stretches beyond those that 0° and 120° of the motors need (0.46 and 0.76 N/mm); y_edge: where the morphed grid ends
+CLOTHS = {"frame": dict(stretches=(1.28, 1.45), x=[0, 15, 28, 37, 41.5], y=[0, 12, 21, 27], y_edge=HALF_Y),
+          "rollers": dict(stretches=(1.58, 1.82), x=[0, 15, 28, 37, 41.5], y=[0, 9, 16, 22], y_edge=29.0)}
 DISC = {"x": [0, 15, 27, 34, 38], "y": {"frame": [0, 11, 19, 23], "rollers": [0, 8, 14, 18]}}  # its rim keeps off the edges
 NAMES = ["frame_sphere8", "rollers_sphere8", "frame_disc7", "frame_capsule8", "rollers_disc7", "rollers_capsule8",
          "frame_sphere6", "frame_sphere12"]
@@ -56,6 +56,8 @@ def column(finger, place, stretch, edges, depths=DEPTHS, points=None):
     out = []
     for depth in depths:
         pressed = cloth.press(float(depth))
+        if out and pressed.force <= out[-1][0][0]:
+            raise RuntimeError(f"force falls to {pressed.force:g} N at {depth} mm, {place}: the finger touches the frame, or no equilibrium")
         shape = pressed.shape(points) / depth if points is not None else None
         out.append(([pressed.force, pressed.area, *(pressed.centroid - place)], shape))
     return out

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/control/auto_tune.h"
+#include "core/sim/cloth.h"
 
 namespace fyd::sim {
 namespace {
@@ -83,6 +84,68 @@ TEST(StiffnessTrial, MonteCarloOfUnkindPlantsIsStable) {
     EXPECT_TRUE(runTrial(trial).stable) << run << " scale " << trial.sim.fabric_stiffness_scale << " target "
                                         << trial.target_N_per_mm;
   }
+}
+
+struct Ends {
+  int trials = 0;
+  int at_limit = 0;
+  double squares = 0.0;
+  double worst_percent = 0.0;  ///< of the target, which this place can give
+
+  [[nodiscard]] double rms_percent() const { return 100 * std::sqrt(squares / trials); }
+};
+
+/// A cloth solved elsewhere, pressed at nine places and three depths; targets well inside what each can give.
+Ends onTheMembrane(sensing::IndentationMode mode) {
+  Ends ends;
+  for (const auto& [x, y] : {std::pair{0.0, 0.0},
+                             {22.0, -3.0},
+                             {0.0, 20.0},
+                             {-25.0, 12.0},
+                             {15.0, -18.0},
+                             {-35.0, 0.0},
+                             {30.0, 15.0},
+                             {-10.0, -10.0},
+                             {10.0, 5.0}}) {
+    for (const double depth : {3.0, 4.5, 6.0}) {
+      StiffnessTrial trial;
+      trial.sim.cloth = ClothKind::membrane;
+      trial.x_mm = x;
+      trial.y_mm = y;
+      trial.press_mm = depth;
+      trial.duration_s = 4;
+      trial.parameters.sensing.indentation.mode = mode;
+      trial.parameters.sensing.finger.minimum_area_px = 40;
+      const Cloth cloth(trial.sim);
+      const FingerState finger{.x_mm = x, .y_mm = y, .indentation_mm = depth, .lifted = false};
+      trial.target_N_per_mm = cloth.stiffness(55.0, finger);
+      const TrialResult result = runTrial(trial);
+      const double off = result.final_true_N_per_mm / trial.target_N_per_mm - 1;
+      ++ends.trials;
+      ends.at_limit += result.at_limit ? 1 : 0;
+      ends.worst_percent = std::max(ends.worst_percent, 100 * std::abs(off));
+      ends.squares += off * off;
+      EXPECT_TRUE(result.stable) << x << ' ' << y << ' ' << depth;
+    }
+  }
+  return ends;
+}
+
+TEST(StiffnessTrial, OnAClothSolvedElsewhereTheTargetIsMetWhereTheFingerIs) {
+  const Ends contact = onTheMembrane(sensing::IndentationMode::contact);
+  EXPECT_LT(contact.rms_percent(), 4.0);
+  EXPECT_LT(contact.worst_percent, 8.0);
+  EXPECT_EQ(contact.at_limit, 0);
+  // What this is measured against: a mode that takes every finger for a flat disc of 7 mm, and every place for the
+  // middle.
+  const Ends membrane = onTheMembrane(sensing::IndentationMode::membrane);
+  EXPECT_GT(membrane.rms_percent(), 2 * contact.rms_percent());
+  EXPECT_GT(membrane.at_limit, membrane.trials / 2);
+  std::printf(
+      "true stiffness off the target: contact %.1f %% RMS, worst %.1f %%; membrane %.1f %%, %.1f %%, %d of %d at a "
+      "stop\n",
+      contact.rms_percent(), contact.worst_percent, membrane.rms_percent(), membrane.worst_percent, membrane.at_limit,
+      membrane.trials);
 }
 
 TEST(StiffnessTrial, TheSameSeedGivesTheSameCourse) {

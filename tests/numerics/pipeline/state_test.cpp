@@ -215,7 +215,13 @@ std::string withoutParameter(std::string_view state, std::string_view id) {
 }
 
 TEST(OlderState, WithoutAParameterInTheMiddleLeavesItsValueAndTakesTheRest) {
-  const Advanced advanced(2, 20'000);
+  Advanced advanced(2);
+  Parameters defaults;
+  const auto bound = bindParameters(defaults);
+  Inputs inputs = advanced.scene.next(advanced.motors);
+  const auto index = static_cast<std::uint16_t>(findParameter(bound, "control.kp") - bound.data());
+  ASSERT_TRUE(inputs.changes.push({.index = index, .value = 0.7}));
+  (void)advanced.pipeline->step(inputs);
   Pipeline pipeline(Parameters{}, surfaceOf(2));
   const double before = Parameters{}.control.kp;
   ASSERT_NE(advanced.pipeline->parameters().control.kp, before);
