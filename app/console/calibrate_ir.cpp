@@ -47,10 +47,6 @@ class IrStep : public CalibrationStep {
     if (!value) return tl::unexpected(value.error());
     return std::vector{*value};
   }
-  CalibrationPoint point(const std::vector<double>& entered, const std::vector<double>& mean,
-                         const std::vector<double>& spread) const override {
-    return {mean[0], entered[0], spread[0]};
-  }
 
   CalibrationFit fit(const std::vector<CalibrationPoint>& points, const station::Profile& profile) const override {
     const auto& p = profile.calibration;
@@ -61,16 +57,10 @@ class IrStep : public CalibrationStep {
     const auto& present = profile.step.sensing.indentation;
     const auto found =
         calibration::calibrateIr({columnOf(points, 0), columnOf(points, 1)}, present, p, {.sensor = sensor_});
-    CalibrationFit out{.result = found.result, .plot = {}, .legend = curveLegend(), .missing = missingOf(found.result)};
-    out.plot = {.x_title = tr("Reading, counts"), .y_title = tr("Distance, mm"), .residual_title = tr("Residual, mm")};
-    double low = points[0][0], high = points[0][0];
-    for (const CalibrationPoint& point : points) {
-      out.plot.points.emplace_back(point[0], point[1]);
-      low = std::min(low, point[0]);
-      high = std::max(high, point[0]);
-    }
-    out.plot.residuals = found.result.residuals;
-    out.plot.outliers = found.result.outliers;
+    CalibrationFit out = curveFit(
+        found.result, points,
+        {.x_title = tr("Reading, counts"), .y_title = tr("Distance, mm"), .residual_title = tr("Residual, mm")});
+    const auto [low, high] = std::ranges::minmax(columnOf(points, 0));
     const sensing::IrDistance former = distanceSensorOf(present, sensor_);
     const auto fitted = found.curve.sensor(0, sensing::kAdcCodes - 1);
     for (int i = 0; i <= kCurvePoints; ++i) {

@@ -47,10 +47,6 @@ class LoadCellStep : public CalibrationStep {
     if (!(std::abs(*value) <= span)) return fail("{:.3f} mV/V is beyond the load cell's span of {:g}", *value, span);
     return std::vector{*value};
   }
-  CalibrationPoint point(const std::vector<double>& entered, const std::vector<double>& mean,
-                         const std::vector<double>& spread) const override {
-    return {mean[0], entered[0], spread[0]};
-  }
 
   CalibrationFit fit(const std::vector<CalibrationPoint>& points, const station::Profile& profile) const override {
     const auto& p = profile.calibration;
@@ -59,16 +55,10 @@ class LoadCellStep : public CalibrationStep {
           tr("At least %1 different weights that span %2 N.").arg(p.force_fewest_loads).arg(p.force_least_span_N));
     }
     const auto found = calibration::calibrateLoadCell({columnOf(points, 0), columnOf(points, 1)}, p);
-    CalibrationFit out{.result = found.result, .plot = {}, .legend = curveLegend(), .missing = missingOf(found.result)};
-    out.plot = {.x_title = tr("Bridge, mV/V"), .y_title = tr("Force, N"), .residual_title = tr("Residual, N")};
-    double low = points[0][0], high = points[0][0];
-    for (const CalibrationPoint& point : points) {
-      out.plot.points.emplace_back(point[0], point[1]);
-      low = std::min(low, point[0]);
-      high = std::max(high, point[0]);
-    }
-    out.plot.residuals = found.result.residuals;
-    out.plot.outliers = found.result.outliers;
+    CalibrationFit out =
+        curveFit(found.result, points,
+                 {.x_title = tr("Bridge, mV/V"), .y_title = tr("Force, N"), .residual_title = tr("Residual, N")});
+    const auto [low, high] = std::ranges::minmax(columnOf(points, 0));
     if (std::isfinite(found.drift_N)) {
       out.figures << tr("drift from first to last point %1 ± %2")
                          .arg(widgets::numberText(found.drift_N, 3),

@@ -52,9 +52,18 @@ std::vector<double> columnOf(const std::vector<CalibrationPoint>& points, std::s
   return out;
 }
 
-QString curveLegend() {
-  return QCoreApplication::translate(
-      "CalibrationStep", "Line: new curve. Dashed: the one in force. Crosses: points the others contradict.");
+CalibrationFit curveFit(const calibration::CalibrationResult& result, const std::vector<CalibrationPoint>& points,
+                        widgets::FitView titles) {
+  CalibrationFit out{
+      .result = result,
+      .plot = std::move(titles),
+      .legend = QCoreApplication::translate(
+          "CalibrationStep", "Line: new curve. Dashed: the one in force. Crosses: points the others contradict."),
+      .missing = missingOf(result)};
+  for (const CalibrationPoint& point : points) out.plot.points.emplace_back(point[0], point[1]);
+  out.plot.residuals = result.residuals;
+  out.plot.outliers = result.outliers;
+  return out;
 }
 
 CalibrationFit noPoints(const QString& missing) {

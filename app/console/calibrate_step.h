@@ -85,8 +85,11 @@ class CalibrationStep {
   [[nodiscard]] virtual int readings() const { return 10; }
   /// The signals now; an error says in words what is missing and what to do.
   [[nodiscard]] virtual Result<std::vector<double>> read(const CalibrationScene& scene) const = 0;
+  /// Otherwise: the first signal's mean, what was entered for it, and its spread.
   [[nodiscard]] virtual CalibrationPoint point(const std::vector<double>& entered, const std::vector<double>& mean,
-                                               const std::vector<double>& spread) const = 0;
+                                               const std::vector<double>& spread) const {
+    return {mean[0], entered[0], spread[0]};
+  }
   [[nodiscard]] virtual CalibrationFit fit(const std::vector<CalibrationPoint>& points,
                                            const station::Profile& profile) const = 0;
   /// Where a point is more than a mean and a spread: made of all its readings. Empty: `point` is taken.
@@ -140,8 +143,10 @@ template <class Step, class... Arguments>
 /// @param missing which points to take; the empty plot says it too
 [[nodiscard]] CalibrationFit noPoints(const QString& missing);
 
-/// What the lines of a fitted curve are.
-[[nodiscard]] QString curveLegend();
+/// A fitted curve of a point's second figure over its first, without the lines themselves.
+/// @param titles of the axes
+[[nodiscard]] CalibrationFit curveFit(const calibration::CalibrationResult& result,
+                                      const std::vector<CalibrationPoint>& points, widgets::FitView titles);
 
 /// The verdict's own words say what to add; they are what is missing as long as there are too few points.
 [[nodiscard]] QString missingOf(const calibration::CalibrationResult& result);

@@ -1,12 +1,9 @@
 #include "core/calibration/cloth_calibration.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
-#include <Eigen/Dense>
-
+#include "core/calibration/cloth_fit.h"
 #include "core/calibration/cross_validation.h"
 #include "core/sensing/indentation.h"
 
@@ -16,12 +13,6 @@ namespace {
 using sensing::ClothEdges;
 
 constexpr std::size_t kMostPresses = 2000;
-constexpr double kNoise_mm = 0.03;        // of a mean of readings: what makes the weights, not the uncertainty
-constexpr double kHeldShareSigma = 0.01;  // likewise of a share of a held cloth
-constexpr double kFreeShareSigma = 0.04;  // … of one with free edges, which narrows and wrinkles: no linear membrane
-// What is believed before the first press, as logarithms; it counts where the presses say little.
-constexpr double kUsualRadiusShare = 0.7, kUsualRadiusSpread = 0.3;
-constexpr double kUsualFreeRatio = 12.0, kUsualFreeRatioSpread = 0.25, kUsualRatioSpread = 0.7;
 constexpr double kFreeLimits = 2.0;           // times the uncertainty that is allowed where all edges are held
 constexpr double kLeastShareLogSigma = 0.05;  // of the radius share: it follows the depth and the place a little
 constexpr double kLeastRatioLogSigma = 0.04;
@@ -30,191 +21,21 @@ constexpr double kLeastFreeShareSigma = 0.03;
 constexpr double kLeastFreeRatioLogSigma = 0.3;
 constexpr double kElsewhere = 1.5;      // a share between the sensors is less certain than over one
 constexpr double kClearlyBetter = 1.3;  // times the other edges' error
-constexpr double kLeastRadiusShare = 0.35, kMostRadiusShare = 1.3;
-constexpr double kMostHeldRatio = 4.0;  // either way: held all round, a cloth is stretched both ways
-constexpr double kLeastFreeRatio = 2.0, kMostFreeRatio = 15.0;
-
-struct Press {
-  sensing::Contact contact;
-  std::array<sensing::Drop, sensing::kMaximumIrSensors> drops{};
-  std::size_t row = 0;
-  std::size_t over = 0;  // the sensor under the finger
-};
-
-/// What the fit looks for: logarithms, so that no step makes them negative.
-struct Unknowns {
-  double log_share = 0.0;
-  double log_ratio = 0.0;
-};
-
-class Model {
- public:
-  Model(const sensing::IndentationParameters& profile, ClothEdges edges, Unknowns at)
-      : share_sigma_(edges == ClothEdges::held ? kHeldShareSigma : kFreeShareSigma), cloth_(with(profile, edges, at)) {}
-
-  /// Adds (reading − share·indentation)/σ of each sensor; returns the indentation.
-  double residuals(const Press& press, std::size_t sensors, std::vector<double>& out) {
-    const double depth = cloth_.solve(press.contact, std::span(press.drops).first(sensors)).indentation_mm;
-    for (std::size_t i = 0; i < sensors; ++i) {
-      if (!press.drops[i].used) continue;
-      const double share = cloth_.share(i);
-      const double sigma = std::hypot(kNoise_mm, share_sigma_ * (1.0 - share) * depth);
-      out.push_back((press.drops[i].drop_mm - share * depth) / sigma);
-    }
-    return depth;
-  }
-
-  /// What the sensors beside the finger read, foretold by the one under it.
-  struct Foretold {
-    double depth_mm = 0.0;
-    double error_mm = 0.0;  // root mean square over the sensors beside; NaN: none reads
-  };
-  Foretold foretell(const Press& press, std::size_t sensors) {
-    Foretold out{.depth_mm = press.drops[press.over].drop_mm};
-    for (int round = 0; round < 3; ++round) {
-      cloth_.press(press.contact, out.depth_mm);
-      out.depth_mm = press.drops[press.over].drop_mm / cloth_.share(press.over);
-    }
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < sensors; ++i) {
-      if (i == press.over || !press.drops[i].used) continue;
-      errors.push_back(press.drops[i].drop_mm - cloth_.share(i) * out.depth_mm);
-    }
-    out.error_mm = rootMeanSquare(errors);
-    return out;
-  }
-
- private:
-  static sensing::IndentationParameters with(sensing::IndentationParameters p, ClothEdges edges, Unknowns at) {
-    p.contact_radius_share = std::exp(at.log_share);
-    p.contact_radius_share_sigma = 0.2 * p.contact_radius_share;  // the sensor under the finger counts most
-    p.cloth_share_sigma = edges == ClothEdges::held ? kHeldShareSigma : kFreeShareSigma;
-    p.cloth_tension_ratio = std::exp(at.log_ratio);
-    p.cloth_tension_ratio_sigma = 0.2;
-    p.cloth_edges = edges;
-    return p;
-  }
-
-  double share_sigma_;
-  sensing::ContactCloth cloth_;
-};
-
-struct Fit {
-  Unknowns at;
-  double cost = 0.0;
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Constant(kUnknown);
-  double condition_number = kUnknown;
-  std::vector<double> residuals;
-};
-
-class Fitter {
- public:
-  Fitter(const sensing::IndentationParameters& profile, std::size_t sensors) : profile_(profile), sensors_(sensors) {}
-
-  [[nodiscard]] std::vector<double> residuals(const std::vector<Press>& presses, ClothEdges edges, Unknowns at) const {
-    std::vector<double> out;
-    Model model(profile_, edges, at);
-    for (const Press& press : presses) model.residuals(press, sensors_, out);
-    out.push_back((at.log_share - std::log(kUsualRadiusShare)) / kUsualRadiusSpread);
-    out.push_back(edges == ClothEdges::held ? at.log_ratio / kUsualRatioSpread
-                                            : (at.log_ratio - std::log(kUsualFreeRatio)) / kUsualFreeRatioSpread);
-    return out;
-  }
-
-  /// @return none when the presses have fewer readings than unknowns
-  [[nodiscard]] std::optional<Fit> fit(const std::vector<Press>& presses, ClothEdges edges) const {
-    Fit best;
-    best.cost = std::numeric_limits<double>::infinity();
-    for (const double ratio : {0.3, 0.6, 1.0, 1.7, 3.0, 6.0, 10.0}) {
-      for (const double share : {0.6, 0.9}) start(best, presses, edges, {std::log(share), std::log(ratio)});
-    }
-    if (best.residuals.size() < presses.size() + 5 || !std::isfinite(best.cost)) return std::nullopt;
-    double damping = 1e-3;
-    for (int round = 0; round < 30; ++round) {
-      const Eigen::MatrixX2d slope = jacobian(presses, edges, best.at);
-      const Eigen::Map<const Eigen::VectorXd> r(best.residuals.data(),
-                                                static_cast<Eigen::Index>(best.residuals.size()));
-      Eigen::Matrix2d normal = slope.transpose() * slope;
-      finish(best, normal, presses.size());
-      normal.diagonal() *= 1.0 + damping;
-      const Eigen::Vector2d step = -normal.ldlt().solve(slope.transpose() * r);
-      if (!step.allFinite()) break;
-      const double before = best.cost;
-      start(best, presses, edges, {best.at.log_share + step[0], best.at.log_ratio + step[1]});
-      if (best.cost < before) {
-        damping *= 0.2;
-        if (before - best.cost < 1e-9 * before) break;
-      } else {
-        damping *= 10.0;
-        if (damping > 1e6 || step.norm() < 1e-7) break;
-      }
-    }
-    return best;
-  }
-
-  [[nodiscard]] Model model(ClothEdges edges, Unknowns at) const { return {profile_, edges, at}; }
-  [[nodiscard]] std::size_t sensors() const { return sensors_; }
-
- private:
-  /// Takes a place when it is better than the best so far.
-  void start(Fit& best, const std::vector<Press>& presses, ClothEdges edges, Unknowns at) const {
-    at.log_share = std::clamp(at.log_share, std::log(kLeastRadiusShare), std::log(kMostRadiusShare));
-    at.log_ratio = edges == ClothEdges::held
-                       ? std::clamp(at.log_ratio, -std::log(kMostHeldRatio), std::log(kMostHeldRatio))
-                       : std::clamp(at.log_ratio, std::log(kLeastFreeRatio), std::log(kMostFreeRatio));
-    auto r = residuals(presses, edges, at);
-    double cost = 0.0;
-    for (const double each : r) cost += each * each;
-    if (!(cost < best.cost)) return;
-    best.at = at;
-    best.cost = cost;
-    best.residuals = std::move(r);
-  }
-
-  [[nodiscard]] Eigen::MatrixX2d jacobian(const std::vector<Press>& presses, ClothEdges edges, Unknowns at) const {
-    constexpr double kStep = 0.01;
-    Eigen::MatrixX2d out;
-    for (int column = 0; column < 2; ++column) {
-      Unknowns low = at, high = at;
-      (column == 0 ? low.log_share : low.log_ratio) -= kStep;
-      (column == 0 ? high.log_share : high.log_ratio) += kStep;
-      const auto below = residuals(presses, edges, low), above = residuals(presses, edges, high);
-      out.conservativeResize(static_cast<Eigen::Index>(below.size()), 2);
-      for (std::size_t i = 0; i < below.size(); ++i) {
-        out(static_cast<Eigen::Index>(i), column) = (above[i] - below[i]) / (2 * kStep);
-      }
-    }
-    return out;
-  }
-
-  static void finish(Fit& fit, const Eigen::Matrix2d& normal, std::size_t presses) {
-    const double freedom = static_cast<double>(fit.residuals.size() - presses) - 4.0;
-    if (!(freedom > 0.0)) return;
-    fit.covariance = normal.inverse() * (fit.cost / freedom);
-    const Eigen::Vector2d scale = normal.diagonal().cwiseSqrt().cwiseInverse();
-    const Eigen::Vector2d values =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scale.asDiagonal() * normal * scale.asDiagonal()).eigenvalues();
-    fit.condition_number = values[0] > 0.0 ? std::sqrt(values[1] / values[0]) : std::numeric_limits<double>::infinity();
-  }
-
-  const sensing::IndentationParameters& profile_;
-  std::size_t sensors_;
-};
 
 /// The presses whose sensor under the finger reads; refuses what can be none. @return whether all is well
 bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing::IndentationParameters& profile,
-                 const CalibrationParameters& p, std::vector<Press>& out) {
+                 const CalibrationParameters& p, std::vector<ClothPress>& out) {
   const std::size_t sensors = std::min(profile.ir_x_mm.size(), profile.ir_y_mm.size());
   sensing::IndentationEstimator estimator(profile);
   double farthest = 0.0;
   for (std::size_t row = 0; row < s.codes.size(); ++row) {
     const sensing::IndentationEstimate read =
         estimator.once({.codes = s.codes[row], .x_mm = s.x_mm[row], .y_mm = s.y_mm[row]});
-    Press press{.contact = {.x_mm = s.x_mm[row], .y_mm = s.y_mm[row], .area_mm2 = s.area_mm2[row]}, .row = row};
+    ClothPress press{.contact = {.x_mm = s.x_mm[row], .y_mm = s.y_mm[row], .area_mm2 = s.area_mm2[row]}, .row = row};
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < sensors; ++i) {
       press.drops[i] = {
-          .drop_mm = profile.ir_offset_mm[i] - read.distance_mm[i], .sigma_mm = kNoise_mm, .used = read.valid[i]};
+          .drop_mm = profile.ir_offset_mm[i] - read.distance_mm[i], .sigma_mm = kPressNoise_mm, .used = read.valid[i]};
       const double away = std::hypot(s.x_mm[row] - profile.ir_x_mm[i], s.y_mm[row] - profile.ir_y_mm[i]);
       if (away < nearest) {
         nearest = away;
@@ -243,11 +64,11 @@ bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing
 }
 
 /// Refuses presses that cannot tell the unknowns. @return whether all is well
-bool enoughPresses(ClothCalibration& out, const std::vector<Press>& presses, std::size_t sensors,
+bool enoughPresses(ClothCalibration& out, const std::vector<ClothPress>& presses, std::size_t sensors,
                    const CalibrationParameters& p) {
   out.sensors.assign(sensors, {});
   std::vector<bool> reads(sensors, false);
-  for (const Press& press : presses) {
+  for (const ClothPress& press : presses) {
     ClothSensor& sensor = out.sensors[press.over];
     const double depth = press.drops[press.over].drop_mm;
     sensor.presses += 1;
@@ -291,17 +112,17 @@ bool enoughPresses(ClothCalibration& out, const std::vector<Press>& presses, std
 
 /// Errors of what the sensors beside the finger read, of presses that the fit has not seen; NaN where no fit could be
 /// made.
-std::vector<double> heldOut(const Fitter& fitter, const std::vector<Press>& presses, ClothEdges edges) {
+std::vector<double> heldOut(const ClothFitter& fitter, const std::vector<ClothPress>& presses, ClothEdges edges) {
   std::vector<std::size_t> folds;
-  for (const Press& press : presses) folds.push_back(press.over);
+  for (const ClothPress& press : presses) folds.push_back(press.over);
   return predictHeldOut(
       folds,
       [&](const std::vector<std::size_t>& learn) {
-        std::vector<Press> part;
+        std::vector<ClothPress> part;
         for (const std::size_t i : learn) part.push_back(presses[i]);
         return fitter.fit(part, edges);
       },
-      [&](const Fit& fit, std::size_t i) {
+      [&](const ClothFit& fit, std::size_t i) {
         return fitter.model(edges, fit.at).foretell(presses[i], fitter.sensors()).error_mm;
       });
 }
@@ -335,10 +156,10 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   bool good = checkColumn(result, "x_mm", s.x_mm, -profile.frame_half_width_mm, profile.frame_half_width_mm);
   good = checkColumn(result, "y_mm", s.y_mm, -profile.frame_half_depth_mm, profile.frame_half_depth_mm) && good;
   if (!checkColumn(result, "area_mm2", s.area_mm2, 0.1, 10'000) || !good) return out;
-  std::vector<Press> presses;
+  std::vector<ClothPress> presses;
   if (!takePresses(result, s, profile, p, presses) || !enoughPresses(out, presses, sensors, p)) return out;
 
-  const Fitter fitter(profile, sensors);
+  const ClothFitter fitter(profile, sensors);
   const auto held = fitter.fit(presses, ClothEdges::held), rollers = fitter.fit(presses, ClothEdges::rollers);
   if (!held || !rollers) {
     result = refused(std::move(result),
@@ -348,11 +169,11 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   struct Errors {
     std::vector<double> mm, relative;
   };
-  const auto errorsOf = [&](ClothEdges edges, const Fit& fit) {
+  const auto errorsOf = [&](ClothEdges edges, const ClothFit& fit) {
     Errors errors;
-    Model model = fitter.model(edges, fit.at);
-    for (const Press& press : presses) {
-      const Model::Foretold foretold = model.foretell(press, sensors);
+    ClothModel model = fitter.model(edges, fit.at);
+    for (const ClothPress& press : presses) {
+      const ClothModel::Foretold foretold = model.foretell(press, sensors);
       errors.mm.push_back(foretold.error_mm);
       errors.relative.push_back(foretold.error_mm / foretold.depth_mm);
     }
@@ -361,9 +182,9 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   const Errors of_held = errorsOf(ClothEdges::held, *held), of_rollers = errorsOf(ClothEdges::rollers, *rollers);
   const bool free = rootMeanSquare(of_rollers.mm) < rootMeanSquare(of_held.mm);
   out.edges = free ? ClothEdges::rollers : ClothEdges::held;
-  const Fit& fit = free ? *rollers : *held;
+  const ClothFit& fit = free ? *rollers : *held;
   const Errors& errors = free ? of_rollers : of_held;
-  const Unknowns at = fit.at;
+  const ClothUnknowns at = fit.at;
   out.other_edges_rmse = rootMeanSquare(free ? of_held.mm : of_rollers.mm);
   result.rmse = rootMeanSquare(errors.mm);
   result.max_residual = *std::max_element(errors.mm.begin(), errors.mm.end());

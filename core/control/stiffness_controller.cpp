@@ -130,8 +130,8 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
 }
 
 void StiffnessController::followPlace(const ControlInput& input, double dt_s) {
-  if (!std::isfinite(input.place_factor) || input.place_factor <= 0) return;
   if (!input.observable) place_known_ = false;
+  if (!std::isfinite(input.place_factor) || input.place_factor <= 0) return;
   const double seen = math::log(input.place_factor);
   place_log_ = place_known_ ? place_log_ + (seen - place_log_) * dt_s / (kPlaceTime_s + dt_s) : seen;
   place_known_ = input.observable;

@@ -14,8 +14,9 @@ constexpr double kRadiusSigma_mm = 0.1;      // of the contact's radius from its
 constexpr double kLeastOwn = 0.006;          // a share's own error over the sensor
 constexpr double kWiden_per_mm = 0.085;      // w, from finite strain; nearly the same for every finger and stretch
 constexpr double kDeepest_mm = 15.0;
-constexpr double kLeastReach = 0.5;       // of 2πU: nearer to the frame the finger nearly fills the cloth
-constexpr double kMiddleRadius_mm = 2.8;  // of the contact under a fingertip pressed 3 mm deep
+constexpr double kLeastLevel = 0.5;  // of 2πU: nearer to the frame the finger nearly fills the cloth
+constexpr double kMiddleRadius_mm =
+    2.8;  // of the contact under a sphere of 8 mm, 3 mm deep, with what it is wider from afar
 
 }  // namespace
 
@@ -45,12 +46,12 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
   const double inner = known ? radius_share_ * outer : outer;
   const double sigma = known ? math::hypot(radius_share_sigma_, kRadiusSigma_mm / outer) : kUnknownRadiusSigma;
   Membrane::Press press = membrane_.press(contact.x_mm, contact.y_mm, outer, inner);
-  const double reach = std::max(2.0 * std::numbers::pi * press.level(), kLeastReach);
-  const double wide = inner * (1.0 + kWiden_per_mm * deep / reach);
+  const double level = std::max(2.0 * std::numbers::pi * press.level(), kLeastLevel);
+  const double wide = inner * (1.0 + kWiden_per_mm * deep / level);
   press.setEffectiveRadius(wide);
   const Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, wide);
-  reach_ = press.level() / middle_level_;
-  if (!(reach_ > 0.0) || !std::isfinite(reach_)) reach_ = 1.0;
+  relative_compliance_ = press.level() / middle_level_;
+  if (!(relative_compliance_ > 0.0) || !std::isfinite(relative_compliance_)) relative_compliance_ = 1.0;
   for (std::size_t i = 0; i < sensors_; ++i) {
     const MembraneShare here = press.share(positions_[i].x_mm, positions_[i].y_mm);
     const double there = other.share(positions_[i].x_mm, positions_[i].y_mm).value;

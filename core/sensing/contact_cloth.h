@@ -63,8 +63,8 @@ class ContactCloth {
   [[nodiscard]] double doubt(std::size_t sensor) const;
   /// Standard deviation of Σ wᵢ·sᵢ.
   [[nodiscard]] double doubt(std::span<const double> weights) const;
-  /// Compliance here over that of a shallow press in the middle: δ/F grows with it.
-  [[nodiscard]] double reach() const { return reach_; }
+  /// Compliance δ/F here over that under a sphere of 8 mm pressed 3 mm deep in the middle.
+  [[nodiscard]] double relativeCompliance() const { return relative_compliance_; }
 
  private:
   struct Share {
@@ -84,7 +84,7 @@ class ContactCloth {
   double unknown_radius_mm_ = 7.0;
   double middle_level_ = 1.0;
   std::array<Share, kMaximumIrSensors> shares_{};
-  double reach_ = 1.0;
+  double relative_compliance_ = 1.0;
 };
 
 }  // namespace fyd::sensing

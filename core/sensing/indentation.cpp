@@ -54,7 +54,7 @@ void IndentationEstimator::setMaximumAges(Duration ir, Duration finger) {
 
 double IndentationEstimator::placeFactor() const {
   const bool known = parameters_.mode == IndentationMode::contact && touched_ && estimate_.available;
-  return known ? 1.0 / reach_ : std::numeric_limits<double>::quiet_NaN();
+  return known ? 1.0 / relative_compliance_ : std::numeric_limits<double>::quiet_NaN();
 }
 
 void IndentationEstimator::tare(std::span<const double> offset_mm) {
@@ -216,7 +216,7 @@ Contact IndentationEstimator::contactOf(const FingerDetection& finger) const {
 
 void IndentationEstimator::updateContact(double dt_s, Instant taken, const FingerDetection& finger) {
   cloth_.press(contactOf(finger), estimate_.indentation_mm);
-  reach_ = cloth_.reach();
+  relative_compliance_ = cloth_.relativeCompliance();
   const double depth = filter_.value_mm();
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> alone;
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> with_force;
@@ -228,7 +228,7 @@ void IndentationEstimator::updateContact(double dt_s, Instant taken, const Finge
     if (!r.used) continue;
     const double sigma = math::hypot(r.sigma_mm, depth * cloth_.doubt(i));
     alone[count] = {.z_mm = -r.z_mm, .h = cloth_.share(i), .sigma_mm = sigma};
-    with_force[count] = {.z_mm = -r.z_mm, .h = cloth_.share(i) * reach_, .sigma_mm = sigma};
+    with_force[count] = {.z_mm = -r.z_mm, .h = cloth_.share(i) * relative_compliance_, .sigma_mm = sigma};
     ++count;
     weights[i] = cloth_.share(i) / (sigma * sigma);
     information += weights[i] * cloth_.share(i);
@@ -237,13 +237,13 @@ void IndentationEstimator::updateContact(double dt_s, Instant taken, const Finge
   doubt_ = cloth_.doubt(std::span(weights).first(sensor_count_));
   fusion_.update(dt_s, taken, std::span(with_force).first(count));
   filter_.update(dt_s, std::span(alone).first(count));
-  fusion_.compare(dt_s, filter_.value_mm() / reach_, filter_.sigma_mm() / reach_);
+  fusion_.compare(dt_s, filter_.value_mm() / relative_compliance_, filter_.sigma_mm() / relative_compliance_);
 }
 
 void IndentationEstimator::readFilters(Instant now) {
   const bool fused = fusion_.usable(now);
-  const double value = fused ? reach_ * fusion_.indentation_mm() : filter_.value_mm();
-  const double sigma = fused ? reach_ * fusion_.sigma_mm() : filter_.sigma_mm();
+  const double value = fused ? relative_compliance_ * fusion_.indentation_mm() : filter_.value_mm();
+  const double sigma = fused ? relative_compliance_ * fusion_.sigma_mm() : filter_.sigma_mm();
   const double shape_error = doubt_ * value;
   const double excess = std::max(1.0, filter_.disagreement());
   estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);

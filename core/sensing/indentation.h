@@ -101,8 +101,8 @@ class IndentationEstimator {
   /// indentation removed, else as it was seen.
   [[nodiscard]] Contact contactOf(const FingerDetection& finger) const;
 
-  /// Stiffness of the cloth under this finger over that under a shallow press in the middle: by place and by the
-  /// contact's area (contact_cloth.h). NaN while not touched and in the other modes.
+  /// Stiffness of the cloth under this finger over that under a sphere of 8 mm pressed 3 mm deep in the middle: by
+  /// place and by the contact's area (contact_cloth.h). NaN while not touched and in the other modes.
   [[nodiscard]] double placeFactor() const;
 
   /// New distances to the untouched cloth, one per sensor (see tare.h).
@@ -124,7 +124,7 @@ class IndentationEstimator {
   void restore(Archive& archive, std::uint16_t version) {
     archive(readings_, last_codes_, unchanged_, others_travel_, filter_, fusion_, smoother_, touched_, last_count_,
             was_readable_, was_available_, within(last_reason_, IndentationReason::finger_stale), estimate_);
-    if (version >= 2) archive(reach_, doubt_);
+    if (version >= 2) archive(relative_compliance_, doubt_);
   }
 
  private:
@@ -180,8 +180,8 @@ class IndentationEstimator {
   double shapes_y_mm_ = 0.0;
   bool shapes_known_ = false;
   double pixel_area_mm2_ = 0.0;
-  double reach_ = 1.0;          // contact: of the last readings' place
-  double doubt_ = kShapeError;  // of δ, as a part of it: what the shares leave
+  double relative_compliance_ = 1.0;  // contact: of the last readings' place
+  double doubt_ = kShapeError;        // of δ, as a part of it: what the shares leave
   IndentationFilter filter_;
   ForceFusion fusion_;
   ThesisSmoother smoother_;

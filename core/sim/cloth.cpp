@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <numbers>
 #include <stdexcept>
-#include <string>
+#include <utility>
 
 #include "core/sim/cloth_tables.h"
 #include "core/sim/ideal_shape.h"
@@ -16,19 +14,14 @@ namespace {
 
 constexpr double kReferenceDepth_mm = 3.0;
 
-constexpr std::string_view kMembrane = "frame_sphere8";
-
-std::shared_ptr<const ClothTable> tableOf(std::string_view name) {
-  static std::mutex mutex;
-  static std::map<std::string_view, std::shared_ptr<const ClothTable>> read;
-  const std::scoped_lock lock(mutex);
-  std::shared_ptr<const ClothTable>& table = read[name];
-  if (!table) {
-    auto parsed = ClothTable::parse(clothTableText(name));
-    if (!parsed) throw std::runtime_error(fmt::format("cloth {}: {}", name, parsed.error().text()));
-    table = std::make_shared<const ClothTable>(std::move(*parsed));
-  }
-  return table;
+/// Read when the first membrane is made, for all of them.
+const ClothTable& membraneTable() {
+  static const ClothTable kTable = [] {
+    auto parsed = ClothTable::parse(clothTableText("frame_sphere8"));
+    if (!parsed) throw std::runtime_error(parsed.error().text());
+    return std::move(*parsed);
+  }();
+  return kTable;
 }
 
 }  // namespace
@@ -40,9 +33,9 @@ Cloth::Cloth(const SimParameters& parameters)
       viscosity_s_(1e-3 * parameters.fabric_viscosity_ms) {
   if (kind_ == ClothKind::ideal) {
     ideal_ = std::make_shared<const IdealShape>();
-    return;
+  } else {
+    table_ = &membraneTable();
   }
-  table_ = tableOf(kMembrane);
 }
 
 Pressing Cloth::atRest(double angle_deg, double x_mm, double y_mm, double depth_mm) const {

@@ -5,8 +5,8 @@
 //   membrane   F, contact and shape from a finite-strain solution (cloth_table.h), scaled by s. A stretch angle θ gives
 //              the pre-stretch at which a sphere of 8 mm, 3 mm deep in the middle, meets the thesis' k(θ)
 //
-// Over both: hysteresis (fabric.h), and viscosity F·(1 + τ·δ̇/δ), never below 0. A table is read when a cloth that needs
-// it is made, once for all of them.
+// Over both: hysteresis (fabric.h), and viscosity F·(1 + τ·δ̇/δ), never below 0. The table is read when the first
+// membrane is made.
 #pragma once
 
 #include <memory>
@@ -44,7 +44,7 @@ class Cloth {
   double scale_;
   double viscosity_s_;
   std::shared_ptr<const IdealShape> ideal_;
-  std::shared_ptr<const ClothTable> table_;
+  const ClothTable* table_ = nullptr;
   double last_mm_ = 0.0;
 };
 

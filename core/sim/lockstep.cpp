@@ -6,7 +6,6 @@ namespace fyd::sim {
 namespace {
 
 constexpr double kTruePositionNoise_mm = 0.1;
-constexpr double kMm2PerPixel = 100.0 / 220.0 * 70.0 / 150.0;  // of the camera's picture (picture.h)
 const Instant kStart = instantAt(1000.0);
 
 }  // namespace
@@ -45,15 +44,14 @@ void Lockstep::takePicture() {
   sensing::FingerDetection seen;
   seen.contact = !finger.lifted;
   seen.area_px = seen.contact ? 400.0 : 0.0;
-  double x_mm = finger.x_mm, y_mm = finger.y_mm;
-  if (world_->parameters().cloth != ClothKind::ideal) {  // the contact as the camera sees it (picture.h)
-    const double nearer = perspective(finger.indentation_mm, world_->parameters().cloth_height_mm);
-    x_mm = nearer * truth.contact_x_mm;
-    y_mm = nearer * truth.contact_y_mm;
-    seen.area_px = nearer * nearer * truth.contact_area_mm2 / kMm2PerPixel;
+  Spot spot{.x_mm = finger.x_mm, .y_mm = finger.y_mm};
+  if (world_->parameters().cloth != ClothKind::ideal) {
+    spot = seenFromBelow({truth.contact_x_mm, truth.contact_y_mm, truth.contact_area_mm2}, finger.indentation_mm,
+                         world_->parameters().cloth_height_mm);
+    seen.area_px = spot.area_mm2 / (kMmPerPx_u * kMmPerPx_v);
   }
-  seen.x_mm = x_mm + kTruePositionNoise_mm * normal_(random_);
-  seen.y_mm = y_mm + kTruePositionNoise_mm * normal_(random_);
+  seen.x_mm = spot.x_mm + kTruePositionNoise_mm * normal_(random_);
+  seen.y_mm = spot.y_mm + kTruePositionNoise_mm * normal_(random_);
   seen.quality = 1.0;
   seen.reason = seen.contact ? sensing::FingerReason::found : sensing::FingerReason::no_finger;
   next.finger.set(seen, now_);

@@ -13,8 +13,6 @@ constexpr double kDarkFrom_N = 0.1;
 constexpr double kHalfDiagonal_px = 200.0;
 constexpr double kScale = 16.0;  // of the stored greys: sixteenths
 constexpr std::size_t kNoiseSize = 1U << 16U;
-constexpr double kMmPerPx_u = 100.0 / 220.0;
-constexpr double kMmPerPx_v = 70.0 / 150.0;
 
 std::int16_t sixteenths(double grey) {
   return static_cast<std::int16_t>(std::lround(std::clamp(grey * kScale, -16000.0, 16000.0)));
@@ -28,7 +26,10 @@ std::uint8_t toGrey(int sixteenths_of_grey) {
 
 PicturePoint pictureOf(double x_mm, double y_mm) { return {150.0 + x_mm / kMmPerPx_u, 120.0 - y_mm / kMmPerPx_v}; }
 
-double perspective(double depth_mm, double height_mm) { return height_mm / (height_mm - depth_mm); }
+Spot seenFromBelow(const Spot& spot, double depth_mm, double height_mm) {
+  const double nearer = height_mm / (height_mm - depth_mm);
+  return {nearer * spot.x_mm, nearer * spot.y_mm, nearer * nearer * spot.area_mm2};
+}
 
 PictureRenderer::PictureRenderer(const SimParameters& parameters)
     : far_camera_(parameters.cloth == ClothKind::ideal),
@@ -57,10 +58,11 @@ void PictureRenderer::render(const WorldSnapshot& world, std::mt19937_64& random
   double x_mm = world.finger.x_mm, y_mm = world.finger.y_mm;
   double radius_mm = world.finger.lifted ? 0.0 : spotRadius_mm(world.force_N);
   if (!far_camera_ && !world.finger.lifted) {
-    const double nearer = perspective(world.finger.indentation_mm, height_mm_);
-    x_mm = nearer * world.contact_x_mm;
-    y_mm = nearer * world.contact_y_mm;
-    radius_mm = nearer * std::sqrt(world.contact_area_mm2 / std::numbers::pi);
+    const Spot seen = seenFromBelow({world.contact_x_mm, world.contact_y_mm, world.contact_area_mm2},
+                                    world.finger.indentation_mm, height_mm_);
+    x_mm = seen.x_mm;
+    y_mm = seen.y_mm;
+    radius_mm = std::sqrt(seen.area_mm2 / std::numbers::pi);
   }
   const double darkness = std::clamp(world.force_N / kDarkFrom_N, 0.0, 1.0);
   const double reach_mm = radius_mm + edge_softness_mm_;

@@ -3,10 +3,8 @@
 //   x_mm = (u − 150)·100/220      y_mm = −(v − 120)·70/150   (u right, v down; the region of interest is 220 × 150 at
 //   (40, 45)) cloth   245·light·(1 + gradient·(u/319 − ½))·(1 − vignette·(r/200)²), r in px from the picture's middle
 //   finger  darkest grey 60, reached from 0.1 N on. Ideal cloth: radius 3.5 mm + 2.5 mm·(F/1 N)^⅓ about the finger, as
-//   if
-//           the camera stood far away. The other cloths: a disc of the contact's area about its centre, seen by a
-//           camera at sim.cloth_height_mm H below: at depth δ it appears H/(H − δ) times as far from the axis, and as
-//           large
+//           if the camera stood far away. Membrane: a disc of the contact's area about its centre, seen from
+//           sim.cloth_height_mm below
 //   noise   Gaussian, from a fixed table read at random offsets (each row another), so that a picture stays under 0.5
 //   ms
 #pragma once
@@ -24,6 +22,8 @@ namespace fyd::sim {
 
 inline constexpr int kPictureWidth_px = 320;
 inline constexpr int kPictureHeight_px = 240;
+inline constexpr double kMmPerPx_u = 100.0 / 220.0;  // along a row …
+inline constexpr double kMmPerPx_v = 70.0 / 150.0;   // … and along a column
 
 struct PicturePoint {
   double u_px = 0.0;
@@ -33,9 +33,16 @@ struct PicturePoint {
 /// Where a point of the cloth appears.
 [[nodiscard]] PicturePoint pictureOf(double x_mm, double y_mm);
 
-/// How much farther from the camera's axis, and larger, what lies depth_mm below the cloth's plane appears.
-/// @param height_mm of the unpressed cloth over the camera, above depth_mm
-[[nodiscard]] double perspective(double depth_mm, double height_mm);
+/// A round spot on the cloth.
+struct Spot {
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  double area_mm2 = 0.0;
+};
+/// Where and how large a spot depth_mm below the cloth's plane appears on that plane: H/(H − depth) times as far from
+/// the axis, and as wide.
+/// @param height_mm H, of the unpressed cloth over the camera, above depth_mm
+[[nodiscard]] Spot seenFromBelow(const Spot& spot, double depth_mm, double height_mm);
 
 class PictureRenderer {
  public:

@@ -11,14 +11,14 @@ import subprocess
 import tempfile
 import unittest
 
-GOLDEN = pathlib.Path(os.environ["FYD_SOURCE_DIR"]) / "tests" / "data" / "recordings" / "arithmetic_2"
+GOLDEN = pathlib.Path(os.environ["FYD_SOURCE_DIR"]) / "tests" / "data" / "recordings"
 PROCESSORS = ("Nehalem", "Haswell")  # the second has fused multiply-add and AVX2
 
 
 class Processors(unittest.TestCase):
     def test_each_recording_replays_bit_for_bit(self):
-        recordings = sorted(GOLDEN.glob("*.h5"))
-        self.assertGreaterEqual(len(recordings), 8)
+        recordings = sorted(file for kind in ("arithmetic_2", "vibration") for file in (GOLDEN / kind).glob("*.h5"))
+        self.assertGreaterEqual(len(recordings), 9)
         with tempfile.TemporaryDirectory() as folder:
             for recording in recordings:
                 copy = shutil.copy(recording, folder)

@@ -90,6 +90,9 @@ std::map<std::string, Scene> scenes(const std::string& surface) {
                  .from_the_start = true,
                  .duration_s = 2.2};
   out["surface"] = {.robot = "none", .surface = surface, .states = {SafetyState::active}};
+  out["vibration"] = {.settings = {{"texture.dead_zone_percent", "0"}, {"texture.k_vib", "10"}},
+                      .acts = {set(0.5, "texture.method", 1.0), set(0.9, "texture.k_vib", 4.0)},
+                      .states = {SafetyState::active}};
   out["frame512"] = {.settings = {{"texture.frame", "512"}}, .states = {SafetyState::active}};
   out["crashed"] = {.states = {SafetyState::active}};
   return out;

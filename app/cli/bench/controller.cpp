@@ -57,14 +57,18 @@ std::vector<Case> cases() {
   return all;
 }
 
-std::vector<sim::TrialResult> runAll(const std::vector<sim::StiffnessTrial>& trials, bool thesis,
+enum class Controller : std::uint8_t { thesis, as_delivered, trusting };
+constexpr std::array<const char*, 3> kControllers = {"baseline: thesis PI", "default", "default, measurement_bias 0"};
+
+std::vector<sim::TrialResult> runAll(const std::vector<sim::StiffnessTrial>& trials, Controller controller,
                                      sim::ClothKind cloth) {
   const auto run = [&](std::size_t begin, std::size_t step) {
     std::vector<sim::TrialResult> out;
     for (std::size_t i = begin; i < trials.size(); i += step) {
       sim::StiffnessTrial trial = trials[i];
       trial.sim.cloth = cloth;
-      if (thesis) sim::useThesisController(trial.parameters.control);
+      if (controller == Controller::thesis) sim::useThesisController(trial.parameters.control);
+      if (controller == Controller::trusting) trial.parameters.control.measurement_bias = 0.0;
       out.push_back(sim::runTrial(trial));
     }
     return out;
@@ -135,8 +139,10 @@ Table bench_controller() {
                    "settled", "overshoot (%)", "steady error (%)", "worst (%)", "stretch swing (°)", "unstable"};
   for (const sim::ClothKind cloth : benchCloths()) {
     for (const Case& each : cases()) {
-      table.rows.push_back(row(cloth, each.name, "baseline: thesis PI", runAll(each.trials, true, cloth)));
-      table.rows.push_back(row(cloth, each.name, "default", runAll(each.trials, false, cloth)));
+      for (std::size_t i = 0; i < kControllers.size(); ++i) {
+        table.rows.push_back(
+            row(cloth, each.name, kControllers[i], runAll(each.trials, static_cast<Controller>(i), cloth)));
+      }
     }
   }
   const double thesis_ns = stepTime_ns(true), default_ns = stepTime_ns(false);

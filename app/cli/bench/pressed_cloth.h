@@ -42,7 +42,7 @@ struct PressedClothOptions {
 
 class PressedCloth {
  public:
-  static constexpr double kMm2PerWorkingPixel = 100.0 * 70.0 / (160.0 * 120.0);
+  static constexpr double kMm2PerPixel = sim::kMmPerPx_u * sim::kMmPerPx_v;
 
   explicit PressedCloth(const PressedClothOptions& options)
       : o_(options), membrane_(50.0, 35.0, options.finger_radius_mm), random_(options.seed) {
@@ -78,17 +78,15 @@ class PressedCloth {
       next_picture_s_ += 1.0 / 30.0;
       sensing::FingerDetection seen;
       seen.contact = time_s_ - 0.02 > o_.touch_at_s;
-      double x_mm = o_.x_mm, y_mm = o_.y_mm;
-      seen.area_px = std::numbers::pi * o_.finger_radius_mm * o_.finger_radius_mm / kMm2PerWorkingPixel;
+      sim::Spot spot{o_.x_mm, o_.y_mm, std::numbers::pi * o_.finger_radius_mm * o_.finger_radius_mm};
       if (cloth_) {
         const sim::Pressing contact = sim::Cloth(*cloth_).press(angle_deg_, state, 0.0);
-        const double nearer = sim::perspective(std::max(0.0, depth_mm), 100.0);
-        x_mm = nearer * (o_.x_mm + contact.centre_x_mm);
-        y_mm = nearer * (o_.y_mm + contact.centre_y_mm);
-        seen.area_px = nearer * nearer * contact.area_mm2 / kMm2PerWorkingPixel;
+        spot = sim::seenFromBelow({o_.x_mm + contact.centre_x_mm, o_.y_mm + contact.centre_y_mm, contact.area_mm2},
+                                  std::max(0.0, depth_mm), 100.0);
       }
-      seen.x_mm = x_mm + 0.1 * normal_(random_);
-      seen.y_mm = y_mm + 0.1 * normal_(random_);
+      seen.area_px = spot.area_mm2 / kMm2PerPixel;
+      seen.x_mm = spot.x_mm + 0.1 * normal_(random_);
+      seen.y_mm = spot.y_mm + 0.1 * normal_(random_);
       finger.set(seen, now - std::chrono::milliseconds(20));
     }
     if (time_s_ >= next_force_s_) {

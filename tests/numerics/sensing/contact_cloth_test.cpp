@@ -184,7 +184,7 @@ TEST(ContactMode, AnyContactGivesFiniteSharesBetweenZeroAndOne) {
           for (const double area : {-1.0, 0.0, 1e-9, 1.0, 50.0, 1e9, kInfinity, kNan}) {
             for (const double depth : {-5.0, 0.0, 8.0, 1e9, kNan}) {
               cloth.press({.x_mm = x, .y_mm = y, .area_mm2 = area}, depth);
-              EXPECT_TRUE(std::isfinite(cloth.reach()) && cloth.reach() > 0.0);
+              EXPECT_TRUE(std::isfinite(cloth.relativeCompliance()) && cloth.relativeCompliance() > 0.0);
               for (std::size_t i = 0; i < 3; ++i) {
                 EXPECT_GE(cloth.share(i), 0.0);
                 EXPECT_LE(cloth.share(i), 1.0);

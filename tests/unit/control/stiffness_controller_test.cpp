@@ -183,6 +183,22 @@ TEST(StiffnessController, APlaceThatIsNoNumberLeavesTheLastOne) {
   }
 }
 
+TEST(StiffnessController, ANewTouchElsewhereTakesItsPlaceAtOnce) {
+  StiffnessController controller;
+  BenchPlant plant;
+  plant.place = 1.3;
+  plant.run(controller, 0.8, 2);
+  ControlInput lifted = plant.read(0.8);
+  lifted.observable = false;
+  lifted.place_factor = kNaN;
+  plant.now_s += 0.001;
+  (void)controller.step(lifted);
+  plant.place = 0.8;
+  plant.now_s += 0.001;
+  // 0.8 N/mm is more than this place can give: 0.715 N/mm in the middle.
+  EXPECT_NEAR(controller.step(plant.read(0.8)).reachable_target_N_per_mm, 0.8 * 0.715, 0.01);
+}
+
 TEST(StiffnessController, NoTargetAndNotEnabledHoldTheReference) {
   StiffnessController controller;
   BenchPlant plant;

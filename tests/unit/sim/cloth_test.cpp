@@ -210,10 +210,10 @@ TEST(Cloth, ACameraOfFiniteHeightSeesADeepContactFartherOutAndLarger) {
   EXPECT_NEAR(darkness(ClothKind::ideal).second, 20.0, 0.05) << "the ideal cloth's camera stands far away";
 }
 
-TEST(Cloth, OnlyTheClothThatIsNamedIsRead) {
+TEST(Cloth, TheIdealOneHasTheThesisStiffnessAtEveryPlace) {
   SimParameters ideal;
   ideal.cloth = ClothKind::ideal;
-  TouchpadWorld world(ideal, FingerPath::constant(0, 0, 3), instantAt(1));
+  TouchpadWorld world(ideal, FingerPath::constant(40, 20, 3), instantAt(1));
   EXPECT_DOUBLE_EQ(world.truth().force_N, 3 * 0.501);
 }
 
