@@ -17,6 +17,11 @@ constexpr double kDeepest_mm = 15.0;
 constexpr double kLeastLevel = 0.5;  // of 2πU: nearer to the frame the finger nearly fills the cloth
 constexpr double kMiddleRadius_mm =
     2.8;  // of the contact under a sphere of 8 mm, 3 mm deep, with what it is wider from afar
+// Beside the frame a deep press meets a cloth that is no longer even: its level, over the middle's, falls to a floor.
+constexpr double kFloor = 0.055, kFloorFades = 0.1;  // of the level that the shares see
+constexpr double kGives = 0.33, kGivesFades = 0.28;  // of the compliance
+constexpr double kComplianceDoubt = 0.03;            // of its logarithm, far from the frame …
+constexpr double kGivesDoubt = 0.15;                 // … and of what is added beside it
 
 }  // namespace
 
@@ -50,8 +55,11 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
   const double wide = inner * (1.0 + kWiden_per_mm * deep / level);
   press.setEffectiveRadius(wide);
   const Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, wide);
-  relative_compliance_ = press.level() / middle_level_;
-  if (!(relative_compliance_ > 0.0) || !std::isfinite(relative_compliance_)) relative_compliance_ = 1.0;
+  const double relative = std::max(0.0, press.level() / middle_level_);
+  const double gives = kGives * math::exp(-relative / kGivesFades);
+  relative_compliance_ = relative + gives;
+  compliance_doubt_ = math::hypot(kComplianceDoubt, kGivesDoubt * gives / relative_compliance_);
+  press.setLevel(middle_level_ * (relative + kFloor * math::exp(-relative / kFloorFades)));
   for (std::size_t i = 0; i < sensors_; ++i) {
     const MembraneShare here = press.share(positions_[i].x_mm, positions_[i].y_mm);
     const double there = other.share(positions_[i].x_mm, positions_[i].y_mm).value;

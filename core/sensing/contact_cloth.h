@@ -63,8 +63,11 @@ class ContactCloth {
   [[nodiscard]] double doubt(std::size_t sensor) const;
   /// Standard deviation of Σ wᵢ·sᵢ.
   [[nodiscard]] double doubt(std::span<const double> weights) const;
-  /// Compliance δ/F here over that under a sphere of 8 mm pressed 3 mm deep in the middle.
+  /// Compliance δ/F here over that under a sphere of 8 mm pressed 3 mm deep in the middle: the place's U over the
+  /// middle's, and what a deep press beside the frame adds to it, where U alone says too little.
   [[nodiscard]] double relativeCompliance() const { return relative_compliance_; }
+  /// Standard deviation of its logarithm.
+  [[nodiscard]] double complianceDoubt() const { return compliance_doubt_; }
 
  private:
   struct Share {
@@ -85,6 +88,7 @@ class ContactCloth {
   double middle_level_ = 1.0;
   std::array<Share, kMaximumIrSensors> shares_{};
   double relative_compliance_ = 1.0;
+  double compliance_doubt_ = 0.0;
 };
 
 }  // namespace fyd::sensing

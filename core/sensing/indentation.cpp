@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/portable_math.h"
 
@@ -14,6 +15,7 @@ constexpr std::uint32_t kFewestForMembrane = 2;  // so that one can contradict t
 constexpr double kInconsistent = 4.0;            // squared standard deviations
 constexpr std::uint32_t kStuckReadings = 60;     // 1 s at 60 Hz without one changed count …
 constexpr double kStuckTravel_counts = 200.0;    // … while the others went this far
+constexpr double kSeenDepthShare = 0.3;          // of a new reading: 50 ms
 constexpr double kLowest_mm = -20.0;
 constexpr double kHighest_mm = 100.0;
 
@@ -64,10 +66,15 @@ void IndentationEstimator::tare(std::span<const double> offset_mm) {
   }
 }
 
-void IndentationEstimator::reset() {
+void IndentationEstimator::restartTouch() {
   filter_.restart();
   fusion_.restart();
   smoother_.restart();
+  seen_depth_mm_ = 0.0;
+}
+
+void IndentationEstimator::reset() {
+  restartTouch();
   touched_ = false;
   last_count_ = 0;
   unchanged_ = {};
@@ -110,11 +117,7 @@ IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts
     estimate_.reason = estimate_.available ? IndentationReason::untouched : IndentationReason::too_few_sensors;
     return estimate_;
   }
-  if (new_touch) {
-    filter_.restart();
-    fusion_.restart();
-    smoother_.restart();
-  }
+  if (new_touch) restartTouch();
   if (new_readings || new_touch) {
     if (!enoughSensors()) {
       estimate_.reason = IndentationReason::too_few_sensors;
@@ -211,10 +214,19 @@ void IndentationEstimator::updateMembrane(double dt_s, Instant taken, const Fing
 Contact IndentationEstimator::contactOf(const FingerDetection& finger) const {
   const Contact seen{.x_mm = finger.x_mm, .y_mm = finger.y_mm, .area_mm2 = finger.area_px * pixel_area_mm2_};
   if (parameters_.mode != IndentationMode::contact) return seen;
-  return withoutPerspective(seen, estimate_.indentation_mm, parameters_.camera_height_mm);
+  Contact on_cloth = withoutPerspective(seen, seen_depth_mm_, parameters_.camera_height_mm);
+  const double radius = on_cloth.area_mm2 > 0.0 ? std::sqrt(on_cloth.area_mm2 / std::numbers::pi) : 0.0;
+  const double x = std::max(0.0, parameters_.frame_half_width_mm - radius);
+  const double y = std::max(0.0, parameters_.frame_half_depth_mm - radius);
+  on_cloth.x_mm = std::clamp(on_cloth.x_mm, -x, x);
+  on_cloth.y_mm = std::clamp(on_cloth.y_mm, -y, y);
+  return on_cloth;
 }
 
 void IndentationEstimator::updateContact(double dt_s, Instant taken, const FingerDetection& finger) {
+  // Depth moves the place, place the compliance, and that the depth: beside the frame this circle closes on itself
+  // unless it is followed slowly.
+  seen_depth_mm_ += kSeenDepthShare * (estimate_.indentation_mm - seen_depth_mm_);
   cloth_.press(contactOf(finger), estimate_.indentation_mm);
   relative_compliance_ = cloth_.relativeCompliance();
   const double depth = filter_.value_mm();
@@ -244,7 +256,9 @@ void IndentationEstimator::readFilters(Instant now) {
   const bool fused = fusion_.usable(now);
   const double value = fused ? relative_compliance_ * fusion_.indentation_mm() : filter_.value_mm();
   const double sigma = fused ? relative_compliance_ * fusion_.sigma_mm() : filter_.sigma_mm();
-  const double shape_error = doubt_ * value;
+  const double doubt =
+      fused && parameters_.mode == IndentationMode::contact ? math::hypot(doubt_, cloth_.complianceDoubt()) : doubt_;
+  const double shape_error = doubt * value;
   const double excess = std::max(1.0, filter_.disagreement());
   estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);
   estimate_.sigma_mm = std::sqrt(sigma * sigma * excess + shape_error * shape_error);

@@ -98,7 +98,7 @@ class IndentationEstimator {
   [[nodiscard]] IndentationEstimate once(const PressReading& press);
 
   /// Where the finger of a picture touches the cloth: in contact mode with the camera's perspective at the present
-  /// indentation removed, else as it was seen.
+  /// indentation removed and the whole patch on the cloth, else as it was seen.
   [[nodiscard]] Contact contactOf(const FingerDetection& finger) const;
 
   /// Stiffness of the cloth under this finger over that under a sphere of 8 mm pressed 3 mm deep in the middle: by
@@ -114,7 +114,8 @@ class IndentationEstimator {
 
   void reset();
 
-  static constexpr std::uint16_t kStateVersion = 2;  ///< 2: reach and doubt of the contact mode
+  /// 2: relative compliance and doubt of the contact mode; 3: its depth of the picture
+  static constexpr std::uint16_t kStateVersion = 3;
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -125,6 +126,7 @@ class IndentationEstimator {
     archive(readings_, last_codes_, unchanged_, others_travel_, filter_, fusion_, smoother_, touched_, last_count_,
             was_readable_, was_available_, within(last_reason_, IndentationReason::finger_stale), estimate_);
     if (version >= 2) archive(relative_compliance_, doubt_);
+    if (version >= 3) archive(seen_depth_mm_);
   }
 
  private:
@@ -146,6 +148,7 @@ class IndentationEstimator {
   void updateMembrane(double dt_s, Instant taken, const FingerDetection& finger);
   void updateContact(double dt_s, Instant taken, const FingerDetection& finger);
   void readFilters(Instant now);
+  void restartTouch();
   void stepThesis(const FingerDetection& finger);
   void updateShapes(double x_mm, double y_mm);
   struct Reduced {
@@ -182,6 +185,7 @@ class IndentationEstimator {
   double pixel_area_mm2_ = 0.0;
   double relative_compliance_ = 1.0;  // contact: of the last readings' place
   double doubt_ = kShapeError;        // of δ, as a part of it: what the shares leave
+  double seen_depth_mm_ = 0.0;        // contact: the depth that the picture's perspective is removed with
   IndentationFilter filter_;
   ForceFusion fusion_;
   ThesisSmoother smoother_;

@@ -60,6 +60,8 @@ class Membrane {
     [[nodiscard]] double level() const { return level_; }
     /// The same press with another effective radius.
     void setEffectiveRadius(double radius_mm);
+    /// The same press on a cloth that gives otherwise. @param level above 0
+    void setLevel(double level) { level_ = level; }
 
    private:
     friend class Membrane;
