@@ -14,14 +14,20 @@ constexpr double kRadiusSigma_mm = 0.1;      // of the contact's radius from its
 constexpr double kLeastOwn = 0.006;          // a share's own error over the sensor
 constexpr double kWiden_per_mm = 0.085;      // w, from finite strain; nearly the same for every finger and stretch
 constexpr double kDeepest_mm = 15.0;
+constexpr double kLeastCompliance = 0.05;
 constexpr double kLeastLevel = 0.5;  // of 2πU: nearer to the frame the finger nearly fills the cloth
 constexpr double kMiddleRadius_mm =
     2.8;  // of the contact under a sphere of 8 mm, 3 mm deep, with what it is wider from afar
-// Beside the frame a deep press meets a cloth that is no longer even: its level, over the middle's, falls to a floor.
-constexpr double kFloor = 0.055, kFloorFades = 0.1;  // of the level that the shares see
-constexpr double kGives = 0.33, kGivesFades = 0.28;  // of the compliance
-constexpr double kComplianceDoubt = 0.03;            // of its logarithm, far from the frame …
-constexpr double kGivesDoubt = 0.15;                 // … and of what is added beside it
+// Beside the frame a deep press is no wider, as seen by the sensors or by the force, than a part of its distance to it.
+constexpr double kWidestForShares = 1.2;
+constexpr double kWidestForForce = 0.6;
+constexpr double kComplianceDoubt = 0.03;  // of its logarithm, far from the frame …
+constexpr double kFrameDoubt = 0.15;       // … and of what its neighbourhood takes away
+
+/// The smaller of the two, without a corner between them.
+double within(double radius, double widest) {
+  return radius / std::sqrt(std::sqrt(1.0 + math::square(math::square(radius / widest))));
+}
 
 }  // namespace
 
@@ -53,13 +59,18 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
   Membrane::Press press = membrane_.press(contact.x_mm, contact.y_mm, outer, inner);
   const double level = std::max(2.0 * std::numbers::pi * press.level(), kLeastLevel);
   const double wide = inner * (1.0 + kWiden_per_mm * deep / level);
+  const double room =
+      std::max(outer, membrane_.toHeldEdge(contact.x_mm, contact.y_mm));  // the contact lies on the cloth
   press.setEffectiveRadius(wide);
-  const Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, wide);
-  const double relative = std::max(0.0, press.level() / middle_level_);
-  const double gives = kGives * math::exp(-relative / kGivesFades);
-  relative_compliance_ = relative + gives;
-  compliance_doubt_ = math::hypot(kComplianceDoubt, kGivesDoubt * gives / relative_compliance_);
-  press.setLevel(middle_level_ * (relative + kFloor * math::exp(-relative / kFloorFades)));
+  const double open = press.level();
+  press.setEffectiveRadius(within(wide, kWidestForForce * room));
+  relative_compliance_ = std::max(press.level() / middle_level_, kLeastCompliance);
+  compliance_doubt_ = math::hypot(
+      kComplianceDoubt,
+      kFrameDoubt * math::log(relative_compliance_ / std::max(open / middle_level_, 0.5 * relative_compliance_)));
+  const double seen = within(wide, kWidestForShares * room);
+  press.setEffectiveRadius(seen);
+  const Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, seen);
   for (std::size_t i = 0; i < sensors_; ++i) {
     const MembraneShare here = press.share(positions_[i].x_mm, positions_[i].y_mm);
     const double there = other.share(positions_[i].x_mm, positions_[i].y_mm).value;

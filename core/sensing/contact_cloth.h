@@ -63,8 +63,7 @@ class ContactCloth {
   [[nodiscard]] double doubt(std::size_t sensor) const;
   /// Standard deviation of Σ wᵢ·sᵢ.
   [[nodiscard]] double doubt(std::span<const double> weights) const;
-  /// Compliance δ/F here over that under a sphere of 8 mm pressed 3 mm deep in the middle: the place's U over the
-  /// middle's, and what a deep press beside the frame adds to it, where U alone says too little.
+  /// Compliance δ/F here over that under a sphere of 8 mm pressed 3 mm deep in the middle: U here over U there.
   [[nodiscard]] double relativeCompliance() const { return relative_compliance_; }
   /// Standard deviation of its logarithm.
   [[nodiscard]] double complianceDoubt() const { return compliance_doubt_; }

@@ -85,6 +85,12 @@ Membrane::Place Membrane::place(double x_mm, double y_mm) const {
   return across_is_x_ ? Place{y, x} : Place{x, y};
 }
 
+double Membrane::toHeldEdge(double x_mm, double y_mm) const {
+  const double x = half_width_mm_ - std::abs(x_mm);
+  const bool free_front_and_back = mirror_ > 0.0;
+  return free_front_and_back ? x : std::min(x, half_depth_mm_ - std::abs(y_mm));
+}
+
 double Membrane::shape(double x_mm, double y_mm, double finger_x_mm, double finger_y_mm) const {
   const double r = finger_radius_mm_;
   const double fx = std::clamp(finger_x_mm, r - half_width_mm_, half_width_mm_ - r);

@@ -60,8 +60,6 @@ class Membrane {
     [[nodiscard]] double level() const { return level_; }
     /// The same press with another effective radius.
     void setEffectiveRadius(double radius_mm);
-    /// The same press on a cloth that gives otherwise. @param level above 0
-    void setLevel(double level) { level_ = level; }
 
    private:
     friend class Membrane;
@@ -83,6 +81,9 @@ class Membrane {
   ///        afar
   [[nodiscard]] Press press(double finger_x_mm, double finger_y_mm, double contact_radius_mm,
                             double effective_radius_mm) const;
+
+  /// Distance to the nearest edge that is held; negative outside.
+  [[nodiscard]] double toHeldEdge(double x_mm, double y_mm) const;
 
   [[nodiscard]] double halfWidth_mm() const { return half_width_mm_; }
   [[nodiscard]] double halfDepth_mm() const { return half_depth_mm_; }
