@@ -48,7 +48,7 @@ void add_bench(CLI::App& app) {
   command->add_option("--out", options->out, "Folder for one Markdown and one CSV file per subject");
   command
       ->add_option("--cloth", options->cloth,
-                   "The simulated cloth of indentation and controller; membrane and ideal when left out")
+                   "The simulated cloth of indentation and controller; membrane, rollers and ideal when left out")
       ->check(CLI::IsMember(std::vector<std::string>(sim::kClothNames.begin(), sim::kClothNames.end())));
   command->callback([options] {
     if (!options->cloth.empty()) bench::benchCloths() = {bench::clothOf(options->cloth)};

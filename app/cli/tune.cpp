@@ -1,5 +1,6 @@
 // fyd tune [--recording FILE.csv] [--plant-scale S] [--noise N] [--delay MS] [--friction PERCENT] [--hysteresis H]
 //          [--seed I] [--profile P] [--set id=value] [--json]
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -14,14 +15,21 @@ namespace {
 
 /// A session's telemetry (fyd station --telemetry) in which the stretch was moved while a finger held still.
 std::vector<control::TuneSample> readRecording(const std::string& path) {
-  const CsvTable table =
-      valueOrFail(readCsv(path, {"t_s", "stretch_measured_deg", "stiffness_N_per_mm", "stiffness_observable"}));
+  std::vector<std::string> columns{"t_s", "stretch_measured_deg", "stiffness_N_per_mm", "stiffness_observable"};
+  CsvTable table = valueOrFail(readCsv(path, columns));
+  const bool placed = std::ranges::find(table.header, "stiffness_place_factor") != table.header.end();
+  if (placed) {
+    columns.emplace_back("stiffness_place_factor");
+    table = valueOrFail(readCsv(path, columns));
+  }
   std::vector<control::TuneSample> recording;
   recording.reserve(table.rows());
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (std::isnan(table.values[1][i])) continue;
     const bool observable = table.values[3][i] == 1.0;
-    recording.push_back({table.values[0][i], table.values[1][i], observable ? table.values[2][i] : std::nan("")});
+    const double factor = placed && std::isfinite(table.values[4][i]) ? table.values[4][i] : 1.0;
+    recording.push_back(
+        {table.values[0][i], table.values[1][i], observable ? table.values[2][i] / factor : std::nan("")});
   }
   return recording;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/pipeline/tune_sample.h"
 #include "core/sim/stiffness_trial.h"
 #include "widgets/core_text.h"
 
@@ -62,8 +63,7 @@ void LoopStudy::listen(std::span<const pipeline::TelemetrySample> samples) {
     if (!heard_.empty() && now_s < heard_.back().time_s) heard_.clear();  // another session's time
     if (!heard_.empty() && now_s < heard_.back().time_s + kThin_s) continue;
     if (!std::isfinite(sample.stretch_measured_deg)) continue;
-    heard_.push_back(
-        {now_s, sample.stretch_measured_deg, sample.stiffness_observable ? sample.stiffness_N_per_mm : std::nan("")});
+    heard_.push_back(pipeline::tuneSampleOf(sample, now_s));
     while (heard_.back().time_s - heard_.front().time_s > kKept_s) heard_.pop_front();
   }
 }

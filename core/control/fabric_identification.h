@@ -19,7 +19,7 @@ namespace fyd::control {
 struct TuneSample {
   double time_s = 0.0;
   double angle_deg = 0.0;           ///< measured stretch, or commanded when the encoders are silent
-  double stiffness_N_per_mm = 0.0;  ///< measured; NaN while not observable
+  double stiffness_N_per_mm = 0.0;  ///< measured, over the place's factor; NaN while not observable
 };
 
 struct IdentifiedFabric {

@@ -116,6 +116,7 @@ void Pipeline::writeTelemetry(const Inputs& inputs) {
   out.force_N = force_N_.count > 0 ? force_N_.value : kNone;
   out.stiffness_N_per_mm = stiff_.known ? stiff_.stiffness_N_per_mm : kNone;
   out.stiffness_observable = stiff_.observable;
+  out.stiffness_place_factor = indentation_.placeFactor();
   out.target_N_per_mm = target(inputs);
   out.reachable_target_N_per_mm = control_.reachable_target_N_per_mm;
   out.target_clamped = control_.target_clamped;

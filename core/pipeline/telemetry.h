@@ -32,6 +32,7 @@ struct TelemetrySample {
   double force_N = kNone;
   double stiffness_N_per_mm = kNone;
   bool stiffness_observable = false;
+  double stiffness_place_factor = kNone;
   double target_N_per_mm = kNone;
   double reachable_target_N_per_mm = kNone;
   bool target_clamped = false;
@@ -82,6 +83,9 @@ struct TelemetrySample {
         Field("stiffness_N_per_mm", "N/mm", "measured stiffness; keeps its last value while it cannot be observed",
               &T::stiffness_N_per_mm),
         Field("stiffness_observable", "1", "1: the measured stiffness is of now", &T::stiffness_observable),
+        Field("stiffness_place_factor", "1",
+              "stiffness of the cloth under this finger over that of the law, by place and depth; none where unknown",
+              &T::stiffness_place_factor),
         Field("target_N_per_mm", "N/mm", "stiffness asked for", &T::target_N_per_mm),
         Field("reachable_target_N_per_mm", "N/mm", "stiffness nearest to the target that the touchpad can do",
               &T::reachable_target_N_per_mm),

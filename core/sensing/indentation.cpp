@@ -229,6 +229,7 @@ void IndentationEstimator::updateContact(double dt_s, Instant taken, const Finge
   seen_depth_mm_ += kSeenDepthShare * (estimate_.indentation_mm - seen_depth_mm_);
   cloth_.press(contactOf(finger), estimate_.indentation_mm);
   relative_compliance_ = cloth_.relativeCompliance();
+  compliance_doubt_ = cloth_.complianceDoubt();
   const double depth = filter_.value_mm();
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> alone;
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> with_force;
@@ -257,7 +258,7 @@ void IndentationEstimator::readFilters(Instant now) {
   const double value = fused ? relative_compliance_ * fusion_.indentation_mm() : filter_.value_mm();
   const double sigma = fused ? relative_compliance_ * fusion_.sigma_mm() : filter_.sigma_mm();
   const double doubt =
-      fused && parameters_.mode == IndentationMode::contact ? math::hypot(doubt_, cloth_.complianceDoubt()) : doubt_;
+      fused && parameters_.mode == IndentationMode::contact ? math::hypot(doubt_, compliance_doubt_) : doubt_;
   const double shape_error = doubt * value;
   const double excess = std::max(1.0, filter_.disagreement());
   estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);

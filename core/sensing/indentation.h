@@ -114,7 +114,7 @@ class IndentationEstimator {
 
   void reset();
 
-  /// 2: relative compliance and doubt of the contact mode; 3: its depth of the picture
+  /// 2: relative compliance and doubt of the contact mode; 3: doubt of that, depth of the picture
   static constexpr std::uint16_t kStateVersion = 3;
 
   template <class Archive>
@@ -126,7 +126,7 @@ class IndentationEstimator {
     archive(readings_, last_codes_, unchanged_, others_travel_, filter_, fusion_, smoother_, touched_, last_count_,
             was_readable_, was_available_, within(last_reason_, IndentationReason::finger_stale), estimate_);
     if (version >= 2) archive(relative_compliance_, doubt_);
-    if (version >= 3) archive(seen_depth_mm_);
+    if (version >= 3) archive(compliance_doubt_, seen_depth_mm_);
   }
 
  private:
@@ -185,6 +185,7 @@ class IndentationEstimator {
   double pixel_area_mm2_ = 0.0;
   double relative_compliance_ = 1.0;  // contact: of the last readings' place
   double doubt_ = kShapeError;        // of δ, as a part of it: what the shares leave
+  double compliance_doubt_ = 0.0;     // of that, of its logarithm
   double seen_depth_mm_ = 0.0;        // contact: the depth that the picture's perspective is removed with
   IndentationFilter filter_;
   ForceFusion fusion_;

@@ -22,7 +22,7 @@ template <class... Values>
 }
 
 struct IndentationParameters {
-  IndentationMode mode = IndentationMode::membrane;
+  IndentationMode mode = IndentationMode::contact;
   ParameterList ir_x_mm = listOf(-22, 0, 22);
   ParameterList ir_y_mm = listOf(-3, 27, -3);
   ParameterList ir_offset_mm = listOf(100, 100, 100);
@@ -59,7 +59,8 @@ struct IndentationParameters {
               .help = sentence(
                   "contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area "
                   "that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate."),
-              .live = true});
+              .live = true,
+              .before_it_was = 0});
     v.list("sensing.ir_x_mm", ir_x_mm,
            {.unit = "mm",
             .minimum = -100,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/control/motor_mixing.h"
+#include "core/pipeline/tune_sample.h"
 #include "core/sensing/load_cell.h"
 
 namespace fyd::session {
@@ -32,10 +33,7 @@ Result<control::IdentifiedFabric> identifyRecordedFabric(const Recording& record
       if (!std::isfinite(sample.stretch_measured_deg)) continue;
       const double time_s = secondsInto(recording.info(), sample.now);
       if (!samples.empty() && time_s <= samples.back().time_s) continue;
-      const bool observable = sample.stiffness_observable && sample.contact;
-      samples.push_back({.time_s = time_s,
-                         .angle_deg = sample.stretch_measured_deg,
-                         .stiffness_N_per_mm = observable ? sample.stiffness_N_per_mm : pipeline::kNone});
+      samples.push_back(pipeline::tuneSampleOf(sample, time_s));
     }
   }
   auto fabric = control::identifyFabric(samples, parameters);

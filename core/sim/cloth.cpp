@@ -1,10 +1,16 @@
 #include "core/sim/cloth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/sim/cloth_tables.h"
 #include "core/sim/ideal_shape.h"
@@ -14,14 +20,25 @@ namespace {
 
 constexpr double kReferenceDepth_mm = 3.0;
 
-/// Read when the first membrane is made, for all of them.
-const ClothTable& membraneTable() {
-  static const ClothTable kTable = [] {
-    auto parsed = ClothTable::parse(clothTableText("frame_sphere8"));
+constexpr double kSlackest = 1.0 / 3.0;
+
+/// Read when the first cloth that needs it is made, for all of them.
+const ClothTable& tableOf(ClothKind cloth, FingerKind finger) {
+  constexpr std::array<std::string_view, 3> kEdges{"", "frame", "rollers"};
+  constexpr std::array<std::string_view, kFingerNames.size()> kFingers{"sphere8", "capsule8", "disc7"};
+  struct Entry {
+    std::once_flag once;
+    std::optional<ClothTable> table;
+  };
+  static std::array<Entry, kEdges.size() * kFingers.size()> tables;
+  const auto edges = static_cast<std::size_t>(cloth), shape = static_cast<std::size_t>(finger);
+  Entry& entry = tables.at(edges * kFingers.size() + shape);
+  std::call_once(entry.once, [&] {
+    auto parsed = ClothTable::parse(clothTableText(fmt::format("{}_{}", kEdges.at(edges), kFingers.at(shape))));
     if (!parsed) throw std::runtime_error(parsed.error().text());
-    return std::move(*parsed);
-  }();
-  return kTable;
+    entry.table = std::move(*parsed);
+  });
+  return *entry.table;
 }
 
 }  // namespace
@@ -30,17 +47,18 @@ Cloth::Cloth(const SimParameters& parameters)
     : kind_(parameters.cloth),
       fabric_(parameters.fabric_stiffness_scale, parameters.fabric_hysteresis),
       scale_(parameters.fabric_stiffness_scale),
+      slackens_per_s_(parameters.fabric_slackens_percent_per_min / 100.0 / 60.0),
       viscosity_s_(1e-3 * parameters.fabric_viscosity_ms) {
   if (kind_ == ClothKind::ideal) {
     ideal_ = std::make_shared<const IdealShape>();
   } else {
-    table_ = &membraneTable();
+    table_ = &tableOf(parameters.cloth, parameters.finger);
   }
 }
 
 Pressing Cloth::atRest(double angle_deg, double x_mm, double y_mm, double depth_mm) const {
   Pressing out = table_->press(x_mm, y_mm, depth_mm, fabricStiffness(angle_deg));
-  out.force_N *= scale_;
+  out.force_N *= scale_ * left_;
   return out;
 }
 
@@ -48,9 +66,10 @@ Pressing Cloth::press(double angle_deg, const FingerState& finger, double elapse
   const double depth_mm = finger.indentation_mm;
   const double speed_mm_s = elapsed_s > 0.0 ? (depth_mm - last_mm_) / elapsed_s : 0.0;
   last_mm_ = depth_mm > 0.0 ? depth_mm : 0.0;
+  if (elapsed_s > 0.0) left_ = std::max(kSlackest, left_ - slackens_per_s_ * elapsed_s);
   Pressing out;
   if (kind_ == ClothKind::ideal) {
-    out.force_N = fabric_.press(angle_deg, depth_mm);
+    out.force_N = left_ * fabric_.press(angle_deg, depth_mm);
   } else {
     const double loop = fabric_.loop(depth_mm);
     out = atRest(angle_deg, finger.x_mm, finger.y_mm, depth_mm);
@@ -64,7 +83,7 @@ Pressing Cloth::press(double angle_deg, const FingerState& finger, double elapse
 }
 
 double Cloth::stiffness(double angle_deg, const FingerState& finger) const {
-  if (kind_ == ClothKind::ideal) return fabric_.stiffness(angle_deg);
+  if (kind_ == ClothKind::ideal) return left_ * fabric_.stiffness(angle_deg);
   if (!(finger.indentation_mm > 0.0))
     return atRest(angle_deg, 0.0, 0.0, kReferenceDepth_mm).force_N / kReferenceDepth_mm;
   return atRest(angle_deg, finger.x_mm, finger.y_mm, finger.indentation_mm).force_N / finger.indentation_mm;

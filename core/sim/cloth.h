@@ -2,11 +2,12 @@
 //
 //   ideal      F = k(θ)·s·δ (fabric.h); the shape is that of the estimator (core/sensing/membrane.h): what is measured
 //              on it tests the program against its own formula. The camera sees fabric.h's spot
-//   membrane   F, contact and shape from a finite-strain solution (cloth_table.h), scaled by s. A stretch angle θ gives
-//              the pre-stretch at which a sphere of 8 mm, 3 mm deep in the middle, meets the thesis' k(θ)
+//   membrane,  F, contact and shape from a finite-strain solution for the finger that sim.finger names (cloth_table.h),
+//   rollers    scaled by s. A stretch angle θ gives the pre-stretch at which a sphere of 8 mm, 3 mm deep in the middle,
+//              meets the thesis' k(θ)
 //
-// Over both: hysteresis (fabric.h), and viscosity F·(1 + τ·δ̇/δ), never below 0. The table is read when the first
-// membrane is made.
+// Over all: hysteresis (fabric.h), viscosity F·(1 + τ·δ̇/δ), never below 0, and a cloth that slackens with time. A table
+// is read when the first cloth that needs it is made.
 #pragma once
 
 #include <memory>
@@ -42,6 +43,8 @@ class Cloth {
   ClothKind kind_;
   Fabric fabric_;
   double scale_;
+  double slackens_per_s_;
+  double left_ = 1.0;  ///< of the stiffness, after slackening
   double viscosity_s_;
   std::shared_ptr<const IdealShape> ideal_;
   const ClothTable* table_ = nullptr;

@@ -1,4 +1,4 @@
-// Which cloth is simulated.
+// Which cloth is simulated, and which finger presses it.
 #pragma once
 
 #include <array>
@@ -8,8 +8,14 @@
 namespace fyd::sim {
 
 /// ideal: stiffness the same everywhere and at every depth, shape by the estimator's own formula.
-/// membrane: four edges held, pressed by a sphere of 8 mm, solved in finite strain.
-enum class ClothKind : std::uint8_t { ideal, membrane };
-inline constexpr std::array<std::string_view, 2> kClothNames{"ideal", "membrane"};
+/// membrane: four edges held. rollers: held left and right by the rollers, front and back free. Both solved in finite
+/// strain.
+enum class ClothKind : std::uint8_t { ideal, membrane, rollers };
+inline constexpr std::array<std::string_view, 3> kClothNames{"ideal", "membrane", "rollers"};
+
+/// What presses a membrane or a cloth between rollers. sphere: 8 mm of radius; capsule: the same, 30 mm long, tilted by
+/// 30° towards the user; disc: flat, 7 mm.
+enum class FingerKind : std::uint8_t { sphere, capsule, disc };
+inline constexpr std::array<std::string_view, 3> kFingerNames{"sphere", "capsule", "disc"};
 
 }  // namespace fyd::sim

@@ -15,8 +15,10 @@ struct SimParameters {
   int seed = 1;
 
   // cloth and finger
-  ClothKind cloth = ClothKind::ideal;
+  ClothKind cloth = ClothKind::membrane;
+  FingerKind finger = FingerKind::sphere;
   double fabric_stiffness_scale = 1.0;
+  double fabric_slackens_percent_per_min = 0.0;
   double fabric_hysteresis = 0.0;
   double fabric_viscosity_ms = 0.0;
   double cloth_height_mm = 100.0;
@@ -60,11 +62,18 @@ struct SimParameters {
     v.integer("sim.seed", seed,
               {.minimum = 0, .maximum = 1e9, .help = "Seed of every random number of the simulation."});
     v.choice("sim.cloth", cloth, kClothNames,
-             {.help = "Which cloth is simulated: pressed by a sphere and solved in finite strain (membrane), or by the "
-                      "estimator's own formula (ideal).",
+             {.help = "Which cloth is simulated: held on four sides (membrane) or between two rollers, both solved in "
+                      "finite strain, or by the estimator's own formula (ideal).",
               .before_it_was = 0});
+    v.choice("sim.finger", finger, kFingerNames,
+             {.help = "What presses a cloth that is not ideal: a sphere of 8 mm, a tilted capsule or a flat disc."});
     v.real("sim.fabric_stiffness_scale", fabric_stiffness_scale,
            {.minimum = 0.7, .maximum = 1.3, .help = "Factor on the stiffness of the nominal fabric."});
+    v.real("sim.fabric_slackens_percent_per_min", fabric_slackens_percent_per_min,
+           {.unit = "%/min",
+            .minimum = 0,
+            .maximum = 600,
+            .help = "Part of its stiffness that the cloth loses each minute, down to a third."});
     v.real(
         "sim.fabric_hysteresis", fabric_hysteresis,
         {.minimum = 0, .maximum = 0.3, .help = "Share of the force added on the way down and missing on the way up."});

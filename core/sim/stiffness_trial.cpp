@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/control/static_law.h"
+#include "core/pipeline/tune_sample.h"
+#include "core/sim/cloth.h"
 #include "core/sim/lockstep.h"
 
 namespace fyd::sim {
@@ -123,6 +126,11 @@ TrialResult runTrial(const StiffnessTrial& trial, std::vector<TrialPoint>* cours
   constexpr double kAtLimit_deg = 0.05;
   result.at_limit = last.stretch_reference_deg <= trial.parameters.control.travel_minimum_deg + kAtLimit_deg ||
                     last.stretch_reference_deg >= trial.parameters.control.travel_maximum_deg - kAtLimit_deg;
+  const Cloth cloth(trial.sim);
+  const FingerState finger{.x_mm = trial.x_mm, .y_mm = trial.y_mm, .indentation_mm = trial.press_mm, .lifted = false};
+  const control::StaticLaw law(trial.parameters.control);
+  result.reachable = trial.target_N_per_mm >= cloth.stiffness(law.minimumAngle_deg(), finger) &&
+                     trial.target_N_per_mm <= cloth.stiffness(law.maximumAngle_deg(), finger);
   if (course != nullptr) *course = std::move(points);
   return result;
 }
@@ -140,8 +148,7 @@ std::vector<control::TuneSample> recordExcitation(const StiffnessTrial& trial, c
     mixing.mix(control::excitationAngle_deg(lockstep.time_s(), trial.parameters.control), 0.0, command);
     lockstep.world().command(command);
     if (std::isnan(sample.stretch_measured_deg)) return;
-    recording.push_back({lockstep.time_s(), sample.stretch_measured_deg,
-                         sample.stiffness_observable ? sample.stiffness_N_per_mm : kNone});
+    recording.push_back(pipeline::tuneSampleOf(sample, lockstep.time_s()));
   };
   for (int slice = 0; slice < kSlices; ++slice) {
     if (progress && !progress(static_cast<double>(slice) / kSlices)) break;

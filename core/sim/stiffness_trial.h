@@ -36,6 +36,7 @@ struct TrialResult {
   bool target_clamped = false;             ///< the operator was told at the end that the target is out of reach
   double reachable_target_N_per_mm = 0.0;  ///< what the controller says this cloth can do
   bool at_limit = false;                   ///< the stretch ended at an end of its travel
+  bool reachable = false;                  ///< the true cloth gives the target, here and this deep, within that travel
   double final_true_N_per_mm = 0.0;        ///< mean over the last quarter
   double final_stretch_deg = 0.0;          ///< mean over the last quarter
   double stretch_swing_deg = 0.0;          ///< highest less lowest over the last quarter: 0 is still

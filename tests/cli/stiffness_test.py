@@ -6,19 +6,23 @@ import fyd
 
 class Stiffness(fyd.Case):
     def test_a_nominal_target_is_reached_fast(self):
-        for target in (0.50, 0.60, 0.71):
-            result = self.json("stiffness", "--target", target, "--json")
+        # 6 mm deep in the middle the solved cloth gives 0.59 to 0.84 N/mm.
+        for target, cloth in ((0.50, "ideal"), (0.60, "ideal"), (0.71, "ideal"), (0.62, "membrane"), (0.70, "membrane"),
+                              (0.82, "membrane")):
+            mode = "membrane" if cloth == "ideal" else "contact"
+            result = self.json("stiffness", "--target", target, "--cloth", cloth, "--set", f"sensing.indentation_mode={mode}",
+                               "--json")
             self.assertLessEqual(result["settling_s"], 0.6)
             self.assertLessEqual(result["overshoot_pct"], 10)
             self.assertLessEqual(result["steady_error_pct"], 2)
             self.assertIs(result["stable"], True)
 
     def test_a_softer_cloth_is_learned(self):
-        trusting = ("--set", "control.measurement_bias=0")
-        result = self.json("stiffness", "--target", 0.45, "--plant-scale", 0.7, *trusting, "--json")
+        softer = ("stiffness", "--target", 0.48, "--plant-scale", 0.7, "--json")
+        result = self.json(*softer, "--set", "control.measurement_bias=0")
         self.assertLessEqual(result["settling_s"], 3)
         # As shipped, a lasting error of 15 % of the measurement is reckoned with, and that much may be left.
-        result = self.json("stiffness", "--target", 0.45, "--plant-scale", 0.7, "--json")
+        result = self.json(*softer)
         self.assertLessEqual(result["steady_error_pct"], 16)
         self.assertGreater(result["steady_error_pct"], 5)
 
@@ -27,7 +31,7 @@ class Stiffness(fyd.Case):
         self.assertIsNone(result["settling_s"])
         self.assertTrue(result["stable"])
         self.assertTrue(result["target_clamped"])
-        self.assertAlmostEqual(result["reachable_target_N_per_mm"], 0.715, places=3)
+        self.assertAlmostEqual(result["reachable_target_N_per_mm"], 0.84, delta=0.03)
 
     def test_the_same_seed_gives_the_same_figures_and_the_thesis_others(self):
         unkind = ("--target", 0.6, "--noise", 2, "--delay", 60, "--seed", 5, "--json")

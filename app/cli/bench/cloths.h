@@ -16,7 +16,7 @@ namespace fyd::bench {
 
 /// In the tables' order.
 inline std::vector<sim::ClothKind>& benchCloths() {
-  static std::vector<sim::ClothKind> cloths{sim::ClothKind::membrane, sim::ClothKind::ideal};
+  static std::vector<sim::ClothKind> cloths{sim::ClothKind::membrane, sim::ClothKind::rollers, sim::ClothKind::ideal};
   return cloths;
 }
 

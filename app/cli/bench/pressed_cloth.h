@@ -34,6 +34,7 @@ struct PressedClothOptions {
   double touch_at_s = 0.2;
   double wander_mm = 0.5;  ///< slow sine on the depth while holding
   sim::ClothKind cloth = sim::ClothKind::ideal;
+  sim::FingerKind finger = sim::FingerKind::sphere;
   double finger_radius_mm = 7.0;  ///< of the ideal cloth's disc
   double ir_noise_mV = 10.0;
   double stiffness_N_per_mm = 0.6;
@@ -47,7 +48,7 @@ class PressedCloth {
   explicit PressedCloth(const PressedClothOptions& options)
       : o_(options), membrane_(50.0, 35.0, options.finger_radius_mm), random_(options.seed) {
     if (o_.cloth != sim::ClothKind::ideal) {
-      cloth_.emplace(sim::SimParameters{.cloth = o_.cloth});
+      cloth_.emplace(sim::SimParameters{.cloth = o_.cloth, .finger = o_.finger});
       angle_deg_ = sim::fabricAngle(o_.stiffness_N_per_mm);
     }
     for (std::size_t i = 0; i < 3; ++i) shape_[i] = membrane_.shape(kX[i], kY[i], o_.x_mm, o_.y_mm);

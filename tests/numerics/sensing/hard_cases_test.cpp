@@ -25,6 +25,13 @@ bool sane(const StiffnessEstimate& k) {
          k.sigma_N_per_mm >= 0 && k.sigma_N_per_mm <= StiffnessEstimator::kLargest_N_per_mm;
 }
 
+/// For presses made with the membrane's own formula.
+IndentationParameters membraneMode() {
+  IndentationParameters p;
+  p.mode = IndentationMode::membrane;
+  return p;
+}
+
 TEST(HardCases, StiffnessStaysFiniteForAnyForceDepthUncertaintyAndTime) {
   for (const auto mode : {StiffnessMode::slope, StiffnessMode::thesis}) {
     StiffnessParameters p;
@@ -109,7 +116,7 @@ TEST(HardCases, IndentationStaysFiniteForRandomCodesPlacesAndTimes) {
 }
 
 TEST(HardCases, IrCodeZeroAndFullScaleAreInvalidNotADistance) {
-  IndentationEstimator estimator;
+  IndentationEstimator estimator(membraneMode());
   for (const std::uint16_t code : {std::uint16_t{0}, std::uint16_t{4095}}) {
     Timed<IrCounts> ir;
     IrCounts counts;
@@ -132,7 +139,7 @@ std::pair<IndentationEstimate, double> withSpoiltReadings(Spoil spoil, double x_
   o.x_mm = x_mm;
   o.y_mm = 5;
   bench::PressedCloth cloth(o);
-  IndentationEstimator estimator;
+  IndentationEstimator estimator(membraneMode());
   IndentationEstimate e;
   double squares = 0;
   int samples = 0;
@@ -190,7 +197,7 @@ TEST(HardCases, LateReadingsBecomeUnavailable) {
 TEST(HardCases, AForceThatHasNothingToDoWithTheClothIsNotBelieved) {
   for (const double lie : {0.0, 0.3, -5.0, 9.0, std::nan(""), 1e300}) {
     bench::PressedCloth cloth({});
-    IndentationEstimator estimator;
+    IndentationEstimator estimator(membraneMode());
     double squares = 0;
     int samples = 0;
     for (int i = 0; i < 3500; ++i) {

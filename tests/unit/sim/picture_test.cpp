@@ -22,7 +22,9 @@ WorldSnapshot pressedAt(double x_mm, double y_mm, double force_N) {
 cv::Mat draw(const SimParameters& parameters, const WorldSnapshot& world, std::uint64_t seed = 7) {
   std::mt19937_64 random(seed);
   cv::Mat picture;
-  PictureRenderer(parameters).render(world, random, picture);
+  SimParameters ideal = parameters;
+  ideal.cloth = ClothKind::ideal;
+  PictureRenderer(ideal).render(world, random, picture);
   return picture;
 }
 

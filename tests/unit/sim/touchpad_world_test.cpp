@@ -16,6 +16,7 @@ const Instant kStart = instantAt(100.0);
 
 SimParameters noiseless() {
   SimParameters parameters;
+  parameters.cloth = ClothKind::ideal;
   parameters.ir_noise_mV = 0.0;
   parameters.bridge_noise_mV_per_V = 0.0;
   return parameters;
@@ -263,6 +264,7 @@ TEST(TouchpadWorld, AMouseMovesTheFingerUntilItLetsGo) {
 
 TEST(TouchpadWorld, SpreadNoiseAndOffsetShowInTheReadings) {
   SimParameters parameters;
+  parameters.cloth = ClothKind::ideal;
   parameters.fabric_stiffness_scale = 0.7;
   parameters.bridge_offset_mV_per_V = 0.05;
   TouchpadWorld world(parameters, FingerPath::constant(0.0, 0.0, 5.0), kStart);
