@@ -74,7 +74,7 @@ void CameraPanel::setPicture(const CameraPicture& picture) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   values_[0]->setText(quantityText(finger.contact ? finger.x_mm : none, 1, tr("mm")));
   values_[1]->setText(quantityText(finger.contact ? finger.y_mm : none, 1, tr("mm")));
-  values_[2]->setText(quantityText(finger.area_px, 0, tr("px")));
+  values_[2]->setText(quantityText(finger.area_mm2, 1, QStringLiteral("mm²")));
   QString text = coreText(toString(finger.reason));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   reason_->setText(finger.reason == sensing::FingerReason::found ? tr("Finger found") : text);

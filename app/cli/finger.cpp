@@ -16,6 +16,7 @@ nlohmann::ordered_json detectionJson(const std::string& path, const sensing::Fin
   return {{"image", path},
           {"contact", found.contact},
           {"area_px", jsonNumber(found.area_px)},
+          {"area_mm2", jsonNumber(found.area_mm2)},
           {"x_px", onlyInContact(found.x_px)},
           {"y_px", onlyInContact(found.y_px)},
           {"x_mm", onlyInContact(found.x_mm)},
@@ -29,8 +30,8 @@ void printFinger(const std::string& path, const sensing::FingerDetection& found)
     std::cout << fmt::format("{}: {} (area {:.0f} px)\n", path, sensing::toString(found.reason), found.area_px);
     return;
   }
-  std::cout << fmt::format("{}: finger at {:.2f} {:.2f} mm ({:.2f} {:.2f} px), area {:.0f} px, quality {:.2f}, {}\n",
-                           path, found.x_mm, found.y_mm, found.x_px, found.y_px, found.area_px, found.quality,
+  std::cout << fmt::format("{}: finger at {:.2f} {:.2f} mm ({:.2f} {:.2f} px), area {:.1f} mm², quality {:.2f}, {}\n",
+                           path, found.x_mm, found.y_mm, found.x_px, found.y_px, found.area_mm2, found.quality,
                            sensing::toString(found.reason));
 }
 

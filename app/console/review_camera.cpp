@@ -44,8 +44,8 @@ void ReviewCamera::showAt(const session::Recording* recording, double time_s) {
                        .finger = picture->finger});
   const sensing::FingerDetection& finger = picture->finger;
   words_->setText(finger.contact
-                      ? tr("x %1 mm   y %2 mm   area %3 px")
-                            .arg(numberText(finger.x_mm, 1), numberText(finger.y_mm, 1), numberText(finger.area_px, 0))
+                      ? tr("x %1 mm   y %2 mm   area %3 mm²")
+                            .arg(numberText(finger.x_mm, 1), numberText(finger.y_mm, 1), numberText(finger.area_mm2, 1))
                       : widgets::coreText(sensing::toString(finger.reason)));
 }
 

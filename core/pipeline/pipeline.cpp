@@ -26,7 +26,6 @@ Pipeline::Pipeline(const Parameters& parameters, const std::optional<texture::Su
   const StepParameters& ages = parameters_.step;
   indentation_.setMaximumAges(fromSeconds(ages.ir_maximum_age_ms * 1e-3),
                               fromSeconds(ages.finger_maximum_age_ms * 1e-3));
-  indentation_.setPixelArea(sensing::pixelArea_mm2(parameters_.sensing.finger));
   stiffness_.setMaximumAge(fromSeconds(ages.bridge_maximum_age_ms * 1e-3));
   stretch_deg_ = parameters.control.travel_minimum_deg;
 }
@@ -104,7 +103,6 @@ void Pipeline::changeParameter(std::uint16_t index, double value) {
 
 void Pipeline::configure() {
   indentation_.configure(parameters_.sensing.indentation);
-  indentation_.setPixelArea(sensing::pixelArea_mm2(parameters_.sensing.finger));
   load_cell_.configure(parameters_.sensing.load_cell);
   stiffness_.configure(parameters_.sensing.stiffness);
   controller_.configure(parameters_.control);

@@ -9,9 +9,25 @@ namespace {
 
 constexpr int kWidestRim = 8;  // px: 2.5 standard deviations of the blur where "blurred" begins
 constexpr int kNarrowestRim = 3;
-constexpr int kEdgeReach = 4;      // px outside the blob in which its edge is looked at
-constexpr int kEnoughInside = 12;  // px that give D
-constexpr int kSpeck = 12;         // px: smaller blobs are noise
+constexpr int kEdgeReach = 4;          // px outside the blob in which its edge is looked at
+constexpr int kEnoughInside = 12;      // px that give D; of a small blob a quarter
+constexpr double kLeastPlateau = 0.6;  // of D: below it a blob is all edge
+constexpr int kSpeck = 12;             // px: smaller blobs are noise
+
+/// What blur leaves of a small disc's darkness in its middle: the mean over `core_px` about the middle of a disc
+/// convolved with a Gaussian of standard deviation σ, over the sharp disc's. Series of Marcum's Q to the second order.
+/// @param apparent_px Σd over that mean: the area as it looks before
+double plateauShare(double apparent_px, double core_px, double sigma_px) {
+  const double variance = 2.0 * sigma_px * sigma_px;
+  double share = 1.0;
+  for (int round = 0; round < 4; ++round) {
+    const double q = share * apparent_px / (std::numbers::pi * variance);
+    if (!(q < 12.0)) return share;
+    const double lost = std::exp(-q) * (1.0 + 0.5 * q * core_px / (std::numbers::pi * variance));
+    share = std::clamp(1.0 - lost, kLeastPlateau, 1.0);
+  }
+  return share;
+}
 
 }  // namespace
 
@@ -106,11 +122,13 @@ double BlobMeter::meanInside(int by, int& pixels) const {
 BlobMeasure BlobMeter::weigh(const DarkBlob& blob) const {
   BlobMeasure out;
   const double radius = std::sqrt(blob.pixels / std::numbers::pi);
+  const int enough = std::clamp(blob.pixels / 4, 4, kEnoughInside);
   int inside = 0;
-  for (int by = std::max(1, static_cast<int>(std::lround(0.4 * radius)));
-       by >= 0 && inside<kEnoughInside; by = by> 0 ? by / 2 : -1) {
+  for (int by = std::max(1, static_cast<int>(std::lround(0.4 * radius))); by >= 0 && enough > inside;
+       by = by > 0 ? by / 2 : -1) {
     out.contrast = meanInside(by, inside);
   }
+  const int looked = inside;
   if (!(out.contrast > 0.0)) return out;
 
   // Width of the edge: pixels between a quarter and three quarters dark, over the length of the edge.
@@ -132,7 +150,11 @@ BlobMeasure BlobMeter::weigh(const DarkBlob& blob) const {
   const int rim = std::clamp(static_cast<int>(std::ceil(2.5 * out.edge_px + 1.0)), kNarrowestRim, kWidestRim);
   const int by = std::min(static_cast<int>(std::lround(2.5 * out.edge_px)), static_cast<int>(0.6 * radius));
   const double refined = meanInside(std::max(1, by), inside);
-  if (inside >= kEnoughInside && refined > 0.0) out.contrast = refined;
+  int core = looked;
+  if (inside >= enough && refined > 0.0) {
+    out.contrast = refined;
+    core = inside;
+  }
 
   double sum = 0.0;
   double sum_x = 0.0;
@@ -151,6 +173,7 @@ BlobMeasure BlobMeter::weigh(const DarkBlob& blob) const {
     sum_y += static_cast<double>(row_sum) * y;
   }
   if (!(sum > 0.0)) return out;
+  out.contrast /= plateauShare(sum / out.contrast, core, out.edge_px);
   out.area_px = sum / out.contrast;
   out.x = std::clamp(left_ + sum_x / sum, 0.0, width_ - 1.0);
   out.y = std::clamp(sum_y / sum, 0.0, height_ - 1.0);

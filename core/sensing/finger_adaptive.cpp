@@ -20,7 +20,6 @@ constexpr int kSpeck_px = 12;        // smaller blobs are noise
 constexpr float kBlack = 12.0F;      // grey: no light
 constexpr float kSaturated = 253.5F;
 constexpr double kBlurred_px = 4.0;
-constexpr double kWorkingArea_px = 160.0 * 120.0;
 
 }  // namespace
 
@@ -233,8 +232,13 @@ bool AdaptiveFinger::unusable(FingerDetection& out) const {
   return true;
 }
 
+double AdaptiveFinger::smallestArea_px() const {
+  const double one_px_mm2 = parameters_.scale_x_mm_per_px * parameters_.scale_y_mm_per_px * stride_ * stride_;
+  return parameters_.minimum_area_mm2 / one_px_mm2;
+}
+
 int AdaptiveFinger::chooseBlob(int& candidates) const {
-  const double scale = kWorkingArea_px / (static_cast<double>(width_) * height_);
+  const double smallest_px = smallestArea_px();
   const auto blobs = runs_.blobs();
   candidates = 0;
   int largest = -1;
@@ -244,7 +248,7 @@ int AdaptiveFinger::chooseBlob(int& candidates) const {
     const DarkBlob& blob = blobs[i];
     if (blob.pixels < kSpeck_px) continue;
     if (largest < 0 || blob.pixels > blobs[static_cast<std::size_t>(largest)].pixels) largest = static_cast<int>(i);
-    if (blob.pixels * scale < 0.7 * parameters_.minimum_area_px) continue;
+    if (blob.pixels < 0.7 * smallest_px) continue;
     ++candidates;
     const double distance = std::hypot(blob.x() - last_x_, blob.y() - last_y_);
     if (distance < nearest_distance) {
@@ -271,7 +275,7 @@ FingerDetection AdaptiveFinger::judge() {
   const double area = std::min(m.area_px, pixels);
   out.area_px = area * stride_ * stride_;
   const bool dark_enough = m.contrast >= parameters_.minimum_contrast;
-  if (!dark_enough || !(area * kWorkingArea_px / pixels > parameters_.minimum_area_px)) {
+  if (!dark_enough || !(area > smallestArea_px())) {
     out.reason = dark_enough ? FingerReason::too_small : FingerReason::no_finger;
     chosen_ = -1;
     mark_below_ = widest;

@@ -38,6 +38,8 @@ class AdaptiveFinger {
   void closeCells(int row);
   void coverCells();
   [[nodiscard]] bool learnLight();
+  /// Least area of a touch, in pixels of the working grid.
+  [[nodiscard]] double smallestArea_px() const;
   [[nodiscard]] int chooseBlob(int& candidates) const;
   [[nodiscard]] FingerDetection judge();
   [[nodiscard]] bool unusable(FingerDetection& out) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/sensing/finger_adaptive.h"
@@ -57,6 +58,12 @@ FingerDetection FingerDetector::detect(const ImageView& picture) {
   out = p.mode == FingerMode::thesis ? s.thesis.detect(picture, s.region, p, s.last)
                                      : s.adaptive.detect(picture, s.region, p);
   s.last = out;
+  // Thesis mode counts the pixels of its working picture, which shows the same region.
+  const double per_px = p.mode == FingerMode::thesis ? static_cast<double>(s.region.width) * s.region.height /
+                                                           (ThesisFinger::kWidth * ThesisFinger::kHeight)
+                                                     : 1.0;
+  const double area_mm2 = out.area_px * per_px * p.scale_x_mm_per_px * p.scale_y_mm_per_px;
+  out.area_mm2 = showsCloth(out.reason) ? area_mm2 : std::numeric_limits<double>::quiet_NaN();
   return out;
 }
 

@@ -20,6 +20,7 @@ struct FingerParameters {
   int roi_height_px = 150;
   int threshold = 210;
   double minimum_area_px = 150.0;
+  double minimum_area_mm2 = 4.0;
   double minimum_contrast = 0.15;
   int stride_px = 1;
   double centre_x_px = 150.0;
@@ -66,8 +67,17 @@ struct FingerParameters {
             .unit = "px",
             .minimum = 1,
             .maximum = 19200,
-            .help = sentence("Smallest dark area that counts as a touch, in pixels of the 160 × 120 working picture."),
+            .help = sentence("Thesis mode: smallest dark area that counts as a touch, in pixels of its 160 × 120 "
+                             "picture."),
             .live = true});
+    v.real("sensing.finger_minimum_area_mm2", minimum_area_mm2,
+           {.name = sentence("Finger smallest contact"),
+            .unit = "mm²",
+            .minimum = 0.5,
+            .maximum = 1000,
+            .help = sentence("Adaptive mode: smallest dark area that counts as a touch, on the cloth."),
+            .live = true,
+            .before_it_was = 54.6875});  // 150 of 160 × 120 pixels of 100 × 70 mm
     v.real("sensing.finger_minimum_contrast", minimum_contrast,
            {.name = sentence("Finger minimum contrast"),
             .minimum = 0.05,
@@ -120,13 +130,5 @@ struct FingerParameters {
                .live = true});
   }
 };
-
-/// Area of the untouched cloth, mm², that one pixel of FingerDetection::area_px stands for.
-[[nodiscard]] inline double pixelArea_mm2(const FingerParameters& p) {
-  constexpr double kWorkingPixels = 160.0 * 120.0;  // thesis mode counts in its working picture
-  const double own = p.scale_x_mm_per_px * p.scale_y_mm_per_px;
-  if (p.mode != FingerMode::thesis) return own;
-  return own * p.roi_width_px * p.roi_height_px / kWorkingPixels;
-}
 
 }  // namespace fyd::sensing

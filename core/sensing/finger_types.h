@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "core/base/fields.h"
@@ -34,6 +35,7 @@ enum class FingerReason : std::uint8_t {
 struct FingerDetection {
   bool contact = false;
   double area_px = 0.0;
+  double area_mm2 = std::numeric_limits<double>::quiet_NaN();
   double x_px = 0.0;
   double y_px = 0.0;
   double x_mm = 0.0;
@@ -46,6 +48,9 @@ struct FingerDetection {
     return std::tuple(
         Field("area_px", "px", "of the camera's picture (thesis mode: of its 160 × 120 picture); also without contact",
               &F::area_px),
+        Field("area_mm2", "mm²",
+              "the same on the untouched cloth's plane, by the camera's scale; none where the picture shows no cloth",
+              &F::area_mm2),
         Field("x_px", "px", "centroid in the camera's full picture, x right", &F::x_px),
         Field("y_px", "px", "centroid in the camera's full picture, y down", &F::y_px),
         Field("x_mm", "mm", "in the touchpad's frame, x right", &F::x_mm),

@@ -212,7 +212,7 @@ void IndentationEstimator::updateMembrane(double dt_s, Instant taken, const Fing
 }
 
 Contact IndentationEstimator::contactOf(const FingerDetection& finger) const {
-  const Contact seen{.x_mm = finger.x_mm, .y_mm = finger.y_mm, .area_mm2 = finger.area_px * pixel_area_mm2_};
+  const Contact seen{.x_mm = finger.x_mm, .y_mm = finger.y_mm, .area_mm2 = finger.area_mm2};
   if (parameters_.mode != IndentationMode::contact) return seen;
   Contact on_cloth = withoutPerspective(seen, seen_depth_mm_, parameters_.camera_height_mm);
   const double radius = on_cloth.area_mm2 > 0.0 ? std::sqrt(on_cloth.area_mm2 / std::numbers::pi) : 0.0;

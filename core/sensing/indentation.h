@@ -84,9 +84,6 @@ class IndentationEstimator {
   void configure(const IndentationParameters& parameters);
   /// Readings older than these are stale.
   void setMaximumAges(Duration ir, Duration finger);
-  /// Area of one pixel of the finger's area on the untouched cloth (finger_parameters.h); not positive: no area is
-  /// known.
-  void setPixelArea(double area_mm2) { pixel_area_mm2_ = area_mm2; }
 
   /// @param force_N this step's force on the cloth, NaN when invalid; without one the distances are used alone
   [[nodiscard]] IndentationEstimate step(Instant now, const Timed<IrCounts>& ir, const Timed<FingerDetection>& finger,
@@ -182,7 +179,6 @@ class IndentationEstimator {
   double shapes_x_mm_ = 0.0;
   double shapes_y_mm_ = 0.0;
   bool shapes_known_ = false;
-  double pixel_area_mm2_ = 0.0;
   double relative_compliance_ = 1.0;  // contact: of the last readings' place
   double doubt_ = kShapeError;        // of δ, as a part of it: what the shares leave
   double compliance_doubt_ = 0.0;     // of that, of its logarithm

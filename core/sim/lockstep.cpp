@@ -6,6 +6,7 @@ namespace fyd::sim {
 namespace {
 
 constexpr double kTruePositionNoise_mm = 0.1;
+constexpr double kIdealContact_mm2 = 85.0;
 const Instant kStart = instantAt(1000.0);
 
 }  // namespace
@@ -43,13 +44,13 @@ void Lockstep::takePicture() {
   const FingerState& finger = truth.finger;
   sensing::FingerDetection seen;
   seen.contact = !finger.lifted;
-  seen.area_px = seen.contact ? 400.0 : 0.0;
-  Spot spot{.x_mm = finger.x_mm, .y_mm = finger.y_mm};
+  Spot spot{.x_mm = finger.x_mm, .y_mm = finger.y_mm, .area_mm2 = seen.contact ? kIdealContact_mm2 : 0.0};
   if (world_->parameters().cloth != ClothKind::ideal) {
     spot = seenFromBelow({truth.contact_x_mm, truth.contact_y_mm, truth.contact_area_mm2}, finger.indentation_mm,
                          world_->parameters().cloth_height_mm);
-    seen.area_px = spot.area_mm2 / (kMmPerPx_u * kMmPerPx_v);
   }
+  seen.area_mm2 = spot.area_mm2;
+  seen.area_px = spot.area_mm2 / (kMmPerPx_u * kMmPerPx_v);
   seen.x_mm = spot.x_mm + kTruePositionNoise_mm * normal_(random_);
   seen.y_mm = spot.y_mm + kTruePositionNoise_mm * normal_(random_);
   seen.quality = 1.0;

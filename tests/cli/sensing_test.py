@@ -36,6 +36,8 @@ class Finger(fyd.Case):
         self.assertAlmostEqual(found[0]["x_mm"], -20, delta=0.05)
         self.assertAlmostEqual(found[3]["y_mm"], 14, delta=0.05)
         self.assertAlmostEqual(found[3]["area_px"], 709, delta=14)
+        self.assertAlmostEqual(found[3]["area_mm2"], 150.4, delta=3)  # 100/220 mm × 70/150 mm a pixel
+        self.assertIsNone(found[1]["area_mm2"])
         for key in ("x_px", "y_px", "x_mm", "y_mm"):
             self.assertIsNone(found[1][key])
         self.assertEqual(found[3], self.json("finger", paths[3], "--json")[0])

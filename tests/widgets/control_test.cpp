@@ -145,12 +145,12 @@ class ControlTest : public QObject {
     widgets::CameraPanel panel;
     QImage picture(32, 24, QImage::Format_Grayscale8);
     picture.fill(10);
-    sensing::FingerDetection finger{.contact = true, .area_px = 412, .x_mm = 12.4, .y_mm = -3.14};
+    sensing::FingerDetection finger{.contact = true, .area_px = 412, .area_mm2 = 87.4, .x_mm = 12.4, .y_mm = -3.14};
     finger.reason = sensing::FingerReason::found;
     panel.setPicture({.picture = picture, .finger = finger});
     QCOMPARE(panel.figure(0), QStringLiteral("12.4 mm"));
     QCOMPARE(panel.figure(1), QStringLiteral("−3.1 mm"));
-    QCOMPARE(panel.figure(2), QStringLiteral("412 px"));
+    QCOMPARE(panel.figure(2), QStringLiteral("87.4 mm²"));
     finger.contact = false;
     panel.setPicture({.picture = picture, .finger = finger});
     QCOMPARE(panel.figure(0), QStringLiteral("—"));

@@ -118,7 +118,8 @@ sensing::FingerDetection OpenCvFinger::detect(const ImageView& picture) {
   mark_below_ = static_cast<float>(1.0 - 0.5 * contrast);
 
   out.area_px = sums.m00 / contrast;
-  out.contact = out.area_px * (160.0 * 120.0) / static_cast<double>(grey.total()) > parameters_.minimum_area_px;
+  out.contact =
+      out.area_px * parameters_.scale_x_mm_per_px * parameters_.scale_y_mm_per_px > parameters_.minimum_area_mm2;
   out.x_px = parameters_.roi_x_px + sums.m10 / sums.m00;
   out.y_px = parameters_.roi_y_px + sums.m01 / sums.m00;
   sensing::toMillimetres(parameters_, out.x_px, out.y_px, out.x_mm, out.y_mm);

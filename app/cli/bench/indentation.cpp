@@ -44,7 +44,6 @@ void press(const PressedClothOptions& options, const sensing::IndentationParamet
            bool corner, Score& score) {
   PressedCloth cloth(options);
   sensing::IndentationEstimator estimator(parameters);
-  estimator.setPixelArea(PressedCloth::kMm2PerPixel);
   sensing::StiffnessParameters ratio;
   ratio.mode = parameters.mode == sensing::IndentationMode::thesis ? sensing::StiffnessMode::thesis
                                                                    : sensing::StiffnessMode::slope;

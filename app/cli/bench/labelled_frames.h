@@ -29,12 +29,19 @@ struct FrameLabel {
   bool cut = false;  ///< partly outside the region of interest
 };
 
+struct LabelledFingers {
+  double least_radius_px = 10.0;
+  double most_radius_px = 32.0;
+  double least_visible_px = 309.0;  ///< of one that the region's edge cuts
+};
+
 class LabelledFrames {
  public:
   static constexpr int kWidth = 320;
   static constexpr int kHeight = 240;
 
-  explicit LabelledFrames(std::uint64_t seed = 1) : random_(seed) {
+  explicit LabelledFrames(std::uint64_t seed = 1, const LabelledFingers& fingers = {})
+      : fingers_(fingers), random_(seed) {
     std::normal_distribution<float> normal;
     noise_.resize(kNoiseSize + kWidth);
     for (float& n : noise_) n = normal(random_);
@@ -46,7 +53,7 @@ class LabelledFrames {
     if (++made_ % kFramesPerLight == 0) newLight();
     do {
       newFinger();
-    } while (label_.area_px < kSmallestVisible_px);
+    } while (label_.area_px < fingers_.least_visible_px);
     blurCover();
     render();
   }
@@ -60,8 +67,6 @@ class LabelledFrames {
 
  private:
   static constexpr std::size_t kNoiseSize = 1U << 16U;
-  // A fifth above the smallest touch of 150 px at 160 × 120, in camera pixels.
-  static constexpr double kSmallestVisible_px = 1.2 * 150.0 * (220.0 * 150.0) / (160.0 * 120.0);
   static constexpr int kPatch = 2 * (32 + 8) + 4;
 
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
@@ -86,7 +91,7 @@ class LabelledFrames {
   void newFinger() {
     const sensing::FingerParameters region;
     label_ = {};
-    label_.radius_px = uniform(10.0, 32.0);
+    label_.radius_px = uniform(fingers_.least_radius_px, fingers_.most_radius_px);
     label_.noise = uniform(0.0, 8.0);
     label_.blur_px = uniform(0.0, 1.0) < 0.25 ? 0.0 : uniform(0.3, 2.0);
     label_.contrast = uniform(0.45, 0.75);
@@ -183,6 +188,7 @@ class LabelledFrames {
     }
   }
 
+  LabelledFingers fingers_;
   std::mt19937_64 random_;
   std::vector<float> noise_;
   std::vector<float> cover_;

@@ -43,8 +43,6 @@ struct PressedClothOptions {
 
 class PressedCloth {
  public:
-  static constexpr double kMm2PerPixel = sim::kMmPerPx_u * sim::kMmPerPx_v;
-
   explicit PressedCloth(const PressedClothOptions& options)
       : o_(options), membrane_(50.0, 35.0, options.finger_radius_mm), random_(options.seed) {
     if (o_.cloth != sim::ClothKind::ideal) {
@@ -85,7 +83,7 @@ class PressedCloth {
         spot = sim::seenFromBelow({o_.x_mm + contact.centre_x_mm, o_.y_mm + contact.centre_y_mm, contact.area_mm2},
                                   std::max(0.0, depth_mm), 100.0);
       }
-      seen.area_px = spot.area_mm2 / kMm2PerPixel;
+      seen.area_mm2 = spot.area_mm2;
       seen.x_mm = spot.x_mm + 0.1 * normal_(random_);
       seen.y_mm = spot.y_mm + 0.1 * normal_(random_);
       finger.set(seen, now - std::chrono::milliseconds(20));

@@ -48,7 +48,8 @@ class BusySession {
     in_.now = now;
     in_.robot.phase = pipeline::LinkPhase::running;
     if (row_ % 33 == 0) {
-      const sensing::FingerDetection finger{true, 900 + noise(), 80 + noise(), 60 + noise(), noise(), noise(), 0.9, {}};
+      const sensing::FingerDetection finger{
+          true, 900 + noise(), 190 + noise(), 80 + noise(), 60 + noise(), noise(), noise(), 0.9, {}};
       in_.finger.set(finger, now);
     }
     if (row_ % 26 == 0) in_.ir.set({{1800, 1900, 2000}, 3}, now);

@@ -103,7 +103,6 @@ struct Held {
 };
 Held hold(const Press& p, double noise_mV, bool with_force, std::uint64_t seed) {
   IndentationEstimator estimator(contactMode());
-  estimator.setPixelArea(0.25);
   const IrDistance curve;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -127,7 +126,7 @@ Held hold(const Press& p, double noise_mV, bool with_force, std::uint64_t seed) 
       seen.contact = true;
       seen.x_mm = p.contact_x * nearer;
       seen.y_mm = p.contact_y * nearer;
-      seen.area_px = p.area * nearer * nearer / 0.25;
+      seen.area_mm2 = p.area * nearer * nearer;
       finger.set(seen, now);
     }
     if (with_force && ms % 8 == 1) force.set(p.force + 0.005 * normal(random), now);

@@ -127,6 +127,7 @@ TEST(AdaptiveFinger, FindsADiscWithItsAreaAndPlaceInMillimetres) {
   EXPECT_NEAR(found.x_mm, 10.0, 0.05);  // (172 − 150)·100/220
   EXPECT_NEAR(found.y_mm, 7.0, 0.05);   // (120 − 105)·70/150
   EXPECT_NEAR(found.area_px, 709, 14);
+  EXPECT_NEAR(found.area_mm2, 150.4, 3.0);  // 709 px of 100/220 × 70/150 mm²
   EXPECT_GT(found.quality, 0.9);
 }
 
@@ -159,12 +160,12 @@ TEST(AdaptiveFinger, NamesWhatIsWrongWithAPicture) {
   empty.noise(4);
   EXPECT_EQ(detector.detect(empty.view()).reason, FingerReason::no_finger);
   Picture small(200);
-  small.disc(150, 120, 6, 60);
+  small.disc(150, 120, 2, 60);  // 13 px: 2.8 mm²
   small.noise(2);
   const FingerDetection too_small = detector.detect(small.view());
   EXPECT_EQ(too_small.reason, FingerReason::too_small);
   EXPECT_FALSE(too_small.contact);
-  EXPECT_GT(too_small.area_px, 50);
+  EXPECT_GT(too_small.area_px, 8);
   Picture edge(200);
   edge.disc(40, 120, 20, 60);
   edge.noise(2);
