@@ -90,10 +90,15 @@ void calibrateStiffness(const CalibrateOptions& options) {
 }
 
 void calibrateCamera(const CalibrateOptions& options) {
-  const CsvTable table = valueOrFail(readCsv(options.samples, {"x_px", "y_px", "x_mm", "y_mm"}));
-  const auto found = calibration::calibrateCamera(
-      {.x_px = table.values[0], .y_px = table.values[1], .x_mm = table.values[2], .y_mm = table.values[3]},
-      options.load().calibration);
+  CsvTable table = valueOrFail(readCsv(options.samples, {"x_px", "y_px", "x_mm", "y_mm"}));
+  const bool with_depth = std::ranges::find(table.header, "depth_mm") != table.header.end();
+  if (with_depth) table = valueOrFail(readCsv(options.samples, {"x_px", "y_px", "x_mm", "y_mm", "depth_mm"}));
+  const auto found = calibration::calibrateCamera({.x_px = table.values[0],
+                                                   .y_px = table.values[1],
+                                                   .x_mm = table.values[2],
+                                                   .y_mm = table.values[3],
+                                                   .depth_mm = with_depth ? table.values[4] : std::vector<double>{}},
+                                                  options.load().calibration);
   nlohmann::ordered_json json = describe(found.result, table);
   json["rotation_deg"] = jsonNumber(found.rotation_deg);
   json["rotation_error_deg"] = jsonNumber(found.rotation_error_deg);
@@ -177,7 +182,8 @@ void add_calibrate(CLI::App& app) {
           calibrateStiffness);
   addPart(*command, "cloth", "Presses over each distance sensor at two depths",
           "adc1,adc2,adc3,x_mm,y_mm,area_mm2,bridge_mV_per_V", calibrateCloth);
-  addPart(*command, "camera", "A printed target", "x_px,y_px,x_mm,y_mm", calibrateCamera);
+  addPart(*command, "camera", "A printed target, its marks on the cloth or pressed down",
+          "x_px,y_px,x_mm,y_mm[,depth_mm]", calibrateCamera);
   addPart(*command, "encoders", "A commanded sweep of both motors", "first_deg,first_counts,second_deg,second_counts",
           calibrateEncoders);
   addPart(*command, "rest", "The accelerometer lying still", "x_g,y_g,z_g", calibrateRest);

@@ -6,6 +6,7 @@
 #include "core/calibration/camera_calibration.h"
 #include "core/sim/picture.h"
 #include "widgets/core_text.h"
+#include "widgets/number_text.h"
 
 namespace fyd::console {
 namespace {
@@ -24,19 +25,23 @@ class CameraScaleStep : public CalibrationStep {
     return points.empty() ? tr("Lay the printed target on the cloth, click one of its marks in the picture, type where "
                                "it lies, and take the point.")
                           : tr("Click the next mark, type where it lies, and take the point: best at the cloth's "
-                               "corners and in its middle.");
+                               "corners and in its middle. Marks that you press down, with their depth, tell how high "
+                               "the camera is.");
   }
-  QStringList columns() const override { return {tr("x, px"), tr("y, px"), tr("x, mm"), tr("y, mm")}; }
+  QStringList columns() const override { return {tr("x, px"), tr("y, px"), tr("x, mm"), tr("y, mm"), tr("Depth, mm")}; }
   std::vector<CalibrationEntry> entries() const override {
-    const auto entry = [](const QString& name) {
+    const auto entry = [](const QString& name, double lowest, double highest, double empty) {
       return CalibrationEntry{.name = name,
                               .units = {QStringLiteral("mm")},
                               .per_unit = {1.0},
-                              .lowest = -1000.0,
-                              .highest = 1000.0,
-                              .decimals = 1};
+                              .lowest = lowest,
+                              .highest = highest,
+                              .decimals = 1,
+                              .empty = empty};
     };
-    return {entry(tr("x, to the right")), entry(tr("y, to the back"))};
+    return {entry(tr("x, to the right"), -1000.0, 1000.0, calibration::kUnknown),
+            entry(tr("y, to the back"), -1000.0, 1000.0, calibration::kUnknown),
+            entry(tr("pressed down by"), 0.0, 25.0, 0.0)};
   }
   Result<std::vector<double>> read(const CalibrationScene& scene) const override {
     if (scene.picture.isNull()) return fail("there is no picture: look under Devices whether the camera answers");
@@ -45,7 +50,7 @@ class CameraScaleStep : public CalibrationStep {
   }
   CalibrationPoint point(const std::vector<double>& entered, const std::vector<double>& mean,
                          const std::vector<double>&) const override {
-    return {mean[0], mean[1], entered[0], entered[1]};
+    return {mean[0], mean[1], entered[0], entered[1], entered[2]};
   }
   std::vector<QPointF> marks(const std::vector<CalibrationPoint>& points) const override {
     std::vector<QPointF> out;
@@ -62,9 +67,16 @@ class CameraScaleStep : public CalibrationStep {
       samples.y_px.push_back(point[1]);
       samples.x_mm.push_back(point[2]);
       samples.y_mm.push_back(point[3]);
+      samples.depth_mm.push_back(point[4]);
     }
     const auto found = calibration::calibrateCamera(samples, p);
     CalibrationFit out{.result = found.result, .plot = {}, .legend = {}, .missing = {}};
+    if (found.result.coefficients.size() > 4) {
+      const calibration::Coefficient& height = found.result.coefficients[4];
+      out.figures << tr("the camera is %1 ± %2 below the cloth")
+                         .arg(widgets::numberText(height.value, 1),
+                              widgets::quantityText(height.standard_error, 1, QStringLiteral("mm")));
+    }
     const std::string& threshold = found.result.verdict.threshold;
     if (!found.result.verdict.accepted && threshold != "calibration.camera_held_out_mm") {
       out.missing = widgets::coreText(found.result.verdict.reason);
@@ -82,10 +94,13 @@ class CameraScaleStep : public CalibrationStep {
     std::mt19937_64 random(static_cast<std::uint64_t>(profile.sim.seed));
     std::normal_distribution<double> noise(0.0, kClick_px);
     std::vector<CalibrationPoint> out;
-    for (const double y_mm : {-25.0, 0.0, 25.0}) {
-      for (const double x_mm : {-40.0, 0.0, 40.0}) {
-        const sim::PicturePoint at = sim::pictureOf(x_mm, y_mm);
-        out.push_back({at.u_px + noise(random), at.v_px + noise(random), x_mm, y_mm});
+    for (const double depth_mm : {0.0, 8.0}) {
+      for (const double y_mm : {-25.0, 0.0, 25.0}) {
+        for (const double x_mm : {-40.0, 0.0, 40.0}) {
+          const sim::Spot seen = sim::seenFromBelow({x_mm, y_mm}, depth_mm, profile.sim.cloth_height_mm);
+          const sim::PicturePoint at = sim::pictureOf(seen.x_mm, seen.y_mm);
+          out.push_back({at.u_px + noise(random), at.v_px + noise(random), x_mm, y_mm, depth_mm});
+        }
       }
     }
     return out;

@@ -38,6 +38,7 @@ void CalibrationEntryForm::setEntries(std::vector<CalibrationEntry> entries) {
     auto* field = new QLineEdit(body_);
     field->setObjectName(QStringLiteral("entry_%1").arg(row));
     field->setAccessibleName(tr("%1, in the unit beside").arg(entry.name));
+    if (std::isfinite(entry.empty)) field->setPlaceholderText(widgets::plainNumber(entry.empty));
     auto* unit = new QComboBox(body_);
     unit->addItems(entry.units);
     unit->setAccessibleName(tr("Unit of: %1").arg(entry.name));
@@ -57,6 +58,7 @@ void CalibrationEntryForm::setEntries(std::vector<CalibrationEntry> entries) {
 QString CalibrationEntryForm::problemOf(std::size_t i, double value) const {
   const CalibrationEntry& entry = entries_[i];
   const QString written = fields_[i]->text().trimmed();
+  if (written.isEmpty() && std::isfinite(entry.empty)) return {};
   if (written.isEmpty()) return tr("%1: type a number first.").arg(entry.name);
   if (!std::isfinite(value)) return tr("%1: \"%2\" is no number.").arg(entry.name, written.left(24));
   if (value >= entry.lowest && value <= entry.highest) return {};
@@ -71,7 +73,8 @@ std::optional<std::vector<double>> CalibrationEntryForm::read() {
   QString problem;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto unit = static_cast<std::size_t>(std::max(0, units_[i]->currentIndex()));
-    const double value = widgets::readNumber(fields_[i]->text()) * entries_[i].per_unit[unit];
+    double value = widgets::readNumber(fields_[i]->text()) * entries_[i].per_unit[unit];
+    if (fields_[i]->text().trimmed().isEmpty()) value = entries_[i].empty;
     const QString here = problemOf(i, value);
     fields_[i]->setProperty("refused", !here.isEmpty());
     widgets::restyle(*fields_[i]);

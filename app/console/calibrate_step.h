@@ -30,6 +30,7 @@ struct CalibrationEntry {
   double lowest = 0.0;           ///< in the first unit
   double highest = 0.0;
   int decimals = 2;
+  double empty = calibration::kUnknown;  ///< what an empty field says; NaN: something must be typed
 };
 
 /// A signal that a point is averaged of.

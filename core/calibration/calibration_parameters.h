@@ -28,6 +28,7 @@ struct CalibrationParameters {
   int camera_fewest_points = 4;
   double camera_least_span_px = 40.0;
   double camera_held_out_mm = 1.0;
+  double camera_height_percent = 10.0;
   double encoder_least_sweep_deg = 20.0;
   double encoder_scale_percent = 3.0;
   double encoder_held_out_deg = 1.0;
@@ -98,6 +99,8 @@ struct CalibrationParameters {
            {.unit = "px", .minimum = 4, .maximum = 2000, .help = "Camera: smallest span of the points, each way."});
     v.real("calibration.camera_held_out_mm", camera_held_out_mm,
            {.unit = "mm", .minimum = 0.01, .maximum = 20, .help = "Camera: largest held-out error."});
+    v.real("calibration.camera_height_percent", camera_height_percent,
+           {.unit = "%", .minimum = 0.5, .maximum = 50, .help = "Camera: largest uncertainty of its height."});
     v.real("calibration.encoder_least_sweep_deg", encoder_least_sweep_deg,
            {.unit = "deg", .minimum = 5, .maximum = 180, .help = "Encoders: smallest commanded sweep."});
     v.real(

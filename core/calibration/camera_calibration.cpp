@@ -17,6 +17,9 @@ constexpr double kLeastTurn_deg = 0.1;
 constexpr double kSure = 3.0;
 constexpr double kLargest_px = 1e5, kLargest_mm = 1e4;
 constexpr double kLeastNoise_mm = 0.02;
+constexpr double kDeepest_mm = 25.0;
+constexpr std::size_t kFewestForHeight = 6;
+constexpr double kUsualHeight_mm = 100.0, kLowestHeight_mm = 30.0, kHighestHeight_mm = 10'000.0;
 
 double spanOf(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -113,9 +116,86 @@ bool findTurn(CameraCalibration& out, const Frame& f) {
   return true;
 }
 
+/// The points where their shadows lie on the untouched cloth's plane: H/(H − δ) as far from the axis.
+CameraSamples onThePlane(const CameraSamples& s, double one_over_height) {
+  CameraSamples out = s;
+  for (std::size_t i = 0; i < s.depth_mm.size(); ++i) {
+    const double nearer = 1.0 - s.depth_mm[i] * one_over_height;
+    out.x_mm[i] /= nearer;
+    out.y_mm[i] /= nearer;
+  }
+  return out;
+}
+
+struct Height {
+  double mm = kUnknown;
+  double error_mm = kUnknown;
+};
+
+/// The height at which the points agree best with one affine map; NaN when they do not tell it.
+Height findHeight(const CameraSamples& s) {
+  const auto residualsAt = [&s](double one_over_height) -> Eigen::VectorXd {
+    const Frame f = frameOf(onThePlane(s, one_over_height), 0.0);
+    Eigen::MatrixXd design(f.u.size(), 3);
+    design << f.u, f.v, Eigen::VectorXd::Ones(f.u.size());
+    const auto x = fitLinear(design, f.x), y = fitLinear(design, f.y);
+    if (!x || !y) return {};
+    Eigen::VectorXd out(2 * f.u.size());
+    out << x->residuals, y->residuals;
+    return out;
+  };
+  constexpr double kStep = 1e-3;  // of 1/H
+  const double freedom = 2.0 * static_cast<double>(s.x_px.size()) - 7.0;
+  double at = 1.0 / kUsualHeight_mm, sigma = kUnknown;
+  for (int round = 0; round < 20; ++round) {
+    const Eigen::VectorXd here = residualsAt(at), above = residualsAt((1.0 + kStep) * at),
+                          below = residualsAt((1.0 - kStep) * at);
+    if (here.size() == 0 || above.size() == 0 || below.size() == 0) return {};
+    const Eigen::VectorXd slope = (above - below) / (2.0 * kStep);  // mm for the whole of 1/H
+    const double information = slope.squaredNorm();
+    const double noise_mm = std::max(std::sqrt(here.squaredNorm() / freedom), kLeastNoise_mm);
+    sigma = noise_mm / std::sqrt(information);
+    if (!std::isfinite(sigma) || sigma > 1.0) return {};
+    const double step = std::clamp(-slope.dot(here) / information, -0.5, 0.5);
+    at = std::clamp(at * (1.0 + step), 1.0 / kHighestHeight_mm, 1.0 / kLowestHeight_mm);
+    if (std::abs(step) < 1e-9) break;
+  }
+  return {.mm = 1.0 / at, .error_mm = sigma / at};
+}
+
+/// @return whether the points tell the height well enough, or need not
+bool findHeight(CalibrationResult& result, const CameraSamples& s, const CalibrationParameters& p, Height& height) {
+  const auto deeper = [](double depth_mm) { return depth_mm > 0.0; };
+  if (std::none_of(s.depth_mm.begin(), s.depth_mm.end(), deeper)) return true;
+  if (s.x_px.size() < kFewestForHeight) {
+    result =
+        tooFew(std::move(result),
+               say("{} points; the camera's height takes at least {}: at the cloth's corners, some on the untouched "
+                   "cloth and some pressed down",
+                   s.x_px.size(), kFewestForHeight),
+               "calibration.camera_height_percent");
+    return false;
+  }
+  height = findHeight(s);
+  const double percent = 100.0 * height.error_mm / height.mm;
+  const bool inside = height.mm > kLowestHeight_mm && height.mm < kHighestHeight_mm;
+  if (percent <= p.camera_height_percent && inside) return true;
+  const Message known = std::isfinite(percent) && inside
+                            ? say("the camera's height is known only to {:.0f} %; expected at most {:g} %", percent,
+                                  p.camera_height_percent)
+                            : say("the depths do not tell the camera's height");
+  result = refused(std::move(result),
+                   say("{}: take points at the cloth's corners, far from its middle, some on the untouched cloth and "
+                       "some pressed down as deep as you can",
+                       known),
+                   "calibration.camera_height_percent");
+  return false;
+}
+
 }  // namespace
 
-CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParameters& p) {
+CameraCalibration calibrateCamera(const CameraSamples& samples, const CalibrationParameters& p) {
+  CameraSamples s = samples;
   CameraCalibration out;
   CalibrationResult& result = out.result;
   result = {.procedure = "camera",
@@ -123,13 +203,15 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
             .unit = "mm",
             .points = s.x_px.size(),
             .valid_unit = "px"};
-  if (s.y_px.size() != s.x_px.size() || s.x_mm.size() != s.x_px.size() || s.y_mm.size() != s.x_px.size()) {
-    result = refused(std::move(result), say("the four columns differ in length"));
+  if (s.y_px.size() != s.x_px.size() || s.x_mm.size() != s.x_px.size() || s.y_mm.size() != s.x_px.size() ||
+      (!s.depth_mm.empty() && s.depth_mm.size() != s.x_px.size())) {
+    result = refused(std::move(result), say("the columns differ in length"));
     return out;
   }
   bool good = checkColumn(result, "x_px", s.x_px, -kLargest_px, kLargest_px);
   good = checkColumn(result, "y_px", s.y_px, -kLargest_px, kLargest_px) && good;
   good = checkColumn(result, "x_mm", s.x_mm, -kLargest_mm, kLargest_mm) && good;
+  good = checkColumn(result, "depth_mm", s.depth_mm, 0.0, kDeepest_mm) && good;
   if (!checkColumn(result, "y_mm", s.y_mm, -kLargest_mm, kLargest_mm) || !good) return out;
 
   std::vector<std::size_t> different;  // points that repeat an earlier one tell nothing new
@@ -157,6 +239,12 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
     return out;
   }
   if (!findTurn(out, frameOf(s, 0.0))) return out;
+  Height height;
+  if (!findHeight(result, s, p, height)) return out;
+  if (std::isfinite(height.mm)) {
+    s = onThePlane(s, 1.0 / height.mm);
+    if (!findTurn(out, frameOf(s, 0.0))) return out;
+  }
   const double half_turn = std::abs(out.rotation_deg) > 90.0 ? 180.0 : 0.0;
   const double turn = wrapped(out.rotation_deg - half_turn);
   out.rotated = std::abs(turn) > std::max(kLeastTurn_deg, kSure * out.rotation_error_deg);
@@ -179,6 +267,7 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
                          {"scale_y", "mm/px", axes.y.slope, y.standardError(0)},
                          {"offset_x", "mm", axes.x.offset, offsetError(x, frame.mean_u)},
                          {"offset_y", "mm", axes.y.offset, offsetError(y, frame.mean_v)}};
+  if (std::isfinite(height.mm)) result.coefficients.push_back({"camera_height", "mm", height.mm, height.error_mm});
   out.residual_x_mm.assign(x.residuals.begin(), x.residuals.end());
   out.residual_y_mm.assign(y.residuals.begin(), y.residuals.end());
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -228,6 +317,8 @@ CameraCalibration calibrateCamera(const CameraSamples& s, const CalibrationParam
                     {"sensing.finger_centre_y_px", fmt::format("{}", -axes.y.offset / axes.y.slope)},
                     {"sensing.finger_rotation_deg", fmt::format("{}", rotation)},
                     {"sensing.finger_mirror", out.mirrored ? "true" : "false"}};
+  if (std::isfinite(height.mm))
+    result.changes.push_back({"sensing.camera_height_mm", fmt::format("{:.6g}", height.mm)});
   result.verdict = {
       .accepted = true,
       .reason = say("held-out error {:.3f} mm of at most {:g} mm", result.held_out_rmse, p.camera_held_out_mm),

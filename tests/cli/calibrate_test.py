@@ -91,6 +91,30 @@ class Calibrate(fyd.Case):
         self.close(mine["standard_errors"], theirs["standard_errors"], 1e-7)
         self.assertLess(abs(mine["rotation_deg"]), 0.2)
 
+    def test_marks_that_are_pressed_down_tell_the_cameras_height(self):
+        def rows(depths):
+            for depth in depths:
+                for x in (-40, 0, 40):
+                    for y in (-25, 0, 25):
+                        nearer = 100 / (100 - depth)
+                        yield (150 + x * nearer / 0.45 + self.random.gauss(0, 0.3),
+                               120 - y * nearer / 0.47 + self.random.gauss(0, 0.3), x, y, depth)
+        header = "x_px,y_px,x_mm,y_mm,depth_mm"
+        profile = self.path("height.toml")
+        found = self.json("calibrate", "camera", self.csv("deep.csv", header, list(rows((0, 8)))), "--profile", profile, "--json")
+        self.assertTrue(found["accepted"], found["reason"])
+        self.assertEqual(found["coefficient_names"][4], "camera_height")
+        self.assertLess(abs(found["coefficients"][4] - 100), 4 * found["standard_errors"][4])
+        self.assertLess(found["standard_errors"][4], 10)
+        self.assertIn("sensing.camera_height_mm", [c["id"] for c in found["changes"]])
+        with open(profile, encoding="utf-8") as file:
+            self.assertIn("camera_height_mm = 9" if found["coefficients"][4] < 100 else "camera_height_mm = 10", file.read())
+        done = fyd.run("calibrate", "camera", self.csv("same.csv", header, list(rows((6, 6)))), "--json")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(json.loads(done.stdout)["threshold"], "calibration.camera_height_percent")
+        done = fyd.run("calibrate", "camera", self.csv("no.csv", header, [(*row[:4], -3) for row in rows((0, 8))]), "--json")
+        self.assertIn("depth_mm", json.loads(done.stdout)["reason"])
+
     def test_the_stiffness_map_agrees_with_numpy(self):
         law = {20: 0.501, 45: 0.550, 60: 0.673, 90: 0.715}
         rows = [(angle, depth, k * depth + 0.1 + self.random.gauss(0, 0.03)) for angle, k in law.items()

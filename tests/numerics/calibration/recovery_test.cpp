@@ -384,6 +384,93 @@ TEST(Camera, RecoversScalesTurnAndMirrorAsTheDetectorUsesThem) {
   }
 }
 
+/// Marks as a pinhole camera sees them that stands under the touchpad's origin: focal length times x over the distance.
+CameraSamples throughAPinhole(double height_mm, const std::vector<double>& depths_mm, double half_width_mm,
+                              double noise_px, std::uint64_t seed) {
+  const double focal_px = height_mm / 0.46;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> noise(0, noise_px);
+  CameraSamples out;
+  for (const double depth : depths_mm) {
+    for (const double x : {-half_width_mm, 0.0, half_width_mm}) {
+      for (const double y : {-0.6 * half_width_mm, 0.0, 0.6 * half_width_mm}) {
+        out.x_px.push_back(150 + focal_px * x / (height_mm - depth) + noise(random));
+        out.y_px.push_back(120 - focal_px * y / (height_mm - depth) + noise(random));
+        out.x_mm.push_back(x);
+        out.y_mm.push_back(y);
+        out.depth_mm.push_back(depth);
+      }
+    }
+  }
+  return out;
+}
+
+TEST(Camera, MarksThatArePressedDownTellItsHeight) {
+  int within = 0, trials = 0;
+  for (const double height_mm : {60.0, 100.0, 180.0}) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      const auto found = calibrateCamera(throughAPinhole(height_mm, {0, 8}, 40, 0.5, seed), kStandard);
+      ASSERT_TRUE(found.result.verdict.accepted) << height_mm << ' ' << found.result.verdict.reason.text();
+      ASSERT_EQ(found.result.coefficients.size(), 5U);
+      const Coefficient& height = found.result.coefficients[4];
+      EXPECT_NEAR(height.value, height_mm, 0.2 * height_mm);
+      within += std::abs(height.value - height_mm) <= 2 * height.standard_error ? 1 : 0;
+      ++trials;
+      sensing::FingerParameters finger;
+      sensing::IndentationParameters indentation;
+      std::vector<Parameter> both = bindParameters(finger), more = bindParameters(indentation);
+      both.insert(both.end(), more.begin(), more.end());
+      ASSERT_TRUE(applyChanges(both, found.result.changes).has_value());
+      EXPECT_NEAR(indentation.camera_height_mm, height.value, 1e-3);
+      EXPECT_NEAR(finger.scale_x_mm_per_px, 0.46, 0.01);
+    }
+  }
+  EXPECT_GE(within, 0.9 * trials);  // 95 % of them, if the uncertainty is right
+  EXPECT_LE(within, 0.99 * trials);
+
+  const auto exact = calibrateCamera(throughAPinhole(100, {0, 4, 8}, 40, 0, 1), kStandard);
+  ASSERT_TRUE(exact.result.verdict.accepted) << exact.result.verdict.reason.text();
+  EXPECT_NEAR(exact.result.coefficients[4].value, 100, 1e-3);
+}
+
+TEST(Camera, AHeightThatThePointsDoNotTellIsRefused) {
+  const auto refusedFor = [](const CameraSamples& samples) {
+    const auto found = calibrateCamera(samples, kStandard).result;
+    EXPECT_FALSE(found.verdict.accepted);
+    EXPECT_EQ(found.verdict.threshold, "calibration.camera_height_percent");
+    EXPECT_TRUE(found.changes.empty());
+    return found.verdict.reason.text();
+  };
+  EXPECT_THAT(refusedFor(throughAPinhole(100, {6, 6}, 40, 0.5, 1)), testing::HasSubstr("pressed down as deep"));
+  EXPECT_THAT(refusedFor(throughAPinhole(100, {6}, 40, 0, 1)), testing::HasSubstr("do not tell"));
+  EXPECT_THAT(refusedFor(throughAPinhole(100, {0, 2}, 20, 0.5, 1)), testing::HasSubstr("only to"));
+  EXPECT_THAT(refusedFor(throughAPinhole(100, {0, 0.5}, 40, 0.5, 1)), testing::HasSubstr("camera's height"));
+  CameraSamples few = throughAPinhole(100, {0, 8}, 40, 0, 1);
+  for (auto* column : {&few.x_px, &few.y_px, &few.x_mm, &few.y_mm, &few.depth_mm}) {
+    std::vector<double> kept;
+    for (const std::size_t i : {0, 2, 6, 11, 17}) kept.push_back((*column)[i]);
+    *column = kept;
+  }
+  EXPECT_THAT(refusedFor(few), testing::HasSubstr("at least 6"));
+}
+
+TEST(Camera, DepthsThatAreNoneAreRefusedByName) {
+  for (const double depth : {-1.0, 26.0, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
+    CameraSamples samples = throughAPinhole(100, {0, 8}, 40, 0.5, 1);
+    samples.depth_mm[3] = depth;
+    const auto found = calibrateCamera(samples, kStandard).result;
+    EXPECT_FALSE(found.verdict.accepted) << depth;
+    EXPECT_THAT(found.verdict.reason.text(), testing::HasSubstr("depth_mm")) << depth;
+  }
+  CameraSamples uneven = throughAPinhole(100, {0, 8}, 40, 0.5, 1);
+  uneven.depth_mm.pop_back();
+  EXPECT_FALSE(calibrateCamera(uneven, kStandard).result.verdict.accepted);
+  // All on the cloth: the height stays as it is.
+  const auto flat = calibrateCamera(throughAPinhole(100, {0, 0}, 40, 0.3, 1), kStandard).result;
+  EXPECT_TRUE(flat.verdict.accepted) << flat.verdict.reason.text();
+  EXPECT_EQ(flat.coefficients.size(), 4U);
+}
+
 TEST(Camera, ATiltedViewIsFoundOut) {
   CameraSamples samples;
   for (double u = 45; u <= 255; u += 35) {
