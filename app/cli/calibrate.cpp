@@ -5,6 +5,7 @@
 
 #include "app/cli/calibrate_report.h"
 #include "app/cli/sense_table.h"
+#include "core/calibration/calibration_dependence.h"
 #include "core/calibration/camera_calibration.h"
 #include "core/calibration/cloth_calibration.h"
 #include "core/calibration/encoder_calibration.h"
@@ -60,10 +61,7 @@ bool clothProven(const CalibrateOptions& options) {
   if (options.profile.empty() || !std::filesystem::exists(options.profile)) return false;
   station::Profile profile = options.load();
   const auto records = valueOrFail(station::loadCalibrationRecords(options.profile));
-  const auto parameters = bindParameters(profile);
-  return std::ranges::any_of(records, [&](const calibration::CalibrationRecord& record) {
-    return record.procedure == "cloth" && calibration::inForce(record, parameters);
-  });
+  return calibration::clothProven(records, bindParameters(profile));
 }
 
 void calibrateStiffness(const CalibrateOptions& options) {
@@ -147,6 +145,7 @@ void calibrateCloth(const CalibrateOptions& options) {
   json["edges"] = sensing::kClothEdgesNames[static_cast<std::size_t>(found.edges)];
   json["other_edges_rmse"] = jsonNumber(found.other_edges_rmse);
   json["share_sigma"] = jsonNumber(found.share_sigma);
+  json["stiffness_error"] = jsonNumber(found.stiffness_error);
   json["sensors"] = nlohmann::ordered_json::array();
   for (const calibration::ClothSensor& sensor : found.sensors) {
     json["sensors"].push_back({{"presses", sensor.presses},

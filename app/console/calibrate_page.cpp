@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/console/views.h"
+#include "core/calibration/calibration_dependence.h"
+#include "core/calibration/stiffness_map.h"
 #include "core/station/calibration_file.h"
 #include "widgets/core_text.h"
 #include "widgets/icon.h"
@@ -135,6 +137,7 @@ void CalibratePage::showStep(int step) {
 CalibrationScene CalibratePage::scene() const {
   return {.devices = devices_,
           .newest = newest_,
+          .finger = finger_,
           .profile = profile_,
           .picture = picture_->picture(),
           .place_px = picture_->place(),
@@ -145,6 +148,7 @@ CalibrationScene CalibratePage::scene() const {
 void CalibratePage::poll() {
   devices_ = context_.session.devices();
   motion_ = context_.session.deviceTestStatus();
+  finger_ = context_.session.cameraView().finger;
   const auto reading = step().read(scene());
   const bool traced = step().picture() == CalibrationStep::Picture::none;
   const double now_s = static_cast<double>(clock_.elapsed()) / 1000.0;
@@ -215,6 +219,12 @@ void CalibratePage::restartTrace() {
 void CalibratePage::refit() {
   const std::vector<CalibrationPoint>& points = points_[step_];
   fit_ = step().fit(points, profile_);
+  if (step().trustsIndentation() && !points.empty()) {
+    const auto records = station::loadCalibrationRecords(context_.tuning.profilePath().toStdString());
+    if (!records || !calibration::clothProven(*records, bindParameters(profile_))) {
+      calibration::sayIndentationUnproven(fit_.result);
+    }
+  }
   fit_panel_->setFit(fit_, points.size(), step().errorLimit(), profile_);
   instruction_->setText(step().instruction(points));
   missing_->setText(!fit_.missing.isEmpty() ? tr("Still missing: %1").arg(fit_.missing) : tr("Enough points."));

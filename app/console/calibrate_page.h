@@ -110,6 +110,7 @@ class CalibratePage : public Page {
   std::vector<double> entered_;
   std::vector<device::DeviceReport> devices_;
   pipeline::TelemetrySample newest_;
+  sensing::FingerDetection finger_;
   bool silent_ = false;
   bool can_move_ = false;
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;

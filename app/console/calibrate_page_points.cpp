@@ -27,6 +27,7 @@ void CalibratePage::startPoint() {
   }
   entered_ = *entered;
   devices_ = context_.session.devices();
+  finger_ = context_.session.cameraView().finger;
   const auto reading = step().read(scene());
   if (!reading) {
     endPoint(tr("Not taken: %1.").arg(widgets::coreText(reading.error().message)));

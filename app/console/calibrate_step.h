@@ -48,6 +48,7 @@ using CalibrationPoint = std::vector<double>;
 struct CalibrationScene {
   const std::vector<device::DeviceReport>& devices;
   const pipeline::TelemetrySample& newest;
+  const sensing::FingerDetection& finger;  ///< in the newest picture
   const station::Profile& profile;  ///< with the values in force
   const QImage& picture;
   std::optional<QPointF> place_px;          ///< clicked in the picture
@@ -109,6 +110,8 @@ class CalibrationStep {
   }
   /// What the first field should offer next; NaN: nothing.
   [[nodiscard]] virtual double offer(const std::vector<CalibrationPoint>&) const { return calibration::kUnknown; }
+  /// Whether it takes the indentation for true: it is said as long as no calibration of the cloth has proven that.
+  [[nodiscard]] virtual bool trustsIndentation() const { return false; }
   /// Whether a new measurement replaces the former one.
   [[nodiscard]] virtual bool onePoint() const { return false; }
 

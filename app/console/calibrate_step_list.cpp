@@ -11,6 +11,7 @@
   STEPS(noTouchSteps) /* with the new curves, and after the load cell, which begins with a zero of 0 */ \
   STEPS(cameraRegionSteps)                                                                              \
   STEPS(cameraScaleSteps)                                                                               \
+  STEPS(clothSteps)                                                                                     \
   STEPS(stiffnessSteps)                                                                                 \
   STEPS(restSteps)
 

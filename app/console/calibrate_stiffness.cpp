@@ -29,6 +29,7 @@ class StiffnessStep : public CalibrationStep {
   int readings() const override { return 5; }
   int readingColumn() const override { return 1; }
   Motion motion() const override { return Motion::stretch; }
+  bool trustsIndentation() const override { return true; }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
     return points.empty() ? tr("Type a stretch and hold the button: the motors go there. Meanwhile press the cloth to "
                                "three depths, each for a second; points are taken by themselves.")

@@ -101,4 +101,10 @@ std::vector<AppliedChange> leftBehind(std::string_view procedure, std::span<cons
   return out;
 }
 
+bool clothProven(std::span<const CalibrationRecord> records, std::span<const Parameter> parameters) {
+  return std::ranges::any_of(records, [&](const CalibrationRecord& record) {
+    return record.procedure == "cloth" && inForce(record, parameters);
+  });
+}
+
 }  // namespace fyd::calibration

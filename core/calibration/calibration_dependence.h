@@ -2,8 +2,8 @@
 //
 // A new curve of a distance sensor moves what it reads of the untouched cloth, and a new line of the load cell moves
 // its zero: the no-touch offsets taken before are wrong by as much. A stiffness map holds for the encoders, the load
-// cell, the distance sensors and the cloth's calibration it was measured with. The camera's scale is one of the whole picture: its region of
-// interest does not move it.
+// cell, the distance sensors and the cloth's calibration it was measured with. The camera's scale is one of the whole
+// picture: its region of interest does not move it.
 //
 // Offsets and zero are also changed by a tare, which writes no record. So the record of what they rest on notes the
 // value that it left behind (before and after alike); a value that is another one now was taken since.
@@ -41,6 +41,10 @@ struct NewerBasis {
 
 /// Whether a tare may change the value without taking the calibration that it rests on out of force.
 [[nodiscard]] bool isTared(std::string_view procedure, std::string_view parameter_id);
+
+/// Whether the cloth was calibrated and its calibration is in force: what stands on an indentation can say whether that
+/// was ever proven.
+[[nodiscard]] bool clothProven(std::span<const CalibrationRecord> records, std::span<const Parameter> parameters);
 
 /// What an accepted calibration leaves behind as it is, for its record.
 [[nodiscard]] std::vector<AppliedChange> leftBehind(std::string_view procedure, std::span<const Parameter> parameters);

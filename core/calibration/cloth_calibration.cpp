@@ -110,6 +110,31 @@ bool enoughPresses(ClothCalibration& out, const std::vector<ClothPress>& presses
   return true;
 }
 
+/// The calibrated mode's own doubt of the indentation, relative, over the cloth: a stiffness is as wrong.
+double doubtOverTheCloth(const sensing::IndentationParameters& calibrated, const ClothSamples& s, std::size_t sensors) {
+  constexpr double kDepth_mm = 4.0;
+  double area_mm2 = 0.0;
+  for (const double area : s.area_mm2) area_mm2 += area / static_cast<double>(s.area_mm2.size());
+  sensing::ContactCloth cloth(calibrated);
+  double squares = 0.0;
+  int places = 0;
+  for (const double x : {-0.5, 0.0, 0.5}) {
+    for (const double y : {-0.5, 0.0, 0.5}) {
+      const sensing::Contact contact{
+          .x_mm = x * calibrated.frame_half_width_mm, .y_mm = y * calibrated.frame_half_depth_mm, .area_mm2 = area_mm2};
+      cloth.press(contact, kDepth_mm);
+      std::array<sensing::Drop, sensing::kMaximumIrSensors> drops;
+      for (std::size_t i = 0; i < sensors; ++i) {
+        drops[i] = {.drop_mm = cloth.share(i) * kDepth_mm, .sigma_mm = kPressNoise_mm, .used = true};
+      }
+      const sensing::ClothDepth depth = cloth.solve(contact, std::span(drops).first(sensors));
+      squares += depth.variance_mm2 / (depth.indentation_mm * depth.indentation_mm);
+      ++places;
+    }
+  }
+  return std::sqrt(squares / places);
+}
+
 /// Errors of what the sensors beside the finger read, of presses that the fit has not seen; NaN where no fit could be
 /// made.
 std::vector<double> heldOut(const ClothFitter& fitter, const std::vector<ClothPress>& presses, ClothEdges edges) {
@@ -241,6 +266,13 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
       {"sensing.cloth_tension_ratio_sigma",
        fmt::format("{:.6g}", std::hypot(ratio_part, free ? kLeastFreeRatioLogSigma : kLeastRatioLogSigma))},
       {"sensing.cloth_share_sigma", fmt::format("{:.6g}", std::min(out.share_sigma, 0.5))}};
+  sensing::IndentationParameters calibrated = profile;
+  if (const auto applied = applyChanges(bindParameters(calibrated), result.changes); !applied) {
+    result = refused(std::move(result), applied.error().message);
+    return out;
+  }
+  out.stiffness_error = std::max(doubtOverTheCloth(calibrated, s, sensors), rootMeanSquare(errors.relative));
+  result.changes.push_back({"control.measurement_bias", fmt::format("{:.3g}", std::min(out.stiffness_error, 1.0))});
   result.verdict = {
       .accepted = true,
       .reason =

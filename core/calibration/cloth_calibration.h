@@ -7,6 +7,10 @@
 //
 //   Σ (zᵢⱼ − sᵢ(κ, ratio)·δⱼ)²/σᵢⱼ²,    δⱼ of each press from its own readings
 //
+// What of the stiffness stays unknown (control.measurement_bias) is the doubt that the calibrated mode itself has of
+// the indentation, over nine places of the cloth, with the presses' area; no less than the held-out error beside the
+// finger.
+//
 // Held-out error: the presses over one sensor are foretold by a fit on the others, what the sensors beside the finger
 // read from the one under it.
 #pragma once
@@ -38,6 +42,7 @@ struct ClothCalibration {
   sensing::ClothEdges edges = sensing::ClothEdges::held;
   double other_edges_rmse = kUnknown;  ///< of the best fit with the other edges
   double share_sigma = kUnknown;       ///< what the formula leaves of a share
+  double stiffness_error = kUnknown;   ///< relative and lasting, over the cloth: what the loop is told
   std::vector<ClothSensor> sensors;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Duration kFirstRetry = std::chrono::milliseconds(20);
 constexpr Duration kLongestRetry = std::chrono::milliseconds(500);
-constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
+constexpr Duration kReportPeriod = std::chrono::milliseconds(16);  // as often as a distance sensor measures
 
 }  // namespace
 

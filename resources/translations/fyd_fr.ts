@@ -62,6 +62,10 @@
         <translation>%1 Go</translation>
     </message>
     <message>
+        <source>%1 Hold still, take the point, and hold on until the bar is full: %2 s.</source>
+        <translation>%1 Ne pas bouger, prendre le point, et tenir jusqu'à ce que la barre soit pleine : %2 s.</translation>
+    </message>
+    <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
     </message>
@@ -518,6 +522,10 @@
         <translation>Mode adaptatif : un doigt est plus sombre que le tissu éclairé d'au moins cette fraction.</translation>
     </message>
     <message>
+        <source>Adaptive mode: smallest dark area that counts as a touch, on the cloth.</source>
+        <translation>Mode adaptive : plus petite surface sombre qui compte comme un toucher, sur le tissu.</translation>
+    </message>
+    <message>
         <source>Adaptive mode: use every n-th pixel and row, for slow computers.</source>
         <translation>Mode adaptatif : n'utilise qu'un pixel et une ligne sur n, pour les ordinateurs lents.</translation>
     </message>
@@ -576,6 +584,10 @@
     <message>
         <source>Answers</source>
         <translation>Réponses</translation>
+    </message>
+    <message>
+        <source>Area, mm²</source>
+        <translation>Surface, mm²</translation>
     </message>
     <message>
         <source>Asked</source>
@@ -668,6 +680,10 @@
     <message>
         <source>Began, UTC</source>
         <translation>Début, UTC</translation>
+    </message>
+    <message>
+        <source>Beside, mm</source>
+        <translation>À côté, mm</translation>
     </message>
     <message>
         <source>Between A and B</source>
@@ -878,8 +894,8 @@
         <translation>Cliquer pour en savoir plus.</translation>
     </message>
     <message>
-        <source>Click the next mark, type where it lies, and take the point: best at the cloth's corners and in its middle.</source>
-        <translation>Cliquer la marque suivante, saisir sa position et prendre le point : de préférence aux coins du tissu et au milieu.</translation>
+        <source>Click the next mark, type where it lies, and take the point: best at the cloth's corners and in its middle. Marks that you press down, with their depth, tell how high the camera is.</source>
+        <translation>Cliquer la marque suivante, saisir où elle se trouve, et prendre le point : de préférence aux coins du tissu et en son milieu. Des marques enfoncées, avec leur profondeur, disent à quelle hauteur est la caméra.</translation>
     </message>
     <message>
         <source>Click to look there; drag with the right button to choose a stretch.</source>
@@ -928,6 +944,10 @@
     <message>
         <source>Closed: the robot has said goodbye</source>
         <translation>Fermée : le robot a pris congé</translation>
+    </message>
+    <message>
+        <source>Cloth</source>
+        <translation>Tissu</translation>
     </message>
     <message>
         <source>Cloth %1 times its law's stiffness; sensors %2 s late with a lag of %3 s, noise %4 %. The courses above show what the proposal would do. Nothing is changed yet.</source>
@@ -1100,6 +1120,18 @@ mm</source>
 mm</translation>
     </message>
     <message>
+        <source>Depth at the sensor under the finger, mm</source>
+        <translation>Profondeur au capteur sous le doigt, mm</translation>
+    </message>
+    <message>
+        <source>Depth there, mm</source>
+        <translation>Profondeur là, mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Profondeur, mm</translation>
+    </message>
+    <message>
         <source>Derivative filter</source>
         <translation>Filtre du dérivé</translation>
     </message>
@@ -1228,6 +1260,10 @@ mm</translation>
         <translation>Points : les deux codeurs avec leurs nouveaux zéro et signe. Trait : la position demandée aux moteurs. Tirets : le premier codeur tel qu'il est lu à présent.</translation>
     </message>
     <message>
+        <source>Dots: each press, what the sensors beside the finger read of it. Below, how far the fit is off there.</source>
+        <translation>Points : chaque appui, ce qu'en lisent les capteurs à côté du doigt. Dessous, de combien l'ajustement s'y trompe.</translation>
+    </message>
+    <message>
         <source>Dots: each press. Bars: an angle's stiffness with its 95 % interval. Line: the new law. Dashed: the one in force. Crosses: presses the others contradict.</source>
         <translation>Points : chaque pression. Barres : raideur d'un angle et son intervalle à 95 %. Trait : la nouvelle loi. Tirets : celle en vigueur. Croix : pressions que les autres contredisent.</translation>
     </message>
@@ -1292,6 +1328,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Error</source>
         <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Error beside, mm</source>
+        <translation>Erreur à côté, mm</translation>
     </message>
     <message>
         <source>Error, mm</source>
@@ -1478,6 +1518,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Échelle y du doigt</translation>
     </message>
     <message>
+        <source>Finger smallest contact</source>
+        <translation>Plus petit contact du doigt</translation>
+    </message>
+    <message>
         <source>Finger threshold</source>
         <translation>Seuil du doigt</translation>
     </message>
@@ -1496,6 +1540,14 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Finger, indentation and force</source>
         <translation>Doigt, indentation et force</translation>
+    </message>
+    <message>
+        <source>Finger, x</source>
+        <translation>Doigt, x</translation>
+    </message>
+    <message>
+        <source>Finger, y</source>
+        <translation>Doigt, y</translation>
     </message>
     <message>
         <source>First encoder's reading at zero stretch.</source>
@@ -2214,6 +2266,10 @@ s</translation>
         <translation>Regarder les décalages à droite, puis les accepter ou mesurer à nouveau.</translation>
     </message>
     <message>
+        <source>Look at the verdict at the right, then accept it, or add presses.</source>
+        <translation>Regarder le verdict à droite, puis l'accepter, ou ajouter des appuis.</translation>
+    </message>
+    <message>
         <source>Look for dirt or an object under the cloth; calibrate.</source>
         <translation>Chercher de la saleté ou un objet sous le tissu ; étalonner.</translation>
     </message>
@@ -2310,6 +2366,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Mean</source>
         <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Mean of the others, mm</source>
+        <translation>Moyenne des autres, mm</translation>
     </message>
     <message>
         <source>Measured, °</source>
@@ -2916,6 +2976,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Appuyer sur Esc, puis redémarrer le programme.</translation>
     </message>
     <message>
+        <source>Press over distance sensor %1 once more, twice as deep and at least %2.</source>
+        <translation>Appuyer encore une fois au-dessus du capteur de distance %1, deux fois plus profond et d'au moins %2.</translation>
+    </message>
+    <message>
+        <source>Press over distance sensor %1, some 3 mm deep.</source>
+        <translation>Appuyer au-dessus du capteur de distance %1, d'environ 3 mm.</translation>
+    </message>
+    <message>
         <source>Press the cloth now, and hold the depth for a second.</source>
         <translation>Presser maintenant le tissu et tenir la profondeur une seconde.</translation>
     </message>
@@ -3336,6 +3404,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Valeurs choisies : retour aux valeurs enregistrées</translation>
     </message>
     <message>
+        <source>Sensor</source>
+        <translation>Capteur</translation>
+    </message>
+    <message>
         <source>Sensors live, motors off.</source>
         <translation>Capteurs actifs, moteurs coupés.</translation>
     </message>
@@ -3470,10 +3542,6 @@ par s</translation>
     <message>
         <source>Small and slow, and only while the button is held. Esc ends it as well.</source>
         <translation>Petit et lent, et seulement tant que le bouton est maintenu. Esc y met fin aussi.</translation>
-    </message>
-    <message>
-        <source>Smallest dark area that counts as a touch, in pixels of the 160 × 120 working picture.</source>
-        <translation>Plus petite aire sombre qui compte comme toucher, en pixels de l'image de travail de 160 × 120.</translation>
     </message>
     <message>
         <source>Softness</source>
@@ -4040,6 +4108,10 @@ Pour commencer : %1</translation>
         <translation>Mode thèse : les niveaux de gris inférieurs sont le doigt.</translation>
     </message>
     <message>
+        <source>Thesis mode: smallest dark area that counts as a touch, in pixels of its 160 × 120 picture.</source>
+        <translation>Mode thesis : plus petite surface sombre qui compte comme un toucher, en pixels de son image de 160 × 120.</translation>
+    </message>
+    <message>
         <source>Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: each touch moves it from where it stands.</source>
         <translation>Mode thèse : le robot va où est le doigt, avec un saut à chaque nouveau toucher ; éteint : chaque toucher le déplace d'où il se trouve.</translation>
     </message>
@@ -4154,6 +4226,10 @@ Pour commencer : %1</translation>
     <message>
         <source>Turn from the picture's axes to the touchpad's, counter-clockwise seen from above.</source>
         <translation>Rotation des axes de l'image à ceux du touchpad, antihoraire vue de dessus.</translation>
+    </message>
+    <message>
+        <source>Two presses over each distance sensor, one at least %1 times as deep as the other.</source>
+        <translation>Deux appuis au-dessus de chaque capteur de distance, l'un au moins %1 fois plus profond que l'autre.</translation>
     </message>
     <message>
         <source>Type a few letters of a command</source>
@@ -4498,6 +4574,10 @@ Pour commencer : %1</translation>
     <message>
         <source>all back to the saved values</source>
         <translation>retour à toutes les valeurs enregistrées</translation>
+    </message>
+    <message>
+        <source>all four edges are held</source>
+        <translation>les quatre bords sont tenus</translation>
     </message>
     <message>
         <source>all points at {} V</source>
@@ -5020,6 +5100,10 @@ Pour commencer : %1</translation>
         <translation>le capteur de distance {} n'a rien lu dans aucun appui</translation>
     </message>
     <message>
+        <source>distance sensor {} does not read: look under Devices</source>
+        <translation>le capteur de distance {} ne lit pas : voir dans Appareils</translation>
+    </message>
+    <message>
         <source>distance sensor {} reads {:.0f} counts, outside its span: look whether something stands before it</source>
         <translation>le capteur de distance {} lit {:.0f} points, hors de sa plage : voir si quelque chose est devant</translation>
     </message>
@@ -5330,6 +5414,10 @@ Pour commencer : %1</translation>
     <message>
         <source>from {} s to {} s: the first must not be larger than the second</source>
         <translation>de {} s à {} s : le premier ne doit pas dépasser le second</translation>
+    </message>
+    <message>
+        <source>front and back edges are free</source>
+        <translation>les bords avant et arrière sont libres</translation>
     </message>
     <message>
         <source>gone</source>
@@ -6100,16 +6188,20 @@ Pour commencer : %1</translation>
         <translation>appuyer plus lentement, et tenir chaque profondeur</translation>
     </message>
     <message>
+        <source>pressed down by</source>
+        <translation>enfoncé de</translation>
+    </message>
+    <message>
         <source>proposed</source>
         <translation>proposé</translation>
     </message>
     <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
         <source>quick stop active</source>
         <translation>arrêt rapide en cours</translation>
+    </message>
+    <message>
+        <source>radius share %1 ± %2</source>
+        <translation>part du rayon %1 ± %2</translation>
     </message>
     <message>
         <source>reachable</source>
@@ -6456,6 +6548,10 @@ Pour commencer : %1</translation>
         <translation>la raideur tombe de {:.3f} N/mm à {:.3g}° à {:.3f} à {:.3g}°, alors que l'étirement raidit le tissu : presser de nouveau aux deux angles et voir si le tissu glisse</translation>
     </message>
     <message>
+        <source>stiffness known to about %1 %</source>
+        <translation>raideur connue à environ %1 %</translation>
+    </message>
+    <message>
         <source>still being recorded</source>
         <translation>encore en cours d'enregistrement</translation>
     </message>
@@ -6540,6 +6636,10 @@ Pour commencer : %1</translation>
         <translation>température {}</translation>
     </message>
     <message>
+        <source>tension ratio %1 ± %2</source>
+        <translation>rapport des tensions %1 ± %2</translation>
+    </message>
+    <message>
         <source>the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant</source>
         <translation>les axes s'écartent de {:.1f}° d'un angle droit : la caméra regarde le tissu de biais</translation>
     </message>
@@ -6548,8 +6648,16 @@ Pour commencer : %1</translation>
         <translation>le bloc a changé pendant sa lecture (ses deux numéros de séquence diffèrent)</translation>
     </message>
     <message>
+        <source>the camera is %1 ± %2 below the cloth</source>
+        <translation>la caméra est à %1 ± %2 sous le tissu</translation>
+    </message>
+    <message>
         <source>the camera sees a finger on the cloth: take everything off</source>
         <translation>la caméra voit un doigt sur le tissu : tout retirer</translation>
+    </message>
+    <message>
+        <source>the camera sees no finger: press the cloth over a distance sensor</source>
+        <translation>la caméra ne voit pas de doigt : appuyer sur le tissu au-dessus d'un capteur de distance</translation>
     </message>
     <message>
         <source>the camera sees nothing: picture black, white, of one grey or empty</source>
@@ -6558,6 +6666,14 @@ Pour commencer : %1</translation>
     <message>
         <source>the camera sends no pictures</source>
         <translation>la caméra n'envoie pas d'image</translation>
+    </message>
+    <message>
+        <source>the camera shows no cloth: look under Devices whether it answers</source>
+        <translation>la caméra ne montre pas le tissu : voir dans Appareils si elle répond</translation>
+    </message>
+    <message>
+        <source>the camera's height is known only to {:.0f} %; expected at most {:g} %</source>
+        <translation>la hauteur de la caméra n'est connue qu'à {:.0f} % ; attendu au plus {:g} %</translation>
     </message>
     <message>
         <source>the cloth was touched</source>
@@ -6574,6 +6690,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the deepest press over distance sensor {} is {:.2f} mm; expected at least {:g} mm: press deeper there</source>
         <translation>l'appui le plus profond au-dessus du capteur de distance {} est de {:.2f} mm ; attendu au moins {:g} mm : appuyez-y plus profond</translation>
+    </message>
+    <message>
+        <source>the depths do not tell the camera's height</source>
+        <translation>les profondeurs ne disent pas la hauteur de la caméra</translation>
     </message>
     <message>
         <source>the disk has less than {:.0f} MB left: recording stopped</source>
@@ -6600,8 +6720,8 @@ Pour commencer : %1</translation>
         <translation>les distances ne couvrent que {:.3g} mm, de {:g} à {:g} ; il en faut au moins {:g} : ajouter des points entre {:g} et {:g} mm</translation>
     </message>
     <message>
-        <source>the four columns differ in length</source>
-        <translation>les quatre colonnes n'ont pas la même longueur</translation>
+        <source>the finger is {:.1f} mm beside distance sensor {}, at most {:g} mm count: move it to {:.0f}, {:.0f} mm</source>
+        <translation>le doigt est à {:.1f} mm à côté du capteur de distance {}, seuls comptent {:g} mm au plus : le déplacer vers {:.0f}, {:.0f} mm</translation>
     </message>
     <message>
         <source>the haptic loop stood still for more than 20 ms</source>
@@ -6678,6 +6798,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the presses over distance sensor {} are all about equally deep ({:.2f} to {:.2f} mm); expected {:g} times as deep at the deepest: press there at two depths</source>
         <translation>les appuis au-dessus du capteur de distance {} sont tous à peu près également profonds ({:.2f} à {:.2f} mm) ; attendu le plus profond {:g} fois autant : appuyez-y à deux profondeurs</translation>
+    </message>
+    <message>
+        <source>the profile names no distance sensor: see sensing.ir_x_mm</source>
+        <translation>le profil ne nomme aucun capteur de distance : voir sensing.ir_x_mm</translation>
     </message>
     <message>
         <source>the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper</source>
@@ -7044,6 +7168,10 @@ Pour commencer : %1</translation>
         <translation>largeur</translation>
     </message>
     <message>
+        <source>with the other edges %1</source>
+        <translation>avec les autres bords %1</translation>
+    </message>
+    <message>
         <source>workspace {} x {} x {} mm at {} mm: more than {} points on an axis</source>
         <translation>espace de travail {} x {} x {} mm à {} mm : plus de {} points sur un axe</translation>
     </message>
@@ -7096,8 +7224,8 @@ Pour commencer : %1</translation>
         <translation>x</translation>
     </message>
     <message>
-        <source>x %1 mm   y %2 mm   area %3 px</source>
-        <translation>x %1 mm   y %2 mm   aire %3 px</translation>
+        <source>x %1 mm   y %2 mm   area %3 mm²</source>
+        <translation>x %1 mm   y %2 mm   surface %3 mm²</translation>
     </message>
     <message>
         <source>x %1 px, y %2 px</source>
@@ -7298,6 +7426,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{} points; at most {}: take fewer, or means</source>
         <translation>{} points ; au plus {} : en prendre moins, ou des moyennes</translation>
+    </message>
+    <message>
+        <source>{} points; the camera's height takes at least {}: at the cloth's corners, some on the untouched cloth and some pressed down</source>
+        <translation>{} points ; la hauteur de la caméra en demande au moins {} : aux coins du tissu, certains sur le tissu non touché et certains enfoncés</translation>
     </message>
     <message>
         <source>{} presses; at most {}: take the mean of each press</source>
@@ -7890,6 +8022,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>
         <translation>{} : archivé, mais la source ne peut pas être supprimée : {} ; il est entier aux deux endroits</translation>
+    </message>
+    <message>
+        <source>{}: take points at the cloth's corners, far from its middle, some on the untouched cloth and some pressed down as deep as you can</source>
+        <translation>{} : prendre des points aux coins du tissu, loin de son milieu, certains sur le tissu non touché et certains enfoncés aussi profond que possible</translation>
     </message>
     <message>
         <source>{}: the CSV parser could not start</source>

@@ -62,6 +62,10 @@
         <translation>%1 GB</translation>
     </message>
     <message>
+        <source>%1 Hold still, take the point, and hold on until the bar is full: %2 s.</source>
+        <translation>%1 Tenere fermo, prendere il punto, e continuare a tenere finché la barra è piena: %2 s.</translation>
+    </message>
+    <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
     </message>
@@ -518,6 +522,10 @@
         <translation>Modo adattivo: un dito è più scuro del tessuto illuminato almeno di questa frazione.</translation>
     </message>
     <message>
+        <source>Adaptive mode: smallest dark area that counts as a touch, on the cloth.</source>
+        <translation>Modo adaptive: minima area scura che conta come tocco, sul tessuto.</translation>
+    </message>
+    <message>
         <source>Adaptive mode: use every n-th pixel and row, for slow computers.</source>
         <translation>Modo adattivo: usa un pixel e una riga ogni n, per i computer lenti.</translation>
     </message>
@@ -576,6 +584,10 @@
     <message>
         <source>Answers</source>
         <translation>Risposte</translation>
+    </message>
+    <message>
+        <source>Area, mm²</source>
+        <translation>Area, mm²</translation>
     </message>
     <message>
         <source>Asked</source>
@@ -668,6 +680,10 @@
     <message>
         <source>Began, UTC</source>
         <translation>Inizio, UTC</translation>
+    </message>
+    <message>
+        <source>Beside, mm</source>
+        <translation>A lato, mm</translation>
     </message>
     <message>
         <source>Between A and B</source>
@@ -878,8 +894,8 @@
         <translation>Fare clic per saperne di più.</translation>
     </message>
     <message>
-        <source>Click the next mark, type where it lies, and take the point: best at the cloth's corners and in its middle.</source>
-        <translation>Fare clic sul segno seguente, scrivere dove si trova e prendere il punto: meglio agli angoli del tessuto e al centro.</translation>
+        <source>Click the next mark, type where it lies, and take the point: best at the cloth's corners and in its middle. Marks that you press down, with their depth, tell how high the camera is.</source>
+        <translation>Fare clic sul segno successivo, scrivere dove si trova, e prendere il punto: meglio agli angoli del tessuto e al centro. Segni premuti in basso, con la loro profondità, dicono a che altezza è la telecamera.</translation>
     </message>
     <message>
         <source>Click to look there; drag with the right button to choose a stretch.</source>
@@ -928,6 +944,10 @@
     <message>
         <source>Closed: the robot has said goodbye</source>
         <translation>Chiuso: il robot si è congedato</translation>
+    </message>
+    <message>
+        <source>Cloth</source>
+        <translation>Tessuto</translation>
     </message>
     <message>
         <source>Cloth %1 times its law's stiffness; sensors %2 s late with a lag of %3 s, noise %4 %. The courses above show what the proposal would do. Nothing is changed yet.</source>
@@ -1100,6 +1120,18 @@ mm</source>
 mm</translation>
     </message>
     <message>
+        <source>Depth at the sensor under the finger, mm</source>
+        <translation>Profondità al sensore sotto il dito, mm</translation>
+    </message>
+    <message>
+        <source>Depth there, mm</source>
+        <translation>Profondità lì, mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Profondità, mm</translation>
+    </message>
+    <message>
         <source>Derivative filter</source>
         <translation>Filtro derivativo</translation>
     </message>
@@ -1228,6 +1260,10 @@ mm</translation>
         <translation>Punti: entrambi gli encoder con nuovo zero e segno. Linea: dove i motori sono stati mandati. Tratteggio: il primo encoder come è letto ora.</translation>
     </message>
     <message>
+        <source>Dots: each press, what the sensors beside the finger read of it. Below, how far the fit is off there.</source>
+        <translation>Punti: ogni pressione, ciò che ne leggono i sensori a lato del dito. Sotto, di quanto l'adattamento vi sbaglia.</translation>
+    </message>
+    <message>
         <source>Dots: each press. Bars: an angle's stiffness with its 95 % interval. Line: the new law. Dashed: the one in force. Crosses: presses the others contradict.</source>
         <translation>Punti: ogni pressione. Barre: rigidezza di un angolo con l'intervallo del 95 %. Linea: la nuova legge. Tratteggio: quella in vigore. Croci: pressioni che le altre contraddicono.</translation>
     </message>
@@ -1292,6 +1328,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Error</source>
         <translation>Errore</translation>
+    </message>
+    <message>
+        <source>Error beside, mm</source>
+        <translation>Errore a lato, mm</translation>
     </message>
     <message>
         <source>Error, mm</source>
@@ -1478,6 +1518,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Scala y del dito</translation>
     </message>
     <message>
+        <source>Finger smallest contact</source>
+        <translation>Contatto minimo del dito</translation>
+    </message>
+    <message>
         <source>Finger threshold</source>
         <translation>Soglia del dito</translation>
     </message>
@@ -1496,6 +1540,14 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Finger, indentation and force</source>
         <translation>Dito, indentazione e forza</translation>
+    </message>
+    <message>
+        <source>Finger, x</source>
+        <translation>Dito, x</translation>
+    </message>
+    <message>
+        <source>Finger, y</source>
+        <translation>Dito, y</translation>
     </message>
     <message>
         <source>First encoder's reading at zero stretch.</source>
@@ -2214,6 +2266,10 @@ s</translation>
         <translation>Guardare gli offset a destra, poi accettarli o misurare di nuovo.</translation>
     </message>
     <message>
+        <source>Look at the verdict at the right, then accept it, or add presses.</source>
+        <translation>Guardare il verdetto a destra, poi accettarlo, o aggiungere pressioni.</translation>
+    </message>
+    <message>
         <source>Look for dirt or an object under the cloth; calibrate.</source>
         <translation>Cercare sporco o un oggetto sotto il tessuto; calibrare.</translation>
     </message>
@@ -2310,6 +2366,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Mean</source>
         <translation>Media</translation>
+    </message>
+    <message>
+        <source>Mean of the others, mm</source>
+        <translation>Media degli altri, mm</translation>
     </message>
     <message>
         <source>Measured, °</source>
@@ -2916,6 +2976,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Premere Esc, poi riavviare il programma.</translation>
     </message>
     <message>
+        <source>Press over distance sensor %1 once more, twice as deep and at least %2.</source>
+        <translation>Premere ancora una volta sopra il sensore di distanza %1, due volte più a fondo e per almeno %2.</translation>
+    </message>
+    <message>
+        <source>Press over distance sensor %1, some 3 mm deep.</source>
+        <translation>Premere sopra il sensore di distanza %1, per circa 3 mm.</translation>
+    </message>
+    <message>
         <source>Press the cloth now, and hold the depth for a second.</source>
         <translation>Premere ora il tessuto e tenere la profondità per un secondo.</translation>
     </message>
@@ -3336,6 +3404,10 @@ Premere per leggere perché</translation>
         <translation>Riporta i valori scelti a quelli salvati</translation>
     </message>
     <message>
+        <source>Sensor</source>
+        <translation>Sensore</translation>
+    </message>
+    <message>
         <source>Sensors live, motors off.</source>
         <translation>Sensori vivi, motori spenti.</translation>
     </message>
@@ -3470,10 +3542,6 @@ al s</translation>
     <message>
         <source>Small and slow, and only while the button is held. Esc ends it as well.</source>
         <translation>Piccolo e lento, e solo finché il pulsante è premuto. Anche Esc lo termina.</translation>
-    </message>
-    <message>
-        <source>Smallest dark area that counts as a touch, in pixels of the 160 × 120 working picture.</source>
-        <translation>Minima area scura che conta come tocco, in pixel dell'immagine di lavoro di 160 × 120.</translation>
     </message>
     <message>
         <source>Softness</source>
@@ -4040,6 +4108,10 @@ Per cominciare: %1</translation>
         <translation>Modo tesi: i valori di grigio al di sotto sono il dito.</translation>
     </message>
     <message>
+        <source>Thesis mode: smallest dark area that counts as a touch, in pixels of its 160 × 120 picture.</source>
+        <translation>Modo thesis: minima area scura che conta come tocco, in pixel della sua immagine di 160 × 120.</translation>
+    </message>
+    <message>
         <source>Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: each touch moves it from where it stands.</source>
         <translation>Modo tesi: il robot va dove è il dito, con un salto a ogni nuovo tocco; spento: ogni tocco lo muove da dove si trova.</translation>
     </message>
@@ -4154,6 +4226,10 @@ Per cominciare: %1</translation>
     <message>
         <source>Turn from the picture's axes to the touchpad's, counter-clockwise seen from above.</source>
         <translation>Rotazione dagli assi dell'immagine a quelli del touchpad, antioraria vista dall'alto.</translation>
+    </message>
+    <message>
+        <source>Two presses over each distance sensor, one at least %1 times as deep as the other.</source>
+        <translation>Due pressioni sopra ogni sensore di distanza, una profonda almeno %1 volte l'altra.</translation>
     </message>
     <message>
         <source>Type a few letters of a command</source>
@@ -4498,6 +4574,10 @@ Per cominciare: %1</translation>
     <message>
         <source>all back to the saved values</source>
         <translation>tutto ai valori salvati</translation>
+    </message>
+    <message>
+        <source>all four edges are held</source>
+        <translation>tutti e quattro i bordi sono tenuti</translation>
     </message>
     <message>
         <source>all points at {} V</source>
@@ -5020,6 +5100,10 @@ Per cominciare: %1</translation>
         <translation>il sensore di distanza {} non ha letto in nessuna pressione</translation>
     </message>
     <message>
+        <source>distance sensor {} does not read: look under Devices</source>
+        <translation>il sensore di distanza {} non legge: guardare in Dispositivi</translation>
+    </message>
+    <message>
         <source>distance sensor {} reads {:.0f} counts, outside its span: look whether something stands before it</source>
         <translation>il sensore di distanza {} legge {:.0f} conteggi, fuori dal suo campo: guardare se c'è qualcosa davanti</translation>
     </message>
@@ -5330,6 +5414,10 @@ Per cominciare: %1</translation>
     <message>
         <source>from {} s to {} s: the first must not be larger than the second</source>
         <translation>da {} s a {} s: il primo non deve superare il secondo</translation>
+    </message>
+    <message>
+        <source>front and back edges are free</source>
+        <translation>i bordi davanti e dietro sono liberi</translation>
     </message>
     <message>
         <source>gone</source>
@@ -6100,16 +6188,20 @@ Per cominciare: %1</translation>
         <translation>premere più piano, e tenere ogni profondità</translation>
     </message>
     <message>
+        <source>pressed down by</source>
+        <translation>premuto di</translation>
+    </message>
+    <message>
         <source>proposed</source>
         <translation>proposto</translation>
     </message>
     <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
         <source>quick stop active</source>
         <translation>arresto rapido in corso</translation>
+    </message>
+    <message>
+        <source>radius share %1 ± %2</source>
+        <translation>quota del raggio %1 ± %2</translation>
     </message>
     <message>
         <source>reachable</source>
@@ -6456,6 +6548,10 @@ Per cominciare: %1</translation>
         <translation>la rigidezza scende da {:.3f} N/mm a {:.3g} gradi a {:.3f} a {:.3g} gradi, benché la tensione irrigidisca il tessuto: premere di nuovo a entrambi gli angoli e guardare se il tessuto scivola</translation>
     </message>
     <message>
+        <source>stiffness known to about %1 %</source>
+        <translation>rigidezza nota a circa %1 %</translation>
+    </message>
+    <message>
         <source>still being recorded</source>
         <translation>ancora in registrazione</translation>
     </message>
@@ -6540,6 +6636,10 @@ Per cominciare: %1</translation>
         <translation>temperatura {}</translation>
     </message>
     <message>
+        <source>tension ratio %1 ± %2</source>
+        <translation>rapporto delle tensioni %1 ± %2</translation>
+    </message>
+    <message>
         <source>the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant</source>
         <translation>gli assi distano {:.1f}° da un angolo retto: la telecamera guarda il tessuto di sbieco</translation>
     </message>
@@ -6548,8 +6648,16 @@ Per cominciare: %1</translation>
         <translation>il blocco è cambiato durante la lettura (i suoi due numeri di sequenza differiscono)</translation>
     </message>
     <message>
+        <source>the camera is %1 ± %2 below the cloth</source>
+        <translation>la telecamera è %1 ± %2 sotto il tessuto</translation>
+    </message>
+    <message>
         <source>the camera sees a finger on the cloth: take everything off</source>
         <translation>la telecamera vede un dito sul tessuto: togliere tutto</translation>
+    </message>
+    <message>
+        <source>the camera sees no finger: press the cloth over a distance sensor</source>
+        <translation>la telecamera non vede alcun dito: premere il tessuto sopra un sensore di distanza</translation>
     </message>
     <message>
         <source>the camera sees nothing: picture black, white, of one grey or empty</source>
@@ -6558,6 +6666,14 @@ Per cominciare: %1</translation>
     <message>
         <source>the camera sends no pictures</source>
         <translation>la telecamera non manda immagini</translation>
+    </message>
+    <message>
+        <source>the camera shows no cloth: look under Devices whether it answers</source>
+        <translation>la telecamera non mostra il tessuto: guardare in Dispositivi se risponde</translation>
+    </message>
+    <message>
+        <source>the camera's height is known only to {:.0f} %; expected at most {:g} %</source>
+        <translation>l'altezza della telecamera è nota solo al {:.0f} %; atteso al più {:g} %</translation>
     </message>
     <message>
         <source>the cloth was touched</source>
@@ -6574,6 +6690,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the deepest press over distance sensor {} is {:.2f} mm; expected at least {:g} mm: press deeper there</source>
         <translation>la pressione più profonda sopra il sensore di distanza {} è {:.2f} mm; attesi almeno {:g} mm: premere lì più a fondo</translation>
+    </message>
+    <message>
+        <source>the depths do not tell the camera's height</source>
+        <translation>le profondità non dicono l'altezza della telecamera</translation>
     </message>
     <message>
         <source>the disk has less than {:.0f} MB left: recording stopped</source>
@@ -6600,8 +6720,8 @@ Per cominciare: %1</translation>
         <translation>le distanze coprono solo {:.3g} mm, da {:g} a {:g}; ne servono almeno {:g}: aggiungere punti tra {:g} e {:g} mm</translation>
     </message>
     <message>
-        <source>the four columns differ in length</source>
-        <translation>le quattro colonne hanno lunghezza diversa</translation>
+        <source>the finger is {:.1f} mm beside distance sensor {}, at most {:g} mm count: move it to {:.0f}, {:.0f} mm</source>
+        <translation>il dito è {:.1f} mm a lato del sensore di distanza {}, contano al più {:g} mm: spostarlo a {:.0f}, {:.0f} mm</translation>
     </message>
     <message>
         <source>the haptic loop stood still for more than 20 ms</source>
@@ -6678,6 +6798,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the presses over distance sensor {} are all about equally deep ({:.2f} to {:.2f} mm); expected {:g} times as deep at the deepest: press there at two depths</source>
         <translation>le pressioni sopra il sensore di distanza {} sono tutte circa ugualmente profonde (da {:.2f} a {:.2f} mm); attesa la più profonda {:g} volte tanto: premere lì a due profondità</translation>
+    </message>
+    <message>
+        <source>the profile names no distance sensor: see sensing.ir_x_mm</source>
+        <translation>il profilo non nomina alcun sensore di distanza: vedere sensing.ir_x_mm</translation>
     </message>
     <message>
         <source>the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper</source>
@@ -7044,6 +7168,10 @@ Per cominciare: %1</translation>
         <translation>larghezza</translation>
     </message>
     <message>
+        <source>with the other edges %1</source>
+        <translation>con gli altri bordi %1</translation>
+    </message>
+    <message>
         <source>workspace {} x {} x {} mm at {} mm: more than {} points on an axis</source>
         <translation>spazio di lavoro {} x {} x {} mm a {} mm: più di {} punti su un asse</translation>
     </message>
@@ -7096,8 +7224,8 @@ Per cominciare: %1</translation>
         <translation>x</translation>
     </message>
     <message>
-        <source>x %1 mm   y %2 mm   area %3 px</source>
-        <translation>x %1 mm   y %2 mm   area %3 px</translation>
+        <source>x %1 mm   y %2 mm   area %3 mm²</source>
+        <translation>x %1 mm   y %2 mm   area %3 mm²</translation>
     </message>
     <message>
         <source>x %1 px, y %2 px</source>
@@ -7298,6 +7426,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{} points; at most {}: take fewer, or means</source>
         <translation>{} punti; al più {}: prenderne meno, o medie</translation>
+    </message>
+    <message>
+        <source>{} points; the camera's height takes at least {}: at the cloth's corners, some on the untouched cloth and some pressed down</source>
+        <translation>{} punti; per l'altezza della telecamera ne servono almeno {}: agli angoli del tessuto, alcuni sul tessuto non toccato e alcuni premuti in basso</translation>
     </message>
     <message>
         <source>{} presses; at most {}: take the mean of each press</source>
@@ -7890,6 +8022,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>
         <translation>{}: archiviato, ma l'originale non può essere rimosso: {}; è intero in entrambi i posti</translation>
+    </message>
+    <message>
+        <source>{}: take points at the cloth's corners, far from its middle, some on the untouched cloth and some pressed down as deep as you can</source>
+        <translation>{}: prendere punti agli angoli del tessuto, lontano dal centro, alcuni sul tessuto non toccato e alcuni premuti il più a fondo possibile</translation>
     </message>
     <message>
         <source>{}: the CSV parser could not start</source>

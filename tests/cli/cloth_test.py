@@ -233,8 +233,13 @@ class Cloth(fyd.Case):
         profile = self.path("lab.toml")
         found = self.calibrate(over_sensors(of("judge_sphere8_1.337"), (3, 6)), profile)
         self.assertEqual([c["id"] for c in found["changes"]][:2], ["sensing.indentation_mode", "sensing.contact_radius_share"])
+        bias = next(float(c["after"]) for c in found["changes"] if c["id"] == "control.measurement_bias")
+        print(f"lasting error of the stiffness: {bias}")
+        self.assertTrue(0.01 < bias < 0.1, bias)
         with open(profile, encoding="utf-8") as file:
-            self.assertIn("indentation_mode = 'contact'", file.read())
+            text = file.read()
+        self.assertIn("indentation_mode = 'contact'", text)
+        self.assertIn(f"measurement_bias = {bias}", text)
         with open(self.path("lab.calibration.toml"), encoding="utf-8") as record:
             text = record.read()
         self.assertIn("procedure = 'cloth'", text)

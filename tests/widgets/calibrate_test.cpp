@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "app/console/calibrate_records.h"
+#include "core/sim/cloth.h"
 #include "core/sim/ir_sensor.h"
 #include "core/sim/picture.h"
 #include "core/station/calibration_file.h"
@@ -10,6 +11,29 @@
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
+
+/// The touchpad and the camera while a sphere presses the simulated cloth over a sensor, or beside it: a cloth that was
+/// solved without the estimator's formula.
+static void pressCloth(Calibrating& c, int sensor, double depth_mm, double beside_mm = 0.0) {
+  const sim::SimParameters simulated{.cloth = sim::ClothKind::membrane};
+  sim::Cloth cloth(simulated);
+  const sim::SensorPlace over = sim::kIrPlaces[static_cast<std::size_t>(sensor)];
+  const sim::FingerState finger{
+      .x_mm = over.x_mm + beside_mm, .y_mm = over.y_mm, .indentation_mm = depth_mm, .lifted = false};
+  const sim::Pressing press = cloth.press(20.0, finger, 0.0);
+  c.session->reports = {touchpad(0.1)};
+  for (std::size_t i = 0; i < sim::kIrPlaces.size(); ++i) {
+    const double sunk_mm = cloth.deflection_mm(sim::kIrPlaces[i].x_mm, sim::kIrPlaces[i].y_mm, finger);
+    c.session->reports[0].values[i].number = sim::irVolts(100.0 - sunk_mm) * 4096 / 3.3;
+  }
+  const sim::Spot seen = sim::seenFromBelow(
+      {finger.x_mm + press.centre_x_mm, finger.y_mm + press.centre_y_mm, press.area_mm2}, depth_mm, 100.0);
+  c.session->view.finger = {.contact = true,
+                            .area_mm2 = seen.area_mm2,
+                            .x_mm = seen.x_mm,
+                            .y_mm = seen.y_mm,
+                            .reason = sensing::FingerReason::found};
+}
 
 class CalibrateTest : public QObject {
   Q_OBJECT
@@ -275,6 +299,103 @@ class CalibrateTest : public QObject {
     const auto profile = station::loadProfile(c.profilePath());
     QVERIFY(profile.has_value());
     QVERIFY(std::abs(profile->step.sensing.finger.scale_x_mm_per_px - 100.0 / 220.0) < 0.01);
+  }
+
+  void marksThatArePressedDownTellTheCamerasHeight() {
+    Calibrating c("camera");
+    c.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
+    c.session->view.number = 1;
+    c.window->feed().pump();
+    for (const double depth_mm : {0.0, 8.0}) {
+      for (const double y_mm : {-25.0, 25.0}) {
+        for (const double x_mm : {-40.0, 0.0, 40.0}) {
+          const double nearer = 90.0 / (90.0 - depth_mm);
+          const sim::PicturePoint at = sim::pictureOf(nearer * x_mm, nearer * y_mm);
+          QTest::mouseClick(c.page->picture(), Qt::LeftButton, {},
+                            c.page->picture()->drawnAt({at.u_px, at.v_px}).toPoint());
+          c.type(0, QString::number(x_mm));
+          c.type(1, QString::number(y_mm));
+          if (depth_mm > 0.0) c.type(2, QString::number(depth_mm));  // empty: on the cloth
+          c.click(c.page->takeButton());
+        }
+      }
+    }
+    QCOMPARE(c.page->points().size(), std::size_t{12});
+    QVERIFY2(c.page->fitPanel()->verdict().startsWith(QLatin1String("Good")),
+             qPrintable(c.page->fitPanel()->verdict()));
+    c.click(c.page->acceptButton());
+    const double height_mm = station::loadProfile(c.profilePath())->step.sensing.indentation.camera_height_mm;
+    QVERIFY2(std::abs(height_mm - 90.0) < 9.0, qPrintable(QString::number(height_mm)));
+  }
+
+  void theClothFromPressesOverTheSensors() {
+    Calibrating c("cloth");
+    QVERIFY(c.page->instruction().contains(QLatin1String("distance sensor 1")));
+    c.click(c.page->takeButton());
+    QVERIFY2(c.page->hint().contains(QLatin1String("no cloth")), qPrintable(c.page->hint()));
+    pressCloth(c, 0, 3.0, 6.0);
+    c.click(c.page->takeButton());
+    QVERIFY2(c.page->hint().contains(QLatin1String("beside distance sensor 1")), qPrintable(c.page->hint()));
+
+    constexpr int kReadings = 550;  // 11 s
+    pressCloth(c, 0, 3.0);
+    c.click(c.page->takeButton());
+    c.readings(kReadings / 2);
+    const auto* bar = c.page->findChild<QProgressBar*>();
+    QVERIFY2(std::abs(bar->value() - 50) <= 1, qPrintable(QString::number(bar->value())));
+    QVERIFY(c.page->points().empty());
+    c.session->view.finger.contact = false;  // let go too early
+    c.readings(1);
+    QVERIFY2(c.page->hint().contains(QLatin1String("no finger")), qPrintable(c.page->hint()));
+    for (const int sensor : {0, 1, 2}) {
+      for (const double depth_mm : {3.0, 3.1}) {
+        pressCloth(c, sensor, depth_mm);
+        c.click(c.page->takeButton());
+        c.readings(kReadings);
+      }
+    }
+    QCOMPARE(c.page->points().size(), std::size_t{6});
+    QVERIFY2(c.page->fitPanel()->verdict().contains(QLatin1String("equally deep")),
+             qPrintable(c.page->fitPanel()->verdict()));
+    QVERIFY(!c.page->acceptButton()->isEnabled());
+    QVERIFY2(c.page->missing().contains(QLatin1String("distance sensor 1 once more")), qPrintable(c.page->missing()));
+    for (const int sensor : {0, 1, 2}) {
+      pressCloth(c, sensor, 5.5);
+      c.click(c.page->takeButton());
+      c.readings(kReadings);
+    }
+    QVERIFY2(c.page->fitPanel()->verdict().startsWith(QLatin1String("Good")),
+             qPrintable(c.page->fitPanel()->verdict()));
+    c.state(SafetyState::stopped);
+    c.click(c.page->acceptButton());
+    const auto profile = station::loadProfile(c.profilePath());
+    QVERIFY(profile.has_value());
+    const sensing::IndentationParameters& indentation = profile->step.sensing.indentation;
+    QVERIFY(indentation.mode == sensing::IndentationMode::contact);
+    QVERIFY2(std::abs(indentation.contact_radius_share - 0.61) < 0.1,  // a sphere's
+             qPrintable(QString::number(indentation.contact_radius_share)));
+    QVERIFY2(profile->step.control.measurement_bias > 0.01 && profile->step.control.measurement_bias < 0.1,
+             qPrintable(QString::number(profile->step.control.measurement_bias)));
+    QVERIFY(c.partText("Cloth").contains(QLatin1String("fine")));
+  }
+
+  void theStiffnessMapSaysWhetherItsIndentationWasProven() {
+    for (const sim::ClothKind kind : {sim::ClothKind::ideal, sim::ClothKind::membrane}) {
+      Calibrating c("stiffness");
+      c.session->profile.sim.cloth = kind;
+      c.page->enter();
+      c.click(c.page->simulateButton());
+      QVERIFY2(c.page->fitPanel()->verdict().contains(QLatin1String("never proven")),
+               qPrintable(c.page->fitPanel()->verdict()));
+      c.page->choose(QStringLiteral("cloth"));
+      c.click(c.page->simulateButton());
+      QVERIFY2(c.page->acceptButton()->isEnabled(), qPrintable(c.page->fitPanel()->verdict()));
+      c.state(SafetyState::stopped);
+      c.click(c.page->acceptButton());
+      c.page->choose(QStringLiteral("stiffness"));
+      QVERIFY2(!c.page->fitPanel()->verdict().contains(QLatin1String("never proven")),
+               qPrintable(c.page->fitPanel()->verdict()));
+    }
   }
 
   void theClothsRegionIsDragged() {
