@@ -24,14 +24,13 @@ DEPTHS = [0.5, 1.0, 2.0, 3.5, 5.5, 8.0]
 NEAR = 10.0
 SHAPE = np.linspace(-1.0, 1.0, 15)
 MESH = {"sphere": dict(fine=0.35, reach=3.0), "capsule": dict(fine=0.35, reach=3.0), "disc": dict(fine=0.5)}
-FINGERS = {"sphere8": Finger("sphere", 8.0), "disc7": Finger("disc", 7.0), "capsule8": Finger("capsule", 8.0),
-           "sphere6": Finger("sphere", 6.0), "sphere12": Finger("sphere", 12.0)}
+FINGERS = {"sphere8": Finger("sphere", 8.0), "disc7": Finger("disc", 7.0), "capsule8": Finger("capsule", 8.0)}
 # x and y to where a sphere of 8 mm goes down to 8 mm without touching the frame; stretches beyond those that 0° and 120° of the motors need (0.46 and 0.76 N/mm); y_edge: where the morphed grid ends
 CLOTHS = {"frame": dict(stretches=(1.28, 1.45), x=[0, 15, 28, 37, 41.5], y=[0, 12, 21, 27], y_edge=HALF_Y),
           "rollers": dict(stretches=(1.58, 1.82), x=[0, 15, 28, 37, 41.5], y=[0, 9, 16, 22], y_edge=29.0)}
-DISC = {"x": [0, 15, 27, 34, 38], "y": {"frame": [0, 11, 19, 23], "rollers": [0, 8, 14, 18]}}  # its rim keeps off the edges
-NAMES = ["frame_sphere8", "rollers_sphere8", "frame_disc7", "frame_capsule8", "rollers_disc7", "rollers_capsule8",
-         "frame_sphere6", "frame_sphere12"]
+DISC = {"x": [0, 14, 24, 31, 35, 38], "y": {"frame": [0, 9, 15, 19, 23], "rollers": [0, 7, 12, 16, 18]}}  # its rim keeps off the edges
+CAPSULE_FRONT = {"frame": [-19, -10], "rollers": [-22, -16, -9]}  # it rises towards −y: farther in front it lies on the frame
+NAMES = ["frame_sphere8", "rollers_sphere8", "frame_disc7", "frame_capsule8", "rollers_disc7", "rollers_capsule8"]
 
 
 def distances(t, room):
@@ -72,7 +71,7 @@ def make(name, folder):
     cloth, finger = CLOTHS[edges], FINGERS[finger_name]
     xs, ys = (DISC["x"], DISC["y"][edges]) if finger.shape == "disc" else (cloth["x"], cloth["y"])
     if finger.shape == "capsule":
-        ys = [-y for y in ys[:0:-1]] + ys
+        ys = CAPSULE_FRONT[edges] + ys
     kinds, shapes = [], []
     for x in xs:
         for y in ys:

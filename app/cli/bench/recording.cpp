@@ -162,10 +162,10 @@ void addTimes(Table& table, const std::string& name, const Times& times) {
 }
 
 void measureReading(Table& table, const std::string& file) {
-  addTimes(table, "open an hour", timesOf(20, [&] { (void)Recording::open(file); }));
-  const auto opened = Recording::open(file);
+  addTimes(table, "open an hour", timesOf(20, [&] { (void)session::Recording::open(file); }));
+  const auto opened = session::Recording::open(file);
   if (!opened) return;
-  const Recording& recording = **opened;
+  const session::Recording& recording = **opened;
   std::mt19937 random(2);
   std::vector<pipeline::TelemetrySample> second(1000);
   addTimes(table, "1 s of telemetry with its picture, anywhere", timesOf(200, [&] {
@@ -177,7 +177,7 @@ void measureReading(Table& table, const std::string& file) {
     return timesOf(10, [&] {
       const double from_s = std::uniform_real_distribution<double>(0.0, 3600.0 - seconds)(random);
       // Opened anew each time: nothing is in the reader's own cache.
-      if (const auto fresh = Recording::open(file); fresh)
+      if (const auto fresh = session::Recording::open(file); fresh)
         (void)(*fresh)->overview(kForceField, from_s, from_s + seconds, 1000);
     });
   };

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "core/control/auto_tune.h"
 #include "core/sim/cloth.h"
+#include "core/sim/lockstep.h"
 
 namespace fyd::sim {
 namespace {
@@ -153,6 +155,30 @@ TEST(StiffnessTrial, OnAClothSolvedElsewhereTheTargetIsMetWhereTheFingerIs) {
       "stop\n",
       contact.rms_percent(), contact.worst_percent, membrane.rms_percent(), membrane.worst_percent, membrane.at_limit,
       membrane.trials);
+}
+
+TEST(StiffnessTrial, AClothThatSlackensDuringTheSessionIsNoticed) {
+  LockstepOptions options;
+  options.draw_pictures = false;
+  options.robot_stiffness_N_per_mm = std::numeric_limits<double>::quiet_NaN();
+  options.parameters.step.hand_target_N_per_mm = 0.7;
+  options.sim.fabric_slackens_percent_per_min = 120;
+  Lockstep lockstep(options);
+  double out_of_reach_s = 0.0, contradicted_s = 0.0;
+  lockstep.run(45.0, [&](const pipeline::Outputs& outputs) {
+    if (outputs.telemetry.state == pipeline::SafetyState::ready) {
+      (void)lockstep.next.commands.push({pipeline::OperatorAction::arm});
+    }
+    for (const pipeline::Event& event : outputs.events) {
+      if (event.kind == pipeline::EventKind::target_clamped) out_of_reach_s = lockstep.time_s();
+      if (event.kind == pipeline::EventKind::law_contradicted) contradicted_s = lockstep.time_s();
+    }
+  });
+  EXPECT_GT(out_of_reach_s, 10.0) << "while it has lost less than a fifth the target is in reach";
+  EXPECT_LT(out_of_reach_s, 30.0);
+  EXPECT_GT(contradicted_s, out_of_reach_s);
+  EXPECT_LT(contradicted_s, 45.0) << "a cloth with a third of its stiffness is no longer the one of the law";
+  EXPECT_LT(lockstep.outputs().telemetry.stretch_reference_deg, 60.0) << "the law drives alone, not to the stop";
 }
 
 TEST(StiffnessTrial, TheSameSeedGivesTheSameCourse) {

@@ -45,7 +45,9 @@ struct Errors {
 
 /// Five seconds of a press; errors from 0.5 s on.
 Errors follow(const Press& press, bool with_force) {
-  IndentationEstimator estimator;
+  IndentationParameters parameters;
+  parameters.mode = IndentationMode::membrane;  // whose formula makes these presses
+  IndentationEstimator estimator(parameters);
   const Membrane membrane;
   std::mt19937 random(3);
   std::normal_distribution<double> noise_mm(0.0, 0.8);
