@@ -13,6 +13,8 @@ constexpr double kUnknownRadiusSigma = 1.1;  // of ln r: a fingertip looks like 
 constexpr double kRadiusSigma_mm = 0.1;      // of the contact's radius from its area
 constexpr double kLeastOwn = 0.006;          // a share's own error over the sensor
 constexpr double kWiden_per_mm = 0.085;      // w, from finite strain; nearly the same for every finger and stretch
+constexpr double kWidenFrom = 1.0,
+                 kWidenTo = 1.5;  // contact radii from its middle between which the sensors see it widen
 constexpr double kDeepest_mm = 15.0;
 constexpr double kLeastCompliance = 0.05;
 constexpr double kLeastLevel = 0.5;  // of 2πU: nearer to the frame the finger nearly fills the cloth
@@ -68,10 +70,13 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
   compliance_doubt_ = math::hypot(
       kComplianceDoubt,
       kFrameDoubt * math::log(relative_compliance_ / std::max(open / middle_level_, 0.5 * relative_compliance_)));
-  const double seen = within(wide, kWidestForShares * room);
-  press.setEffectiveRadius(seen);
-  const Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, seen);
+  Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, inner);
   for (std::size_t i = 0; i < sensors_; ++i) {
+    const double radii = math::hypot(positions_[i].x_mm - contact.x_mm, positions_[i].y_mm - contact.y_mm) / outer;
+    const double far = std::clamp((radii - kWidenFrom) / (kWidenTo - kWidenFrom), 0.0, 1.0);
+    const double seen = within(inner + far * (wide - inner), kWidestForShares * room);
+    press.setEffectiveRadius(seen);
+    other.setEffectiveRadius(seen);
     const MembraneShare here = press.share(positions_[i].x_mm, positions_[i].y_mm);
     const double there = other.share(positions_[i].x_mm, positions_[i].y_mm).value;
     shares_[i] = {.value = here.value,

@@ -4,10 +4,10 @@
 //
 // The shares sᵢ are those of a stretched membrane (membrane.h) with the cloth's tension ratio and edges. A deep press
 // stretches the cloth under the finger more than elsewhere, the more the steeper (δ/2πU), so that the finger looks
-// wider from afar: w. They are wrong by what nobody measured: κ follows the finger's form (0.6 for a sphere, 1 for a
-// flat disc), the tension ratio the way the cloth was clamped, and a part of its own remains for each sensor, because a
-// cloth pressed deep is no linear membrane. Errors of κ and of the ratio move all shares together; a longer look
-// averages none of the three away.
+// wider from afar: w; beside the contact it does not. They are wrong by what nobody measured: κ follows the finger's
+// form (0.6 for a sphere, 1 for a flat disc), the tension ratio the way the cloth was clamped, and a part of its own
+// remains for each sensor, because a cloth pressed deep is no linear membrane. Errors of κ and of the ratio move all
+// shares together; a longer look averages none of the three away.
 //
 // No allocation; the same bits on every processor.
 #pragma once

@@ -35,7 +35,7 @@ struct IndentationParameters {
   double frame_half_width_mm = 50.0;
   double frame_half_depth_mm = 35.0;
   double finger_radius_mm = 7.0;
-  double contact_radius_share = 0.65;
+  double contact_radius_share = 0.655;
   double contact_radius_share_sigma = 0.1;
   double cloth_share_sigma = 0.02;
   ClothEdges cloth_edges = ClothEdges::held;

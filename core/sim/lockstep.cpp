@@ -6,7 +6,6 @@ namespace fyd::sim {
 namespace {
 
 constexpr double kTruePositionNoise_mm = 0.1;
-constexpr double kIdealContact_mm2 = 85.0;
 const Instant kStart = instantAt(1000.0);
 
 }  // namespace
@@ -41,14 +40,9 @@ void Lockstep::takePicture() {
     return;
   }
   const WorldSnapshot truth = world_->truthAt(now_ - picture_delay_);
-  const FingerState& finger = truth.finger;
   sensing::FingerDetection seen;
-  seen.contact = !finger.lifted;
-  Spot spot{.x_mm = finger.x_mm, .y_mm = finger.y_mm, .area_mm2 = seen.contact ? kIdealContact_mm2 : 0.0};
-  if (world_->parameters().cloth != ClothKind::ideal) {
-    spot = seenFromBelow({truth.contact_x_mm, truth.contact_y_mm, truth.contact_area_mm2}, finger.indentation_mm,
-                         world_->parameters().cloth_height_mm);
-  }
+  seen.contact = !truth.finger.lifted;
+  const Spot spot = seenSpot(truth, world_->parameters());
   seen.area_mm2 = spot.area_mm2;
   seen.area_px = spot.area_mm2 / (kMmPerPx_u * kMmPerPx_v);
   seen.x_mm = spot.x_mm + kTruePositionNoise_mm * normal_(random_);

@@ -31,9 +31,18 @@ Spot seenFromBelow(const Spot& spot, double depth_mm, double height_mm) {
   return {nearer * spot.x_mm, nearer * spot.y_mm, nearer * nearer * spot.area_mm2};
 }
 
+Spot seenSpot(const WorldSnapshot& world, const SimParameters& parameters) {
+  const FingerState& finger = world.finger;
+  if (finger.lifted) return {finger.x_mm, finger.y_mm, 0.0};
+  if (parameters.cloth == ClothKind::ideal) {
+    return {finger.x_mm, finger.y_mm, std::numbers::pi * std::pow(spotRadius_mm(world.force_N), 2)};
+  }
+  return seenFromBelow({world.contact_x_mm, world.contact_y_mm, world.contact_area_mm2}, finger.indentation_mm,
+                       parameters.cloth_height_mm);
+}
+
 PictureRenderer::PictureRenderer(const SimParameters& parameters)
-    : far_camera_(parameters.cloth == ClothKind::ideal),
-      height_mm_(parameters.cloth_height_mm),
+    : parameters_(parameters),
       edge_softness_mm_(parameters.edge_softness_px * kMmPerPx_u),
       finger_(sixteenths(kFingerGrey * parameters.light)) {
   cloth_.reserve(static_cast<std::size_t>(kPictureWidth_px) * kPictureHeight_px);
@@ -55,15 +64,8 @@ PictureRenderer::PictureRenderer(const SimParameters& parameters)
 
 void PictureRenderer::render(const WorldSnapshot& world, std::mt19937_64& random, cv::Mat& picture) const {
   picture.create(kPictureHeight_px, kPictureWidth_px, CV_8UC1);
-  double x_mm = world.finger.x_mm, y_mm = world.finger.y_mm;
-  double radius_mm = world.finger.lifted ? 0.0 : spotRadius_mm(world.force_N);
-  if (!far_camera_ && !world.finger.lifted) {
-    const Spot seen = seenFromBelow({world.contact_x_mm, world.contact_y_mm, world.contact_area_mm2},
-                                    world.finger.indentation_mm, height_mm_);
-    x_mm = seen.x_mm;
-    y_mm = seen.y_mm;
-    radius_mm = std::sqrt(seen.area_mm2 / std::numbers::pi);
-  }
+  const auto [x_mm, y_mm, area_mm2] = seenSpot(world, parameters_);
+  const double radius_mm = std::sqrt(area_mm2 / std::numbers::pi);
   const double darkness = std::clamp(world.force_N / kDarkFrom_N, 0.0, 1.0);
   const double reach_mm = radius_mm + edge_softness_mm_;
   const PicturePoint top_left = pictureOf(x_mm - reach_mm, y_mm + reach_mm);

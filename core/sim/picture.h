@@ -44,6 +44,9 @@ struct Spot {
 /// @param height_mm H, of the unpressed cloth over the camera, above depth_mm
 [[nodiscard]] Spot seenFromBelow(const Spot& spot, double depth_mm, double height_mm);
 
+/// The contact as the camera shows it, on the plane of the unpressed cloth. Lifted: no area.
+[[nodiscard]] Spot seenSpot(const WorldSnapshot& world, const SimParameters& parameters);
+
 class PictureRenderer {
  public:
   explicit PictureRenderer(const SimParameters& parameters);
@@ -52,8 +55,7 @@ class PictureRenderer {
   void render(const WorldSnapshot& world, std::mt19937_64& random, cv::Mat& picture) const;
 
  private:
-  bool far_camera_;
-  double height_mm_;
+  SimParameters parameters_;
   double edge_softness_mm_;
   std::int16_t finger_;              // grey × 16
   std::vector<std::int16_t> cloth_;  // grey × 16

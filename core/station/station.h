@@ -114,7 +114,7 @@ struct Notice {
 /// True values of the simulated touchpad; for error figures only.
 struct SimulationTruth {
   bool available = false;
-  double finger_error_mm_rms = 0.0;       ///< detected against true position at the picture's own time, in contact
+  double finger_error_mm_rms = 0.0;       ///< detected against where the contact shows at the picture's own time
   double indentation_error_mm_rms = 0.0;  ///< estimated against true, in contact
 };
 

@@ -1,6 +1,7 @@
 // The haptic loop's side of the station: what each cycle takes from the other threads and hands back.
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/sim/picture.h"
 #include "core/station/station_impl.h"
 
 namespace fyd::station {
@@ -88,10 +89,11 @@ void Station::Impl::onPicture(const CameraView& view) {
     link->offerImage(std::move(encoded));
   }
   if (!world || !simulated_camera || !view.finger.contact) return;
-  const sim::FingerState finger = world->truthAt(view.taken).finger;
-  if (finger.lifted) return;
-  const double dx = view.finger.x_mm - finger.x_mm;
-  const double dy = view.finger.y_mm - finger.y_mm;
+  const sim::WorldSnapshot truth = world->truthAt(view.taken);
+  if (truth.finger.lifted) return;
+  const sim::Spot spot = sim::seenSpot(truth, world->parameters());
+  const double dx = view.finger.x_mm - spot.x_mm;
+  const double dy = view.finger.y_mm - spot.y_mm;
   const std::lock_guard lock(truth_mutex);
   finger_error.add(dx * dx + dy * dy);
 }

@@ -15,13 +15,14 @@ import mcap_peer
 SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's own, which has Debian's scipy
 
 READ_MAT = """
-import json, sys, scipy.io
+import json, sys, numpy, scipy.io
 file = scipy.io.loadmat(sys.argv[1], squeeze_me=True, struct_as_record=False)
 telemetry, units, header, events = (file[name] for name in ("telemetry", "units", "header", "events"))
 print(json.dumps({"names": telemetry._fieldnames, "force_N": [x.hex() for x in telemetry.force_N.tolist()],
                   "step": telemetry.step.tolist(), "units": {n: str(getattr(units, n)) for n in units._fieldnames},
                   "subject": header.subject, "notes": header.notes, "id": header.id,
-                  "kinds": [str(k) for k in events.kind.tolist()], "times": events.time_s.tolist()}))
+                  "kinds": [str(k) for k in numpy.atleast_1d(events.kind)],
+                  "times": numpy.atleast_1d(events.time_s).tolist()}))
 """
 
 

@@ -39,7 +39,7 @@ class LaterInputs(unittest.TestCase):
                     self.assertTrue(seen["intact"])
                     self.assertEqual(seen["identical"] or kind == "arithmetic_1", True, seen)
                     self.assertEqual(seen["beyond_tolerance"], 0)
-                    self.assertEqual(sorted(seen["lacking"]), sorted(["/inputs/inserted", *COLUMNS]))
+                    self.assertLessEqual({"/inputs/inserted", *COLUMNS}, set(seen["lacking"]))
                     self.assertEqual((seen["values"], seen["count"]), ([2.5, 4.5, 3.5], 0))
 
     def test_this_program_replays_what_a_later_one_recorded_and_makes_it_whole(self):
