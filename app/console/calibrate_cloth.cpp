@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include "app/console/calibrate_step.h"
@@ -25,7 +24,6 @@ constexpr double kHold_s = 11.0;  // at 10 mV a mean is then good to 0.03 mm
 constexpr double kUsualNoise_mV = 10.0;
 constexpr int kFewestReadings = 50, kMostReadings = 3000;
 constexpr double kOld_ms = 500.0;
-constexpr double kIdealDisc_mm = 7.0;  // that the ideal cloth is pressed by
 
 /// Points are: a code of each sensor, then the contact on the cloth (perspective removed), the bridge, and how deep the
 /// press is at the sensor under the finger.
@@ -221,9 +219,7 @@ class ClothStep : public CalibrationStep {
           codes.push_back(sum / readings());
         }
         sim::Spot seen{finger.x_mm + press.centre_x_mm, finger.y_mm + press.centre_y_mm, press.area_mm2};
-        if (shape.kind() == sim::ClothKind::ideal) {  // its shape is that of a disc seen from far away
-          seen.area_mm2 = std::numbers::pi * kIdealDisc_mm * kIdealDisc_mm;
-        } else {
+        if (shape.kind() != sim::ClothKind::ideal) {  // its picture is one from far away
           seen = sim::seenFromBelow(seen, depth_mm, profile.sim.cloth_height_mm);
         }
         const double bridge_mV_per_V = calibration::kUnknown;
