@@ -272,7 +272,9 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
     return out;
   }
   out.stiffness_error = std::max(doubtOverTheCloth(calibrated, s, sensors), rootMeanSquare(errors.relative));
-  result.changes.push_back({"control.measurement_bias", fmt::format("{:.3g}", std::min(out.stiffness_error, 1.0))});
+  // The loop wants a bound, not one standard deviation.
+  result.changes.push_back(
+      {"control.measurement_bias", fmt::format("{:.3g}", std::min(2.0 * out.stiffness_error, 1.0))});
   result.verdict = {
       .accepted = true,
       .reason =

@@ -42,7 +42,7 @@ struct ClothCalibration {
   sensing::ClothEdges edges = sensing::ClothEdges::held;
   double other_edges_rmse = kUnknown;  ///< of the best fit with the other edges
   double share_sigma = kUnknown;       ///< what the formula leaves of a share
-  double stiffness_error = kUnknown;   ///< relative and lasting, over the cloth: what the loop is told
+  double stiffness_error = kUnknown;   ///< relative and lasting, over the cloth: half of what the loop is told
   std::vector<ClothSensor> sensors;
 };
 

@@ -24,6 +24,10 @@ enum class StaticLawKind : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 3> kStaticLawNames = {"interpolated", "thesis", "thesis-linear"};
 
+/// What the loop corrects of a measured difference from the law (scale_trust.h).
+enum class CorrectionRule : std::uint8_t { excess, bounded };
+inline constexpr std::array<std::string_view, 2> kCorrectionRuleNames = {"excess", "bounded"};
+
 /// Beyond whatever the observer can learn (scale_observer.cpp).
 inline constexpr double kNoCorrectionLimit = 4.0;
 
@@ -43,6 +47,7 @@ struct ControlParameters {
   double noise_correlation_s = 0.4;
   double measurement_bias = 0.15;
   double correction_limit = 0.5;
+  CorrectionRule correction = CorrectionRule::bounded;
 
   double travel_minimum_deg = 20.0;
   double travel_maximum_deg = 90.0;
@@ -140,6 +145,12 @@ struct ControlParameters {
                 "Relative error of the measured stiffness that may last; the loop corrects only what exceeds it."),
             .live = true,
             .before_it_was = 0.0});
+    v.choice("control.correction", correction, kCorrectionRuleNames,
+             {.name = sentence("Correction"),
+              .help = sentence("Of a difference from the law: excess corrects what exceeds the lasting error, bounded "
+                               "twice that, at most all of it: never worse than the law alone either way."),
+              .live = true,
+              .before_it_was = 0});
     v.real(
         "control.correction_limit", correction_limit,
         {.name = sentence("Correction limit"),

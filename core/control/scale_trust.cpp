@@ -16,7 +16,8 @@ double logOf(double relative) { return std::isfinite(relative) && relative > 0 ?
 
 }  // namespace
 
-void ScaleTrust::configure(double bias, double limit) {
+void ScaleTrust::configure(double bias, double limit, CorrectionRule rule) {
+  rule_ = rule;
   bias_log_ = logOf(bias);
   limit_log_ = logOf(limit);
 }
@@ -29,9 +30,11 @@ void ScaleTrust::reset() {
 
 void ScaleTrust::step(double log_scale, double dt_s) {
   if (!std::isfinite(log_scale)) log_scale = 0.0;
-  const double excess = std::copysign(std::max(0.0, std::abs(log_scale) - bias_log_), log_scale);
-  corrected_ = std::clamp(excess, -limit_log_, limit_log_);
-  const bool disagree = std::abs(excess) > limit_log_ * (contradicted_ ? kAgreeAgain : 1.0);
+  const double size = std::abs(log_scale);
+  const double excess = std::max(0.0, size - bias_log_);
+  const double corrected = rule_ == CorrectionRule::excess ? excess : std::min(size, 2.0 * excess);
+  corrected_ = std::copysign(std::min(corrected, limit_log_), log_scale);
+  const bool disagree = excess > limit_log_ * (contradicted_ ? kAgreeAgain : 1.0);
   trust_ = std::clamp(trust_ + (disagree ? -dt_s / kDoubt_s : dt_s / kTrustAgain_s), 0.0, 1.0);
   contradicted_ = trust_ <= 0.0 || (contradicted_ && disagree);
 }

@@ -3,14 +3,18 @@
 // s, the logarithm of measured stiffness over calibrated law (scale_observer.h), is the cloth's own difference from its
 // calibration plus what the measurement is off for good. The second part cannot be averaged away, so:
 //
-//   corrected = sign(s)·max(0, |s| − ln(1 + bias))
+//   excess:   corrected = sign(s)·max(0, |s| − ln(1 + bias))
+//   bounded:  corrected = sign(s)·min(|s|, 2·max(0, |s| − ln(1 + bias)))
 //
-// While the measurement is off by no more than `bias`, what is corrected has the sign of the cloth's own difference and
-// is no larger than it: the loop is never further from the target than the law alone would be.
+// While the measurement is off by no more than `bias`, the cloth's own difference has the sign of s and at least the
+// size of the excess, so that correcting by up to twice the excess never leaves the loop further from the target than
+// the law alone would be. `excess` is what programs before `bounded` did; it leaves `bias` of every cloth uncorrected.
 //
 // A difference beyond `limit` is more than a cloth of this calibration can have: law and measurement contradict each
 // other, one of them is wrong, and the law alone drives until they agree again.
 #pragma once
+
+#include "core/control/control_parameters.h"
 
 namespace fyd::control {
 
@@ -18,7 +22,7 @@ class ScaleTrust {
  public:
   /// @param bias relative error of the measurement that may last, 0.1 for 10 %; not finite or below 0 counts as 0
   /// @param limit largest relative correction, 0.35 for 35 %; not finite or below 0 counts as 0
-  void configure(double bias, double limit);
+  void configure(double bias, double limit, CorrectionRule rule = CorrectionRule::bounded);
   void reset();
 
   /// @param log_scale s; not finite counts as 0
@@ -37,6 +41,7 @@ class ScaleTrust {
  private:
   double bias_log_ = 0.0;
   double limit_log_ = 0.0;
+  CorrectionRule rule_ = CorrectionRule::bounded;
   double corrected_ = 0.0;
   double trust_ = 1.0;  // 0…1
   bool contradicted_ = false;

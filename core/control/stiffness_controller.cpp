@@ -58,7 +58,7 @@ void StiffnessController::configure(const ControlParameters& parameters) {
   thesis_pid_.setGains(thesisGainsOf(parameters));
   lag_.configure(parameters.measurement_delay_s, parameters.measurement_lag_s);
   scale_.configure(parameters.noise_correlation_s);
-  trust_.configure(parameters.measurement_bias, parameters.correction_limit);
+  trust_.configure(parameters.measurement_bias, parameters.correction_limit, parameters.correction);
 }
 
 void StiffnessController::reset(double stretch_angle_deg) {

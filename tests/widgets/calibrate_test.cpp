@@ -374,7 +374,7 @@ class CalibrateTest : public QObject {
     QVERIFY(indentation.mode == sensing::IndentationMode::contact);
     QVERIFY2(std::abs(indentation.contact_radius_share - 0.61) < 0.1,  // a sphere's
              qPrintable(QString::number(indentation.contact_radius_share)));
-    QVERIFY2(profile->step.control.measurement_bias > 0.01 && profile->step.control.measurement_bias < 0.1,
+    QVERIFY2(profile->step.control.measurement_bias > 0.02 && profile->step.control.measurement_bias < 0.2,
              qPrintable(QString::number(profile->step.control.measurement_bias)));
     QVERIFY(c.partText("Cloth").contains(QLatin1String("fine")));
   }

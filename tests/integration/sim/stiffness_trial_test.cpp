@@ -157,6 +157,17 @@ TEST(StiffnessTrial, OnAClothSolvedElsewhereTheTargetIsMetWhereTheFingerIs) {
       membrane.trials);
 }
 
+TEST(StiffnessTrial, AsShippedAClothFarFromItsLawIsCorrectedWhole) {
+  for (const auto& [scale, target] : {std::pair{1.3, 0.75}, {0.7, 0.42}}) {
+    StiffnessTrial trial = ideal();
+    trial.sim.fabric_stiffness_scale = scale;
+    trial.target_N_per_mm = target;
+    EXPECT_LE(runTrial(trial).steady_error_percent, 6.0) << scale;
+    trial.parameters.control.correction = control::CorrectionRule::excess;
+    EXPECT_GE(runTrial(trial).steady_error_percent, 8.0) << scale << ": what programs before left of it";
+  }
+}
+
 TEST(StiffnessTrial, AClothThatSlackensDuringTheSessionIsNoticed) {
   LockstepOptions options;
   options.draw_pictures = false;

@@ -100,7 +100,7 @@ TEST_P(SolvedCloth, BetweenTheNodesTheTableSaysWhatTheFiniteElementsSay) {
 INSTANTIATE_TEST_SUITE_P(Tables, SolvedCloth,
                          testing::Values(Solved{"frame_sphere8", 0.06, 0.15}, Solved{"frame_capsule8", 0.06, 0.15},
                                          Solved{"frame_disc7", 0.06, 0.2}, Solved{"rollers_sphere8", 0.06, 0.15},
-                                         Solved{"rollers_capsule8", 0.06, 0.15}, Solved{"rollers_disc7", 0.06, 0.25}),
+                                         Solved{"rollers_capsule8", 0.06, 0.15}, Solved{"rollers_disc7", 0.06, 0.4}),
                          [](const auto& each) { return each.param.table; });
 
 TEST(Cloth, EachClothAndFingerIsItsOwn) {
@@ -110,11 +110,12 @@ TEST(Cloth, EachClothAndFingerIsItsOwn) {
       SimParameters parameters = of(kind);
       parameters.finger = static_cast<FingerKind>(f);
       Cloth cloth(parameters);
-      forces[f] = cloth.press(45, at(0, 0, 6), 1e-3).force_N;
+      forces[f] = cloth.press(45, at(0, 0, 8), 1e-3).force_N;
     }
     EXPECT_NEAR(Cloth(of(kind)).press(45, at(0, 0, 3), 1e-3).force_N, 3 * 0.550, 0.03)
         << "the reference names the stretch of both cloths";
-    EXPECT_GT(forces[1], 1.02 * forces[0]) << "a capsule touches more of the cloth, once it is deep";
+    EXPECT_GT(forces[1], forces[0]) << "a capsule tilted by 30° is a sphere until 8 mm deep";
+    EXPECT_LT(forces[1], 1.1 * forces[0]);
     EXPECT_GT(forces[2], 1.2 * forces[0]) << "and a disc of 7 mm most";
   }
   Cloth held(of(ClothKind::membrane)), free(of(ClothKind::rollers));
