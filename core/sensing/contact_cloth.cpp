@@ -24,7 +24,7 @@ constexpr double kMiddleRadius_mm =
 constexpr double kWidestForShares = 1.2;
 constexpr double kWidestForForce = 0.6;
 constexpr double kComplianceDoubt = 0.03;  // of its logarithm, far from the frame …
-constexpr double kFrameDoubt = 0.15;       // … and of what its neighbourhood takes away
+constexpr double kFrameDoubt = 0.1;        // … and where its neighbourhood limits the radius
 
 /// The smaller of the two, without a corner between them.
 double within(double radius, double widest) {
@@ -63,16 +63,16 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
   const double wide = inner * (1.0 + kWiden_per_mm * deep / level);
   const double room =
       std::max(outer, membrane_.toHeldEdge(contact.x_mm, contact.y_mm));  // the contact lies on the cloth
-  press.setEffectiveRadius(wide);
-  const double open = press.level();
-  press.setEffectiveRadius(within(wide, kWidestForForce * room));
+  const double widest = kWidestForForce * room;
+  press.setEffectiveRadius(within(wide, widest));
   relative_compliance_ = std::max(press.level() / middle_level_, kLeastCompliance);
-  compliance_doubt_ = math::hypot(
-      kComplianceDoubt,
-      kFrameDoubt * math::log(relative_compliance_ / std::max(open / middle_level_, 0.5 * relative_compliance_)));
+  const double limited = math::square(math::square(wide / widest));
+  compliance_doubt_ = math::hypot(kComplianceDoubt, kFrameDoubt * limited / (1.0 + limited));
   Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, inner);
   for (std::size_t i = 0; i < sensors_; ++i) {
-    const double radii = math::hypot(positions_[i].x_mm - contact.x_mm, positions_[i].y_mm - contact.y_mm) / outer;
+    const double radii =
+        std::sqrt(math::square(positions_[i].x_mm - contact.x_mm) + math::square(positions_[i].y_mm - contact.y_mm)) /
+        outer;
     const double far = std::clamp((radii - kWidenFrom) / (kWidenTo - kWidenFrom), 0.0, 1.0);
     const double seen = within(inner + far * (wide - inner), kWidestForShares * room);
     press.setEffectiveRadius(seen);

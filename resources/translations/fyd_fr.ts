@@ -1050,6 +1050,10 @@
         <translation>Fréquence de coupure (-3 dB) du passe-haut par défaut.</translation>
     </message>
     <message>
+        <source>Correction</source>
+        <translation>Correction</translation>
+    </message>
+    <message>
         <source>Correction limit</source>
         <translation>Limite de correction</translation>
     </message>
@@ -2750,6 +2754,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Notices</source>
         <translation>Avis</translation>
+    </message>
+    <message>
+        <source>Of a difference from the law: excess corrects what exceeds the lasting error, bounded twice that, at most all of it: never worse than the law alone either way.</source>
+        <translation>D'un écart à la loi : excess corrige ce qui dépasse l'erreur qui peut durer, bounded le double, au plus le tout : dans les deux cas jamais pire que la loi seule.</translation>
     </message>
     <message>
         <source>Off: each curve is moved and zoomed by itself (T)</source>

@@ -1050,6 +1050,10 @@
         <translation>Frequenza di taglio (-3 dB) del passa-alto predefinito.</translation>
     </message>
     <message>
+        <source>Correction</source>
+        <translation>Correzione</translation>
+    </message>
+    <message>
         <source>Correction limit</source>
         <translation>Limite di correzione</translation>
     </message>
@@ -2750,6 +2754,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Notices</source>
         <translation>Avvisi</translation>
+    </message>
+    <message>
+        <source>Of a difference from the law: excess corrects what exceeds the lasting error, bounded twice that, at most all of it: never worse than the law alone either way.</source>
+        <translation>Di una differenza dalla legge: excess corregge ciò che supera l'errore che può durare, bounded il doppio di quello, al più tutta: in entrambi i casi mai peggio della sola legge.</translation>
     </message>
     <message>
         <source>Off: each curve is moved and zoomed by itself (T)</source>

@@ -20,7 +20,7 @@ class Stiffness(fyd.Case):
     def test_a_softer_cloth_is_learned(self):
         softer = ("stiffness", "--target", 0.48, "--plant-scale", 0.7, "--json")
         result = self.json(*softer, "--set", "control.measurement_bias=0")
-        self.assertLessEqual(result["settling_s"], 3)
+        self.assertLessEqual(result["settling_s"], 3.5)
         # As shipped, a lasting error of 15 % of the measurement is reckoned with; what is beyond it twice is corrected whole.
         result = self.json(*softer)
         self.assertLessEqual(result["steady_error_pct"], 12)

@@ -72,11 +72,17 @@ std::vector<Case> idealCases() {
   return all;
 }
 
-/// The target is what the cloth gives at this stretch, at this place and depth: in reach.
+/// The target is what the cloth gives at this stretch, at this place and depth: in reach. A press that would overload
+/// the load cell (19.5 N: the session holds) at the end of the travel is less deep.
 sim::StiffnessTrial inReach(sim::StiffnessTrial trial, double angle_deg) {
-  const sim::FingerState finger{
-      .x_mm = trial.x_mm, .y_mm = trial.y_mm, .indentation_mm = trial.press_mm, .lifted = false};
-  trial.target_N_per_mm = sim::Cloth(trial.sim).stiffness(angle_deg, finger);
+  constexpr double kMost_N = 16.0;
+  const sim::Cloth cloth(trial.sim);
+  const auto stiffness = [&](double deg) {
+    return cloth.stiffness(deg,
+                           {.x_mm = trial.x_mm, .y_mm = trial.y_mm, .indentation_mm = trial.press_mm, .lifted = false});
+  };
+  while (trial.press_mm * stiffness(trial.parameters.control.travel_maximum_deg) > kMost_N) trial.press_mm *= 0.9;
+  trial.target_N_per_mm = stiffness(angle_deg);
   return trial;
 }
 
