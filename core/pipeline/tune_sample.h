@@ -12,10 +12,9 @@ namespace fyd::pipeline {
 /// known.
 [[nodiscard]] inline control::TuneSample tuneSampleOf(const TelemetrySample& sample, double time_s) {
   const double factor = std::isfinite(sample.stiffness_place_factor) ? sample.stiffness_place_factor : 1.0;
-  const bool observable = sample.stiffness_observable && sample.contact;
   return {.time_s = time_s,
           .angle_deg = sample.stretch_measured_deg,
-          .stiffness_N_per_mm = observable ? sample.stiffness_N_per_mm / factor : kNone};
+          .stiffness_N_per_mm = sample.stiffness_observable ? sample.stiffness_N_per_mm / factor : kNone};
 }
 
 }  // namespace fyd::pipeline
