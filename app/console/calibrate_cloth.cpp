@@ -9,6 +9,7 @@
 #include "app/console/calibrate_step.h"
 #include "core/calibration/cloth_calibration.h"
 #include "core/sensing/contact_cloth.h"
+#include "core/sensing/ir_distance.h"
 #include "core/sim/cloth.h"
 #include "core/sim/ir_sensor.h"
 #include "core/sim/picture.h"
@@ -212,10 +213,13 @@ class ClothStep : public CalibrationStep {
         const sim::Pressing press = cloth.press(profile.step.control.travel_minimum_deg, finger, 0.0);
         std::vector<double> codes;
         for (std::size_t i = 0; i < sensorsOf(p); ++i) {
-          const double mm =
-              profile.sim.cloth_height_mm - shape.deflection_mm(sim::kIrPlaces[i].x_mm, sim::kIrPlaces[i].y_mm, finger);
+          // Sensors that read as the profile says: what its curves and offsets are off is not the cloth's.
+          const sensing::IrDistance curve(p.ir_curve_mm[i].view(), static_cast<int>(p.ir_lowest_code[i]),
+                                          static_cast<int>(p.ir_highest_code[i]), p.ir_curve_form[i]);
+          const double volts = curve.voltsAt(
+              p.ir_offset_mm[i] - shape.deflection_mm(sim::kIrPlaces[i].x_mm, sim::kIrPlaces[i].y_mm, finger));
           double sum = 0.0;
-          for (int k = 0; k < readings(); ++k) sum += sim::irCode(sim::irVolts(mm) + noise(random));
+          for (int k = 0; k < readings(); ++k) sum += sim::irCode(volts + noise(random));
           codes.push_back(sum / readings());
         }
         sim::Spot seen{finger.x_mm + press.centre_x_mm, finger.y_mm + press.centre_y_mm, press.area_mm2};
