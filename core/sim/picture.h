@@ -3,7 +3,7 @@
 //   x_mm = (u − 150)·100/220      y_mm = −(v − 120)·70/150   (u right, v down; the region of interest is 220 × 150 at
 //   (40, 45)) cloth   245·light·(1 + gradient·(u/319 − ½))·(1 − vignette·(r/200)²), r in px from the picture's middle
 //   finger  darkest grey 60, reached from 0.1 N on. Ideal cloth: radius 3.5 mm + 2.5 mm·(F/1 N)^⅓ about the finger, as
-//           if the camera stood far away. Membrane: a disc of the contact's area about its centre, seen from
+//           if the camera stood far away. The others: a disc of the contact's area about its centre, seen from
 //           sim.cloth_height_mm below
 //   noise   Gaussian, from a fixed table read at random offsets (each row another), so that a picture stays under 0.5
 //   ms

@@ -4,28 +4,34 @@ import unittest
 import fyd
 
 
+# The cloth that is the same everywhere, in the mode whose formula it shares: the loop alone.
+IDEAL = ("--cloth", "ideal", "--set", "sensing.indentation_mode=membrane")
+
+
 class Stiffness(fyd.Case):
     def test_a_nominal_target_is_reached_fast(self):
         # 6 mm deep in the middle the solved cloth gives 0.59 to 0.84 N/mm.
         for target, cloth in ((0.50, "ideal"), (0.60, "ideal"), (0.71, "ideal"), (0.62, "membrane"), (0.70, "membrane"),
                               (0.82, "membrane")):
-            mode = "membrane" if cloth == "ideal" else "contact"
-            result = self.json("stiffness", "--target", target, "--cloth", cloth, "--set", f"sensing.indentation_mode={mode}",
-                               "--json")
+            where = IDEAL if cloth == "ideal" else ("--cloth", cloth)
+            result = self.json("stiffness", "--target", target, *where, "--json")
             self.assertLessEqual(result["settling_s"], 0.6)
             self.assertLessEqual(result["overshoot_pct"], 10)
             self.assertLessEqual(result["steady_error_pct"], 2)
             self.assertIs(result["stable"], True)
 
     def test_a_softer_cloth_is_learned(self):
-        softer = ("stiffness", "--target", 0.48, "--plant-scale", 0.7, "--json")
+        softer = ("stiffness", "--target", 0.45, "--plant-scale", 0.7, *IDEAL, "--json")
         result = self.json(*softer, "--set", "control.measurement_bias=0")
-        self.assertLessEqual(result["settling_s"], 3.5)
-        # As shipped, a lasting error of 15 % of the measurement is reckoned with; what is beyond it twice is corrected whole.
-        result = self.json(*softer)
-        self.assertLessEqual(result["steady_error_pct"], 12)
+        self.assertLessEqual(result["settling_s"], 3)
+        # As shipped, a lasting error of 15 % of the measurement is reckoned with; twice what is beyond it is corrected.
+        self.assertLessEqual(self.json(*softer)["steady_error_pct"], 6)
         result = self.json(*softer, "--set", "control.correction=excess")
+        self.assertLessEqual(result["steady_error_pct"], 16)
         self.assertGreater(result["steady_error_pct"], 5)
+        # On the solved cloth the measurement itself is some per cent off.
+        solved = self.json("stiffness", "--target", 0.48, "--plant-scale", 0.7, "--json")
+        self.assertLessEqual(solved["steady_error_pct"], 12)
 
     def test_out_of_reach_is_null_stable_and_told(self):
         result = self.json("stiffness", "--target", 0.9, "--json")
@@ -33,6 +39,8 @@ class Stiffness(fyd.Case):
         self.assertTrue(result["stable"])
         self.assertTrue(result["target_clamped"])
         self.assertAlmostEqual(result["reachable_target_N_per_mm"], 0.84, delta=0.03)
+        result = self.json("stiffness", "--target", 0.9, *IDEAL, "--json")
+        self.assertAlmostEqual(result["reachable_target_N_per_mm"], 0.715, places=3)
 
     def test_the_same_seed_gives_the_same_figures_and_the_thesis_others(self):
         unkind = ("--target", 0.6, "--noise", 2, "--delay", 60, "--seed", 5, "--json")

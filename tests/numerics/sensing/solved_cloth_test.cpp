@@ -41,7 +41,6 @@ Result follow(const Scene& scene) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     PressedClothOptions options = scene.press;
     options.seed = seed;
-    if (options.cloth == sim::ClothKind::ideal) options.cloth = sim::ClothKind::membrane;
     PressedCloth cloth(options);
     IndentationEstimator estimator(scene.parameters);
     for (int ms = 0; ms < 2700; ++ms) {
@@ -69,6 +68,7 @@ Result follow(const Scene& scene) {
 
 Scene at(double x_mm, double y_mm, double depth_mm) {
   Scene scene;
+  scene.press.cloth = sim::ClothKind::membrane;
   scene.press.x_mm = x_mm;
   scene.press.y_mm = y_mm;
   scene.press.depth_mm = depth_mm;
