@@ -7,6 +7,7 @@
 
 #include "core/base/parameter.h"
 #include "core/sim/cloth_kind.h"
+#include "core/sim/finger_vibration_parameters.h"
 #include "core/sim/material.h"
 
 namespace fyd::sim {
@@ -29,6 +30,7 @@ struct SimParameters {
   double motor_current_limit_mA = 1200.0;
   double motor_friction_percent = 3.0;
   bool reports_position_duty = false;
+  FingerVibrationParameters vibration;
 
   // sensors
   double ir_noise_mV = 10.0;
@@ -95,6 +97,7 @@ struct SimParameters {
            {.unit = "%", .minimum = 0, .maximum = 40, .help = "Duty cycle that a motor needs before it turns."});
     v.boolean("sim.reports_position_duty", reports_position_duty,
               {.help = "Whether the motor board tells the duty its position loop uses (the thesis' board does not)."});
+    vibration.describe(v);
     v.real("sim.ir_noise_mV", ir_noise_mV,
            {.unit = "mV", .minimum = 0, .maximum = 200, .help = "Noise of an IR sensor's output, standard deviation."});
     v.real("sim.ir_period_ms", ir_period_ms,
