@@ -66,14 +66,16 @@ void Pipeline::stepTexture(const Inputs& inputs) {
   const double share = !motors.position_duty_known                 ? kNone
                        : std::abs(shares[0]) > std::abs(shares[1]) ? shares[0]
                                                                    : shares[1];
+  renderer_.setStretch(rollers_.valid ? rollers_.stretch_deg : kNone);
   if (surface_ && inputs.robot.phase == LinkPhase::none) {
     const double speed = indent_.touched ? finger_speed_.at(inputs.now) : 0.0;
     texture_ = renderer_.stepVirtual(surface_->step(speed, force_N_.value), share);
   } else {
     texture_ = renderer_.step(inputs.now, inputs.robot.accelerations.view(), share);
   }
-  const double duty = rendering(inputs) && std::isfinite(texture_.duty_percent) ? texture_.duty_percent : 0.0;
   for (std::size_t i = 0; i < control::kMotorCount; ++i) {
+    const double wanted = texture_.duty_percent[i];
+    const double duty = rendering(inputs) && std::isfinite(wanted) ? wanted : 0.0;
     const double used =
         motors.position_duty_known && std::isfinite(shares[i]) ? std::clamp(shares[i], -100.0, 100.0) : 0.0;
     outputs_.motors.vibration_duty_percent[i] = std::clamp(duty, -100.0 - used, 100.0 - used);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/message.h"
+#include "core/texture/felt_plant.h"
 
 namespace fyd::texture {
 
@@ -35,8 +36,10 @@ inline constexpr std::array<std::string_view, 3> kHopNames = {"frame", "half", "
 enum class PwmChoice : std::uint8_t {
   symmetric,  ///< rounds alike on both sides of zero, gain before the limit
   thesis,     ///< floor, gain after the limit, exactly zero accelerations switch the duty off at once
+  felt,       ///< what the finger feels (felt_mapping.h)
+  automatic,  ///< felt where the way to the finger was identified, symmetric elsewhere
 };
-inline constexpr std::array<std::string_view, 2> kPwmNames = {"symmetric", "thesis"};
+inline constexpr std::array<std::string_view, 4> kPwmNames = {"symmetric", "thesis", "felt", "automatic"};
 
 struct TextureParameters {
   MethodChoice method = MethodChoice::dft321;
@@ -49,10 +52,20 @@ struct TextureParameters {
   double dead_zone_percent = 25.0;
   double maximum_percent = 100.0;
   double full_scale_g = 2.0;
-  PwmChoice pwm = PwmChoice::symmetric;
+  PwmChoice pwm = PwmChoice::automatic;
+  double felt_rms_limit_percent = 38.5;
+  double felt_gate_g = 0.0075;
+  double felt_surface_level_g = 0.0;
   double input_delay_ms = 0.5;
   double maximum_gap_ms = 2.5;
   double crossfade_ms = 20.0;
+  FeltPlant plant;
+
+  /// What `automatic` stands for.
+  [[nodiscard]] PwmChoice mapping() const {
+    if (pwm != PwmChoice::automatic) return pwm;
+    return plant.identified ? PwmChoice::felt : PwmChoice::symmetric;
+  }
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -113,9 +126,32 @@ struct TextureParameters {
             .live = true});
     v.choice("texture.pwm", pwm, kPwmNames,
              {.name = sentence("Pwm"),
-              .help = sentence(
-                  "Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit."),
+              .help = sentence("Mapping from signal to duty: as the thesis prints it, rounded alike on both sides, or "
+                               "so that the finger feels it; automatic: felt where the plant is identified, else "
+                               "symmetric."),
               .live = true});
+    v.real("texture.felt_rms_limit_percent", felt_rms_limit_percent,
+           {.name = sentence("Heat limit"),
+            .unit = "%",
+            .minimum = 1,
+            .maximum = 100,
+            .help = sentence("Mapping felt: largest RMS duty over a quarter of a second, for the motors' heat."),
+            .live = true});
+    v.real("texture.felt_gate_g", felt_gate_g,
+           {.name = sentence("Noise gate"),
+            .unit = "g",
+            .minimum = 0,
+            .maximum = 1,
+            .help = sentence("Mapping felt: a steady signal of less RMS than this is noise and stays silent."),
+            .live = true});
+    v.real("texture.felt_surface_level_g", felt_surface_level_g,
+           {.name = sentence("Surface level"),
+            .unit = "g",
+            .minimum = 0,
+            .maximum = 100,
+            .help = sentence("Mapping felt: stored RMS of the surface, to which the gain is fitted; 0 learns it from "
+                             "the touch."),
+            .live = true});
     v.real("texture.input_delay_ms", input_delay_ms,
            {.name = sentence("Input delay"),
             .unit = "ms",
@@ -139,6 +175,7 @@ struct TextureParameters {
             .maximum = 500,
             .help = sentence("Time over which a new method, filter or gain takes over."),
             .live = true});
+    plant.describe(v);
   }
 };
 

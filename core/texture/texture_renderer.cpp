@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/base/archive.h"
+#include "core/texture/felt_mapping.h"
 #include "core/texture/method_bank.h"
 #include "core/texture/pwm.h"
 #include "core/texture/uniform_stream.h"
@@ -31,6 +33,15 @@ PwmSettings settingsOf(const TextureParameters& p) {
           .dead_zone_percent = p.dead_zone_percent};
 }
 
+FeltSettings feltSettingsOf(const TextureParameters& p) {
+  return {.plant = p.plant,
+          .gain = p.k_vib,
+          .maximum_percent = p.maximum_percent,
+          .rms_limit_percent = p.felt_rms_limit_percent,
+          .gate_g = p.felt_gate_g,
+          .surface_level_g = p.felt_surface_level_g};
+}
+
 }  // namespace
 
 struct TextureRenderer::State {
@@ -40,13 +51,17 @@ struct TextureRenderer::State {
         stream(p.sample_rate_Hz),
         banks{MethodBank(p.sample_rate_Hz), MethodBank(p.sample_rate_Hz)},
         playing(chainOf(p)),
-        pwm(settingsOf(p)) {
+        pwm(settingsOf(p)),
+        felt(feltSettingsOf(p), p.sample_rate_Hz),
+        finger(p.plant, p.sample_rate_Hz) {
+    felt_share = wantsFelt() ? 1.0 : 0.0;
     stream.configure(p.input_delay_ms, p.maximum_gap_ms);
     banks[active].select(playing);
   }
 
   [[nodiscard]] Chain& current() { return banks[active].chain(); }
   [[nodiscard]] Chain& incoming() { return banks[1 - active].chain(); }
+  [[nodiscard]] bool wantsFelt() const { return parameters.mapping() == PwmChoice::felt; }
   [[nodiscard]] double fadeShare() const { return std::min(1.0, 1e3 / (parameters.crossfade_ms * sample_rate_Hz)); }
 
   void startSwitch() {
@@ -93,6 +108,27 @@ struct TextureRenderer::State {
     pwm.dead_zone_percent = glide(pwm.dead_zone_percent, to.dead_zone_percent, share, 100.0);
   }
 
+  /// Mapping felt in place of what `out` has, or the way there or back.
+  void blendFelt(double signal_g, double position_share_percent, TextureOutput& out) {
+    const double goal = wantsFelt() ? 1.0 : 0.0;
+    if (felt_share == 0.0) {
+      if (goal == 0.0) return;
+      felt.reset();
+    }
+    felt_share = glide(felt_share, goal, fadeShare(), 1.0);
+    FeltSettings settings = feltSettingsOf(parameters);
+    settings.gain = pwm.k_vib;  // they glide
+    settings.maximum_percent = pwm.maximum_percent;
+    felt.configure(settings);
+    felt.setStretch(stretch_deg);
+    const FeltDuty duty = felt.step(signal_g, position_share_percent);
+    for (std::size_t i = 0; i < kFeltMotors; ++i) {
+      out.duty_percent[i] += felt_share * (duty.percent[i] - out.duty_percent[i]);
+    }
+    out.wanted_g += felt_share * (duty.wanted_g - out.wanted_g);
+    out.limited = felt_share >= 1.0 ? duty.clipped : out.limited || duty.clipped;
+  }
+
   TextureOutput finish(double signal_g, bool silent_input, double position_share_percent) {
     glidePwm();
     if (!std::isfinite(signal_g)) signal_g = 0.0;
@@ -100,10 +136,16 @@ struct TextureRenderer::State {
     Duty wanted = thesis ? thesisDuty(signal_g, pwm) : symmetricDuty(signal_g, pwm);
     if (thesis && silent_input) wanted = {};
     const Duty sent = limitDuty(wanted, pwm.maximum_percent, position_share_percent);
-    if (sent.clipped) ++clipped;
     TextureOutput out;
-    out.signal_g = signal_g;
-    out.duty_percent = sent.percent;
+    out.signal_g = out.wanted_g = signal_g;
+    out.duty_percent.fill(sent.percent);
+    out.limited = sent.clipped;
+    blendFelt(signal_g, position_share_percent, out);
+    if (out.limited) ++clipped;
+    finger.configure(parameters.plant, stretch_deg);
+    finger.step(out.duty_percent, signal_g, out.limited);
+    out.finger = finger.figures();
+    out.plant_identified = parameters.plant.identified;
     out.filtered_g = current().filtered_g();
     out.delay_ms = parameters.input_delay_ms + 1e3 * current().delaySamples() / sample_rate_Hz;
     out.position_share_known = std::isfinite(position_share_percent);
@@ -115,6 +157,13 @@ struct TextureRenderer::State {
 
   template <class Archive>
   void serialize(Archive& archive) {
+    serializeFirst(archive);
+    archive(felt_share, stretch_deg, felt, finger);
+  }
+
+  /// What version 1 held.
+  template <class Archive>
+  void serializeFirst(Archive& archive) {
     archive(stream, playing, coming, within(active, 1), switching, incoming_resumes, counter(until_audible), fade,
             virtual_share, pwm, k_vib_span, full_scale_span_g, clipped);
     banks[active].exchange(archive, playing);
@@ -137,6 +186,10 @@ struct TextureRenderer::State {
   double k_vib_span = 0.0;  // of the change being glided
   double full_scale_span_g = 0.0;
   std::uint64_t clipped = 0;
+  double felt_share = 0.0;  // 0: pwm.h, 1: felt
+  double stretch_deg = std::numeric_limits<double>::quiet_NaN();
+  FeltMapping felt;
+  FingerPrediction finger;
 };
 
 TextureRenderer::TextureRenderer(const TextureParameters& parameters) : state_(std::make_unique<State>(parameters)) {}
@@ -180,12 +233,28 @@ void TextureRenderer::reset() {
   s.banks[s.active].select(s.playing);
   s.virtual_share = 0.0;
   s.pwm = settingsOf(s.parameters);
+  s.felt_share = s.wantsFelt() ? 1.0 : 0.0;
+  s.felt.reset();
+  s.finger.reset();
 }
+
+void TextureRenderer::setStretch(double stretch_deg) { state_->stretch_deg = stretch_deg; }
 
 template <class Archive>
 void TextureRenderer::serialize(Archive& archive) {
   archive(*state_);
 }
+
+template <class Archive>
+void TextureRenderer::restore(Archive& archive, std::uint16_t) {
+  State& s = *state_;
+  s.serializeFirst(archive);
+  s.felt_share = s.wantsFelt() ? 1.0 : 0.0;
+  s.felt.reset();
+  s.finger.reset();
+}
+template void TextureRenderer::restore(StateReader& archive, std::uint16_t version);
+
 template void TextureRenderer::serialize(StateWriter& archive);
 template void TextureRenderer::serialize(StateReader& archive);
 

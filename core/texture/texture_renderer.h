@@ -1,16 +1,19 @@
 // From the robot's accelerations to a duty cycle: resampling, high-pass, method, PWM mapping.
 //
-//   samples ─▶ UniformStream ─▶ HighPass ×3 ─▶ Method ─▶ crossfade ─▶ PwmMapper ─▶ duty
+//   samples ─▶ UniformStream ─▶ HighPass ×3 ─▶ Method ─▶ crossfade ─▶ mapping ─▶ duty of each motor
+//
+// Mapping: pwm.h (symmetric, thesis) or felt_mapping.h.
 //
 // Called once per sample period (1 ms). From time-stamped bunches to the uniform stream, see uniform_stream.h;
 // in one sentence: each call takes the mean of the samples stamped within its own millisecond, a lone empty
 // millisecond between two near samples is interpolated between them, and anything longer is a gap, which is
 // silence and counted, never invented data.
 //
-// Changes of method, filter, frame, hop, k_vib, full scale, limit and dead zone glide over `crossfade_ms`: the signal
-// is at every instant a weighted mean of the old and the new one, so it never exceeds the larger of the two.
+// Changes of method, filter, frame, hop, mapping, k_vib, full scale, limit and dead zone glide over `crossfade_ms`: the
+// signal is at every instant a weighted mean of the old and the new one, so it never exceeds the larger of the two.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,16 +21,22 @@
 #include "core/base/time.h"
 #include "core/base/vec3.h"
 #include "core/texture/acceleration_sample.h"
+#include "core/texture/finger_prediction.h"
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::texture {
 
 struct TextureOutput {
-  double signal_g = 0.0;      ///< after high-pass and method, before PWM; finite
-  double duty_percent = 0.0;  ///< ±maximum at most, and ±100 together with the position share
-  Vec3 filtered_g;            ///< behind the high-pass, newest
-  double delay_ms = 0.0;      ///< of input delay and method together; laying the grid adds up to one period
-  bool gap = false;           ///< no acceleration for this instant
+  double signal_g = 0.0;  ///< after high-pass and method, before PWM; finite
+  /// Of each motor; ±maximum at most, and ±100 together with the position share. Equal but with mapping felt.
+  std::array<double, kFeltMotors> duty_percent{};
+  double wanted_g = 0.0;  ///< wanted at the finger; the signal itself where the mapping knows no finger
+  bool limited = false;   ///< this step's duty was cut by a limit
+  FingerFigures finger;   ///< what is felt of it, as far as the plant is known
+  bool plant_identified = false;
+  Vec3 filtered_g;        ///< behind the high-pass, newest
+  double delay_ms = 0.0;  ///< of input delay and method together; laying the grid adds up to one period
+  bool gap = false;       ///< no acceleration for this instant
   bool position_share_known = false;
   std::uint64_t clipped = 0;          ///< steps whose duty a limit cut, since the start
   std::uint64_t gaps = 0;             ///< gaps begun, since the first sample
@@ -45,6 +54,9 @@ class TextureRenderer {
   /// Applies live changes, gliding. `sample_rate_Hz` is taken at construction only.
   void configure(const TextureParameters& parameters);
 
+  /// Of the rollers now, which moves the cloth's resonance; NaN: unknown.
+  void setStretch(double stretch_deg);
+
   /// @param new_samples    since the last call, in any number; older and repeated ones are refused and counted
   /// @param position_share_percent  duty the board's position loop uses now, signed; NaN when it does not say
   [[nodiscard]] TextureOutput step(Instant now, std::span<const AccelerationSample> new_samples,
@@ -56,9 +68,12 @@ class TextureRenderer {
   /// Silence; counters stay.
   void reset();
 
-  /// For the archives of core/base/archive.h.
+  /// For the archives of core/base/archive.h. Version 1 knew no mapping felt.
+  static constexpr std::uint16_t kStateVersion = 2;
   template <class Archive>
   void serialize(Archive& archive);
+  template <class Archive>
+  void restore(Archive& archive, std::uint16_t version);
 
  private:
   struct State;

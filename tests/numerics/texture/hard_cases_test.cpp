@@ -28,7 +28,7 @@ TEST(HardCases, ConstantsAndZerosGiveSilence) {
       for (int n = 0; n < 500; ++n) {
         const AccelerationSample sample = {instantAt(n * 1e-3), constant};
         const auto out = renderer.step(instantAt(n * 1e-3), {&sample, 1}, 0.0);
-        ASSERT_EQ(out.duty_percent, 0.0) << kMethodNames[m];
+        ASSERT_EQ(out.duty_percent[0], 0.0) << kMethodNames[m];
         ASSERT_EQ(out.signal_g, 0.0) << kMethodNames[m];
       }
     }
@@ -72,8 +72,8 @@ TEST(HardCases, SpikesSquareWavesAndClippedSensorsStayWithinLimits) {
         TextureRenderer renderer(p);
         for (const auto& out : renderThrough(renderer, 1000, source, 35.0)) {
           ASSERT_TRUE(std::isfinite(out.signal_g));
-          ASSERT_LE(std::abs(out.duty_percent), 80.0);
-          ASSERT_LE(out.duty_percent + 35.0, 100.0);
+          ASSERT_LE(std::abs(out.duty_percent[0]), 80.0);
+          ASSERT_LE(out.duty_percent[0] + 35.0, 100.0);
         }
       };
       check(spike);
@@ -98,7 +98,7 @@ TEST(HardCases, NoInputMakesANumberThatIsNone) {
     }
     const auto out = renderer.step(Instant(Duration(t_ns)), {bunch.data(), count}, wild[random() % wild.size()]);
     ASSERT_TRUE(std::isfinite(out.signal_g));
-    ASSERT_LE(std::abs(out.duty_percent), 100.0);
+    ASSERT_LE(std::abs(out.duty_percent[0]), 100.0);
   }
 }
 
@@ -170,7 +170,7 @@ TEST(HardCases, ThesisPwmIsOffAtOnceWhenAllAccelerationsAreExactlyZero) {
   TextureRenderer renderer(p);
   const auto out = renderThrough(renderer, 400, [](int n) { return n < 200 ? Vec3{0, 0, std::sin(1.1 * n)} : Vec3{}; });
   EXPECT_NE(out[203].signal_g, 0.0);  // the frame's delay: the signal goes on
-  for (std::size_t n = 203; n < 230; ++n) EXPECT_EQ(out[n].duty_percent, 0.0);
+  for (std::size_t n = 203; n < 230; ++n) EXPECT_EQ(out[n].duty_percent[0], 0.0);
 }
 
 TEST(Switching, NeverExceedsTheLargerOfTheTwoSignals) {
@@ -210,7 +210,7 @@ TEST(Switching, AChangeOfGainGlides) {
       renderer.configure(p);
     }
     const AccelerationSample sample = {instantAt(n * 1e-3), {0.0, 0.0, 0.8}};
-    const double duty = renderer.step(instantAt(n * 1e-3), {&sample, 1}, 0.0).duty_percent;
+    const double duty = renderer.step(instantAt(n * 1e-3), {&sample, 1}, 0.0).duty_percent[0];
     const double jump = n > 5 ? std::abs(duty - last) : 0.0;
     ASSERT_LE(jump, 3.0) << n;  // 40 % over 20 ms
     last = duty;

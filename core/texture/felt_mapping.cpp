@@ -1,0 +1,180 @@
+#include "core/texture/felt_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/base/portable_math.h"
+
+namespace fyd::texture {
+namespace {
+
+// Tuned on the stored surfaces, the simulated materials and noise bands, on a plant written for that
+// (tests/cli/finger_plant.py); judged on others.
+
+constexpr double kLargestSignal_g = 1000.0;
+constexpr double kLeak_Hz = 4.0;  // of the integrators: slower motion belongs to the position loop
+constexpr double kRetune_Hz = 0.5;
+
+constexpr double kGate_s = 0.025;
+constexpr double kGateCloses_s = 0.03;
+constexpr double kGatePeak = 4.0;  // times the gate's level: a tap opens it at once
+
+constexpr double kLearning_s = 2.0;
+constexpr double kEager = 4.0;     // the first guess loses its weight with the fourth power of time
+constexpr double kGuess_s = 0.05;  // the first guess counts as much as this
+constexpr double kBurst = 9.0;     // a tap must not teach a surface: largest square, in mean squares …
+constexpr double kBegin_s = 0.3;   // … once so much of it is known
+
+constexpr double kUsualLevel_g = 0.1;  // before anything is learned
+constexpr double kUsualGain = 2.5;
+constexpr double kUsual_Hz = 120.0;
+
+constexpr double kStrongest_g = 2.0;
+constexpr double kRange = 4.605170185988091;  // 40 dB in nepers
+constexpr double kCompressed = 1.2;           // what it becomes
+constexpr double kConcave = 2.3;              // the middle is nearly as strong as the strongest
+
+constexpr double kFrictionShare = 0.95;  // of the breakaway: a turning motor has less
+constexpr double kSoftSign = 0.15;       // of the wanted speed's RMS
+constexpr double kLead = 0.2;            // samples by which the wanted speed is ahead of the end of the sample
+constexpr double kHeat_s = 0.25;
+constexpr double kHeadroom = 0.97;  // what a limit cuts is no texture
+
+/// Denormals would cost hundreds of cycles each.
+double flushed(double value) { return std::abs(value) < 1e-30 ? 0.0 : value; }
+
+double shareOf(double position_share_percent) {
+  return std::isfinite(position_share_percent) ? std::min(std::abs(position_share_percent), 100.0) : 0.0;
+}
+
+}  // namespace
+
+FeltMapping::FeltMapping(const FeltSettings& settings, double sample_rate_Hz)
+    : settings_(settings),
+      rate_Hz_(sample_rate_Hz),
+      stretch_deg_(std::numeric_limits<double>::quiet_NaN()),
+      inverse_(sample_rate_Hz) {
+  reset();
+}
+
+void FeltMapping::configure(const FeltSettings& settings) {
+  const bool other_cloth = settings.plant.damping != settings_.plant.damping;
+  settings_ = settings;
+  if (other_cloth) tune();
+}
+
+void FeltMapping::reset() {
+  tune();
+  inverse_.reset();
+  speed_deg_s_ = angle_deg_ = gate_level_ = gate_ = heat_ = samples_ = 0.0;
+  learned_ = usual();
+}
+
+void FeltMapping::tune() {
+  tuned_Hz_ = settings_.plant.resonanceAt_Hz(stretch_deg_);
+  inverse_.tune(tuned_Hz_, settings_.plant.damping);
+}
+
+FeltMapping::Surface FeltMapping::usual() const {
+  const double speed_deg_s =
+      kUsualLevel_g * kUsualGain * settings_.plant.degreesPerG() / (2.0 * std::numbers::pi * kUsual_Hz);
+  return {.level = kUsualLevel_g * kUsualLevel_g,
+          .cost = math::square(target_percent(kUsualLevel_g) / kUsualGain),
+          .speed = speed_deg_s * speed_deg_s};
+}
+
+void FeltMapping::openGate(double signal_g) {
+  const double T = 1.0 / rate_Hz_;
+  gate_level_ = flushed(gate_level_ + std::min(1.0, T / kGate_s) * (signal_g * signal_g - gate_level_));
+  if (!(settings_.gate_g > 0.0)) {
+    gate_ = 1.0;
+    return;
+  }
+  const double steady = std::clamp(gate_level_ / (settings_.gate_g * settings_.gate_g) - 1.0, 0.0, 1.0);
+  const double tap = std::clamp(std::abs(signal_g) / (kGatePeak * settings_.gate_g) - 1.0, 0.0, 1.0);
+  gate_ = std::max({steady, tap, gate_ - T / kGateCloses_s});
+}
+
+void FeltMapping::learn(const Surface& squares) {
+  const double slow = kLearning_s * rate_Hz_;
+  double share = 1.0 / slow;
+  double burst = std::numeric_limits<double>::infinity();
+  Surface towards = squares;
+  if (gate_ <= 0.0) {  // what was touched long ago is forgotten
+    samples_ -= samples_ / slow;
+    towards = usual();
+  } else {
+    samples_ = std::min(samples_ + gate_, kEager * slow);
+    share = kEager * gate_ / (samples_ + kEager * kGuess_s * rate_Hz_);
+    burst = kBurst * std::max(1.0, kEager * kBegin_s * rate_Hz_ / samples_);
+  }
+  const auto follow = [share, burst](double& mean, double square) {
+    mean += share * (std::min(square, burst * mean) - mean);
+  };
+  follow(learned_.level, towards.level);
+  follow(learned_.cost, towards.cost);
+  follow(learned_.speed, towards.speed);
+}
+
+double FeltMapping::target_percent(double level_g) const {
+  const double friction = kFrictionShare * std::max(settings_.plant.breakaway_percent[0],  //
+                                                    settings_.plant.breakaway_percent[1]);
+  const double limit = kHeadroom * std::min(settings_.rms_limit_percent, settings_.maximum_percent);
+  const double most = std::sqrt(std::max(limit * limit - friction * friction, 0.04 * limit * limit));
+  const double below = std::clamp(math::log(kStrongest_g / level_g) / kRange, 0.0, 2.0);
+  return most * math::exp(-kCompressed * math::pow(below, kConcave));
+}
+
+double FeltMapping::gain() const {
+  constexpr double kFaintest = 1e-6;  // g and %; a silent surface has neither
+  const double learned_g = std::max(std::sqrt(learned_.level), kFaintest);
+  const double level_g = settings_.surface_level_g > 0.0 ? settings_.surface_level_g : learned_g;
+  const double cost_percent = std::max(std::sqrt(learned_.cost), kFaintest) * level_g / learned_g;
+  return settings_.gain * target_percent(level_g) / cost_percent;
+}
+
+FeltDuty FeltMapping::step(double signal_g, double position_share_percent) {
+  const FeltPlant& plant = settings_.plant;
+  const double T = 1.0 / rate_Hz_;
+  const double signal = std::isfinite(signal_g) ? std::clamp(signal_g, -kLargestSignal_g, kLargestSignal_g) : 0.0;
+  if (!inverse_.gliding() && std::abs(plant.resonanceAt_Hz(stretch_deg_) - tuned_Hz_) > kRetune_Hz) tune();
+  openGate(signal);
+
+  const double acceleration = inverse_.step(signal) / plant.cloth_gain * plant.degreesPerG();
+  const double leak = std::max(0.0, 1.0 - 2.0 * std::numbers::pi * kLeak_Hz * T);
+  speed_deg_s_ = flushed(leak * speed_deg_s_ + T * acceleration);
+  angle_deg_ = flushed(leak * angle_deg_ + T * speed_deg_s_);
+  const double linear_percent =
+      100.0 * (plant.time_constant_ms * 1e-3 * acceleration + speed_deg_s_) / plant.free_speed_deg_s +
+      plant.position_gain_percent_per_deg * angle_deg_;
+  learn({.level = signal * signal, .cost = linear_percent * linear_percent, .speed = speed_deg_s_ * speed_deg_s_});
+
+  FeltDuty out;
+  if (gate_ <= 0.0 || settings_.gain <= 0.0) {
+    heat_ = flushed(heat_ - std::min(1.0, T / kHeat_s) * heat_);
+    return out;
+  }
+  const double gain_now = gain();
+  out.wanted_g = gate_ * gain_now * signal;
+  const double share = shareOf(position_share_percent);
+  const double room = kHeadroom * std::max(0.0, std::min(settings_.maximum_percent, 100.0 - share));
+  const double turning =
+      (speed_deg_s_ + kLead * T * acceleration) / (kSoftSign * std::max(std::sqrt(learned_.speed), 1e-6));
+  const double sign = turning / std::sqrt(1.0 + turning * turning);
+  const double cool = std::min(1.0, settings_.rms_limit_percent / std::sqrt(std::max(heat_, 1e-12)));
+  double hottest = 0.0;
+  for (std::size_t i = 0; i < kFeltMotors; ++i) {
+    const double still = std::max(0.0, 1.0 - share / std::max(2.0 * plant.breakaway_percent[i], 1.0));
+    const double friction = kFrictionShare * plant.breakaway_percent[i] * sign * still * std::min(settings_.gain, 1.0);
+    const double wanted = gate_ * (gain_now * linear_percent + friction);
+    out.percent[i] = std::clamp(cool * wanted, -room, room);
+    out.clipped = out.clipped || std::abs(cool * wanted) > room;
+    hottest = std::max(hottest, math::square(std::clamp(wanted, -room, room)));
+  }
+  heat_ += std::min(1.0, T / kHeat_s) * (hottest - heat_);
+  return out;
+}
+
+}  // namespace fyd::texture

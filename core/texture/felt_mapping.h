@@ -1,0 +1,96 @@
+// From the texture signal to duties that the finger feels: the way to the finger, inverted as far as it goes.
+//
+//   signal ─▶ noise gate ─▶ gain of the surface ─▶ inverse cloth ─▶ inverse motor ─▶ + friction ─▶ limits ─▶ duties
+//
+// Inverse cloth: inverse_cloth.h. Inverse motor: u = 100·(τ·α + ω)/ω_free + K·θ for the wanted acceleration α, speed ω
+// and angle θ of the roller; K·θ is what the board's position loop takes away.
+// Friction: the breakaway times a soft sign of the *wanted* speed ω, because friction opposes speed, not duty. None
+// while the position loop turns the motor by itself.
+//
+// Gain: the motors' authority is small (full duty of a small geared motor is a quarter of a g at the roller), so a
+// surface is scaled to what they can do. Its level and what it costs (RMS of signal and of duty, gain 1) are learned
+// while it is touched, over some seconds; the linear part of the duty is then target(level) %, which grows by 10 dB
+// over 40 dB of level: what is stronger feels stronger, what is faint is still felt. A stored level stays. Out of
+// silence the gain is kUsualGain, so that a first tap is felt.
+// Silence gives exactly 0.
+//
+// Pure and allocation-free. A signal that is not finite counts as 0.
+#pragma once
+
+#include <array>
+
+#include "core/base/state.h"
+#include "core/texture/felt_plant.h"
+#include "core/texture/inverse_cloth.h"
+
+namespace fyd::texture {
+
+struct FeltSettings {
+  FeltPlant plant;
+  double gain = 1.0;                ///< k_vib, at the finger
+  double maximum_percent = 100.0;   ///< largest duty
+  double rms_limit_percent = 38.5;  ///< heat: largest RMS duty, over a quarter of a second
+  double gate_g = 0.0075;           ///< a steady signal of less RMS is noise
+  double surface_level_g = 0.0;     ///< stored RMS of this surface; 0: learned
+};
+
+struct FeltDuty {
+  std::array<double, kFeltMotors> percent{};
+  double wanted_g = 0.0;  ///< acceleration wanted at the finger
+  bool clipped = false;   ///< a limit cut it
+};
+
+class FeltMapping {
+ public:
+  FeltMapping(const FeltSettings& settings, double sample_rate_Hz);
+
+  /// Keeps what it has learned; the resonance glides.
+  void configure(const FeltSettings& settings);
+  /// Of the rollers now; NaN: unknown, counts as the one of identification.
+  void setStretch(double stretch_deg) { stretch_deg_ = stretch_deg; }
+  /// Silence, nothing learned.
+  void reset();
+
+  /// @param position_share_percent of the board's position loop, signed; NaN: unknown, counts as none
+  [[nodiscard]] FeltDuty step(double signal_g, double position_share_percent);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(stretch_deg_, tuned_Hz_, inverse_, speed_deg_s_, angle_deg_, gate_level_, gate_, learned_, samples_, heat_);
+  }
+
+ private:
+  /// Mean squares of a surface.
+  struct Surface {
+    double level = 0.0;  // of the signal, g²
+    double cost = 0.0;   // of the duty that it costs with gain 1, %²
+    double speed = 0.0;  // of the roller's speed with gain 1, (°/s)²
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(level, cost, speed);
+    }
+  };
+
+  void tune();
+  void openGate(double signal_g);
+  void learn(const Surface& squares);
+  [[nodiscard]] Surface usual() const;
+  [[nodiscard]] double gain() const;
+  [[nodiscard]] double target_percent(double level_g) const;
+
+  FeltSettings settings_;
+  double rate_Hz_;
+  double stretch_deg_;
+  double tuned_Hz_ = 0.0;
+  InverseCloth inverse_;
+  double speed_deg_s_ = 0.0;  // wanted, with gain 1
+  double angle_deg_ = 0.0;
+  double gate_level_ = 0.0;  // mean square of the signal, short
+  double gate_ = 0.0;        // 0 closed … 1 open
+  Surface learned_;
+  double samples_ = 0.0;  // behind it
+  double heat_ = 0.0;     // mean square of the duty, before it is cooled
+};
+
+}  // namespace fyd::texture

@@ -1,0 +1,64 @@
+#include "core/texture/inverse_cloth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Core>
+
+#include "core/base/portable_math.h"
+
+namespace fyd::texture {
+namespace {
+
+const double kLargestLogGain = 18.0 / 20.0 * std::numbers::ln10;
+
+using Taps = Eigen::Map<Eigen::ArrayXd>;
+
+}  // namespace
+
+InverseCloth::InverseCloth(double sample_rate_Hz) : rate_Hz_(sample_rate_Hz), fft_(kFrame) {
+  taps_[0] = goal_[0] = 1.0;
+}
+
+void InverseCloth::reset() {
+  taps_ = goal_;
+  gliding_ = 0;
+  recent_.fill(0.0);
+  newest_ = 0;
+}
+
+void InverseCloth::tune(double resonance_Hz, double damping) {
+  const auto bins = fft_.bins();
+  for (std::size_t k = 0; k < bins.size(); ++k) {
+    const double f = static_cast<double>(k) / kFrame;  // of the rate
+    const double r = f * rate_Hz_ / resonance_Hz;
+    const double across = math::square(2.0 * damping * r);
+    const double log_cloth = 0.5 * math::log((1.0 + across) / (math::square(1.0 - r * r) + across));
+    const double held = k == 0 ? 1.0 : math::sin(std::numbers::pi * f) / (std::numbers::pi * f);
+    bins[k] = std::min(-log_cloth - math::log(held), kLargestLogGain);
+  }
+  const auto cepstrum = fft_.time();
+  fft_.backward();
+  for (std::size_t i = 1; i < kFrame / 2; ++i) cepstrum[i] *= 2.0;
+  std::fill(cepstrum.begin() + kFrame / 2 + 1, cepstrum.end(), 0.0);
+  fft_.forward();
+  for (auto& bin : bins) bin = math::polar(math::exp(bin.real()), bin.imag());
+  fft_.backward();
+  std::copy_n(cepstrum.begin(), kTaps, goal_.begin());
+  gliding_ = kGlide;
+}
+
+double InverseCloth::step(double wanted) {
+  newest_ = newest_ == 0 ? kTaps - 1 : newest_ - 1;
+  recent_[static_cast<std::size_t>(newest_)] = wanted;
+  recent_[static_cast<std::size_t>(newest_ + kTaps)] = wanted;
+  Taps taps(taps_.data(), kTaps);
+  if (gliding_ > 0) {
+    taps += (Taps(goal_.data(), kTaps) - taps) / gliding_;
+    --gliding_;
+  }
+  return (taps * Taps(recent_.data() + newest_, kTaps)).sum();
+}
+
+}  // namespace fyd::texture
