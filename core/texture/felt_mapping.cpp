@@ -40,6 +40,7 @@ constexpr double kFrictionShare = 0.95;  // of the breakaway: a turning motor ha
 constexpr double kSoftSign = 0.15;       // of the wanted speed's RMS
 constexpr double kLead = 0.2;            // samples by which the wanted speed is ahead of the end of the sample
 constexpr double kHeat_s = 0.25;
+constexpr double kAim = 0.92;       // of the heat limit, friction included
 constexpr double kHeadroom = 0.97;  // what a limit cuts is no texture
 
 /// Denormals would cost hundreds of cycles each.
@@ -121,7 +122,7 @@ void FeltMapping::learn(const Surface& squares) {
 double FeltMapping::target_percent(double level_g) const {
   const double friction = kFrictionShare * std::max(settings_.plant.breakaway_percent[0],  //
                                                     settings_.plant.breakaway_percent[1]);
-  const double limit = kHeadroom * std::min(settings_.rms_limit_percent, settings_.maximum_percent);
+  const double limit = kAim * std::min(settings_.rms_limit_percent, settings_.maximum_percent);
   const double most = std::sqrt(std::max(limit * limit - friction * friction, 0.04 * limit * limit));
   const double below = std::clamp(math::log(kStrongest_g / level_g) / kRange, 0.0, 2.0);
   return most * math::exp(-kCompressed * math::pow(below, kConcave));
@@ -163,7 +164,7 @@ FeltDuty FeltMapping::step(double signal_g, double position_share_percent) {
   const double turning =
       (speed_deg_s_ + kLead * T * acceleration) / (kSoftSign * std::max(std::sqrt(learned_.speed), 1e-6));
   const double sign = turning / std::sqrt(1.0 + turning * turning);
-  const double cool = std::min(1.0, settings_.rms_limit_percent / std::sqrt(std::max(heat_, 1e-12)));
+  const double cool = std::min(1.0, kHeadroom * settings_.rms_limit_percent / std::sqrt(std::max(heat_, 1e-12)));
   double hottest = 0.0;
   for (std::size_t i = 0; i < kFeltMotors; ++i) {
     const double still = std::max(0.0, 1.0 - share / std::max(2.0 * plant.breakaway_percent[i], 1.0));

@@ -16,6 +16,8 @@ namespace {
 
 // A new filter needs a few periods of its corner, a new method its delay, before it may be heard.
 constexpr int kSettlingSamples = 32;
+// The mapping felt finds the gain of a surface before it takes over from another one.
+constexpr int kFeltLearns = 150;
 
 double glide(double from, double to, double share_of_way, double span) {
   const double step = span * share_of_way;
@@ -54,7 +56,7 @@ struct TextureRenderer::State {
         pwm(settingsOf(p)),
         felt(feltSettingsOf(p), p.sample_rate_Hz),
         finger(p.plant, p.sample_rate_Hz) {
-    felt_share = wantsFelt() ? 1.0 : 0.0;
+    startMapping();
     stream.configure(p.input_delay_ms, p.maximum_gap_ms);
     banks[active].select(playing);
   }
@@ -108,14 +110,23 @@ struct TextureRenderer::State {
     pwm.dead_zone_percent = glide(pwm.dead_zone_percent, to.dead_zone_percent, share, 100.0);
   }
 
+  void startMapping() {
+    felt_share = wantsFelt() ? 1.0 : 0.0;
+    felt_unheard = wantsFelt() ? 0 : kFeltLearns;
+    felt.reset();
+    finger.reset();
+  }
+
   /// Mapping felt in place of what `out` has, or the way there or back.
   void blendFelt(double signal_g, double position_share_percent, TextureOutput& out) {
     const double goal = wantsFelt() ? 1.0 : 0.0;
-    if (felt_share == 0.0) {
-      if (goal == 0.0) return;
-      felt.reset();
+    if (felt_share == 0.0 && goal == 0.0) {
+      felt_unheard = kFeltLearns;
+      return;
     }
-    felt_share = glide(felt_share, goal, fadeShare(), 1.0);
+    if (felt_unheard == kFeltLearns) felt.reset();
+    felt_unheard = std::max(felt_unheard - 1, 0);
+    if (goal == 0.0 || felt_unheard == 0) felt_share = glide(felt_share, goal, fadeShare(), 1.0);
     FeltSettings settings = feltSettingsOf(parameters);
     settings.gain = pwm.k_vib;  // they glide
     settings.maximum_percent = pwm.maximum_percent;
@@ -158,7 +169,7 @@ struct TextureRenderer::State {
   template <class Archive>
   void serialize(Archive& archive) {
     serializeFirst(archive);
-    archive(felt_share, stretch_deg, felt, finger);
+    archive(felt_share, within(felt_unheard, kFeltLearns), stretch_deg, felt, finger);
   }
 
   /// What version 1 held.
@@ -187,6 +198,7 @@ struct TextureRenderer::State {
   double full_scale_span_g = 0.0;
   std::uint64_t clipped = 0;
   double felt_share = 0.0;  // 0: pwm.h, 1: felt
+  int felt_unheard = 0;     // samples that it still learns the surface before it is heard
   double stretch_deg = std::numeric_limits<double>::quiet_NaN();
   FeltMapping felt;
   FingerPrediction finger;
@@ -233,9 +245,7 @@ void TextureRenderer::reset() {
   s.banks[s.active].select(s.playing);
   s.virtual_share = 0.0;
   s.pwm = settingsOf(s.parameters);
-  s.felt_share = s.wantsFelt() ? 1.0 : 0.0;
-  s.felt.reset();
-  s.finger.reset();
+  s.startMapping();
 }
 
 void TextureRenderer::setStretch(double stretch_deg) { state_->stretch_deg = stretch_deg; }
@@ -249,9 +259,7 @@ template <class Archive>
 void TextureRenderer::restore(Archive& archive, std::uint16_t) {
   State& s = *state_;
   s.serializeFirst(archive);
-  s.felt_share = s.wantsFelt() ? 1.0 : 0.0;
-  s.felt.reset();
-  s.finger.reset();
+  s.startMapping();
 }
 template void TextureRenderer::restore(StateReader& archive, std::uint16_t version);
 
