@@ -53,7 +53,9 @@ void add_bench(CLI::App& app) {
   command->callback([options] {
     if (!options->cloth.empty()) bench::benchCloths() = {bench::clothOf(options->cloth)};
     for (const Subject& subject : subjects()) {
-      if (!options->name.empty() && options->name != subject.name) continue;
+      if (!options->name.empty() && options->name != subject.name && !subject.name.starts_with(options->name + "_")) {
+        continue;  // texture has texture_felt beside it
+      }
       const bench::Table table = subject.run();
       std::cout << bench::toMarkdown(table) << '\n' << std::flush;
       if (options->out.empty()) continue;

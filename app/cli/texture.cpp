@@ -1,4 +1,4 @@
-// fyd texture render | fit | play | contact
+// fyd texture render | fit | play | contact | felt | identify
 #include <iterator>
 
 #include "app/cli/texture_cli.h"
@@ -26,12 +26,14 @@ void addInputOptions(CLI::App& command, std::string& path, double& rate_Hz) {
 }
 
 void add_texture(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("texture", "Vibration: render, fit, play, find contacts");
+  CLI::App* command = app.add_subcommand("texture", "Vibration: render, fit, play, find contacts, felt, identify");
   command->require_subcommand(1);
   addTextureRender(*command);
   addTextureFit(*command);
   addTexturePlay(*command);
   addTextureContact(*command);
+  addTextureFelt(*command);
+  addTextureIdentify(*command);
 }
 
 }  // namespace fyd::cli

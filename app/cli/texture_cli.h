@@ -16,6 +16,8 @@ void addTextureRender(CLI::App& parent);
 void addTextureFit(CLI::App& parent);
 void addTexturePlay(CLI::App& parent);
 void addTextureContact(CLI::App& parent);
+void addTextureFelt(CLI::App& parent);
+void addTextureIdentify(CLI::App& parent);
 
 /// CSV t_s,signal with the digits that round-trip.
 void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal);

@@ -466,6 +466,10 @@
         <translation>Accélération %1</translation>
     </message>
     <message>
+        <source>Acceleration of the finger over that of the rollers, far below the resonance.</source>
+        <translation>Accélération du doigt rapportée à celle des rouleaux, bien en dessous de la résonance.</translation>
+    </message>
+    <message>
         <source>Accelerations further apart than this are a gap, during which the texture is silent.</source>
         <translation>Des accélérations plus espacées que cela sont une lacune, pendant laquelle la texture se tait.</translation>
     </message>
@@ -1090,6 +1094,10 @@
         <translation>Cycles manqués</translation>
     </message>
     <message>
+        <source>Damping ratio of that resonance.</source>
+        <translation>Taux d'amortissement de cette résonance.</translation>
+    </message>
+    <message>
         <source>Dark theme</source>
         <translation>Thème sombre</translation>
     </message>
@@ -1296,6 +1304,18 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Duties smaller than this become zero, as the motors would not turn.</source>
         <translation>Les rapports cycliques plus petits deviennent zéro, car les moteurs ne tourneraient pas.</translation>
+    </message>
+    <message>
+        <source>Duty that the first motor needs before it turns.</source>
+        <translation>Rapport cyclique nécessaire au premier moteur pour tourner.</translation>
+    </message>
+    <message>
+        <source>Duty that the second motor needs before it turns.</source>
+        <translation>Rapport cyclique nécessaire au second moteur pour tourner.</translation>
+    </message>
+    <message>
+        <source>Duty with which the board's own position loop answers a degree.</source>
+        <translation>Rapport cyclique avec lequel la boucle de position de la carte répond à un degré.</translation>
     </message>
     <message>
         <source>Edit</source>
@@ -1692,6 +1712,10 @@ N</translation>
         <translation>Consigne à la main</translation>
     </message>
     <message>
+        <source>Heat limit</source>
+        <translation>Limite thermique</translation>
+    </message>
+    <message>
         <source>Height</source>
         <translation>Hauteur</translation>
     </message>
@@ -1798,6 +1822,10 @@ Robot : %2
     <message>
         <source>How long accelerations wait (plus up to one period), so that jittery packets still arrive in time; FYD Link raises it to what its batches need.</source>
         <translation>Combien de temps attendent les accélérations (plus une période au plus), pour que les paquets irréguliers arrivent à temps ; FYD Link l'élève selon ses lots.</translation>
+    </message>
+    <message>
+        <source>How much a degree of stretch moves the resonance.</source>
+        <translation>De combien un degré de tension déplace la résonance.</translation>
     </message>
     <message>
         <source>How often the robot was silent for longer than the link allows.</source>
@@ -2336,8 +2364,20 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Manuel</translation>
     </message>
     <message>
-        <source>Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit.</source>
-        <translation>Passage du signal au rapport cyclique ; thesis arrondit vers le bas et multiplie par k_vib après la limite.</translation>
+        <source>Mapping felt: a steady signal of less RMS than this is noise and stays silent.</source>
+        <translation>Conversion felt : un signal continu de valeur efficace inférieure est du bruit et reste muet.</translation>
+    </message>
+    <message>
+        <source>Mapping felt: largest RMS duty over a quarter of a second, for the motors' heat.</source>
+        <translation>Conversion felt : rapport cyclique efficace maximal sur un quart de seconde, pour l'échauffement des moteurs.</translation>
+    </message>
+    <message>
+        <source>Mapping felt: stored RMS of the surface, to which the gain is fitted; 0 learns it from the touch.</source>
+        <translation>Conversion felt : valeur efficace enregistrée de la surface, à laquelle le gain est ajusté ; 0 l'apprend du toucher.</translation>
+    </message>
+    <message>
+        <source>Mapping from signal to duty: as the thesis prints it, rounded alike on both sides, or so that the finger feels it; automatic: felt where the plant is identified, else symmetric.</source>
+        <translation>Conversion du signal en rapport cyclique : telle qu'imprimée dans la thèse, arrondie de même des deux côtés, ou de sorte que le doigt la sente ; automatic : felt là où le système est identifié, sinon symmetric.</translation>
     </message>
     <message>
         <source>Marked values differ from the profile (Ctrl+S)</source>
@@ -2622,6 +2662,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Noise correlation</source>
         <translation>Corrélation du bruit</translation>
+    </message>
+    <message>
+        <source>Noise gate</source>
+        <translation>Seuil de bruit</translation>
     </message>
     <message>
         <source>None</source>
@@ -3074,6 +3118,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Rayon du contact du doigt avec le tissu quand aucune aire ne le dit.</translation>
     </message>
     <message>
+        <source>Radius of the rollers, cloth included.</source>
+        <translation>Rayon des rouleaux, tissu compris.</translation>
+    </message>
+    <message>
         <source>Rate at which the texture step is called and its filters are designed.</source>
         <translation>Fréquence à laquelle le pas de texture est appelé et pour laquelle ses filtres sont conçus.</translation>
     </message>
@@ -3262,6 +3310,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Residual, °</source>
         <translation>Résidu, °</translation>
+    </message>
+    <message>
+        <source>Resonance of the cloth with a finger on it, at the stretch below.</source>
+        <translation>Résonance du tissu avec un doigt dessus, à la tension ci-dessous.</translation>
     </message>
     <message>
         <source>Resource temporarily unavailable</source>
@@ -3568,6 +3620,10 @@ par s</translation>
         <translation>Vitesse de lecture</translation>
     </message>
     <message>
+        <source>Speed of the roller at full duty without load.</source>
+        <translation>Vitesse du rouleau à plein rapport cyclique sans charge.</translation>
+    </message>
+    <message>
         <source>Spread, counts</source>
         <translation>Dispersion, pts</translation>
     </message>
@@ -3740,6 +3796,10 @@ N/mm</translation>
         <translation>Angles d'étirement des points d'étalonnage, croissants.</translation>
     </message>
     <message>
+        <source>Stretch at which the resonance was found.</source>
+        <translation>Tension à laquelle la résonance a été trouvée.</translation>
+    </message>
+    <message>
         <source>Stretch, read by the encoders</source>
         <translation>Étirement, lu par les codeurs</translation>
     </message>
@@ -3754,6 +3814,10 @@ N/mm</translation>
     <message>
         <source>Subject: expected a code of letters, digits, - and _ such as S07, at most %1 characters; never a name.</source>
         <translation>Sujet : attendu un code de lettres, chiffres, - et _ comme S07, au plus %1 caractères ; jamais un nom.</translation>
+    </message>
+    <message>
+        <source>Surface level</source>
+        <translation>Niveau de la surface</translation>
     </message>
     <message>
         <source>Tag "%1": expected at most %2 characters.</source>
@@ -4156,6 +4220,10 @@ Pour commencer : %1</translation>
         <translation>Constante de temps du passe-bas du terme dérivé.</translation>
     </message>
     <message>
+        <source>Time in which a motor reaches 63 % of its speed.</source>
+        <translation>Temps dans lequel un moteur atteint 63 % de sa vitesse.</translation>
+    </message>
+    <message>
         <source>Time over which a new method, filter or gain takes over.</source>
         <translation>Temps pendant lequel une nouvelle méthode, un filtre ou un gain prend le relais.</translation>
     </message>
@@ -4370,6 +4438,10 @@ Pour commencer : %1</translation>
     <message>
         <source>What was asked, and what the part that holds it says of it. A value counts as confirmed only when that part has said so.</source>
         <translation>Ce qui a été demandé, et ce qu'en dit la partie qui le tient. Une valeur n'est confirmée que lorsque cette partie l'a dit.</translation>
+    </message>
+    <message>
+        <source>Whether the way to the finger was identified; the constants below are guesses otherwise.</source>
+        <translation>Si le chemin jusqu'au doigt a été identifié ; sinon les constantes ci-dessous sont des suppositions.</translation>
     </message>
     <message>
         <source>Who</source>
@@ -5912,6 +5984,10 @@ Pour commencer : %1</translation>
         <translation>aucun programme que cet utilisateur puisse voir</translation>
     </message>
     <message>
+        <source>no ramp of motor {} with {} duty; expected each motor both ways</source>
+        <translation>pas de rampe du moteur {} à rapport cyclique {} ; chaque moteur est attendu dans les deux sens</translation>
+    </message>
+    <message>
         <source>no recent picture</source>
         <translation>pas d'image récente</translation>
     </message>
@@ -6098,6 +6174,38 @@ Pour commencer : %1</translation>
     <message>
         <source>pairing code: {} words; expected {}</source>
         <translation>code d'appairage : {} mots ; attendu {}</translation>
+    </message>
+    <message>
+        <source>part {}: a chirp of {} s; expected {} s and more</source>
+        <translation>partie {} : un balayage de {} s ; attendu {} s et plus</translation>
+    </message>
+    <message>
+        <source>part {}: duty of motor {} goes from {} to {} %: expected a ramp in steps of at most {} %</source>
+        <translation>partie {} : le rapport cyclique du moteur {} passe de {} à {} % : attendu une rampe par pas de {} % au plus</translation>
+    </message>
+    <message>
+        <source>part {}: motor {} did not turn up to a duty of {} %; expected a ramp until it turns</source>
+        <translation>partie {} : le moteur {} n'a pas tourné jusqu'à un rapport cyclique de {} % ; attendu une rampe jusqu'à ce qu'il tourne</translation>
+    </message>
+    <message>
+        <source>part {}: motor {} moves before it has a duty</source>
+        <translation>partie {} : le moteur {} bouge avant d'avoir un rapport cyclique</translation>
+    </message>
+    <message>
+        <source>part {}: neither a ramp of one motor nor a chirp of both with the same duty</source>
+        <translation>partie {} : ni une rampe d'un moteur ni un balayage des deux avec le même rapport cyclique</translation>
+    </message>
+    <message>
+        <source>part {}: no acceleration_g at {} s; the chirp needs an accelerometer on the cloth: encoders, load cell and currents cannot see it</source>
+        <translation>partie {} : pas d'acceleration_g à {} s ; le balayage demande un accéléromètre sur le tissu : codeurs, capteur de force et courants ne peuvent pas le voir</translation>
+    </message>
+    <message>
+        <source>part {}: resonance {:.1f} ± {:.1f} Hz: not determined; expected ± {:.0f} % or better</source>
+        <translation>partie {} : résonance {:.1f} ± {:.1f} Hz : non déterminée ; attendu ± {:.0f} % ou mieux</translation>
+    </message>
+    <message>
+        <source>part {}: the model leaves {:.0f} % of the acceleration held out; expected at most {:.0f} %</source>
+        <translation>partie {} : le modèle laisse {:.0f} % de l'accélération mise de côté ; attendu au plus {:.0f} %</translation>
     </message>
     <message>
         <source>parts missing</source>
@@ -7344,6 +7452,10 @@ Pour commencer : %1</translation>
         <translation>{} ne peut pas changer pendant que la station fonctionne</translation>
     </message>
     <message>
+        <source>{} chirps, stretches {} ° apart; expected two or more chirps, {} ° apart</source>
+        <translation>{} balayages, tensions écartées de {} ° ; attendu deux balayages ou plus, écartés de {} °</translation>
+    </message>
+    <message>
         <source>{} compressed bytes do not give the {} they should</source>
         <translation>{} octets compressés ne donnent pas les {} qu'ils devraient</translation>
     </message>
@@ -7852,6 +7964,10 @@ Pour commencer : %1</translation>
         <translation>{} : pas de {} ; attendu « {} » et {} mots</translation>
     </message>
     <message>
+        <source>{}: no {}; expected {}</source>
+        <translation>{} : {} manque ; attendu {}</translation>
+    </message>
+    <message>
         <source>{}: not UTF-8</source>
         <translation>{} : pas de l'UTF-8</translation>
     </message>
@@ -8264,6 +8380,10 @@ Pour commencer : %1</translation>
         <translation>{} : {} valeurs ; attendu au plus {}</translation>
     </message>
     <message>
+        <source>{}: {} with {} values: expected one number, or one for each of {} motors</source>
+        <translation>{} : {} avec {} valeurs : attendu un nombre, ou un pour chacun des {} moteurs</translation>
+    </message>
+    <message>
         <source>{}: {} without '{}'</source>
         <translation>{} : {} sans '{}'</translation>
     </message>
@@ -8284,12 +8404,20 @@ Pour commencer : %1</translation>
         <translation>{} : {} : attendu un texte entre guillemets</translation>
     </message>
     <message>
+        <source>{}: {}: expected true or false</source>
+        <translation>{} : {} : attendu true ou false</translation>
+    </message>
+    <message>
         <source>{}: {}; the recording stays at {}</source>
         <translation>{} : {} ; l'enregistrement reste à {}</translation>
     </message>
     <message>
         <source>{}: {}{}: expected a number from {} to {}</source>
         <translation>{} : {}{} : attendu un nombre de {} à {}</translation>
+    </message>
+    <message>
+        <source>{}: {}{}: expected {}</source>
+        <translation>{} : {}{} : attendu {}</translation>
     </message>
     <message>
         <source>{}:{}: column {}: '{}' is not a number</source>
@@ -8328,12 +8456,20 @@ Pour commencer : %1</translation>
         <translation>{}:{} : temps {} s : attendu des temps qui commencent à 0 et croissent</translation>
     </message>
     <message>
+        <source>{}:{}: {} = {}: expected a number from {} to {}</source>
+        <translation>{}:{} : {} = {} : attendu un nombre de {} à {}</translation>
+    </message>
+    <message>
         <source>{}:{}: {} fields; the header has {}</source>
         <translation>{}:{} : {} champs ; l'en-tête en a {}</translation>
     </message>
     <message>
         <source>{}:{}: {} is {}; expected millimetres within ±{}</source>
         <translation>{}:{} : {} vaut {} ; attendu des millimètres à ±{} près</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} ms after the row before; expected a row each millisecond</source>
+        <translation>{}:{} : {} ms après la ligne précédente ; attendu une ligne par milliseconde</translation>
     </message>
     <message>
         <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>

@@ -466,6 +466,10 @@
         <translation>Accelerazione %1</translation>
     </message>
     <message>
+        <source>Acceleration of the finger over that of the rollers, far below the resonance.</source>
+        <translation>Accelerazione del dito rispetto a quella dei rulli, molto al di sotto della risonanza.</translation>
+    </message>
+    <message>
         <source>Accelerations further apart than this are a gap, during which the texture is silent.</source>
         <translation>Accelerazioni più distanti di così sono una lacuna, durante la quale la texture tace.</translation>
     </message>
@@ -1090,6 +1094,10 @@
         <translation>Cicli mancati</translation>
     </message>
     <message>
+        <source>Damping ratio of that resonance.</source>
+        <translation>Rapporto di smorzamento di quella risonanza.</translation>
+    </message>
+    <message>
         <source>Dark theme</source>
         <translation>Tema scuro</translation>
     </message>
@@ -1296,6 +1304,18 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Duties smaller than this become zero, as the motors would not turn.</source>
         <translation>I duty più piccoli di così diventano zero, perché i motori non girerebbero.</translation>
+    </message>
+    <message>
+        <source>Duty that the first motor needs before it turns.</source>
+        <translation>Duty di cui il primo motore ha bisogno per girare.</translation>
+    </message>
+    <message>
+        <source>Duty that the second motor needs before it turns.</source>
+        <translation>Duty di cui il secondo motore ha bisogno per girare.</translation>
+    </message>
+    <message>
+        <source>Duty with which the board's own position loop answers a degree.</source>
+        <translation>Duty con cui l'anello di posizione della scheda risponde a un grado.</translation>
     </message>
     <message>
         <source>Edit</source>
@@ -1692,6 +1712,10 @@ N</translation>
         <translation>Obiettivo a mano</translation>
     </message>
     <message>
+        <source>Heat limit</source>
+        <translation>Limite termico</translation>
+    </message>
+    <message>
         <source>Height</source>
         <translation>Altezza</translation>
     </message>
@@ -1798,6 +1822,10 @@ Robot: %2
     <message>
         <source>How long accelerations wait (plus up to one period), so that jittery packets still arrive in time; FYD Link raises it to what its batches need.</source>
         <translation>Quanto attendono le accelerazioni (più al massimo un periodo), perché i pacchetti irregolari arrivino ancora in tempo; FYD Link lo alza a quanto serve ai suoi gruppi.</translation>
+    </message>
+    <message>
+        <source>How much a degree of stretch moves the resonance.</source>
+        <translation>Di quanto un grado di tensione sposta la risonanza.</translation>
     </message>
     <message>
         <source>How often the robot was silent for longer than the link allows.</source>
@@ -2336,8 +2364,20 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Manuale</translation>
     </message>
     <message>
-        <source>Mapping from signal to duty; thesis rounds downward and multiplies by k_vib after the limit.</source>
-        <translation>Passaggio dal segnale al duty; thesis arrotonda per difetto e moltiplica per k_vib dopo il limite.</translation>
+        <source>Mapping felt: a steady signal of less RMS than this is noise and stays silent.</source>
+        <translation>Conversione felt: un segnale continuo con RMS minore di questo è rumore e tace.</translation>
+    </message>
+    <message>
+        <source>Mapping felt: largest RMS duty over a quarter of a second, for the motors' heat.</source>
+        <translation>Conversione felt: duty RMS massimo su un quarto di secondo, per il calore dei motori.</translation>
+    </message>
+    <message>
+        <source>Mapping felt: stored RMS of the surface, to which the gain is fitted; 0 learns it from the touch.</source>
+        <translation>Conversione felt: RMS memorizzato della superficie, al quale si adatta il guadagno; 0 lo impara dal tocco.</translation>
+    </message>
+    <message>
+        <source>Mapping from signal to duty: as the thesis prints it, rounded alike on both sides, or so that the finger feels it; automatic: felt where the plant is identified, else symmetric.</source>
+        <translation>Conversione dal segnale al duty: come stampata nella tesi, arrotondata allo stesso modo da entrambe le parti, o in modo che il dito la senta; automatic: felt dove l'impianto è identificato, altrimenti symmetric.</translation>
     </message>
     <message>
         <source>Marked values differ from the profile (Ctrl+S)</source>
@@ -2622,6 +2662,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Noise correlation</source>
         <translation>Correlazione del rumore</translation>
+    </message>
+    <message>
+        <source>Noise gate</source>
+        <translation>Soglia di rumore</translation>
     </message>
     <message>
         <source>None</source>
@@ -3074,6 +3118,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Raggio del contatto del dito con il tessuto quando nessuna area lo dice.</translation>
     </message>
     <message>
+        <source>Radius of the rollers, cloth included.</source>
+        <translation>Raggio dei rulli, tessuto compreso.</translation>
+    </message>
+    <message>
         <source>Rate at which the texture step is called and its filters are designed.</source>
         <translation>Frequenza con cui il passo della texture è chiamato e per cui sono progettati i suoi filtri.</translation>
     </message>
@@ -3262,6 +3310,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Residual, °</source>
         <translation>Residuo, °</translation>
+    </message>
+    <message>
+        <source>Resonance of the cloth with a finger on it, at the stretch below.</source>
+        <translation>Risonanza del tessuto con un dito sopra, alla tensione indicata sotto.</translation>
     </message>
     <message>
         <source>Resource temporarily unavailable</source>
@@ -3568,6 +3620,10 @@ al s</translation>
         <translation>Velocità di riproduzione</translation>
     </message>
     <message>
+        <source>Speed of the roller at full duty without load.</source>
+        <translation>Velocità del rullo a duty pieno senza carico.</translation>
+    </message>
+    <message>
         <source>Spread, counts</source>
         <translation>Dispersione, cont.</translation>
     </message>
@@ -3740,6 +3796,10 @@ N/mm</translation>
         <translation>Angoli di tensione dei punti di calibrazione, crescenti.</translation>
     </message>
     <message>
+        <source>Stretch at which the resonance was found.</source>
+        <translation>Tensione alla quale è stata trovata la risonanza.</translation>
+    </message>
+    <message>
         <source>Stretch, read by the encoders</source>
         <translation>Tensione, letta dagli encoder</translation>
     </message>
@@ -3754,6 +3814,10 @@ N/mm</translation>
     <message>
         <source>Subject: expected a code of letters, digits, - and _ such as S07, at most %1 characters; never a name.</source>
         <translation>Soggetto: atteso un codice di lettere, cifre, - e _ come S07, al più %1 caratteri; mai un nome.</translation>
+    </message>
+    <message>
+        <source>Surface level</source>
+        <translation>Livello della superficie</translation>
     </message>
     <message>
         <source>Tag "%1": expected at most %2 characters.</source>
@@ -4156,6 +4220,10 @@ Per cominciare: %1</translation>
         <translation>Costante di tempo del passa-basso del termine derivativo.</translation>
     </message>
     <message>
+        <source>Time in which a motor reaches 63 % of its speed.</source>
+        <translation>Tempo in cui un motore raggiunge il 63 % della sua velocità.</translation>
+    </message>
+    <message>
         <source>Time over which a new method, filter or gain takes over.</source>
         <translation>Tempo nel quale un nuovo metodo, filtro o guadagno subentra.</translation>
     </message>
@@ -4370,6 +4438,10 @@ Per cominciare: %1</translation>
     <message>
         <source>What was asked, and what the part that holds it says of it. A value counts as confirmed only when that part has said so.</source>
         <translation>Che cosa è stato chiesto, e che cosa ne dice la parte che lo tiene. Un valore è confermato solo quando quella parte lo ha detto.</translation>
+    </message>
+    <message>
+        <source>Whether the way to the finger was identified; the constants below are guesses otherwise.</source>
+        <translation>Se la via fino al dito è stata identificata; altrimenti le costanti qui sotto sono supposizioni.</translation>
     </message>
     <message>
         <source>Who</source>
@@ -5912,6 +5984,10 @@ Per cominciare: %1</translation>
         <translation>nessun programma che questo utente possa vedere</translation>
     </message>
     <message>
+        <source>no ramp of motor {} with {} duty; expected each motor both ways</source>
+        <translation>nessuna rampa del motore {} con duty {}; attesi entrambi i motori nei due versi</translation>
+    </message>
+    <message>
         <source>no recent picture</source>
         <translation>nessuna immagine recente</translation>
     </message>
@@ -6098,6 +6174,38 @@ Per cominciare: %1</translation>
     <message>
         <source>pairing code: {} words; expected {}</source>
         <translation>codice di abbinamento: {} parole; attese {}</translation>
+    </message>
+    <message>
+        <source>part {}: a chirp of {} s; expected {} s and more</source>
+        <translation>parte {}: uno sweep di {} s; attesi {} s o più</translation>
+    </message>
+    <message>
+        <source>part {}: duty of motor {} goes from {} to {} %: expected a ramp in steps of at most {} %</source>
+        <translation>parte {}: il duty del motore {} passa da {} a {} %: attesa una rampa a passi di al massimo {} %</translation>
+    </message>
+    <message>
+        <source>part {}: motor {} did not turn up to a duty of {} %; expected a ramp until it turns</source>
+        <translation>parte {}: il motore {} non ha girato fino a un duty del {} %; attesa una rampa finché gira</translation>
+    </message>
+    <message>
+        <source>part {}: motor {} moves before it has a duty</source>
+        <translation>parte {}: il motore {} si muove prima di avere un duty</translation>
+    </message>
+    <message>
+        <source>part {}: neither a ramp of one motor nor a chirp of both with the same duty</source>
+        <translation>parte {}: né una rampa di un motore né uno sweep di entrambi con lo stesso duty</translation>
+    </message>
+    <message>
+        <source>part {}: no acceleration_g at {} s; the chirp needs an accelerometer on the cloth: encoders, load cell and currents cannot see it</source>
+        <translation>parte {}: nessuna acceleration_g a {} s; lo sweep richiede un accelerometro sul tessuto: encoder, cella di carico e correnti non possono vederlo</translation>
+    </message>
+    <message>
+        <source>part {}: resonance {:.1f} ± {:.1f} Hz: not determined; expected ± {:.0f} % or better</source>
+        <translation>parte {}: risonanza {:.1f} ± {:.1f} Hz: non determinata; atteso ± {:.0f} % o meglio</translation>
+    </message>
+    <message>
+        <source>part {}: the model leaves {:.0f} % of the acceleration held out; expected at most {:.0f} %</source>
+        <translation>parte {}: il modello lascia il {:.0f} % dell'accelerazione tenuta da parte; atteso al massimo il {:.0f} %</translation>
     </message>
     <message>
         <source>parts missing</source>
@@ -7344,6 +7452,10 @@ Per cominciare: %1</translation>
         <translation>{} non può cambiare mentre la stazione lavora</translation>
     </message>
     <message>
+        <source>{} chirps, stretches {} ° apart; expected two or more chirps, {} ° apart</source>
+        <translation>{} sweep, tensioni distanti {} °; attesi due o più sweep, distanti {} °</translation>
+    </message>
+    <message>
         <source>{} compressed bytes do not give the {} they should</source>
         <translation>{} byte compressi non danno i {} che dovrebbero</translation>
     </message>
@@ -7852,6 +7964,10 @@ Per cominciare: %1</translation>
         <translation>{}: nessun {}; atteso "{}" e {} parole</translation>
     </message>
     <message>
+        <source>{}: no {}; expected {}</source>
+        <translation>{}: manca {}; atteso {}</translation>
+    </message>
+    <message>
         <source>{}: not UTF-8</source>
         <translation>{}: non è UTF-8</translation>
     </message>
@@ -8264,6 +8380,10 @@ Per cominciare: %1</translation>
         <translation>{}: {} valori; attesi al più {}</translation>
     </message>
     <message>
+        <source>{}: {} with {} values: expected one number, or one for each of {} motors</source>
+        <translation>{}: {} con {} valori: atteso un numero, o uno per ciascuno dei {} motori</translation>
+    </message>
+    <message>
         <source>{}: {} without '{}'</source>
         <translation>{}: {} senza '{}'</translation>
     </message>
@@ -8284,12 +8404,20 @@ Per cominciare: %1</translation>
         <translation>{}: {}: atteso un testo tra virgolette</translation>
     </message>
     <message>
+        <source>{}: {}: expected true or false</source>
+        <translation>{}: {}: atteso true o false</translation>
+    </message>
+    <message>
         <source>{}: {}; the recording stays at {}</source>
         <translation>{}: {}; la registrazione resta in {}</translation>
     </message>
     <message>
         <source>{}: {}{}: expected a number from {} to {}</source>
         <translation>{}: {}{}: atteso un numero da {} a {}</translation>
+    </message>
+    <message>
+        <source>{}: {}{}: expected {}</source>
+        <translation>{}: {}{}: atteso {}</translation>
     </message>
     <message>
         <source>{}:{}: column {}: '{}' is not a number</source>
@@ -8328,12 +8456,20 @@ Per cominciare: %1</translation>
         <translation>{}:{}: tempo {} s: attesi tempi che iniziano da 0 e crescono</translation>
     </message>
     <message>
+        <source>{}:{}: {} = {}: expected a number from {} to {}</source>
+        <translation>{}:{}: {} = {}: atteso un numero da {} a {}</translation>
+    </message>
+    <message>
         <source>{}:{}: {} fields; the header has {}</source>
         <translation>{}:{}: {} campi; l'intestazione ne ha {}</translation>
     </message>
     <message>
         <source>{}:{}: {} is {}; expected millimetres within ±{}</source>
         <translation>{}:{}: {} è {}; attesi millimetri entro ±{}</translation>
+    </message>
+    <message>
+        <source>{}:{}: {} ms after the row before; expected a row each millisecond</source>
+        <translation>{}:{}: {} ms dopo la riga precedente; attesa una riga ogni millisecondo</translation>
     </message>
     <message>
         <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
