@@ -163,31 +163,27 @@ def judge(folder):
 def sweep(folder, file):
     p = json.load(open(f"{folder}/plant.json", encoding="utf-8"))
     rng = np.random.default_rng(4)
-    rows, part, start = [], 0, 0.
-
-    def add(duty, stretch, f0, accelerometer):
-        nonlocal part, start
-        part += 1
-        finger, angles = plant(duty[:, None, :], [p["b"]], [f0], zeta=p["zeta"], sliding=p.get("sliding", .75))
-        turned = angles[:, 0] + np.array([stretch, -stretch]) + rng.uniform(0, .0879)
-        counts = np.floor(turned / 360 * 4096).astype(int) % 4096
-        t = np.arange(len(duty)) / 1000
-        g = finger[:, 0] + .002 * rng.standard_normal(len(t)) + 1.
-        for n in range(len(t)):
-            rows.append(f"{start + t[n]:.3f},{part},{stretch},{duty[n, 0]:.4f},{duty[n, 1]:.4f},{counts[n, 0]},"
-                        f"{counts[n, 1]},{g[n] if accelerometer else ''}")
-        start += len(t) / 1000 + .5
-
+    experiments = []  # duty, stretch, resonance, whether an accelerometer is read
+    t = np.arange(8000) / 1000
     for motor in (0, 1):
         for sign in (1, -1):
-            duty = np.zeros((p.get("ramp_samples", 8000), 2))
-            duty[:, motor] = sign * np.arange(len(duty)) / 1000 * 5
-            add(duty, 45, p["f0"][0], False)
-    t = np.arange(8000) / 1000
+            duty = np.zeros((len(t), 2))
+            duty[:, motor] = sign * 5 * t
+            experiments.append((duty, 45, p["f0"][0], False))
     for stretch, f0 in zip(p["stretch"], p["f0"]):
         phase = 2 * np.pi * (8 * t + (350 - 8) * t ** 2 / 16)
         x = np.round(90 * np.sin(phase) * np.minimum(1, t / .1), 4)
-        add(np.column_stack([x, x]), stretch, f0, p.get("accelerometer", True))
+        experiments.append((np.column_stack([x, x]), stretch, f0, p.get("accelerometer", True)))
+    finger, angles = plant(np.stack([e[0] for e in experiments], 1), p["b"], [e[2] for e in experiments], zeta=p["zeta"],
+                           sliding=p.get("sliding", .75))
+    rows = []
+    for i, (duty, stretch, _, accelerometer) in enumerate(experiments):
+        turned = angles[:, i] + np.array([stretch, -stretch]) + rng.uniform(0, .0879)
+        counts = np.floor(turned / 360 * 4096).astype(int) % 4096
+        g = finger[:, i] + .002 * rng.standard_normal(len(t)) + 1.
+        for n in range(len(t) if i >= 4 else p.get("ramp_samples", len(t))):
+            rows.append(f"{9 * i + t[n]:.3f},{i + 1},{stretch},{duty[n, 0]:.4f},{duty[n, 1]:.4f},{counts[n, 0]},"
+                        f"{counts[n, 1]},{g[n] if accelerometer else ''}")
     with open(file, "w", encoding="utf-8") as out:
         out.write("t_s,part,stretch_deg,duty1_percent,duty2_percent,encoder1_counts,encoder2_counts,acceleration_g\n")
         out.write("\n".join(rows) + "\n")
