@@ -1,8 +1,9 @@
-// fyd bench [NAME] [--out DIR]
+// fyd bench [NAME] [--out DIR] [--cloth NAME] [--runs N] [--seed S] [--data DIR]
 #include <filesystem>
 #include <functional>
 #include <iostream>
 
+#include "app/cli/bench/bench_options.h"
 #include "app/cli/bench/cloths.h"
 #include "app/cli/bench/table.h"
 #include "app/cli/command.h"
@@ -45,12 +46,20 @@ void add_bench(CLI::App& app) {
   std::vector<std::string> names;
   for (const Subject& subject : subjects()) names.push_back(subject.name);
   command->add_option("name", options->name, "Subject; all of them when left out")->check(CLI::IsMember(names));
-  command->add_option("--out", options->out, "Folder for one Markdown and one CSV file per subject");
+  command->add_option("--out", options->out,
+                      "Folder for one Markdown and one CSV file per subject, and for what it measured");
   command
       ->add_option("--cloth", options->cloth,
                    "The simulated cloth of indentation and controller; membrane, rollers and ideal when left out")
       ->check(CLI::IsMember(std::vector<std::string>(sim::kClothNames.begin(), sim::kClothNames.end())));
+  bench::BenchOptions& more = bench::benchOptions();
+  command->add_option("--runs", more.runs, "How many runs coupling draws")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  command->add_option("--seed", more.seed, "What coupling draws them by")->capture_default_str();
+  command->add_option("--data", more.data, "Folder of recordings for predict; tests/data when left out");
   command->callback([options] {
+    bench::benchOptions().out = options->out;
     if (!options->cloth.empty()) bench::benchCloths() = {bench::clothOf(options->cloth)};
     for (const Subject& subject : subjects()) {
       if (!options->name.empty() && options->name != subject.name && !subject.name.starts_with(options->name + "_")) {

@@ -5100,6 +5100,10 @@ Pour commencer : %1</translation>
         <translation>compte comme son moteur</translation>
     </message>
     <message>
+        <source>coupling "{}": expected one of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>current {}</source>
         <translation>courant {}</translation>
     </message>
@@ -5130,6 +5134,10 @@ Pour commencer : %1</translation>
     <message>
         <source>default %1</source>
         <translation>par défaut %1</translation>
+    </message>
+    <message>
+        <source>delay {} ms: expected 0 … {}</source>
+        <translation>retard {} ms : 0 … {} attendu</translation>
     </message>
     <message>
         <source>deleting of preset %1</source>
@@ -5632,6 +5640,10 @@ Pour commencer : %1</translation>
         <translation>limite d'à-coup {} mm/s³ : attendu de 1000 à 10000000</translation>
     </message>
     <message>
+        <source>jitter {} ms: expected 0 … {}</source>
+        <translation>gigue {} ms : 0 … {} attendu</translation>
+    </message>
+    <message>
         <source>joint impedance</source>
         <translation>impédance articulaire</translation>
     </message>
@@ -5734,6 +5746,10 @@ Pour commencer : %1</translation>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>regarder les courbes des capteurs de distance et le câble de la cellule de charge</translation>
+    </message>
+    <message>
+        <source>loss {} %: expected 0 … 100</source>
+        <translation>perte {} % : 0 … 100 attendu</translation>
     </message>
     <message>
         <source>lost</source>
@@ -6224,8 +6240,20 @@ Pour commencer : %1</translation>
         <translation>en pause</translation>
     </message>
     <message>
+        <source>perceptron: number {} is "{}"; expected a finite one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perceptron: {} inputs, {} hidden units, {} outputs and {} weights; expected {}, {}, {} and {}</source>
+        <translation>perceptron : {} entrées, {} unités cachées, {} sorties et {} poids ; {}, {}, {} et {} attendus</translation>
+    </message>
+    <message>
         <source>perfect</source>
         <translation>parfaite</translation>
+    </message>
+    <message>
+        <source>period {} ms: expected 0 (each row) or 0.1 … {}</source>
+        <translation>période {} ms : 0 (chaque ligne) ou 0.1 … {} attendu</translation>
     </message>
     <message>
         <source>period {} ms: expected more than 0</source>
@@ -6286,6 +6314,10 @@ Pour commencer : %1</translation>
     <message>
         <source>precision {} mm: expected more than 0</source>
         <translation>précision {} mm : attendu plus de 0</translation>
+    </message>
+    <message>
+        <source>predictor "{}": expected one of {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -6458,6 +6490,14 @@ Pour commencer : %1</translation>
     <message>
         <source>robot target ({}, {}, {}) mm: expected three finite numbers</source>
         <translation>cible du robot ({}, {}, {}) mm : attendu trois nombres finis</translation>
+    </message>
+    <message>
+        <source>row {}: position {} mm; expected a finite one, or NaN in a gap</source>
+        <translation>ligne {} : position {} mm ; une valeur finie attendue, ou NaN dans une lacune</translation>
+    </message>
+    <message>
+        <source>row {}: time {} s; expected one later than the row before</source>
+        <translation>ligne {} : temps {} s ; un temps après celui de la ligne précédente attendu</translation>
     </message>
     <message>
         <source>row {}: {} events</source>
@@ -7562,6 +7602,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{} rows of {} are gone before its row {} ({})</source>
         <translation>{} lignes de {} manquent avant sa ligne {} ({})</translation>
+    </message>
+    <message>
+        <source>{} rows; expected two and more</source>
+        <translation>{} lignes ; deux ou plus attendues</translation>
     </message>
     <message>
         <source>{} s at {} Hz are {} samples: expected at most {}</source>

@@ -5100,6 +5100,10 @@ Per cominciare: %1</translation>
         <translation>conta con il suo motore</translation>
     </message>
     <message>
+        <source>coupling "{}": expected one of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>current {}</source>
         <translation>corrente {}</translation>
     </message>
@@ -5130,6 +5134,10 @@ Per cominciare: %1</translation>
     <message>
         <source>default %1</source>
         <translation>predefinito %1</translation>
+    </message>
+    <message>
+        <source>delay {} ms: expected 0 … {}</source>
+        <translation>ritardo {} ms: atteso 0 … {}</translation>
     </message>
     <message>
         <source>deleting of preset %1</source>
@@ -5632,6 +5640,10 @@ Per cominciare: %1</translation>
         <translation>limite di strappo {} mm/s³: atteso da 1000 a 10000000</translation>
     </message>
     <message>
+        <source>jitter {} ms: expected 0 … {}</source>
+        <translation>jitter {} ms: atteso 0 … {}</translation>
+    </message>
+    <message>
         <source>joint impedance</source>
         <translation>impedenza dei giunti</translation>
     </message>
@@ -5734,6 +5746,10 @@ Per cominciare: %1</translation>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>guardare le curve dei sensori di distanza e il cavo della cella di carico</translation>
+    </message>
+    <message>
+        <source>loss {} %: expected 0 … 100</source>
+        <translation>perdita {} %: attesa 0 … 100</translation>
     </message>
     <message>
         <source>lost</source>
@@ -6224,8 +6240,20 @@ Per cominciare: %1</translation>
         <translation>in pausa</translation>
     </message>
     <message>
+        <source>perceptron: number {} is "{}"; expected a finite one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perceptron: {} inputs, {} hidden units, {} outputs and {} weights; expected {}, {}, {} and {}</source>
+        <translation>percettrone: {} ingressi, {} unità nascoste, {} uscite e {} pesi; attesi {}, {}, {} e {}</translation>
+    </message>
+    <message>
         <source>perfect</source>
         <translation>perfetta</translation>
+    </message>
+    <message>
+        <source>period {} ms: expected 0 (each row) or 0.1 … {}</source>
+        <translation>periodo {} ms: atteso 0 (ogni riga) o 0.1 … {}</translation>
     </message>
     <message>
         <source>period {} ms: expected more than 0</source>
@@ -6286,6 +6314,10 @@ Per cominciare: %1</translation>
     <message>
         <source>precision {} mm: expected more than 0</source>
         <translation>precisione {} mm: attesa più di 0</translation>
+    </message>
+    <message>
+        <source>predictor "{}": expected one of {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -6458,6 +6490,14 @@ Per cominciare: %1</translation>
     <message>
         <source>robot target ({}, {}, {}) mm: expected three finite numbers</source>
         <translation>obiettivo del robot ({}, {}, {}) mm: attesi tre numeri finiti</translation>
+    </message>
+    <message>
+        <source>row {}: position {} mm; expected a finite one, or NaN in a gap</source>
+        <translation>riga {}: posizione {} mm; attesa una finita, o NaN in una lacuna</translation>
+    </message>
+    <message>
+        <source>row {}: time {} s; expected one later than the row before</source>
+        <translation>riga {}: tempo {} s; atteso uno dopo quello della riga prima</translation>
     </message>
     <message>
         <source>row {}: {} events</source>
@@ -7562,6 +7602,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{} rows of {} are gone before its row {} ({})</source>
         <translation>{} righe di {} mancano prima della sua riga {} ({})</translation>
+    </message>
+    <message>
+        <source>{} rows; expected two and more</source>
+        <translation>{} righe; attese due o più</translation>
     </message>
     <message>
         <source>{} s at {} Hz are {} samples: expected at most {}</source>

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-ROOMS = ("base", "signal", "sensing", "control", "texture", "pipeline")
+ROOMS = ("base", "signal", "sensing", "control", "texture", "teleop", "pipeline")
 # What a replay does not compute again: the finger's detection is an input of the step; test signals are for benches.
 OUTSIDE = {"finger_adaptive.cpp.o", "finger_detector.cpp.o", "finger_thesis.cpp.o", "blob_measure.cpp.o",
            "test_signals.cpp.o"}

@@ -1,0 +1,58 @@
+// A forecast that has learnt from other people's strokes: a perceptron of two layers of 64.
+//
+// Its inputs are the last ten steps of the motion, 1/60 s each, in the motion's own frame (first axis: along the last
+// three steps; second: to where the steps before came from) and divided by their RMS, with the logarithm of that RMS
+// and the age of the motion. Its outputs are the displacements after 1/60 … 12/60 s in the same frame and scale. So a
+// stroke is the same stroke whatever its direction; what leaves the plane of the motion (three axes) is held.
+//
+//   out = scale · (W3·relu(W2·relu(W1·in + b1) + b2) + L·in + b3)
+//
+// Weights: resources/predictors/strokes.perceptron, made by train_strokes.py beside it.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/teleop/motion_history.h"
+
+namespace fyd::teleop {
+
+class StrokeWeights {
+ public:
+  static constexpr std::size_t kLags = 10, kKnots = 12, kHidden = 64;
+  static constexpr std::size_t kInputs = 2 * kLags + 2, kOutputs = 2 * kKnots;
+
+  /// @param text as train_strokes.py writes it
+  /// @return an error when it is of another shape, or has a number that is none or not finite
+  [[nodiscard]] static Result<std::shared_ptr<const StrokeWeights>> parse(std::string_view text);
+  /// Those of the resources.
+  [[nodiscard]] static std::shared_ptr<const StrokeWeights> usual();
+
+  using Inputs = std::array<float, kInputs>;
+  using Outputs = std::array<float, kOutputs>;
+  [[nodiscard]] Outputs operator()(const Inputs& inputs) const;
+
+ private:
+  std::vector<float> numbers_;
+};
+
+class LearnedForecast {
+ public:
+  static constexpr double kStep_s = 1.0 / 60.0;
+
+  explicit LearnedForecast(std::shared_ptr<const StrokeWeights> weights) : weights_(std::move(weights)) {}
+
+  /// Looks at a motion up to its newest message `from`. Never fails: a motion of one message stays where it is.
+  void look(const MotionHistory& history, const DatedPosition& from);
+  /// @param horizon_s 0 and more; beyond the last knot it goes on half as far
+  /// @return mm
+  [[nodiscard]] Position displacement(double horizon_s) const;
+
+ private:
+  std::shared_ptr<const StrokeWeights> weights_;
+  std::array<Position, StrokeWeights::kKnots + 1> knots_{};  ///< mm, from no displacement at 0
+};
+
+}  // namespace fyd::teleop

@@ -1,0 +1,164 @@
+#include "core/teleop/prediction_trial.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/teleop/smooth_output.h"
+
+namespace fyd::teleop {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Trace rows(std::initializer_list<std::pair<double, double>> each) {
+  Trace out{.axes = 1, .time_s = {}, .position_mm = {}};
+  for (const auto& [t, x] : each) {
+    out.time_s.push_back(t);
+    out.position_mm.push_back({x, 0.0, 0.0});
+  }
+  return out;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> arrivals(const TrialPlan& plan) {
+  std::vector<std::pair<std::size_t, std::size_t>> out;  // tick's row, message's row
+  for (const auto& tick : plan.ticks) {
+    for (std::size_t m = tick.first; m < tick.last; ++m) out.emplace_back(tick.row, plan.messages[m].row);
+  }
+  return out;
+}
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pair;
+
+TEST(PredictionTrial, AMessageIsTheNewestRowAtItsTimeAndArrivesADelayLater) {
+  // Rows each 4 ms from 2 s, messages each 10 ms, 5 ms on the way: of rows 0 and 2 (8 ms), at 5 and 15 ms.
+  Trace trace{.axes = 1, .time_s = {}, .position_mm = {}};
+  for (int i = 0; i < 6; ++i) {
+    trace.time_s.push_back(2.0 + 0.004 * i);
+    trace.position_mm.push_back({1.0 * i, 0.0, 0.0});
+  }
+  const TrialPlan plan = planTrial(trace, {.period_ms = 10.0, .delay_ms = 5.0});
+  EXPECT_THAT(arrivals(plan), ElementsAre(Pair(2, 0), Pair(4, 2)));
+  ASSERT_EQ(plan.ticks.size(), 4U);  // from the first arrival to the end
+  EXPECT_TRUE(plan.ticks.front().begins);
+}
+
+TEST(PredictionTrial, WithoutAPeriodEachRowIsAMessage) {
+  const Trace trace = rows({{0.0, 1.0}, {0.016, 2.0}, {0.040, 3.0}, {0.050, 4.0}});
+  EXPECT_THAT(arrivals(planTrial(trace, {.period_ms = 0.0, .delay_ms = 20.0})), ElementsAre(Pair(2, 0), Pair(2, 1)));
+}
+
+TEST(PredictionTrial, AGapDropsWhatIsUnderWayAndBeginsAnew) {
+  const Trace trace =
+      rows({{0.00, 1.0}, {0.01, 2.0}, {0.02, 3.0}, {0.03, kNaN}, {0.04, 5.0}, {0.05, 6.0}, {0.06, 7.0}});
+  const TrialPlan plan = planTrial(trace, {.period_ms = 10.0, .delay_ms = 20.0});
+  // Of rows 1 and 2 nothing arrives: they are under way when the hand is lifted. Row 4 arrives at 60 ms.
+  EXPECT_THAT(arrivals(plan), ElementsAre(Pair(2, 0), Pair(6, 4)));
+  ASSERT_EQ(plan.ticks.size(), 2U);
+  EXPECT_TRUE(plan.ticks[1].begins);
+}
+
+TEST(PredictionTrial, JitterOvertakesAndLossLoses) {
+  Trace trace{.axes = 1, .time_s = {}, .position_mm = {}};
+  for (int i = 0; i < 20'000; ++i) {
+    trace.time_s.push_back(0.001 * i);
+    trace.position_mm.push_back({1.0 * i, 0.0, 0.0});
+  }
+  const TrialPlan plan =
+      planTrial(trace, {.period_ms = 10.0, .delay_ms = 30.0, .jitter_ms = 50.0, .loss_percent = 20.0, .seed = 4});
+  EXPECT_NEAR(static_cast<double>(plan.messages.size()), 0.8 * 2000, 60);
+  std::size_t overtaken = 0;
+  double earliest = 1.0, latest = 0.0;
+  for (std::size_t m = 0; m < plan.messages.size(); ++m) {
+    if (m > 0 && plan.messages[m].row < plan.messages[m - 1].row) ++overtaken;
+    const double way = plan.messages[m].arrival_s - 0.001 * static_cast<double>(plan.messages[m].row);
+    earliest = std::min(earliest, way);
+    latest = std::max(latest, way);
+  }
+  EXPECT_GT(overtaken, 200U);
+  EXPECT_NEAR(earliest, 0.030, 0.001);
+  EXPECT_NEAR(latest, 0.080, 0.001);
+  const TrialPlan all_lost = planTrial(trace, {.period_ms = 10.0, .delay_ms = 0.0, .loss_percent = 100.0});
+  EXPECT_TRUE(all_lost.ticks.empty());
+}
+
+TEST(PredictionTrial, FiguresOfAHeldSineAreThoseOfTheBook) {
+  // Each row held for exactly 20 ms: the error of A·sin ωt against itself τ earlier is 2A·sin(ωτ/2), RMS /√2.
+  Trace trace{.axes = 2, .time_s = {}, .position_mm = {}};
+  constexpr double kOmega = 2.0 * std::numbers::pi * 2.0;
+  for (int i = 0; i < 4000; ++i) {
+    trace.time_s.push_back(0.001 * i);
+    trace.position_mm.push_back({3.0 * std::sin(kOmega * 0.001 * i), 4.0 * std::sin(kOmega * 0.001 * i), 0.0});
+  }
+  const TrialPlan plan = planTrial(trace, {.period_ms = 0.0, .delay_ms = 20.0});
+  const auto hold = makePredictor(PredictorChoice::order0, {.axes = 2});
+  const TrialFigures figures = trialFigures(trace, plan, runTrial(trace, plan, *hold, 0.0));
+  const double most = 2.0 * 5.0 * std::sin(kOmega * 0.020 / 2.0);
+  EXPECT_NEAR(figures.max_mm, most, 1e-3);
+  EXPECT_NEAR(figures.rms_mm, most / std::numbers::sqrt2, 0.01);
+  EXPECT_NEAR(figures.jerk_ratio, 1.0, 0.01);  // the same motion, later
+  EXPECT_NEAR(figures.largest_step_mm, 5.0 * kOmega * 0.001, 1e-3);
+}
+
+TEST(PredictionTrial, VibrationIsOfTheBandBetween20And200Hz) {
+  Trace trace{.axes = 1, .time_s = {}, .position_mm = {}};
+  std::vector<Position> buzzing;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  for (int i = 0; i < 8000; ++i) {
+    const double t = 0.001 * i;
+    trace.time_s.push_back(t);
+    const double slow = 5.0 * std::sin(kTurn * 2.0 * t), tremor = 0.01 * std::sin(kTurn * 50.0 * t);
+    trace.position_mm.push_back({slow + tremor, 0.0, 0.0});
+    buzzing.push_back({2.0 * slow + 3.0 * tremor + 0.5 * std::sin(kTurn * 5.0 * t), 0.0, 0.0});
+  }
+  const TrialPlan plan = planTrial(trace, {.period_ms = 0.0, .delay_ms = 0.0});
+  EXPECT_NEAR(trialFigures(trace, plan, buzzing).vibration_ratio, 3.0, 0.05);
+  for (double& t : trace.time_s) t *= 2.0;  // 500 Hz
+  EXPECT_TRUE(std::isnan(trialFigures(trace, plan, buzzing).vibration_ratio));
+}
+
+TEST(PredictionTrial, WhatIsNoTraceAndNoNetworkIsRefusedByName) {
+  EXPECT_THAT(checkTrace(rows({{0.0, 1.0}})).error().text(), HasSubstr("1 rows"));
+  EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {0.0, 2.0}})).error().text(), HasSubstr("row 2"));
+  EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {kNaN, 2.0}})).error().text(), HasSubstr("row 2"));
+  EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {0.1, 1.0 / 0.0}})).error().text(), HasSubstr("inf"));
+  EXPECT_TRUE(checkTrace(rows({{0.0, 1.0}, {0.1, kNaN}})));
+  EXPECT_THAT(checkNetwork({.period_ms = -1.0}).error().text(), HasSubstr("period -1"));
+  EXPECT_THAT(checkNetwork({.delay_ms = kNaN}).error().text(), HasSubstr("delay"));
+  EXPECT_THAT(checkNetwork({.jitter_ms = 1e9}).error().text(), HasSubstr("jitter"));
+  EXPECT_THAT(checkNetwork({.loss_percent = 101.0}).error().text(), HasSubstr("loss 101"));
+}
+
+TEST(SmoothOutput, ACorrectionDecaysAsACriticallyDampedSystemAndSteadyMotionDoesNotLag) {
+  constexpr double kTau_s = 0.020;
+  SmoothOutput smooth(kTau_s);
+  double t = 0.0;
+  for (; t < 0.1; t += 0.001) EXPECT_NEAR(smooth.step(t, {30.0 * t}, {30.0})[0], 30.0 * t, 1e-9);
+  const double from = t;
+  double last = 30.0 * (t - 0.001);
+  for (; t < from + 0.2; t += 0.001) {  // from here on the prediction is 5 mm further
+    const double x = smooth.step(t, {5.0 + 30.0 * t}, {30.0})[0];
+    const double since = (t - (from - 0.001)) / kTau_s;
+    EXPECT_NEAR(x - 30.0 * t, 5.0 - 5.0 * (1.0 + since) * std::exp(-since), 1e-6);
+    EXPECT_LT(std::abs(x - last), 0.15);
+    last = x;
+  }
+  EXPECT_NEAR(last, 5.0 + 30.0 * (t - 0.001), 0.01);
+}
+
+TEST(SmoothOutput, NaNLeavesTheOutputWhereItWas) {
+  SmoothOutput smooth(0.01);
+  static_cast<void>(smooth.step(0.0, {1.0}, {}));
+  EXPECT_EQ(smooth.step(0.001, {kNaN}, {})[0], 1.0);
+  EXPECT_EQ(smooth.step(kNaN, {2.0}, {})[0], 1.0);
+  EXPECT_EQ(smooth.step(0.002, {1.0}, {kNaN})[0], 1.0);
+  EXPECT_EQ(smooth.step(0.003, {1.0}, {})[0], 1.0);
+}
+
+}  // namespace
+}  // namespace fyd::teleop

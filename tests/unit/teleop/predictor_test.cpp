@@ -1,0 +1,279 @@
+#include "core/teleop/predictor.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/teleop/learned_forecast.h"
+#include "core/teleop/prediction_trial.h"
+
+namespace fyd::teleop {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::unique_ptr<Predictor> named(std::string_view name, std::size_t axes = 1) {
+  return makePredictor(predictorNamed(name).value(), {.axes = axes, .period_s = 0.010});
+}
+
+Trace traceOf(double seconds, double rate_Hz, const std::function<double(double)>& x, double start_s = 0.0) {
+  Trace out{.axes = 1, .time_s = {}, .position_mm = {}};
+  for (int i = 0; i < static_cast<int>(seconds * rate_Hz); ++i) {
+    const double t = static_cast<double>(i) / rate_Hz;
+    out.time_s.push_back(start_s + t);
+    out.position_mm.push_back({x(t), 0.0, 0.0});
+  }
+  return out;
+}
+
+TrialFigures figuresOf(std::string_view name, const Trace& trace, const TrialNetwork& network, double smooth_s = 0.0) {
+  const TrialPlan plan = planTrial(trace, network);
+  const auto predictor = named(name, trace.axes);
+  return trialFigures(trace, plan, runTrial(trace, plan, *predictor, smooth_s));
+}
+
+class EachPredictor : public testing::TestWithParam<std::string_view> {};
+INSTANTIATE_TEST_SUITE_P(Names, EachPredictor, testing::ValuesIn(kPredictorNames), [](const auto& each) {
+  return std::string(each.param == "default" ? "experts" : each.param);
+});
+
+TEST(Predictor, AnUnknownNameIsRefusedWithTheNames) {
+  const auto none = predictorNamed("order2");
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().text(), testing::AllOf(testing::HasSubstr("order2"), testing::HasSubstr("default")));
+}
+
+TEST(Predictor, ThePapersThreeAsPrinted) {
+  // 2 mm in the last 10 ms, 30 ms ago: 2, 2 + 6 and half the sum of both.
+  for (const auto& [name, expected] : {std::pair{"order0", 2.0}, {"order1", 8.0}, {"hybrid", 5.0}}) {
+    const auto predictor = named(name);
+    predictor->message(1.00, {0.0});
+    predictor->message(1.01, {2.0});
+    EXPECT_NEAR(predictor->predict(1.04)[0], expected, 1e-9) << name;
+  }
+}
+
+TEST(Predictor, TheSlopeIsOfTheMessagesNoOlderThanTenMilliseconds) {
+  // Six at 2 ms, of a parabola, and an older one far off: least squares over the six is their mean slope.
+  const auto predictor = makePredictor(PredictorChoice::order1, {.axes = 1, .period_s = 0.002});
+  predictor->message(-1.0, {500.0});
+  for (int i = 0; i <= 5; ++i) predictor->message(0.002 * i, {i * 1.0 * i});
+  EXPECT_NEAR(predictor->predict(0.011)[0], 25.0 + 2500.0 * 0.001, 1e-9);
+}
+
+TEST_P(EachPredictor, BeforeTheFirstMessageIsZeroAndAfterItHolds) {
+  const auto predictor = named(GetParam());
+  EXPECT_EQ(predictor->predict(5.0), Position{});
+  predictor->message(5.0, {3.25});
+  EXPECT_DOUBLE_EQ(predictor->predict(5.05)[0], 3.25);
+}
+
+TEST_P(EachPredictor, NothingMakesItsOutputAnythingButFinite) {
+  std::mt19937 random(7);
+  const std::array<double, 12> hostile = {kNaN, kInfinity, -kInfinity, 1e300, -1e300, 1e-300,
+                                          0.0,  -0.0,      1e9,        -3.0,  5.0,    1e17};
+  const auto predictor = named(GetParam(), 3);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto any = [&] {
+      return random() % 3 == 0 ? hostile[random() % hostile.size()] : static_cast<double>(random() % 1000) * 0.01;
+    };
+    predictor->message(any(), {any(), any(), any()});
+    if (i % 97 == 0) predictor->endMotion();
+    for (const double x : predictor->predict(any())) ASSERT_TRUE(std::isfinite(x)) << i;
+    for (const double v : predictor->velocity(any())) ASSERT_TRUE(std::isfinite(v)) << i;
+  }
+  // And it is of use again afterwards.
+  predictor->endMotion();
+  for (int i = 0; i < 100; ++i) predictor->message(2e17 + i, {kNaN, 0.0, 0.0});
+  predictor->endMotion();
+  for (int i = 0; i < 300; ++i) predictor->message(10.0 + 0.01 * i, {4.0, 5.0, 6.0});
+  EXPECT_NEAR(predictor->predict(13.04)[0], 4.0, 1e-3);
+}
+
+TEST_P(EachPredictor, AMessageTwiceChangesNothing) {
+  const auto once = named(GetParam());
+  const auto twice = named(GetParam());
+  for (int i = 0; i < 200; ++i) {
+    const double t = 0.01 * i;
+    once->message(t, {8.0 * std::sin(9.0 * t)});
+    for (int copy = 0; copy < 3; ++copy) twice->message(t, {8.0 * std::sin(9.0 * t)});
+    twice->message(t, {1234.0});  // another position of the same date: the first counts
+    EXPECT_EQ(once->predict(t + 0.05), twice->predict(t + 0.05));
+  }
+}
+
+TEST_P(EachPredictor, TheFutureIsNotLookedAt) {
+  const auto motion = [](double t) { return 6.0 * std::sin(7.0 * t) + 2.0 * std::sin(23.0 * t); };
+  const Trace one = traceOf(3.0, 1000.0, motion);
+  Trace other = one;
+  constexpr std::size_t kFrom = 1700;
+  for (std::size_t i = kFrom; i < other.time_s.size(); ++i)
+    other.position_mm[i][0] += 0.1 * static_cast<double>(i - kFrom);
+  const TrialNetwork network{.period_ms = 10.0, .delay_ms = 40.0, .jitter_ms = 30.0, .loss_percent = 20.0, .seed = 3};
+  const TrialPlan plan = planTrial(one, network);
+  const auto a = runTrial(one, plan, *named(GetParam()), 0.0);
+  const auto b = runTrial(other, plan, *named(GetParam()), 0.0);
+  bool differed = false;
+  for (std::size_t i = 0; i < plan.ticks.size(); ++i) {
+    if (plan.ticks[i].row < kFrom + 40) {
+      ASSERT_EQ(a[i], b[i]) << plan.ticks[i].row;
+    }
+    differed = differed || a[i] != b[i];
+  }
+  EXPECT_TRUE(differed);
+}
+
+TEST_P(EachPredictor, WhenTheClockBeganDoesNotMatter) {
+  // Dates of 1e9 s are told apart to 1e-7 s.
+  const auto motion = [](double t) { return 6.0 * std::sin(7.0 * t); };
+  const TrialNetwork network{.period_ms = 10.0, .delay_ms = 50.0};
+  const double here = figuresOf(GetParam(), traceOf(3.0, 1000.0, motion), network).rms_mm;
+  EXPECT_NEAR(figuresOf(GetParam(), traceOf(3.0, 1000.0, motion, -3.0), network).rms_mm, here, 0.02 * here);
+  EXPECT_NEAR(figuresOf(GetParam(), traceOf(3.0, 1000.0, motion, 1e9), network).rms_mm, here, 0.02 * here);
+}
+
+struct Hard {
+  std::string_view what;
+  TrialNetwork network;
+};
+const std::array<Hard, 7> kHard = {{{"no delay", {.period_ms = 10.0, .delay_ms = 0.0}},
+                                    {"no delay, each row", {.period_ms = 0.0, .delay_ms = 0.0}},
+                                    {"700 ms", {.period_ms = 10.0, .delay_ms = 700.0}},
+                                    {"overtaking", {.period_ms = 10.0, .delay_ms = 20.0, .jitter_ms = 80.0}},
+                                    {"half lost", {.period_ms = 10.0, .delay_ms = 50.0, .loss_percent = 50.0}},
+                                    {"slow", {.period_ms = 500.0, .delay_ms = 30.0}},
+                                    {"all lost but few", {.period_ms = 10.0, .delay_ms = 30.0, .loss_percent = 97.0}}}};
+
+TEST(DefaultPredictor, IsNeverFarWorseThanHoldingWhateverTheMotionAndTheNetwork) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  const std::vector<std::pair<std::string, std::function<double(double)>>> motions = {
+      {"constant", [](double) { return 4.0; }},
+      {"step", [](double t) { return t < 1.0 ? 0.0 : 5.0; }},
+      {"ramp", [](double t) { return 30.0 * t; }},
+      {"20 Hz", [](double t) { return std::sin(2.0 * std::numbers::pi * 20.0 * t); }},
+      {"2 Hz", [](double t) { return 8.0 * std::sin(2.0 * std::numbers::pi * 2.0 * t); }},
+      {"white noise", [&](double) { return noise(random); }}};
+  for (const auto& [name, motion] : motions) {
+    const Trace trace = traceOf(4.0, 1000.0, motion);
+    for (const Hard& hard : kHard) {
+      const TrialFigures hold = figuresOf("order0", trace, hard.network);
+      const TrialFigures ours = figuresOf("default", trace, hard.network);
+      // What swings or jumps faster than the messages tell of, over a path that loses or shuffles them, no one knows.
+      const bool hopeless = (name == "20 Hz" || name == "white noise") && &hard >= &kHard[3];
+      EXPECT_LE(ours.rms_mm, (hopeless ? 1.2 : 1.02) * hold.rms_mm + 0.05) << name << ", " << hard.what;
+      EXPECT_LE(ours.max_mm, std::max((hopeless ? 3.5 : 1.75) * hold.max_mm, hold.max_mm + 1.0))
+          << name << ", " << hard.what;
+    }
+  }
+}
+
+TEST(DefaultPredictor, ARampIsFollowedAndASineLearnt) {
+  const TrialNetwork network{.period_ms = 10.0, .delay_ms = 50.0};
+  const Trace ramp = traceOf(4.0, 1000.0, [](double t) { return 30.0 * t; });
+  EXPECT_LT(figuresOf("default", ramp, network).rms_mm, 0.25 * figuresOf("order0", ramp, network).rms_mm);
+  const Trace sine = traceOf(8.0, 1000.0, [](double t) { return 8.0 * std::sin(12.0 * t); });
+  EXPECT_LT(figuresOf("default", sine, network).rms_mm, 0.3 * figuresOf("order1", sine, network).rms_mm);
+}
+
+TEST(DefaultPredictor, OfAStillHandItIsNoNoisierThanTheMessages) {
+  // Quantised to 0.02 mm, at the edge between two steps.
+  std::mt19937 random(3);
+  std::normal_distribution<double> tremor(0.0, 0.02);
+  const Trace trace = traceOf(4.0, 1000.0, [&](double) { return 0.02 * std::round((5.01 + tremor(random)) / 0.02); });
+  const TrialPlan plan = planTrial(trace, {.period_ms = 10.0, .delay_ms = 50.0});
+  const auto output = runTrial(trace, plan, *named("default"), 0.0);
+  double in = 0.0, out = 0.0;
+  for (std::size_t i = 0; i < output.size(); ++i) {
+    in += std::pow(trace.position_mm[plan.ticks[i].row][0] - 5.01, 2);
+    out += std::pow(output[i][0] - 5.01, 2);
+  }
+  EXPECT_LE(out, in);
+}
+
+TEST(DefaultPredictor, SilenceOf637MillisecondsEndsInABoundedGuess) {
+  const auto predictor = named("default");
+  const auto motion = [](double t) { return 8.0 * std::sin(12.0 * t); };
+  for (int i = 0; i < 300; ++i) {
+    predictor->message(0.01 * i, {motion(0.01 * i)});
+    static_cast<void>(predictor->predict(0.01 * i + 0.05));
+  }
+  for (int i = 0; i < 637; ++i) {
+    const double x = predictor->predict(3.04 + 0.001 * i)[0];
+    ASSERT_LE(std::abs(x), 8.0 + 1.25 * 16.0) << i;
+  }
+  for (int i = 0; i < 30; ++i) {
+    const double t = 3.63 + 0.01 * i;
+    predictor->message(t, {motion(t)});
+    static_cast<void>(predictor->predict(t + 0.05));
+  }
+  EXPECT_NEAR(predictor->predict(3.97)[0], motion(3.97), 4.0);
+}
+
+TEST(DefaultPredictor, ClocksThatDriftApartBy100ppm) {
+  // The sender's dates fall behind: the age of the newest message grows from 50 to 51 ms in 10 s.
+  const auto motion = [](double t) { return 8.0 * std::sin(9.0 * t); };
+  double drifting = 0.0, hold = 0.0;
+  const auto predictor = named("default");
+  for (int i = 0; i < 1000; ++i) {
+    const double t = 0.01 * i;
+    predictor->message(t * (1.0 - 1e-4), {motion(t)});
+    for (int k = 0; k < 10; ++k) {
+      const double now = t + 0.05 + 0.001 * k;
+      const double x = predictor->predict(now)[0];
+      if (i < 100) continue;
+      drifting += std::pow(x - motion(now), 2);
+      hold += std::pow(motion(t) - motion(now), 2);
+    }
+  }
+  EXPECT_LT(drifting, 0.1 * hold);
+}
+
+TEST(DefaultPredictor, TheFirstMessageLostAndAMotionOfOneRow) {
+  const auto predictor = named("default", 2);
+  for (int stroke = 0; stroke < 50; ++stroke) {
+    predictor->endMotion();
+    predictor->message(stroke, {1.0 * stroke, 2.0, 0.0});
+    EXPECT_EQ(predictor->predict(stroke + 0.05), (Position{1.0 * stroke, 2.0, 0.0}));
+  }
+}
+
+TEST(DefaultPredictor, WhatItLearntStaysOverALiftedHand) {
+  // The same short stroke again and again: the last ones are better known than the first.
+  const auto predictor = named("default");
+  std::vector<double> error;
+  for (int stroke = 0; stroke < 40; ++stroke) {
+    predictor->endMotion();
+    error.push_back(0.0);
+    for (int i = 0; i < 40; ++i) {
+      const auto motion = [](double t) { return 10.0 * std::sin(15.0 * t); };
+      predictor->message(stroke + 0.01 * i, {motion(0.01 * i)});
+      error.back() += std::pow(predictor->predict(stroke + 0.01 * i + 0.05)[0] - motion(0.01 * i + 0.05), 2);
+    }
+  }
+  EXPECT_LT(error.back(), 0.3 * error.front());
+}
+
+TEST(DefaultPredictor, GivesTheSameBitsAgain) {
+  const Trace trace = traceOf(3.0, 1000.0, [](double t) { return 6.0 * std::sin(7.0 * t) + std::sin(31.0 * t); });
+  const TrialPlan plan =
+      planTrial(trace, {.period_ms = 10.0, .delay_ms = 40.0, .jitter_ms = 30.0, .loss_percent = 20.0});
+  EXPECT_EQ(runTrial(trace, plan, *named("default"), 0.01), runTrial(trace, plan, *named("default"), 0.01));
+}
+
+TEST(StrokeWeights, OfAnotherShapeOrWithoutNumbersAreRefused) {
+  EXPECT_THAT(StrokeWeights::parse("").error().text(), testing::HasSubstr("0 weights"));
+  EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 2 x3").error().text(), testing::HasSubstr("\"x3\""));
+  EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 nan").error().text(), testing::HasSubstr("nan"));
+  EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 2 3\n").error().text(), testing::HasSubstr("3 weights"));
+  EXPECT_THAT(StrokeWeights::parse("-1 1e30 24\n").error().text(), testing::HasSubstr("expected 22, 64, 24"));
+}
+
+}  // namespace
+}  // namespace fyd::teleop
