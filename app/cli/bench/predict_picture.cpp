@@ -9,7 +9,8 @@
 namespace fyd::bench {
 namespace {
 
-constexpr double kWide = 340.0, kHigh = 260.0, kLeft = 46.0, kTop = 28.0, kPanel = 400.0;
+constexpr double kWide = 340.0, kHigh = 260.0, kLeft = 46.0, kTop = 28.0, kPanel = 400.0, kPanelHigh = 320.0;
+constexpr std::size_t kInARow = 3;
 constexpr double kLeast_ns = 5.0, kMost_ns = 2000.0, kMost = 2.0;
 
 double across(double ns) {
@@ -51,13 +52,16 @@ std::string panel(const PredictorPanel& of) {
 }  // namespace
 
 std::string errorAgainstCost(const std::vector<PredictorPanel>& panels) {
+  const std::size_t across_panels = std::min(panels.size(), kInARow);
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"320\" viewBox=\"0 0 {0:.0f} 320\" "
-      "font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      kPanel * static_cast<double>(panels.size()));
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
+      "font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+      kPanel * static_cast<double>(across_panels),
+      kPanelHigh * static_cast<double>((panels.size() + kInARow - 1) / kInARow));
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    out += fmt::format("<g transform=\"translate({:.0f} 0)\">\n{}</g>\n", kPanel * static_cast<double>(i),
-                       panel(panels[i]));
+    out +=
+        fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n", kPanel * static_cast<double>(i % kInARow),
+                    kPanelHigh * static_cast<double>(i / kInARow), panel(panels[i]));
   }
   return out + "</svg>\n";
 }
