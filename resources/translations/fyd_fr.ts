@@ -5101,7 +5101,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>coupling "{}": expected one of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>couplage "{}" : un parmi {} attendu</translation>
     </message>
     <message>
         <source>current {}</source>
@@ -6241,7 +6241,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>perceptron: number {} is "{}"; expected a finite one</source>
-        <translation type="unfinished"></translation>
+        <translation>perceptron : le nombre {} est "{}" ; un nombre fini attendu</translation>
     </message>
     <message>
         <source>perceptron: {} inputs, {} hidden units, {} outputs and {} weights; expected {}, {}, {} and {}</source>
@@ -6317,7 +6317,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>predictor "{}": expected one of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>prédicteur "{}" : un parmi {} attendu</translation>
     </message>
     <message>
         <source>preset %1</source>

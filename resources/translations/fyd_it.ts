@@ -5101,7 +5101,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>coupling "{}": expected one of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>accoppiamento "{}": atteso uno di {}</translation>
     </message>
     <message>
         <source>current {}</source>
@@ -6241,7 +6241,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>perceptron: number {} is "{}"; expected a finite one</source>
-        <translation type="unfinished"></translation>
+        <translation>percettrone: il numero {} è "{}"; atteso uno finito</translation>
     </message>
     <message>
         <source>perceptron: {} inputs, {} hidden units, {} outputs and {} weights; expected {}, {}, {} and {}</source>
@@ -6317,7 +6317,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>predictor "{}": expected one of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>predittore "{}": atteso uno di {}</translation>
     </message>
     <message>
         <source>preset %1</source>
