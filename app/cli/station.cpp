@@ -14,6 +14,7 @@
 #include "core/session/catalogue.h"
 #include "core/station/option_words.h"
 #include "core/station/station.h"
+#include "core/texture/felt_plant.h"
 
 namespace fyd::cli {
 namespace {
@@ -39,11 +40,23 @@ struct SessionFigures {
   std::uint64_t samples = 0;
   std::uint64_t in_contact = 0;
   double pwm_abs_max = 0.0;
+  // while touched and Active
+  std::uint64_t felt_samples = 0;
+  double felt_squares = 0.0;
+  double duty_squares = 0.0;
+  double dead = 0.0;
+  double clipped = 0.0;
   void add(const pipeline::TelemetrySample& sample) {
     last = sample;
     ++samples;
     in_contact += sample.contact ? 1 : 0;
     pwm_abs_max = std::max(pwm_abs_max, std::abs(sample.vibration_duty_percent));
+    if (!sample.contact || sample.state != pipeline::SafetyState::active) return;
+    ++felt_samples;
+    felt_squares += sample.felt_acceleration_g * sample.felt_acceleration_g;
+    duty_squares += sample.vibration_duty_percent * sample.vibration_duty_percent;
+    dead += sample.vibration_dead_share;
+    clipped += sample.vibration_clipped_share;
   }
 };
 
@@ -76,6 +89,20 @@ nlohmann::ordered_json recordingOf(const session::RecorderStatus& status) {
           {"differences", status.differences}};
 }
 
+/// What the finger feels of the texture, while it touches and the session is Active.
+nlohmann::ordered_json vibrationOf(const SessionFigures& figures, bool identified,
+                                   const station::SimulationTruth& truth) {
+  const double count = figures.felt_samples == 0 ? pipeline::kNone : static_cast<double>(figures.felt_samples);
+  const double felt_g = std::sqrt(figures.felt_squares / count);
+  return {{"plant", identified ? "identified" : "not identified"},
+          {"felt_g_rms", jsonNumber(felt_g)},
+          {"felt_level_dB", jsonNumber(20.0 * std::log10(felt_g / texture::kFeltThreshold_g))},
+          {"felt_g_rms_simulated", jsonNumber(truth.felt_g_rms)},
+          {"duty_rms_percent", jsonNumber(std::sqrt(figures.duty_squares / count))},
+          {"dead_share", jsonNumber(figures.dead / count)},
+          {"clipped_share", jsonNumber(figures.clipped / count)}};
+}
+
 void reportStation(const StationOptions& options, const SessionFigures& figures, const station::Station& station) {
   const station::StationStatus status = station.status();
   const station::SimulationTruth truth = station.simulationTruth();
@@ -94,6 +121,7 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
   json["contact_fraction"] = contact;
   json["finger_error_mm_rms"] = jsonNumber(truth.finger_error_mm_rms);
   json["indentation_error_mm_rms"] = jsonNumber(truth.indentation_error_mm_rms);
+  json["vibration"] = vibrationOf(figures, options.station.profile.step.texture.plant.identified, truth);
   json["touch_messages_sent"] = status.link.touches_sent;
   json["state_messages_received"] = status.link.states_received;
   json["refused_datagrams"] = status.link.refused;

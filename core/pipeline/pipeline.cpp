@@ -21,7 +21,8 @@ Pipeline::Pipeline(const Parameters& parameters, const std::optional<texture::Su
       stiffness_(parameters.sensing.stiffness),
       controller_(parameters.control),
       mixing_(parameters.control),
-      renderer_(parameters.texture) {
+      renderer_(parameters.texture),
+      finger_prediction_(parameters.texture.plant, parameters.texture.sample_rate_Hz) {
   if (surface) surface_.emplace(*surface, parameters.texture.sample_rate_Hz);
   const StepParameters& ages = parameters_.step;
   indentation_.setMaximumAges(fromSeconds(ages.ir_maximum_age_ms * 1e-3),

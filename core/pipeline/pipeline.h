@@ -30,6 +30,7 @@
 #include "core/sensing/load_cell.h"
 #include "core/sensing/stiffness_estimator.h"
 #include "core/sensing/tare.h"
+#include "core/texture/finger_prediction.h"
 #include "core/texture/finger_speed.h"
 #include "core/texture/texture_renderer.h"
 #include "core/texture/virtual_texture.h"
@@ -114,6 +115,7 @@ class Pipeline {
   texture::TextureRenderer renderer_;
   std::optional<texture::VirtualTexture> surface_;
   texture::FingerSpeed finger_speed_;
+  texture::FingerPrediction finger_prediction_;
   InputHealth health_;
   Safety safety_;
   TouchMotion motion_;

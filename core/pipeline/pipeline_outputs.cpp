@@ -80,6 +80,10 @@ void Pipeline::stepTexture(const Inputs& inputs) {
         motors.position_duty_known && std::isfinite(shares[i]) ? std::clamp(shares[i], -100.0, 100.0) : 0.0;
     outputs_.motors.vibration_duty_percent[i] = std::clamp(duty, -100.0 - used, 100.0 - used);
   }
+  const double stretch_deg = rollers_.valid ? rollers_.stretch_deg : kNone;
+  finger_prediction_.configure(parameters_.texture.plant, stretch_deg);
+  finger_prediction_.step(outputs_.motors.vibration_duty_percent, rendering(inputs) ? texture_.signal_g : 0.0,
+                          rendering(inputs) && texture_.limited);
 }
 
 void Pipeline::stepMotion(const Inputs& inputs) {
@@ -138,6 +142,13 @@ void Pipeline::writeTelemetry(const Inputs& inputs) {
   out.texture_signal_g = texture_.signal_g;
   out.vibration_duty_percent = outputs_.motors.vibration_duty_percent[0];
   out.vibration_clipped = static_cast<double>(texture_.clipped);
+  const texture::FingerFigures felt = finger_prediction_.figures();
+  out.felt_acceleration_g = felt.acceleration_g;
+  out.felt_level_dB = felt.level_dB;
+  out.felt_out_of_reach = felt.out_of_reach;
+  out.vibration_rms_percent = felt.duty_rms_percent;
+  out.vibration_dead_share = felt.dead_share;
+  out.vibration_clipped_share = felt.clipped_share;
   out.touch_x_mm = outputs_.touch.position_mm.x;
   out.touch_y_mm = outputs_.touch.position_mm.y;
   out.touch_z_mm = outputs_.touch.position_mm.z;

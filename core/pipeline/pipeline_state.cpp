@@ -161,6 +161,7 @@ void Pipeline::eachModule(Visit&& visit) {
   visit("mixing", mixing_);
   visit("renderer", renderer_);
   visit("finger_speed", finger_speed_);
+  visit("finger_prediction", finger_prediction_);
   visit("health", health_);
   visit("safety", safety_);
   visit("motion", motion_);

@@ -47,6 +47,12 @@ struct TelemetrySample {
   double texture_signal_g = 0.0;
   double vibration_duty_percent = 0.0;
   double vibration_clipped = 0.0;
+  double vibration_rms_percent = 0.0;
+  double vibration_dead_share = 0.0;
+  double vibration_clipped_share = 0.0;
+  double felt_acceleration_g = 0.0;
+  double felt_level_dB = 0.0;
+  bool felt_out_of_reach = false;
 
   double touch_x_mm = 0.0;
   double touch_y_mm = 0.0;
@@ -102,6 +108,21 @@ struct TelemetrySample {
         Field("vibration_duty_percent", "%", "vibration as sent to the first motor", &T::vibration_duty_percent),
         Field("vibration_clipped", "1", "steps in which the limit cut the signal, since the start",
               &T::vibration_clipped),
+        Field("vibration_rms_percent", "%", "RMS of the duty over a second, of the motor with more",
+              &T::vibration_rms_percent),
+        Field("vibration_dead_share", "1",
+              "share of the last second's samples with a duty that is too small to turn a motor",
+              &T::vibration_dead_share),
+        Field("vibration_clipped_share", "1", "share of the last second's samples that a limit cut",
+              &T::vibration_clipped_share),
+        Field("felt_acceleration_g", "g",
+              "acceleration of the finger that the duties make, by texture.plant_*: an estimate, a guess where the "
+              "plant was not identified",
+              &T::felt_acceleration_g),
+        Field("felt_level_dB", "dB", "its RMS over a second, over the least that a finger feels (0.02 g); −120 at least",
+              &T::felt_level_dB),
+        Field("felt_out_of_reach", "1", "1: a texture is wanted, and less than a finger feels arrives",
+              &T::felt_out_of_reach),
         Field("touch_x_mm", "mm", "position sent to the robot, x right", &T::touch_x_mm),
         Field("touch_y_mm", "mm", "position sent to the robot, y back", &T::touch_y_mm),
         Field("touch_z_mm", "mm", "position sent to the robot, z up: pressing is negative", &T::touch_z_mm),

@@ -78,7 +78,8 @@ ReportTable touchTable(const std::vector<Touch>& touches) {
                                 {"Target, N/mm", 1.0, true},
                                 {"Error, %", 0.8, true},
                                 {"Settling, s", 1.0, true},
-                                {"Vibration rms, %", 1.05, true}}};
+                                {"Vibration rms, %", 1.05, true},
+                                {"Felt, dB", 0.8, true}}};
   if (touches.empty()) table.remark = "No touch: the finger never pressed the cloth in this recording.";
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const Touch& touch = touches[i];
@@ -88,7 +89,7 @@ ReportTable touchTable(const std::vector<Touch>& touches) {
                           reportNumber(touch.peak_indentation_mm, 2), reportNumber(touch.stiffness_N_per_mm, 3),
                           reportNumber(touch.target_N_per_mm, 3), reportNumber(error, 1),
                           std::isnan(touch.settling_s) ? "never" : reportNumber(touch.settling_s, 2),
-                          reportNumber(touch.vibration_rms_percent, 1)});
+                          reportNumber(touch.vibration_rms_percent, 1), reportNumber(touch.felt_level_dB, 1)});
   }
   return table;
 }

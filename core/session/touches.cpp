@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/session/export_selection.h"
+#include "core/texture/felt_plant.h"
 
 namespace fyd::session {
 namespace {
@@ -48,10 +49,13 @@ class OpenTouch {
       duty_squares_ += row.vibration_duty_percent * row.vibration_duty_percent;
       ++duty_rows_;
     }
+    felt_squares_ += row.felt_acceleration_g * row.felt_acceleration_g;
   }
 
   [[nodiscard]] Touch finish() {
     if (duty_rows_ > 0) touch_.vibration_rms_percent = std::sqrt(duty_squares_ / static_cast<double>(duty_rows_));
+    const double felt_g = std::sqrt(felt_squares_ / static_cast<double>(duty_rows_));
+    if (felt_g > 0.0) touch_.felt_level_dB = 20.0 * std::log10(felt_g / texture::kFeltThreshold_g);
     const double band = kSettledBand * std::abs(touch_.target_N_per_mm);
     // From the last backward while within the band: what stays.
     auto settled = measured_.end();
@@ -75,6 +79,7 @@ class OpenTouch {
   Touch touch_;
   std::vector<Measured> measured_;
   double duty_squares_ = 0.0;
+  double felt_squares_ = 0.0;
   std::uint64_t duty_rows_ = 0;
 };
 

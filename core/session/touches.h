@@ -19,6 +19,8 @@ struct Touch {
   double target_N_per_mm = pipeline::kNone;  ///< reachable target at the touch's end
   double settling_s = pipeline::kNone;       ///< until measured stays within 5 % of the target; NaN: never
   double vibration_rms_percent = pipeline::kNone;
+  /// RMS of the finger's acceleration by the vibration over what a finger feels; NaN: not recorded. @see felt_plant.h
+  double felt_level_dB = pipeline::kNone;
 };
 
 /// In order; a break in contact shorter than 100 ms belongs to the touch.

@@ -45,6 +45,7 @@ WorldSnapshot between(const WorldSnapshot& a, const WorldSnapshot& b, Instant wh
   WorldSnapshot out = share < 1.0 ? a : b;  // for what has no in-between
   out.taken = when;
   out.angle_deg = mix(a.angle_deg, b.angle_deg, share);
+  out.felt_g = mix(a.felt_g, b.felt_g, share);
   out.stiffness_N_per_mm = mix(a.stiffness_N_per_mm, b.stiffness_N_per_mm, share);
   for (std::size_t i = 0; i < out.motor_deg.size(); ++i) out.motor_deg[i] = mix(a.motor_deg[i], b.motor_deg[i], share);
   if (a.finger.lifted == b.finger.lifted) {
@@ -65,6 +66,7 @@ TouchpadWorld::TouchpadWorld(const SimParameters& parameters, FingerPath path, I
     : parameters_(parameters),
       path_(std::move(path)),
       cloth_(parameters),
+      vibration_(parameters.vibration, parameters.initial_angle_deg),
       motors_{SimulatedMotor(parameters.initial_angle_deg), SimulatedMotor(-parameters.initial_angle_deg)},
       random_(static_cast<std::uint64_t>(parameters.seed)),
       start_(start),
@@ -95,6 +97,11 @@ void TouchpadWorld::step() {
     motors_[i].step(command_.reference_ticks[i] / control::kTicksPerDegree, command_.vibration_duty_percent[i],
                     command_.active, limits, toSeconds(kStep));
   }
+  const double stretch_ticks = 0.5 * (command_.reference_ticks[0] - command_.reference_ticks[1]);
+  if (command_.active) vibration_.setStretch(stretch_ticks / control::kTicksPerDegree);
+  vibration_g_ =
+      vibration_.step(command_.active ? command_.vibration_duty_percent : decltype(command_.vibration_duty_percent){},
+                      truthLocked(now_).force_N);
   remember();
   sense();
 }
@@ -117,6 +124,7 @@ void TouchpadWorld::remember() {
   present.contact_area_mm2 = pressing.area_mm2;
   present.contact_x_mm = present.finger.x_mm + pressing.centre_x_mm;
   present.contact_y_mm = present.finger.y_mm + pressing.centre_y_mm;
+  present.felt_g = present.finger.lifted ? 0.0 : vibration_g_;
 }
 
 void TouchpadWorld::sense() {

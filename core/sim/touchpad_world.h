@@ -17,6 +17,7 @@
 #include "core/device/touchpad.h"
 #include "core/sim/cloth.h"
 #include "core/sim/finger_path.h"
+#include "core/sim/finger_vibration.h"
 #include "core/sim/sim_parameters.h"
 #include "core/sim/simulated_motor.h"
 
@@ -32,6 +33,7 @@ struct WorldSnapshot {
   double contact_area_mm2 = 0.0;    ///< of the contact, seen from straight below
   double contact_x_mm = 0.0;        ///< its centre, on the cloth
   double contact_y_mm = 0.0;
+  double felt_g = 0.0;  ///< acceleration that the vibration gives the finger; 0 without one
   std::array<double, control::kMotorCount> motor_deg{};
 };
 
@@ -82,6 +84,8 @@ class TouchpadWorld {
   FingerPath path_;
   std::optional<FingerState> finger_override_;
   Cloth cloth_;
+  FingerVibration vibration_;
+  double vibration_g_ = 0.0;
   std::array<SimulatedMotor, control::kMotorCount> motors_;
   control::MotorCommand command_;
   std::mt19937_64 random_;

@@ -244,7 +244,8 @@ SimulationTruth Station::simulationTruth() const {
   const std::lock_guard lock(impl_->truth_mutex);
   return {.available = impl_->world != nullptr,
           .finger_error_mm_rms = impl_->finger_error.rms(),
-          .indentation_error_mm_rms = impl_->indentation_error.rms()};
+          .indentation_error_mm_rms = impl_->indentation_error.rms(),
+          .felt_g_rms = impl_->felt_g.rms()};
 }
 
 void Station::moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) {

@@ -116,6 +116,7 @@ struct SimulationTruth {
   bool available = false;
   double finger_error_mm_rms = 0.0;       ///< detected against where the contact shows at the picture's own time
   double indentation_error_mm_rms = 0.0;  ///< estimated against true, in contact
+  double felt_g_rms = 0.0;                ///< acceleration of the finger by the vibration, in contact while Active
 };
 
 class Station {
@@ -163,12 +164,15 @@ class Station {
 
   /// A small, slow motion on an operator's held button, from the operator's thread; see device_test.h for what ends it.
   /// While the button is held `keepDeviceTest` has to be called at least every 0.3 s; its release is `stopDeviceTest`.
-  /// @param stretch_deg where device::DeviceTest::stretch goes; the others ignore it
+  /// @param stretch_deg where device::DeviceTest::stretch and chirp go; the others ignore it
   /// @return an error when it may not run now: the session holds the motors, or they do not answer
   [[nodiscard]] Result<void> startDeviceTest(device::DeviceTest test, double stretch_deg = 0.0);
   void keepDeviceTest();
   void stopDeviceTest();
   [[nodiscard]] DeviceTestStatus deviceTestStatus() const;
+  /// What the device tests breakaway and chirp saw until now, at 1 kHz. While one runs, from the operator's thread and
+  /// at least every 10 s; else something is lost.
+  [[nodiscard]] std::vector<texture::SweepRow> deviceTestSweep();
 
   /// Recording, from the operator's thread. The file starts up to 10 s before this call.
   /// @return an error at once when the file cannot be made, or one is being recorded; nothing then changes

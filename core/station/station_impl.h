@@ -91,6 +91,7 @@ struct Station::Impl {
   mutable std::mutex truth_mutex;
   ErrorSum finger_error;
   ErrorSum indentation_error;
+  ErrorSum felt_g;
 };
 
 }  // namespace fyd::station

@@ -99,12 +99,13 @@ void Station::Impl::onPicture(const CameraView& view) {
 }
 
 void Station::Impl::compareWithTruth(const pipeline::TelemetrySample& sample) {
-  if (!world || !sample.contact || !std::isfinite(sample.indentation_mm)) return;
-  const sim::FingerState finger = world->truthAt(sample.now).finger;
-  if (finger.lifted) return;
-  const double error = sample.indentation_mm - finger.indentation_mm;
+  if (!world || !sample.contact) return;
+  const sim::WorldSnapshot truth = world->truthAt(sample.now);
+  if (truth.finger.lifted) return;
+  const double error = sample.indentation_mm - truth.finger.indentation_mm;
   const std::lock_guard lock(truth_mutex);
-  indentation_error.add(error * error);
+  if (std::isfinite(error)) indentation_error.add(error * error);
+  if (sample.state == pipeline::SafetyState::active) felt_g.add(truth.felt_g * truth.felt_g);
 }
 
 }  // namespace fyd::station

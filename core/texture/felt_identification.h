@@ -1,6 +1,6 @@
 // The way to the finger from a measurement: breakaway of each motor, and the cloth's resonance under a finger.
 //
-// A sweep is one table at 1 kHz of several experiments, each with its own number `part`:
+// Of a sweep (plant_sweep.h):
 //   ramp    one motor's duty grows slowly from 0, the other's is 0; the first encoder count that changes for good tells
 //           the breakaway. Both motors, both ways: what the cloth's tension adds one way it takes the other way.
 //   chirp   both motors have the same duty, a sine whose frequency rises through 10…400 Hz in 8 s and more, with an
@@ -8,11 +8,7 @@
 //           stretches or more, 10° apart.
 // Encoders, load cell and currents cannot see the cloth: without an accelerometer its resonance is not determined.
 //
-// Chirp: the rollers' acceleration x follows from the duty by the motor model of FeltPlant (free speed, time constant,
-// position gain and radius as given, breakaway as found, sliding friction the share of it that fits best). Then
-//   Σ |Y(f) − g·e^(−2πi·f·d)·H(f; f₀, ζ)·X(f)|² over 10…400 Hz
-// is least for resonance f₀, damping ζ, gain g and the sensor's delay d; every other 5 Hz is held out and tells the
-// error.
+// Chirps: chirp_fit.h.
 //
 // Offline: allocates.
 #pragma once
@@ -22,39 +18,15 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/texture/felt_plant.h"
+#include "core/base/message.h"
+#include "core/texture/chirp_fit.h"
 
 namespace fyd::texture {
-
-struct SweepRow {
-  double t_s = 0.0;
-  int part = 0;
-  double stretch_deg = 0.0;
-  std::array<double, kFeltMotors> duty_percent{};
-  std::array<int, kFeltMotors> encoder_counts{};  ///< 0…4095
-  double acceleration_g = 0.0;                    ///< NaN where no accelerometer was read
-};
-
-/// CSV with columns t_s, part, stretch_deg, duty1_percent, duty2_percent, encoder1_counts, encoder2_counts,
-/// acceleration_g; an empty field is allowed in the last.
-[[nodiscard]] Result<std::vector<SweepRow>> parseSweep(std::string_view text, std::string_view source_name);
 
 struct FoundBreakaway {
   double percent = 0.0;  ///< mean of both ways
   double sigma_percent = 0.0;
   double asymmetry_percent = 0.0;  ///< half of what one way differs from the other
-};
-
-struct FoundCloth {
-  int part = 0;
-  double stretch_deg = 0.0;
-  double resonance_Hz = 0.0;
-  double sigma_Hz = 0.0;
-  double damping = 0.0;
-  double sigma_damping = 0.0;
-  double gain = 0.0;
-  double delay_ms = 0.0;
-  double held_out_error = 0.0;  ///< of the acceleration, RMS over RMS
 };
 
 struct FeltIdentification {

@@ -29,7 +29,7 @@ struct FeltSettings {
   FeltPlant plant;
   double gain = 1.0;                ///< k_vib, at the finger
   double maximum_percent = 100.0;   ///< largest duty
-  double rms_limit_percent = 38.5;  ///< heat: largest RMS duty, over a quarter of a second
+  double rms_limit_percent = 38.9;  ///< heat: largest RMS duty, over a second
   double gate_g = 0.0075;           ///< a steady signal of less RMS is noise
   double surface_level_g = 0.0;     ///< stored RMS of this surface; 0: learned
 };
@@ -77,6 +77,7 @@ class FeltMapping {
   void learn(const Surface& squares);
   [[nodiscard]] Surface usual() const;
   [[nodiscard]] double gain() const;
+  [[nodiscard]] double warm() const;
   [[nodiscard]] double target_percent(double level_g) const;
 
   FeltSettings settings_;

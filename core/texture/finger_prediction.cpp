@@ -42,10 +42,10 @@ void FingerPrediction::configure(const FeltPlant& plant, double stretch_deg) {
 void FingerPrediction::reset() {
   cloth_.reset();
   speed_deg_s_ = angle_deg_ = heat_ = {};
-  felt_ = wanted_ = dead_ = clipped_ = 0.0;
+  newest_g_ = felt_ = wanted_ = dead_ = clipped_ = 0.0;
 }
 
-double FingerPrediction::step(const std::array<double, kFeltMotors>& duty_percent, double wanted_g, bool clipped) {
+void FingerPrediction::step(const std::array<double, kFeltMotors>& duty_percent, double wanted_g, bool clipped) {
   const double T = 1.0 / rate_Hz_;
   const double share = std::min(1.0, T / kMean_s);
   const double tau = plant_.time_constant_ms * 1e-3;
@@ -67,17 +67,17 @@ double FingerPrediction::step(const std::array<double, kFeltMotors>& duty_percen
     none_turns = none_turns && std::abs(duty_percent[i]) < friction;
     heat_[i] += share * (duty_percent[i] * duty_percent[i] - heat_[i]);
   }
-  const double finger_g = cloth_.step(acceleration / kFeltMotors / plant_.degreesPerG());
-  felt_ += share * (finger_g * finger_g - felt_);
+  newest_g_ = cloth_.step(acceleration / kFeltMotors / plant_.degreesPerG());
+  felt_ += share * (newest_g_ * newest_g_ - felt_);
   wanted_ += share * (wanted_g * wanted_g - wanted_);
   dead_ += share * ((any_duty && none_turns ? 1.0 : 0.0) - dead_);
   clipped_ += share * ((clipped ? 1.0 : 0.0) - clipped_);
-  return finger_g;
 }
 
 FingerFigures FingerPrediction::figures() const {
   const double relative = std::sqrt(felt_) / kFeltThreshold_g;
-  return {.level_dB = 20.0 / std::numbers::ln10 * math::log(std::max(relative, kFaintest)),
+  return {.acceleration_g = newest_g_,
+          .level_dB = 20.0 / std::numbers::ln10 * math::log(std::max(relative, kFaintest)),
           .dead_share = dead_,
           .clipped_share = clipped_,
           .duty_rms_percent = std::sqrt(std::max(heat_[0], heat_[1])),

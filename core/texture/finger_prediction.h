@@ -16,6 +16,7 @@
 namespace fyd::texture {
 
 struct FingerFigures {
+  double acceleration_g = 0.0;    ///< newest, of the finger
   double level_dB = 0.0;          ///< RMS at the finger over kFeltThreshold_g; −120 at least
   double dead_share = 0.0;        ///< of the samples: a duty, but less than any motor needs to turn
   double clipped_share = 0.0;     ///< of the samples: cut by a limit
@@ -32,14 +33,13 @@ class FingerPrediction {
   void reset();
 
   /// @param wanted_g the texture signal; @param clipped whether a limit cut a duty
-  /// @return the acceleration of the finger, in g
-  double step(const std::array<double, kFeltMotors>& duty_percent, double wanted_g, bool clipped);
+  void step(const std::array<double, kFeltMotors>& duty_percent, double wanted_g, bool clipped);
 
   [[nodiscard]] FingerFigures figures() const;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(cloth_, speed_deg_s_, angle_deg_, felt_, wanted_, dead_, clipped_, heat_);
+    archive(cloth_, newest_g_, speed_deg_s_, angle_deg_, felt_, wanted_, dead_, clipped_, heat_);
   }
 
  private:
@@ -47,6 +47,7 @@ class FingerPrediction {
   double rate_Hz_;
   double tuned_Hz_ = 0.0;
   signal::Biquad<double> cloth_;
+  double newest_g_ = 0.0;
   std::array<double, kFeltMotors> speed_deg_s_{};
   std::array<double, kFeltMotors> angle_deg_{};
   double felt_ = 0.0;  // mean squares and shares

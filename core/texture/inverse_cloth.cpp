@@ -11,7 +11,8 @@
 namespace fyd::texture {
 namespace {
 
-const double kLargestLogGain = 18.0 / 20.0 * std::numbers::ln10;
+// More would match better and be felt less: the motors lack the duty.
+const double kLargestLogGain = 14.0 / 20.0 * std::numbers::ln10;
 
 using Taps = Eigen::Map<Eigen::ArrayXd>;
 

@@ -1,6 +1,6 @@
 // The inverse of the cloth under a finger, as a causal filter.
 //
-//   |E(f)| = min(18 dB, 1/(|H(f)|·sinc(f/rate))),   H(s) = (2ζω₀s + ω₀²)/(s² + 2ζω₀s + ω₀²)
+//   |E(f)| = min(14 dB, 1/(|H(f)|·sinc(f/rate))),   H(s) = (2ζω₀s + ω₀²)/(s² + 2ζω₀s + ω₀²)
 //
 // H is how the finger follows a roller that pulls the cloth; sinc is what a duty loses that stands still for a whole
 // sample. E is of minimum phase (real cepstrum folded to its causal half), so its first tap answers at once.

@@ -37,9 +37,8 @@ enum class PwmChoice : std::uint8_t {
   symmetric,  ///< rounds alike on both sides of zero, gain before the limit
   thesis,     ///< floor, gain after the limit, exactly zero accelerations switch the duty off at once
   felt,       ///< what the finger feels (felt_mapping.h)
-  automatic,  ///< felt where the way to the finger was identified, symmetric elsewhere
 };
-inline constexpr std::array<std::string_view, 4> kPwmNames = {"symmetric", "thesis", "felt", "automatic"};
+inline constexpr std::array<std::string_view, 3> kPwmNames = {"symmetric", "thesis", "felt"};
 
 struct TextureParameters {
   MethodChoice method = MethodChoice::dft321;
@@ -52,20 +51,14 @@ struct TextureParameters {
   double dead_zone_percent = 25.0;
   double maximum_percent = 100.0;
   double full_scale_g = 2.0;
-  PwmChoice pwm = PwmChoice::automatic;
-  double felt_rms_limit_percent = 38.5;
+  PwmChoice pwm = PwmChoice::felt;
+  double felt_rms_limit_percent = 38.9;
   double felt_gate_g = 0.0075;
   double felt_surface_level_g = 0.0;
   double input_delay_ms = 0.5;
   double maximum_gap_ms = 2.5;
   double crossfade_ms = 20.0;
   FeltPlant plant;
-
-  /// What `automatic` stands for.
-  [[nodiscard]] PwmChoice mapping() const {
-    if (pwm != PwmChoice::automatic) return pwm;
-    return plant.identified ? PwmChoice::felt : PwmChoice::symmetric;
-  }
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -126,16 +119,16 @@ struct TextureParameters {
             .live = true});
     v.choice("texture.pwm", pwm, kPwmNames,
              {.name = sentence("Pwm"),
-              .help = sentence("Mapping from signal to duty: as the thesis prints it, rounded alike on both sides, or "
-                               "so that the finger feels it; automatic: felt where the plant is identified, else "
-                               "symmetric."),
+              .help = sentence(
+                  "Mapping from signal to duty: so that the finger feels it, rounded alike on both sides, or as the "
+                  "thesis prints it."),
               .live = true});
     v.real("texture.felt_rms_limit_percent", felt_rms_limit_percent,
            {.name = sentence("Heat limit"),
             .unit = "%",
             .minimum = 1,
             .maximum = 100,
-            .help = sentence("Mapping felt: largest RMS duty over a quarter of a second, for the motors' heat."),
+            .help = sentence("Mapping felt: largest RMS duty over a second, for the motors' heat."),
             .live = true});
     v.real("texture.felt_gate_g", felt_gate_g,
            {.name = sentence("Noise gate"),

@@ -54,8 +54,7 @@ struct TextureRenderer::State {
         banks{MethodBank(p.sample_rate_Hz), MethodBank(p.sample_rate_Hz)},
         playing(chainOf(p)),
         pwm(settingsOf(p)),
-        felt(feltSettingsOf(p), p.sample_rate_Hz),
-        finger(p.plant, p.sample_rate_Hz) {
+        felt(feltSettingsOf(p), p.sample_rate_Hz) {
     startMapping();
     stream.configure(p.input_delay_ms, p.maximum_gap_ms);
     banks[active].select(playing);
@@ -63,7 +62,7 @@ struct TextureRenderer::State {
 
   [[nodiscard]] Chain& current() { return banks[active].chain(); }
   [[nodiscard]] Chain& incoming() { return banks[1 - active].chain(); }
-  [[nodiscard]] bool wantsFelt() const { return parameters.mapping() == PwmChoice::felt; }
+  [[nodiscard]] bool wantsFelt() const { return parameters.pwm == PwmChoice::felt; }
   [[nodiscard]] double fadeShare() const { return std::min(1.0, 1e3 / (parameters.crossfade_ms * sample_rate_Hz)); }
 
   void startSwitch() {
@@ -114,7 +113,6 @@ struct TextureRenderer::State {
     felt_share = wantsFelt() ? 1.0 : 0.0;
     felt_unheard = wantsFelt() ? 0 : kFeltLearns;
     felt.reset();
-    finger.reset();
   }
 
   /// Mapping felt in place of what `out` has, or the way there or back.
@@ -153,10 +151,6 @@ struct TextureRenderer::State {
     out.limited = sent.clipped;
     blendFelt(signal_g, position_share_percent, out);
     if (out.limited) ++clipped;
-    finger.configure(parameters.plant, stretch_deg);
-    finger.step(out.duty_percent, signal_g, out.limited);
-    out.finger = finger.figures();
-    out.plant_identified = parameters.plant.identified;
     out.filtered_g = current().filtered_g();
     out.delay_ms = parameters.input_delay_ms + 1e3 * current().delaySamples() / sample_rate_Hz;
     out.position_share_known = std::isfinite(position_share_percent);
@@ -169,7 +163,7 @@ struct TextureRenderer::State {
   template <class Archive>
   void serialize(Archive& archive) {
     serializeFirst(archive);
-    archive(felt_share, within(felt_unheard, kFeltLearns), stretch_deg, felt, finger);
+    archive(felt_share, within(felt_unheard, kFeltLearns), stretch_deg, felt);
   }
 
   /// What version 1 held.
@@ -201,7 +195,6 @@ struct TextureRenderer::State {
   int felt_unheard = 0;     // samples that it still learns the surface before it is heard
   double stretch_deg = std::numeric_limits<double>::quiet_NaN();
   FeltMapping felt;
-  FingerPrediction finger;
 };
 
 TextureRenderer::TextureRenderer(const TextureParameters& parameters) : state_(std::make_unique<State>(parameters)) {}

@@ -21,7 +21,7 @@
 #include "core/base/time.h"
 #include "core/base/vec3.h"
 #include "core/texture/acceleration_sample.h"
-#include "core/texture/finger_prediction.h"
+#include "core/texture/felt_plant.h"
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::texture {
@@ -32,8 +32,6 @@ struct TextureOutput {
   std::array<double, kFeltMotors> duty_percent{};
   double wanted_g = 0.0;  ///< wanted at the finger; the signal itself where the mapping knows no finger
   bool limited = false;   ///< this step's duty was cut by a limit
-  FingerFigures finger;   ///< what is felt of it, as far as the plant is known
-  bool plant_identified = false;
   Vec3 filtered_g;        ///< behind the high-pass, newest
   double delay_ms = 0.0;  ///< of input delay and method together; laying the grid adds up to one period
   bool gap = false;       ///< no acceleration for this instant

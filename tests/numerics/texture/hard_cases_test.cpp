@@ -62,7 +62,7 @@ TEST(HardCases, SpikesSquareWavesAndClippedSensorsStayWithinLimits) {
   const auto square = [](int n) { return (n / 7) % 2 == 0 ? Vec3{5, 5, 5} : Vec3{-5, -5, -5}; };
   const auto clipped = [](int n) { return Vec3{std::clamp(40.0 * std::sin(0.7 * n), -5.0, 5.0), 5.0, -5.0}; };
   for (std::size_t m = 0; m < kMethodNames.size(); ++m) {
-    for (const PwmChoice pwm : {PwmChoice::symmetric, PwmChoice::thesis}) {
+    for (const PwmChoice pwm : {PwmChoice::symmetric, PwmChoice::thesis, PwmChoice::felt}) {
       TextureParameters p;
       p.method = static_cast<MethodChoice>(m);
       p.pwm = pwm;
@@ -199,6 +199,7 @@ TEST(Switching, NeverExceedsTheLargerOfTheTwoSignals) {
 
 TEST(Switching, AChangeOfGainGlides) {
   TextureParameters p;
+  p.pwm = PwmChoice::symmetric;
   p.method = MethodChoice::single;
   p.filter = FilterChoice::none;
   p.dead_zone_percent = 0.0;
