@@ -1,4 +1,4 @@
-// fyd calibrate ir|load-cell|stiffness|cloth|camera|encoders|rest SAMPLES.csv [--profile P] [--who W] [--conditions C]
+// fyd calibrate ir|load-cell|stiffness|cloth|camera|encoders|rest|texture SAMPLES.csv [--profile P] [--who W] [--conditions C]
 // [--json]
 #include <algorithm>
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include "core/calibration/calibration_dependence.h"
 #include "core/calibration/camera_calibration.h"
 #include "core/calibration/cloth_calibration.h"
+#include "core/calibration/texture_calibration.h"
 #include "core/calibration/encoder_calibration.h"
 #include "core/calibration/ir_calibration.h"
 #include "core/calibration/load_cell_calibration.h"
@@ -155,6 +156,15 @@ void calibrateCloth(const CalibrateOptions& options) {
   finish(options, found.result, table.csv, json);
 }
 
+void calibrateTexture(const CalibrateOptions& options) {
+  const auto sweep = valueOrFail(texture::parseSweep(readTextFile(options.samples), options.samples));
+  const auto found = calibration::calibrateTexture(sweep, options.load().step.texture.plant);
+  const CsvTable no_points;
+  nlohmann::ordered_json json = describe(found.result, no_points);
+  json["sliding_share"] = found.identified.sliding_share;
+  finish(options, found.result, no_points, json);
+}
+
 template <class Options>
 std::shared_ptr<Options> addPart(CLI::App& parent, const std::string& name, const std::string& help,
                                  const std::string& columns, void (*run)(const Options&)) {
@@ -186,6 +196,9 @@ void add_calibrate(CLI::App& app) {
   addPart(*command, "encoders", "A commanded sweep of both motors", "first_deg,first_counts,second_deg,second_counts",
           calibrateEncoders);
   addPart(*command, "rest", "The accelerometer lying still", "x_g,y_g,z_g", calibrateRest);
+  addPart(*command, "texture", "Duty ramps, and chirps with an accelerometer on the cloth",
+          "t_s,part,stretch_deg,duty1_percent,duty2_percent,encoder1_counts,encoder2_counts,acceleration_g",
+          calibrateTexture);
 }
 
 }  // namespace fyd::cli

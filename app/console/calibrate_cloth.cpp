@@ -20,10 +20,6 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
 
-constexpr int kInterval_ms = 20;  // about as often as the sensors measure
-constexpr double kHold_s = 11.0;  // at 10 mV a mean is then good to 0.03 mm
-constexpr double kUsualNoise_mV = 10.0;
-constexpr int kFewestReadings = 50, kMostReadings = 3000;
 constexpr double kOld_ms = 500.0;
 
 /// Points are: a code of each sensor, then the contact on the cloth (perspective removed), the bridge, and how deep the
@@ -79,13 +75,8 @@ class ClothStep : public CalibrationStep {
   QString name() const override { return tr("Cloth"); }
   std::string procedure() const override { return "cloth"; }
   std::string_view errorLimit() const override { return "calibration.cloth_held_out_mm"; }
-  int interval_ms() const override { return kInterval_ms; }
-  /// The mean's error falls with the root of the readings: twice the noise wants four times as many.
-  int readings() const override {
-    const double noise = indentation_.ir_noise_mV / kUsualNoise_mV;
-    const double wanted = kHold_s * 1000.0 / kInterval_ms * noise * noise;
-    return static_cast<int>(std::clamp(wanted, double{kFewestReadings}, double{kMostReadings}));
-  }
+  int interval_ms() const override { return kDistanceInterval_ms; }
+  int readings() const override { return distanceReadings(indentation_); }
   int readingColumn() const override { return -1; }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
     const QString next = nextPress(points);
@@ -214,9 +205,7 @@ class ClothStep : public CalibrationStep {
         std::vector<double> codes;
         for (std::size_t i = 0; i < sensorsOf(p); ++i) {
           // Sensors that read as the profile says: what its curves and offsets are off is not the cloth's.
-          const sensing::IrDistance curve(p.ir_curve_mm[i].view(), static_cast<int>(p.ir_lowest_code[i]),
-                                          static_cast<int>(p.ir_highest_code[i]), p.ir_curve_form[i]);
-          const double volts = curve.voltsAt(
+          const double volts = distanceSensorOf(p, i).voltsAt(
               p.ir_offset_mm[i] - shape.deflection_mm(sim::kIrPlaces[i].x_mm, sim::kIrPlaces[i].y_mm, finger));
           double sum = 0.0;
           for (int k = 0; k < readings(); ++k) sum += sim::irCode(volts + noise(random));

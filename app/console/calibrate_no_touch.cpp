@@ -17,15 +17,19 @@ QString tr(const char* text) { return QCoreApplication::translate("CalibrationSt
 
 class NoTouchStep : public CalibrationStep {
  public:
+  explicit NoTouchStep(const station::Profile& profile) : indentation_(profile.step.sensing.indentation) {}
   QString id() const override { return QStringLiteral("no-touch"); }
   QString name() const override { return tr("No-touch offsets"); }
   std::string procedure() const override { return "no-touch"; }
   bool tareTakesIt() const override { return true; }
   bool onePoint() const override { return true; }
-  int readings() const override { return 30; }
+  int interval_ms() const override { return kDistanceInterval_ms; }
+  int readings() const override { return distanceReadings(indentation_); }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
-    return points.empty() ? tr("Take everything off the cloth, keep your hands away, and take the point: it lasts 3 s.")
-                          : tr("Look at the offsets at the right, then accept them or measure again.");
+    return points.empty()
+               ? tr("Take everything off the cloth, keep your hands away, and take the point: it lasts %1 s.")
+                     .arg(seconds())
+               : tr("Look at the offsets at the right, then accept them or measure again.");
   }
   QStringList columns() const override { return {tr("Distances, mm"), tr("Force, N")}; }
   QStringList row(const CalibrationPoint& point) const override {
@@ -75,7 +79,7 @@ class NoTouchStep : public CalibrationStep {
   }
 
   CalibrationFit fit(const std::vector<CalibrationPoint>& points, const station::Profile& profile) const override {
-    if (points.empty()) return noPoints(tr("One measurement of 3 s."));
+    if (points.empty()) return noPoints(tr("One measurement of %1 s.").arg(seconds()));
     const CalibrationPoint& point = points.back();
     const std::size_t sensors = point.size() / 2 - 1;
     sensing::TareResult tare{.sensors = static_cast<std::uint32_t>(sensors)};
@@ -99,10 +103,15 @@ class NoTouchStep : public CalibrationStep {
     }
     return out;
   }
+
+ private:
+  [[nodiscard]] long seconds() const { return std::lround(readings() * interval_ms() / 1000.0); }
+
+  sensing::IndentationParameters indentation_;
 };
 
 }  // namespace
 
-CalibrationSteps noTouchSteps(const station::Profile&) { return oneStep<NoTouchStep>(); }
+CalibrationSteps noTouchSteps(const station::Profile& profile) { return oneStep<NoTouchStep>(profile); }
 
 }  // namespace fyd::console

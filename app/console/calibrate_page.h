@@ -76,6 +76,7 @@ class CalibratePage : public Page {
   void endMotion();
   void holdOn();
   void takeByItself(const std::vector<CalibrationSignal>& wanted);
+  void takeExperiment();
   void offerNext();
   void restartTrace();
   void refreshDrawing();

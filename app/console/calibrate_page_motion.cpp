@@ -25,18 +25,17 @@ void CalibratePage::startMotion() {
     say(tr("Not moved: see the entry at the left."), true);
     return;
   }
-  const bool stretch = step().motion() == CalibrationStep::Motion::stretch;
+  const device::DeviceTest test = step().test(points());
   const auto started =
-      context_.session.startDeviceTest(stretch ? device::DeviceTest::stretch : device::DeviceTest::sweep,
-                                       stretch && !entered->empty() ? entered->front() : 0.0);
+      context_.session.startDeviceTest(test, device::goesToStretch(test) && !entered->empty() ? entered->front() : 0.0);
   if (!started) {
     say(tr("Not moved: %1.").arg(widgets::coreText(started.error().message)), true);
     return;
   }
-  if (!stretch) points_[step_].clear();  // a sweep is whole or nothing
+  if (test == device::DeviceTest::sweep) points_[step_].clear();  // it is whole or nothing
   recent_.restart(step().readings());
   hold_timer_.start();
-  pressing_ = stretch && context_.session.simulated();
+  pressing_ = test == device::DeviceTest::stretch && context_.session.simulated();
   pressing_since_.invalidate();
   say(tr("The motors move; let go and they are off."), false);
   refit();
@@ -71,9 +70,15 @@ void CalibratePage::takeByItself(const std::vector<CalibrationSignal>& wanted) {
   if (!hold_timer_.isActive()) return;
   if (!motion_.running) {
     const station::DeviceTestStatus ended = motion_;
+    if (ended.finished) takeExperiment();
     endMotion();
     say(tr("The motors are off: %1. %2 points so far.").arg(widgets::coreText(ended.words)).arg(points().size()),
         !ended.finished);
+    return;
+  }
+  if (step().motion() == CalibrationStep::Motion::experiment) {
+    (void)context_.session.deviceTestSweep();
+    progress_->setValue(static_cast<int>(100.0 * motion_.progress));
     return;
   }
   const QString moving = recent_.full() ? recent_.moving(wanted) : QString();
@@ -89,6 +94,15 @@ void CalibratePage::takeByItself(const std::vector<CalibrationSignal>& wanted) {
   trace_->mark();
   say(tr("Point %1 taken.").arg(points().size()), false);
   recent_.restart(step().readings());
+  refit();
+}
+
+void CalibratePage::takeExperiment() {
+  CalibrationPoint point = step().pointOfExperiment(context_.session.deviceTestSweep());
+  if (point.empty()) return;
+  points_[step_].push_back(std::move(point));
+  simulated_[step_] = false;
+  on_simulation_[step_] = context_.session.simulated();
   refit();
 }
 

@@ -33,6 +33,13 @@ Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const
   return fail("no device tells '{}': look under Devices whether the touchpad answers", name);
 }
 
+int distanceReadings(const sensing::IndentationParameters& p) {
+  constexpr double kHold_s = 11.0, kUsualNoise_mV = 10.0;
+  constexpr double kFewest = 50, kMost = 3000;
+  const double noise = p.ir_noise_mV / kUsualNoise_mV;
+  return static_cast<int>(std::clamp(kHold_s * 1000.0 / kDistanceInterval_ms * noise * noise, kFewest, kMost));
+}
+
 sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& p, std::size_t sensor) {
   const auto code = [sensor](const ParameterList& list, int otherwise) {
     return sensor < list.size() ? static_cast<int>(list[sensor]) : otherwise;

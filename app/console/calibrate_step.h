@@ -49,7 +49,7 @@ struct CalibrationScene {
   const std::vector<device::DeviceReport>& devices;
   const pipeline::TelemetrySample& newest;
   const sensing::FingerDetection& finger;  ///< in the newest picture
-  const station::Profile& profile;  ///< with the values in force
+  const station::Profile& profile;         ///< with the values in force
   const QImage& picture;
   std::optional<QPointF> place_px;          ///< clicked in the picture
   QRect rectangle_px;                       ///< dragged there
@@ -96,13 +96,20 @@ class CalibrationStep {
                                            const station::Profile& profile) const = 0;
   /// Where a point is more than a mean and a spread: made of all its readings. Empty: `point` is taken.
   [[nodiscard]] virtual CalibrationPoint pointOf(const std::vector<std::vector<double>>&) const { return {}; }
+  /// Of an experiment: made of what the haptic loop saw. Empty: it saw nothing.
+  [[nodiscard]] virtual CalibrationPoint pointOfExperiment(const std::vector<texture::SweepRow>&) const { return {}; }
   [[nodiscard]] virtual int interval_ms() const { return 100; }  ///< between readings
   /// Which of a point's figures is the first signal's reading: marked beside the live curve. None: −1.
   [[nodiscard]] virtual int readingColumn() const { return 0; }
 
   /// What the motors do while the operator holds the button; points are then taken by themselves.
-  enum class Motion { none, stretch, sweep };
+  /// Experiment: one whole press is one point, made of what the haptic loop saw meanwhile.
+  enum class Motion { none, stretch, sweep, experiment };
   [[nodiscard]] virtual Motion motion() const { return Motion::none; }
+  /// Which one runs at the next press of the button.
+  [[nodiscard]] virtual device::DeviceTest test(const std::vector<CalibrationPoint>&) const {
+    return motion() == Motion::sweep ? device::DeviceTest::sweep : device::DeviceTest::stretch;
+  }
   /// Why no point can be taken by itself now, in words; empty: this reading is a new one.
   [[nodiscard]] virtual QString notYet(const CalibrationScene&, const std::vector<CalibrationPoint>&,
                                        const std::vector<double>& /*mean*/) const {
@@ -138,6 +145,10 @@ template <class Step, class... Arguments>
 
 /// The named value of the first device that has it; an error says what was looked for.
 [[nodiscard]] Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const Message& name);
+
+inline constexpr int kDistanceInterval_ms = 20;  ///< about as often as distance sensors measure
+/// Readings at that interval whose mean is good to 0.03 mm: 11 s at a noise of 10 mV, four times as long at twice that.
+[[nodiscard]] int distanceReadings(const sensing::IndentationParameters& parameters);
 
 /// A distance sensor with its curve and span in force.
 [[nodiscard]] sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& parameters,

@@ -13,7 +13,8 @@
   STEPS(cameraScaleSteps)                                                                               \
   STEPS(clothSteps)                                                                                     \
   STEPS(stiffnessSteps)                                                                                 \
-  STEPS(restSteps)
+  STEPS(restSteps)                                                                                      \
+  STEPS(textureSteps)
 
 namespace fyd::console {
 

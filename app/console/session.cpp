@@ -59,6 +59,9 @@ class StationSession : public Session {
   station::DeviceTestStatus deviceTestStatus() const override {
     return station_ ? station_->deviceTestStatus() : station::DeviceTestStatus{};
   }
+  std::vector<texture::SweepRow> deviceTestSweep() override {
+    return station_ ? station_->deviceTestSweep() : std::vector<texture::SweepRow>{};
+  }
 
   Result<void> startRecording(const session::RecordingRequest& request) override {
     if (!station_) return fail("{}: the session is closed", request.path);

@@ -42,6 +42,7 @@ class Session {
   virtual void keepDeviceTest() = 0;
   virtual void stopDeviceTest() = 0;
   [[nodiscard]] virtual station::DeviceTestStatus deviceTestStatus() const = 0;
+  [[nodiscard]] virtual std::vector<texture::SweepRow> deviceTestSweep() = 0;
 
   [[nodiscard]] virtual Result<void> startRecording(const session::RecordingRequest& request) = 0;
   [[nodiscard]] virtual Result<void> stopRecording() = 0;

@@ -281,7 +281,7 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
           free
               ? say("held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
                     "{:.2f}; front and back edges are free: this cloth cannot be known better from such presses "
-                    "(about 0.6 mm and 20 % of stiffness)",
+                    "(about 0.7 mm and 20 % of stiffness)",
                     result.held_out_rmse, p.cloth_held_out_mm, share, share * share_part, ratio, ratio * ratio_part)
               : say("held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
                     "{:.2f}; all edges are held",

@@ -6,6 +6,8 @@
 //
 //   stretch            0.3 s at rest, then both motors to a stretch at 16°/s at most, and there for a minute
 //   sweep              both motors by steps of 5° from stretch 0 to 30° and back, 1.2 s a step: for the encoders
+//   breakaway          at rest, a duty of one motor from 0 up to 40 % at 5 %/s: each motor, both ways
+//   chirp              both motors to a stretch, then 8 s of the same duty, 90 % strong, from 8 to 350 Hz
 //
 // The rest is where the motors stand at the start, so that nothing moves by switching them on. The sweep begins at the
 // motors' own zero instead: it is made to find the encoders' zeros and signs, so they are not believed. The cloth is
@@ -24,21 +26,30 @@
 
 namespace fyd::device {
 
-enum class DeviceTest : std::uint8_t { motor_1, motor_2, vibration, stretch, sweep };
-inline constexpr std::array<std::string_view, 5> kDeviceTestNames = {
-    sentence("motor 1"), sentence("motor 2"), sentence("vibration"), sentence("stretch"), sentence("sweep")};
-/// The first of them try one part each; stretch and sweep are for calibrations.
+enum class DeviceTest : std::uint8_t { motor_1, motor_2, vibration, stretch, sweep, breakaway, chirp };
+inline constexpr std::array<std::string_view, 7> kDeviceTestNames = {
+    sentence("motor 1"), sentence("motor 2"), sentence("vibration"), sentence("stretch"), sentence("sweep"),
+    sentence("breakaway"), sentence("chirp")};
+/// The first of them try one part each; the others are for calibrations.
 inline constexpr std::size_t kPartTests = 3;
 
 inline constexpr double kTestTravel_deg = 2.0;
 inline constexpr double kTestDuty_percent = 10.0;
 inline constexpr double kSweepTop_deg = 30.0;
 inline constexpr double kSweepStep_deg = 5.0;
+inline constexpr double kRampTop_percent = 40.0;
+inline constexpr double kRampSpeed_percent_s = 5.0;
+inline constexpr double kChirp_s = 8.0;
+
+/// Whether a test goes to a stretch that the operator gives.
+[[nodiscard]] constexpr bool goesToStretch(DeviceTest test) {
+  return test == DeviceTest::stretch || test == DeviceTest::chirp;
+}
 
 class TestMotion {
  public:
   /// @param motor_deg where the motors stand now, from the profile's zeros
-  /// @param stretch_deg where `stretch` goes; the others ignore it
+  /// @param stretch_deg where `stretch` and `chirp` go; the others ignore it
   /// @return an error when an angle is no number or lies beyond the limit; where the motors stand matters not to a
   /// sweep
   [[nodiscard]] static Result<TestMotion> plan(DeviceTest test,
@@ -52,6 +63,8 @@ class TestMotion {
   [[nodiscard]] std::array<double, control::kMotorCount> anglesAt(Duration since_start) const;
   /// Whether `anglesAt` has not changed for 0.3 s, so that the motors stand there.
   [[nodiscard]] bool restsAt(Duration since_start) const;
+  /// Of breakaway and chirp: which experiment runs, from 1; 0: none. @see core/texture/plant_sweep.h
+  [[nodiscard]] int experimentAt(Duration since_start) const;
   [[nodiscard]] DeviceTest test() const { return test_; }
 
  private:
@@ -59,7 +72,7 @@ class TestMotion {
   std::array<double, control::kMotorCount> rest_deg_{};
   double travel_deg_ = 0.0;
   double stretch_deg_ = 0.0;
-  double travel_s_ = 0.0;  ///< of `stretch` until it is there
+  double travel_s_ = 0.0;  ///< of `stretch` and `chirp` until they are there
   double length_s_ = 0.0;  ///< of the motion between the rests
 };
 

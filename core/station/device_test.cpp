@@ -12,6 +12,10 @@ constexpr Duration kLongestGap = std::chrono::milliseconds(20);
 constexpr double kOffCourse_deg = 10.0;
 constexpr Duration kFirstStep = std::chrono::milliseconds(1100);  // a sweep rests at 0 until 1.5 s
 
+bool identifies(device::DeviceTest test) {
+  return test == device::DeviceTest::breakaway || test == device::DeviceTest::chirp;
+}
+
 bool has(const pipeline::Lacks& lacks, pipeline::Lack lack) { return lacks.test(static_cast<std::size_t>(lack)); }
 
 }  // namespace
@@ -46,6 +50,7 @@ Result<void> DeviceTestRunner::start(device::DeviceTest test, Instant now, doubl
   if (!std::isfinite(stretch_deg))
     return fail("device test '{}': {}", phrase(device::kDeviceTestNames[index]), words(End::beyond_travel));
   keep(now);
+  tape_.restart();
   wanted_stretch_deg_.store(stretch_deg, std::memory_order_relaxed);
   asked_ = (++presses_ << 8U) | static_cast<std::uint32_t>(index) | 0x80U;  // never 0
   request_.store(asked_, std::memory_order_release);
@@ -131,7 +136,7 @@ void DeviceTestRunner::begin(const pipeline::Inputs& inputs, const pipeline::Out
     end(End::beyond_limit);
     return;
   }
-  if (test == device::DeviceTest::stretch &&
+  if (device::goesToStretch(test) &&
       !(stretch_deg >= parameters.travel_minimum_deg && stretch_deg <= parameters.travel_maximum_deg &&
         stretch_deg <= parameters.motor_limit_deg)) {
     end(End::beyond_travel);
@@ -175,6 +180,9 @@ std::optional<control::MotorCommand> DeviceTestRunner::step(const pipeline::Inpu
   for (std::size_t i = 0; i < angles.size(); ++i) commanded_deg_[i].store(angles[i], std::memory_order_relaxed);
   resting_.store(motion_->restsAt(elapsed), std::memory_order_release);
   const auto command = motion_->at(elapsed);
+  if (command && identifies(motion_->test())) {
+    tape_.add(inputs, *command, motion_->experimentAt(elapsed), elapsed, rollers.stretch_deg);
+  }
   if (!command) end(End::finished);
   return command;
 }

@@ -15,6 +15,7 @@
 #include "core/device/test_motion.h"
 #include "core/pipeline/inputs.h"
 #include "core/pipeline/outputs.h"
+#include "core/station/sweep_tape.h"
 
 namespace fyd::station {
 
@@ -34,13 +35,18 @@ class DeviceTestRunner {
   static constexpr Duration kHold = std::chrono::milliseconds(500);  ///< longest silence of a held button
 
   // the operator's thread
-  /// @param stretch_deg where `stretch` goes, within control.travel_minimum_deg and travel_maximum_deg
+  /// @param stretch_deg where `stretch` and `chirp` go, within control.travel_minimum_deg and travel_maximum_deg
   /// @return an error when it may not run now; a test that is running is ended by it
   [[nodiscard]] Result<void> start(device::DeviceTest test, Instant now, double stretch_deg = 0.0);
   /// The button is still held.
   void keep(Instant now) { kept_.store(now.time_since_epoch().count(), std::memory_order_relaxed); }
   void stop() { request_.store(0, std::memory_order_release); }
   [[nodiscard]] DeviceTestStatus status() const;
+  /// What breakaway and chirp saw. To be asked several times a second while they run, and once a little later.
+  [[nodiscard]] std::vector<texture::SweepRow> sweep() {
+    tape_.gather();
+    return tape_.rows();
+  }
 
   // the haptic loop
   /// @param outputs of the step for these inputs
@@ -82,6 +88,7 @@ class DeviceTestRunner {
   std::atomic<double> wanted_stretch_deg_{0.0};  // of the press above
   std::array<std::atomic<double>, control::kMotorCount> commanded_deg_{};
   std::atomic<bool> resting_{false};
+  SweepTape tape_;
 
   // the operator's
   std::uint32_t presses_ = 0;

@@ -24,4 +24,6 @@ void Station::stopDeviceTest() { impl_->device_test.stop(); }
 
 DeviceTestStatus Station::deviceTestStatus() const { return impl_->device_test.status(); }
 
+std::vector<texture::SweepRow> Station::deviceTestSweep() { return impl_->device_test.sweep(); }
+
 }  // namespace fyd::station

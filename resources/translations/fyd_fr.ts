@@ -470,6 +470,18 @@
         <translation>Accélération du doigt rapportée à celle des rouleaux, bien en dessous de la résonance.</translation>
     </message>
     <message>
+        <source>Acceleration, x</source>
+        <translation>Accélération, x</translation>
+    </message>
+    <message>
+        <source>Acceleration, y</source>
+        <translation>Accélération, y</translation>
+    </message>
+    <message>
+        <source>Acceleration, z</source>
+        <translation>Accélération, z</translation>
+    </message>
+    <message>
         <source>Accelerations further apart than this are a gap, during which the texture is silent.</source>
         <translation>Des accélérations plus espacées que cela sont une lacune, pendant laquelle la texture se tait.</translation>
     </message>
@@ -1288,6 +1300,10 @@ mm</translation>
         <translation>Points : mesurés. Tirets : les décalages en vigueur.</translation>
     </message>
     <message>
+        <source>Dots: the resonance at each stretch, with its uncertainty. Line: what the texture will reckon with. Dashed: what it reckons with now.</source>
+        <translation>Points : la résonance à chaque étirement, avec son incertitude. Ligne : ce dont la texture tiendra compte. Pointillés : ce dont elle tient compte maintenant.</translation>
+    </message>
+    <message>
         <source>Drag to look back, wheel to zoom, drag with the right button to zoom into a box,
 Ctrl and wheel to stretch this curve, double-click or F to follow again.</source>
         <translation>Glisser pour revenir en arrière, molette pour zoomer, glisser avec le bouton droit pour zoomer dans un cadre,
@@ -1386,6 +1402,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Tout le nécessaire est là ; moteurs coupés.</translation>
     </message>
     <message>
+        <source>Experiment</source>
+        <translation>Expérience</translation>
+    </message>
+    <message>
         <source>Export as CSV</source>
         <translation>Exporter en CSV</translation>
     </message>
@@ -1428,6 +1448,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Feel saved or current values</source>
         <translation>Sentir les valeurs enregistrées ou actuelles</translation>
+    </message>
+    <message>
+        <source>Felt, over threshold</source>
+        <translation>Senti, au-dessus du seuil</translation>
     </message>
     <message>
         <source>Figures between A and B</source>
@@ -2140,6 +2164,10 @@ Robot : %2
         <translation>Poser la cible imprimée sur le tissu, cliquer une de ses marques dans l'image, saisir sa position et prendre le point.</translation>
     </message>
     <message>
+        <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of 8 s is over: at two stretches or more.</source>
+        <translation>Posez l'accéléromètre du robot sur le tissu, le long de son mouvement, et un doigt à côté. Puis tenez le bouton jusqu'à la fin du balayage de 8 s : à deux étirements ou plus.</translation>
+    </message>
+    <message>
         <source>Layouts</source>
         <translation>Dispositions</translation>
     </message>
@@ -2298,6 +2326,10 @@ s</translation>
         <translation>Regarder les décalages à droite, puis les accepter ou mesurer à nouveau.</translation>
     </message>
     <message>
+        <source>Look at the verdict at the right, then accept it, or add a sweep at another stretch.</source>
+        <translation>Regardez le verdict à droite, puis acceptez-le, ou ajoutez un balayage à un autre étirement.</translation>
+    </message>
+    <message>
         <source>Look at the verdict at the right, then accept it, or add presses.</source>
         <translation>Regarder le verdict à droite, puis l'accepter, ou ajouter des appuis.</translation>
     </message>
@@ -2368,16 +2400,16 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Conversion felt : un signal continu de valeur efficace inférieure est du bruit et reste muet.</translation>
     </message>
     <message>
-        <source>Mapping felt: largest RMS duty over a quarter of a second, for the motors' heat.</source>
-        <translation>Conversion felt : rapport cyclique efficace maximal sur un quart de seconde, pour l'échauffement des moteurs.</translation>
+        <source>Mapping felt: largest RMS duty over a second, for the motors' heat.</source>
+        <translation>Conversion felt : rapport cyclique RMS maximal sur une seconde, pour la chaleur des moteurs.</translation>
     </message>
     <message>
         <source>Mapping felt: stored RMS of the surface, to which the gain is fitted; 0 learns it from the touch.</source>
         <translation>Conversion felt : valeur efficace enregistrée de la surface, à laquelle le gain est ajusté ; 0 l'apprend du toucher.</translation>
     </message>
     <message>
-        <source>Mapping from signal to duty: as the thesis prints it, rounded alike on both sides, or so that the finger feels it; automatic: felt where the plant is identified, else symmetric.</source>
-        <translation>Conversion du signal en rapport cyclique : telle qu'imprimée dans la thèse, arrondie de même des deux côtés, ou de sorte que le doigt la sente ; automatic : felt là où le système est identifié, sinon symmetric.</translation>
+        <source>Mapping from signal to duty: so that the finger feels it, rounded alike on both sides, or as the thesis prints it.</source>
+        <translation>Conversion du signal en rapport cyclique : pour que le doigt la sente, arrondie pareillement des deux côtés, ou telle que la thèse l'imprime.</translation>
     </message>
     <message>
         <source>Marked values differ from the profile (Ctrl+S)</source>
@@ -2486,6 +2518,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Motors off at once (Esc, from everywhere)</source>
         <translation>Moteurs coupés aussitôt (Esc, de partout)</translation>
+    </message>
+    <message>
+        <source>Motors' vibration</source>
+        <translation>Vibration des moteurs</translation>
     </message>
     <message>
         <source>Move the target by some 20 mm, type the new distance and take the next point, 40 to 300 mm.</source>
@@ -2834,6 +2870,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>On the cloth that auto-tune identified, 30 % softer than its law says.</source>
         <translation>Sur le tissu identifié par le réglage automatique, 30 % plus souple que ne le dit sa loi.</translation>
+    </message>
+    <message>
+        <source>One measurement of %1 s.</source>
+        <translation>Une mesure de %1 s.</translation>
     </message>
     <message>
         <source>One measurement of 3 s.</source>
@@ -3300,6 +3340,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Ramener %1 à sa valeur par défaut</translation>
     </message>
     <message>
+        <source>Residual, Hz</source>
+        <translation>Résidu, Hz</translation>
+    </message>
+    <message>
         <source>Residual, N</source>
         <translation>Résidu, N</translation>
     </message>
@@ -3314,6 +3358,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Resonance of the cloth with a finger on it, at the stretch below.</source>
         <translation>Résonance du tissu avec un doigt dessus, à la tension ci-dessous.</translation>
+    </message>
+    <message>
+        <source>Resonance, Hz</source>
+        <translation>Résonance, Hz</translation>
     </message>
     <message>
         <source>Resource temporarily unavailable</source>
@@ -3528,6 +3576,10 @@ s</translation>
     <message>
         <source>Share of the robot's messages of the last second that did not arrive.</source>
         <translation>Part des messages du robot de la dernière seconde qui ne sont pas arrivés.</translation>
+    </message>
+    <message>
+        <source>Share of the vibration</source>
+        <translation>Part de la vibration</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -3820,6 +3872,10 @@ N/mm</translation>
         <translation>Niveau de la surface</translation>
     </message>
     <message>
+        <source>Sweeps at two stretches, 10° apart, with an accelerometer.</source>
+        <translation>Des balayages à deux étirements, à 10° l'un de l'autre, avec un accéléromètre.</translation>
+    </message>
+    <message>
         <source>Tag "%1": expected at most %2 characters.</source>
         <translation>Étiquette « %1 » : attendu au plus %2 caractères.</translation>
     </message>
@@ -3836,8 +3892,8 @@ N/mm</translation>
         <translation>Enlever A et B</translation>
     </message>
     <message>
-        <source>Take everything off the cloth, keep your hands away, and take the point: it lasts 3 s.</source>
-        <translation>Tout retirer du tissu, éloigner les mains et prendre le point : cela dure 3 s.</translation>
+        <source>Take everything off the cloth, keep your hands away, and take the point: it lasts %1 s.</source>
+        <translation>Ôtez tout du tissu, gardez les mains éloignées et prenez le point : il dure %1 s.</translation>
     </message>
     <message>
         <source>Take point</source>
@@ -3870,6 +3926,10 @@ N/mm</translation>
     <message>
         <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
         <translation>Ôter les mains du tissu et tenir le bouton 16 s : les deux moteurs vont aussitôt à leur zéro, puis par pas de %1° jusqu'à %2° et retour.</translation>
+    </message>
+    <message>
+        <source>Take your hands off the cloth and hold the button for 35 s: the duty of each motor grows until it turns.</source>
+        <translation>Ôtez les mains du tissu et tenez le bouton pendant 35 s : le rapport cyclique de chaque moteur croît jusqu'à ce qu'il tourne.</translation>
     </message>
     <message>
         <source>Takes the last point back.</source>
@@ -3922,6 +3982,14 @@ N/mm</translation>
     <message>
         <source>Texture signal</source>
         <translation>Signal de texture</translation>
+    </message>
+    <message>
+        <source>The breakaway of both motors, and sweeps at two stretches, 10° apart, with an accelerometer.</source>
+        <translation>Le décollage des deux moteurs, et des balayages à deux étirements, à 10° l'un de l'autre, avec un accéléromètre.</translation>
+    </message>
+    <message>
+        <source>The breakaway of both motors.</source>
+        <translation>Le décollage des deux moteurs.</translation>
     </message>
     <message>
         <source>The camera sees the cloth mirrored left to right.</source>
@@ -4388,6 +4456,10 @@ Pour commencer : %1</translation>
         <translation>Rapport cyclique de vibration, tenu par la carte moteurs</translation>
     </message>
     <message>
+        <source>Vibration: motors and cloth</source>
+        <translation>Vibration : moteurs et tissu</translation>
+    </message>
+    <message>
         <source>View</source>
         <translation>Affichage</translation>
     </message>
@@ -4572,6 +4644,10 @@ Pour commencer : %1</translation>
         <translation>un texte</translation>
     </message>
     <message>
+        <source>a turning motor has %1 % of its breakaway</source>
+        <translation>un moteur qui tourne a %1 % de son décollage</translation>
+    </message>
+    <message>
         <source>a value is not finite</source>
         <translation>une valeur n'est pas finie</translation>
     </message>
@@ -4736,6 +4812,10 @@ Pour commencer : %1</translation>
         <translation>demandé {:.0f} %, la caméra a pris {:.0f} %</translation>
     </message>
     <message>
+        <source>at %1: %2, damping %3, %4 % left</source>
+        <translation>à %1 : %2, amortissement %3, reste %4 %</translation>
+    </message>
+    <message>
         <source>at edge</source>
         <translation>au bord</translation>
     </message>
@@ -4802,6 +4882,14 @@ Pour commencer : %1</translation>
     <message>
         <source>bookmark</source>
         <translation>signet</translation>
+    </message>
+    <message>
+        <source>breakaway</source>
+        <translation>décollage</translation>
+    </message>
+    <message>
+        <source>breakaway of each motor; resonance of the cloth under a finger</source>
+        <translation>décollage de chaque moteur ; résonance du tissu sous un doigt</translation>
     </message>
     <message>
         <source>brightness</source>
@@ -4948,12 +5036,20 @@ Pour commencer : %1</translation>
         <translation>vérifier les poids, et que rien ne frotte sur la cellule</translation>
     </message>
     <message>
+        <source>chirp</source>
+        <translation>chirp</translation>
+    </message>
+    <message>
         <source>classic robot, listening on {}</source>
         <translation>robot classique, en écoute sur {}</translation>
     </message>
     <message>
         <source>classic, not secured</source>
         <translation>classique, non sécurisée</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>écrêté</translation>
     </message>
     <message>
         <source>clock</source>
@@ -5372,6 +5468,10 @@ Pour commencer : %1</translation>
         <translation>réaction au défaut en cours</translation>
     </message>
     <message>
+        <source>felt</source>
+        <translation>senti</translation>
+    </message>
+    <message>
         <source>field</source>
         <translation>champ</translation>
     </message>
@@ -5548,8 +5648,8 @@ Pour commencer : %1</translation>
         <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; tous les bords sont tenus</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.6 mm and 20 % of stiffness)</source>
-        <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; les bords avant et arrière sont libres : de tels appuis ne peuvent faire mieux connaître ce tissu (environ 0,6 mm et 20 % de raideur)</translation>
+        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
+        <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; les bords avant et arrière sont libres : de tels appuis ne peuvent faire mieux connaître ce tissu (environ 0,7 mm et 20 % de raideur)</translation>
     </message>
     <message>
         <source>held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
@@ -6078,6 +6178,10 @@ Pour commencer : %1</translation>
     <message>
         <source>not confirmed: the station did not answer. It last used %1.</source>
         <translation>non confirmé : la station n'a pas répondu. Elle utilisait en dernier %1.</translation>
+    </message>
+    <message>
+        <source>not enough experiments yet</source>
+        <translation>pas encore assez d'expériences</translation>
     </message>
     <message>
         <source>not opened through the console's driver</source>
@@ -7164,6 +7268,10 @@ Pour commencer : %1</translation>
         <translation>trop petit</translation>
     </message>
     <message>
+        <source>too small to turn</source>
+        <translation>trop faible pour tourner</translation>
+    </message>
+    <message>
         <source>too uncertain</source>
         <translation>trop incertain</translation>
     </message>
@@ -7256,6 +7364,10 @@ Pour commencer : %1</translation>
         <translation>en haut et en bas</translation>
     </message>
     <message>
+        <source>usable</source>
+        <translation>utilisable</translation>
+    </message>
+    <message>
         <source>use DFT321</source>
         <translation>utiliser DFT321</translation>
     </message>
@@ -7306,6 +7418,10 @@ Pour commencer : %1</translation>
     <message>
         <source>waiting for a robot on {}</source>
         <translation>en attente d'un robot sur {}</translation>
+    </message>
+    <message>
+        <source>wanted</source>
+        <translation>voulu</translation>
     </message>
     <message>
         <source>was %1</source>
@@ -8334,6 +8450,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: writing {} failed; is the disk full?</source>
         <translation>{} : l'écriture de {} a échoué ; le disque est-il plein ?</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} % of the acceleration held out is left; breakaway {:.1f} ± {:.1f} % and {:.1f} ± {:.1f} %, resonance {:.1f} ± {:.1f} Hz at {:.0f}°, damping {:.2f}</source>
+        <translation>{} : il reste {:.0f} % de l'accélération mise de côté ; décollage {:.1f} ± {:.1f} % et {:.1f} ± {:.1f} %, résonance {:.1f} ± {:.1f} Hz à {:.0f}°, amortissement {:.2f}</translation>
     </message>
     <message>
         <source>{}: {:.1f} MB free, the recording needs {:.1f} MB</source>

@@ -470,6 +470,18 @@
         <translation>Accelerazione del dito rispetto a quella dei rulli, molto al di sotto della risonanza.</translation>
     </message>
     <message>
+        <source>Acceleration, x</source>
+        <translation>Accelerazione, x</translation>
+    </message>
+    <message>
+        <source>Acceleration, y</source>
+        <translation>Accelerazione, y</translation>
+    </message>
+    <message>
+        <source>Acceleration, z</source>
+        <translation>Accelerazione, z</translation>
+    </message>
+    <message>
         <source>Accelerations further apart than this are a gap, during which the texture is silent.</source>
         <translation>Accelerazioni più distanti di così sono una lacuna, durante la quale la texture tace.</translation>
     </message>
@@ -1288,6 +1300,10 @@ mm</translation>
         <translation>Punti: misurati. Tratteggio: gli offset in vigore.</translation>
     </message>
     <message>
+        <source>Dots: the resonance at each stretch, with its uncertainty. Line: what the texture will reckon with. Dashed: what it reckons with now.</source>
+        <translation>Punti: la risonanza a ogni stiramento, con la sua incertezza. Linea: ciò di cui la trama terrà conto. Tratteggiata: ciò di cui tiene conto ora.</translation>
+    </message>
+    <message>
         <source>Drag to look back, wheel to zoom, drag with the right button to zoom into a box,
 Ctrl and wheel to stretch this curve, double-click or F to follow again.</source>
         <translation>Trascinare per guardare indietro, rotella per ingrandire, trascinare col tasto destro per ingrandire un riquadro,
@@ -1386,6 +1402,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>C'è tutto il necessario; motori spenti.</translation>
     </message>
     <message>
+        <source>Experiment</source>
+        <translation>Esperimento</translation>
+    </message>
+    <message>
         <source>Export as CSV</source>
         <translation>Esporta come CSV</translation>
     </message>
@@ -1428,6 +1448,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Feel saved or current values</source>
         <translation>Sentire i valori salvati o quelli attuali</translation>
+    </message>
+    <message>
+        <source>Felt, over threshold</source>
+        <translation>Sentito, oltre la soglia</translation>
     </message>
     <message>
         <source>Figures between A and B</source>
@@ -2140,6 +2164,10 @@ Robot: %2
         <translation>Posare il bersaglio stampato sul tessuto, fare clic su un suo segno nell'immagine, scrivere dove si trova e prendere il punto.</translation>
     </message>
     <message>
+        <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of 8 s is over: at two stretches or more.</source>
+        <translation>Posa l'accelerometro del robot sul tessuto, lungo il suo moto, e un dito accanto. Poi tieni premuto il pulsante finché la scansione di 8 s è finita: a due stiramenti o più.</translation>
+    </message>
+    <message>
         <source>Layouts</source>
         <translation>Disposizioni</translation>
     </message>
@@ -2298,6 +2326,10 @@ s</translation>
         <translation>Guardare gli offset a destra, poi accettarli o misurare di nuovo.</translation>
     </message>
     <message>
+        <source>Look at the verdict at the right, then accept it, or add a sweep at another stretch.</source>
+        <translation>Guarda il verdetto a destra, poi accettalo, o aggiungi una scansione a un altro stiramento.</translation>
+    </message>
+    <message>
         <source>Look at the verdict at the right, then accept it, or add presses.</source>
         <translation>Guardare il verdetto a destra, poi accettarlo, o aggiungere pressioni.</translation>
     </message>
@@ -2368,16 +2400,16 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Conversione felt: un segnale continuo con RMS minore di questo è rumore e tace.</translation>
     </message>
     <message>
-        <source>Mapping felt: largest RMS duty over a quarter of a second, for the motors' heat.</source>
-        <translation>Conversione felt: duty RMS massimo su un quarto di secondo, per il calore dei motori.</translation>
+        <source>Mapping felt: largest RMS duty over a second, for the motors' heat.</source>
+        <translation>Conversione felt: massimo duty RMS in un secondo, per il calore dei motori.</translation>
     </message>
     <message>
         <source>Mapping felt: stored RMS of the surface, to which the gain is fitted; 0 learns it from the touch.</source>
         <translation>Conversione felt: RMS memorizzato della superficie, al quale si adatta il guadagno; 0 lo impara dal tocco.</translation>
     </message>
     <message>
-        <source>Mapping from signal to duty: as the thesis prints it, rounded alike on both sides, or so that the finger feels it; automatic: felt where the plant is identified, else symmetric.</source>
-        <translation>Conversione dal segnale al duty: come stampata nella tesi, arrotondata allo stesso modo da entrambe le parti, o in modo che il dito la senta; automatic: felt dove l'impianto è identificato, altrimenti symmetric.</translation>
+        <source>Mapping from signal to duty: so that the finger feels it, rounded alike on both sides, or as the thesis prints it.</source>
+        <translation>Conversione dal segnale al duty: così che il dito la senta, arrotondata allo stesso modo da entrambi i lati, o come la stampa la tesi.</translation>
     </message>
     <message>
         <source>Marked values differ from the profile (Ctrl+S)</source>
@@ -2486,6 +2518,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Motors off at once (Esc, from everywhere)</source>
         <translation>Motori subito spenti (Esc, da ovunque)</translation>
+    </message>
+    <message>
+        <source>Motors' vibration</source>
+        <translation>Vibrazione dei motori</translation>
     </message>
     <message>
         <source>Move the target by some 20 mm, type the new distance and take the next point, 40 to 300 mm.</source>
@@ -2834,6 +2870,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>On the cloth that auto-tune identified, 30 % softer than its law says.</source>
         <translation>Sul tessuto identificato dalla taratura automatica, 30 % più morbido di quanto dice la sua legge.</translation>
+    </message>
+    <message>
+        <source>One measurement of %1 s.</source>
+        <translation>Una misura di %1 s.</translation>
     </message>
     <message>
         <source>One measurement of 3 s.</source>
@@ -3300,6 +3340,10 @@ Premere per leggere perché</translation>
         <translation>Riporta %1 al valore predefinito</translation>
     </message>
     <message>
+        <source>Residual, Hz</source>
+        <translation>Residuo, Hz</translation>
+    </message>
+    <message>
         <source>Residual, N</source>
         <translation>Residuo, N</translation>
     </message>
@@ -3314,6 +3358,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Resonance of the cloth with a finger on it, at the stretch below.</source>
         <translation>Risonanza del tessuto con un dito sopra, alla tensione indicata sotto.</translation>
+    </message>
+    <message>
+        <source>Resonance, Hz</source>
+        <translation>Risonanza, Hz</translation>
     </message>
     <message>
         <source>Resource temporarily unavailable</source>
@@ -3528,6 +3576,10 @@ s</translation>
     <message>
         <source>Share of the robot's messages of the last second that did not arrive.</source>
         <translation>Quota dei messaggi del robot dell'ultimo secondo che non sono arrivati.</translation>
+    </message>
+    <message>
+        <source>Share of the vibration</source>
+        <translation>Quota della vibrazione</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -3820,6 +3872,10 @@ N/mm</translation>
         <translation>Livello della superficie</translation>
     </message>
     <message>
+        <source>Sweeps at two stretches, 10° apart, with an accelerometer.</source>
+        <translation>Scansioni a due stiramenti, distanti 10°, con un accelerometro.</translation>
+    </message>
+    <message>
         <source>Tag "%1": expected at most %2 characters.</source>
         <translation>Etichetta "%1": attesi al più %2 caratteri.</translation>
     </message>
@@ -3836,8 +3892,8 @@ N/mm</translation>
         <translation>Togli A e B</translation>
     </message>
     <message>
-        <source>Take everything off the cloth, keep your hands away, and take the point: it lasts 3 s.</source>
-        <translation>Togliere tutto dal tessuto, tenere lontane le mani e prendere il punto: dura 3 s.</translation>
+        <source>Take everything off the cloth, keep your hands away, and take the point: it lasts %1 s.</source>
+        <translation>Togli tutto dal tessuto, tieni lontane le mani e prendi il punto: dura %1 s.</translation>
     </message>
     <message>
         <source>Take point</source>
@@ -3870,6 +3926,10 @@ N/mm</translation>
     <message>
         <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
         <translation>Togliere le mani dal tessuto e tenere il pulsante per 16 s: entrambi i motori vanno subito al loro zero, poi a passi di %1° fino a %2° e ritorno.</translation>
+    </message>
+    <message>
+        <source>Take your hands off the cloth and hold the button for 35 s: the duty of each motor grows until it turns.</source>
+        <translation>Togli le mani dal tessuto e tieni premuto il pulsante per 35 s: il duty di ogni motore cresce finché gira.</translation>
     </message>
     <message>
         <source>Takes the last point back.</source>
@@ -3922,6 +3982,14 @@ N/mm</translation>
     <message>
         <source>Texture signal</source>
         <translation>Segnale della texture</translation>
+    </message>
+    <message>
+        <source>The breakaway of both motors, and sweeps at two stretches, 10° apart, with an accelerometer.</source>
+        <translation>Lo spunto di entrambi i motori, e scansioni a due stiramenti, distanti 10°, con un accelerometro.</translation>
+    </message>
+    <message>
+        <source>The breakaway of both motors.</source>
+        <translation>Lo spunto di entrambi i motori.</translation>
     </message>
     <message>
         <source>The camera sees the cloth mirrored left to right.</source>
@@ -4388,6 +4456,10 @@ Per cominciare: %1</translation>
         <translation>Duty della vibrazione, tenuto dalla scheda motori</translation>
     </message>
     <message>
+        <source>Vibration: motors and cloth</source>
+        <translation>Vibrazione: motori e tessuto</translation>
+    </message>
+    <message>
         <source>View</source>
         <translation>Vista</translation>
     </message>
@@ -4572,6 +4644,10 @@ Per cominciare: %1</translation>
         <translation>un testo</translation>
     </message>
     <message>
+        <source>a turning motor has %1 % of its breakaway</source>
+        <translation>un motore che gira ha il %1 % del suo spunto</translation>
+    </message>
+    <message>
         <source>a value is not finite</source>
         <translation>un valore non è finito</translation>
     </message>
@@ -4736,6 +4812,10 @@ Per cominciare: %1</translation>
         <translation>chiesto {:.0f} %, la telecamera ha preso {:.0f} %</translation>
     </message>
     <message>
+        <source>at %1: %2, damping %3, %4 % left</source>
+        <translation>a %1: %2, smorzamento %3, resta il %4 %</translation>
+    </message>
+    <message>
         <source>at edge</source>
         <translation>al bordo</translation>
     </message>
@@ -4802,6 +4882,14 @@ Per cominciare: %1</translation>
     <message>
         <source>bookmark</source>
         <translation>segnalibro</translation>
+    </message>
+    <message>
+        <source>breakaway</source>
+        <translation>spunto</translation>
+    </message>
+    <message>
+        <source>breakaway of each motor; resonance of the cloth under a finger</source>
+        <translation>spunto di ogni motore; risonanza del tessuto sotto un dito</translation>
     </message>
     <message>
         <source>brightness</source>
@@ -4948,12 +5036,20 @@ Per cominciare: %1</translation>
         <translation>controllare i pesi, e che nulla sfreghi sulla cella</translation>
     </message>
     <message>
+        <source>chirp</source>
+        <translation>chirp</translation>
+    </message>
+    <message>
         <source>classic robot, listening on {}</source>
         <translation>robot classico, in ascolto su {}</translation>
     </message>
     <message>
         <source>classic, not secured</source>
         <translation>classico, non protetto</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>tagliato</translation>
     </message>
     <message>
         <source>clock</source>
@@ -5372,6 +5468,10 @@ Per cominciare: %1</translation>
         <translation>reazione al guasto in corso</translation>
     </message>
     <message>
+        <source>felt</source>
+        <translation>sentito</translation>
+    </message>
+    <message>
         <source>field</source>
         <translation>campo</translation>
     </message>
@@ -5548,8 +5648,8 @@ Per cominciare: %1</translation>
         <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; tutti i bordi sono tenuti</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.6 mm and 20 % of stiffness)</source>
-        <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; i bordi davanti e dietro sono liberi: da tali pressioni questo tessuto non si può conoscere meglio (circa 0,6 mm e 20 % di rigidezza)</translation>
+        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
+        <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; i bordi davanti e dietro sono liberi: da tali pressioni questo tessuto non si può conoscere meglio (circa 0,7 mm e 20 % di rigidezza)</translation>
     </message>
     <message>
         <source>held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
@@ -6078,6 +6178,10 @@ Per cominciare: %1</translation>
     <message>
         <source>not confirmed: the station did not answer. It last used %1.</source>
         <translation>non confermato: la stazione non ha risposto. Da ultimo usava %1.</translation>
+    </message>
+    <message>
+        <source>not enough experiments yet</source>
+        <translation>non ancora abbastanza esperimenti</translation>
     </message>
     <message>
         <source>not opened through the console's driver</source>
@@ -7164,6 +7268,10 @@ Per cominciare: %1</translation>
         <translation>troppo piccolo</translation>
     </message>
     <message>
+        <source>too small to turn</source>
+        <translation>troppo piccolo per girare</translation>
+    </message>
+    <message>
         <source>too uncertain</source>
         <translation>troppo incerto</translation>
     </message>
@@ -7256,6 +7364,10 @@ Per cominciare: %1</translation>
         <translation>in alto e in basso</translation>
     </message>
     <message>
+        <source>usable</source>
+        <translation>usabile</translation>
+    </message>
+    <message>
         <source>use DFT321</source>
         <translation>usare DFT321</translation>
     </message>
@@ -7306,6 +7418,10 @@ Per cominciare: %1</translation>
     <message>
         <source>waiting for a robot on {}</source>
         <translation>in attesa di un robot su {}</translation>
+    </message>
+    <message>
+        <source>wanted</source>
+        <translation>voluto</translation>
     </message>
     <message>
         <source>was %1</source>
@@ -8334,6 +8450,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: writing {} failed; is the disk full?</source>
         <translation>{}: scrittura di {} non riuscita; il disco è pieno?</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} % of the acceleration held out is left; breakaway {:.1f} ± {:.1f} % and {:.1f} ± {:.1f} %, resonance {:.1f} ± {:.1f} Hz at {:.0f}°, damping {:.2f}</source>
+        <translation>{}: resta il {:.0f} % dell'accelerazione tenuta da parte; spunto {:.1f} ± {:.1f} % e {:.1f} ± {:.1f} %, risonanza {:.1f} ± {:.1f} Hz a {:.0f}°, smorzamento {:.2f}</translation>
     </message>
     <message>
         <source>{}: {:.1f} MB free, the recording needs {:.1f} MB</source>

@@ -53,6 +53,7 @@ class ScriptedSession : public console::Session {
     if (test_status.running) test_status = {.test = test_status.test, .words = fyd::say("ended: the button was released")};
   }
   station::DeviceTestStatus deviceTestStatus() const override { return test_status; }
+  std::vector<texture::SweepRow> deviceTestSweep() override { return sweep; }
   Result<void> startRecording(const session::RecordingRequest& request) override {
     if (refuses) return fail("{}: refused by the script", request.path);
     recordings.push_back(request);
@@ -114,6 +115,7 @@ class ScriptedSession : public console::Session {
   std::vector<device::DeviceTest> tests;
   std::vector<double> stretches;  ///< asked for with each of them
   station::DeviceTestStatus test_status;
+  std::vector<fyd::texture::SweepRow> sweep;  ///< what the loop saw of the device test
   int keeps = 0;
   int test_stops = 0;
   session::RecorderStatus recorder;

@@ -83,6 +83,7 @@ class BusySession : public Session {
   void keepDeviceTest() override {}
   void stopDeviceTest() override {}
   station::DeviceTestStatus deviceTestStatus() const override { return {}; }
+  std::vector<texture::SweepRow> deviceTestSweep() override { return {}; }
   Result<void> startRecording(const session::RecordingRequest&) override { return {}; }
   Result<void> stopRecording() override { return {}; }
   Result<void> note(session::NoteKind, const std::string&) override { return {}; }

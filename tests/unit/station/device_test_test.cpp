@@ -210,5 +210,83 @@ TEST(DeviceTestRunner, ASecondPressEndsTheFirstTest) {
   EXPECT_EQ(loop.runner.status().test, DeviceTest::motor_2);
 }
 
+/// What an accelerometer on the cloth would read along y.
+double swing_g(Instant when) { return 0.2 * std::sin(2.0 * M_PI * 40.0 * toSeconds(when.time_since_epoch())); }
+
+TEST(DeviceTestRunner, AChirpIsSeenAtOneKilohertzThoughAccelerationsComeLateAndStepsAreMissed) {
+  Loop loop;
+  loop.parameters.travel_minimum_deg = 0.0;
+  ASSERT_TRUE(loop.press(DeviceTest::chirp, 30.0));
+  std::vector<pipeline::AccelerationSample> waiting;
+  std::vector<texture::SweepRow> rows;
+  for (int n = 0; n < 20'000; ++n) {
+    const Instant now = loop.inputs.now + kStep;
+    waiting.push_back({.taken = now, .acceleration_g = {0.01, 1.0 + swing_g(now), 0.0}});
+    loop.inputs.robot.accelerations.clear();
+    if (n % 10 == 7) {  // ten at once, the newest 7 ms old
+      while (!waiting.empty() && waiting.front().taken + 7 * kStep <= now) {
+        (void)loop.inputs.robot.accelerations.push(waiting.front());
+        waiting.erase(waiting.begin());
+      }
+    }
+    if (n % 97 == 50) {  // the loop was late
+      loop.inputs.now += 2 * kStep;
+      waiting.push_back({.taken = now + kStep, .acceleration_g = {0.01, 1.0 + swing_g(now + kStep), 0.0}});
+      waiting.push_back({.taken = now + 2 * kStep, .acceleration_g = {0.01, 1.0 + swing_g(now + 2 * kStep), 0.0}});
+    }
+    (void)loop.step();
+    if (n % 1000 == 0) rows = loop.runner.sweep();
+  }
+  EXPECT_EQ(loop.words(), "finished");
+  rows = loop.runner.sweep();
+  ASSERT_NEAR(static_cast<double>(rows.size()), 8000.0, 5.0);
+  const Instant first = instantAt(10);
+  double turns = 0.0;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    ASSERT_EQ(rows[n].part, 1);
+    ASSERT_NEAR(rows[n].stretch_deg, 30.0, 0.1);
+    ASSERT_NEAR(rows[n].t_s - rows[0].t_s, 1e-3 * static_cast<double>(n), 1e-9);
+    ASSERT_LE(std::abs(rows[n].duty_percent[0]), 90.0);
+    ASSERT_EQ(rows[n].duty_percent[0], rows[n].duty_percent[1]);
+    // The test began at the step after the press, 1 ms after the first.
+    const Instant when = first + 2 * kStep + fromSeconds(rows[n].t_s);
+    ASSERT_NEAR(rows[n].acceleration_g - 1.0, swing_g(when), 2e-3) << n;
+    turns += n > 0 && rows[n].duty_percent[0] * rows[n - 1].duty_percent[0] < 0.0 ? 0.5 : 0.0;
+  }
+  EXPECT_NEAR(turns, 8.0 * (8.0 + 350.0) / 2.0, 40.0) << "8 to 350 Hz in 8 s, less what the missed steps held";
+}
+
+TEST(DeviceTestRunner, BreakawayRampsEachMotorBothWaysAndMovesNoReference) {
+  Loop loop;
+  ASSERT_TRUE(loop.press(DeviceTest::breakaway));
+  ASSERT_TRUE(loop.step());
+  const auto rest = loop.last->reference_ticks;
+  std::array<double, 2> most{}, least{};
+  while (loop.last) {
+    ASSERT_EQ(loop.last->reference_ticks, rest);
+    const auto& duty = loop.last->vibration_duty_percent;
+    ASSERT_EQ(duty[0] * duty[1], 0.0) << "one motor at a time";
+    for (std::size_t i = 0; i < 2; ++i) {
+      most[i] = std::max(most[i], duty[i]);
+      least[i] = std::min(least[i], duty[i]);
+    }
+    (void)loop.step();
+  }
+  EXPECT_EQ(loop.words(), "finished");
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(most[i], device::kRampTop_percent, 0.01);
+    EXPECT_NEAR(least[i], -device::kRampTop_percent, 0.01);
+  }
+  // Seen rarely: what is left is still whole rows of one experiment each.
+  for (const texture::SweepRow& row : loop.runner.sweep()) ASSERT_TRUE(row.part >= 1 && row.part <= 4);
+}
+
+TEST(DeviceTestRunner, AChirpBeyondTheTravelIsRefused) {
+  Loop loop;
+  ASSERT_TRUE(loop.press(DeviceTest::chirp, loop.parameters.travel_maximum_deg + 1.0));
+  EXPECT_FALSE(loop.step());
+  EXPECT_THAT(loop.words(), HasSubstr("travel"));
+}
+
 }  // namespace
 }  // namespace fyd::station

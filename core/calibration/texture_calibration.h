@@ -1,0 +1,21 @@
+// The way to the finger as a calibration of a profile: core/texture/felt_identification.h with a verdict in words and
+// the parameters texture.plant_* it would change.
+#pragma once
+
+#include <vector>
+
+#include "core/calibration/calibration_result.h"
+#include "core/texture/felt_identification.h"
+
+namespace fyd::calibration {
+
+struct TextureCalibration {
+  CalibrationResult result;                ///< coefficients: resonance, damping, breakaway of each motor
+  texture::FeltIdentification identified;  ///< while the verdict is accepted
+};
+
+/// @param profile  what the sweep does not tell: free speed, time constant, position gain, radius
+[[nodiscard]] TextureCalibration calibrateTexture(const std::vector<texture::SweepRow>& sweep,
+                                                  const texture::FeltPlant& profile);
+
+}  // namespace fyd::calibration
