@@ -38,6 +38,7 @@ enum CurveChannel : std::size_t {
   kVibrationRms,
   kVibrationDead,
   kVibrationClipped,
+  kOutOfReach,
   kReachableTarget,
   kStretchReference,
   kStretchMeasured,

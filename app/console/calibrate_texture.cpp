@@ -3,12 +3,10 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "app/console/calibrate_step.h"
 #include "core/calibration/texture_calibration.h"
-#include "core/device/test_motion.h"
-#include "core/sim/finger_vibration.h"
+#include "core/sim/vibration_sweep.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -172,34 +170,9 @@ class TextureStep : public CalibrationStep {
   }
 
  private:
-  /// What the loop would see of the simulated way to the finger, with an accelerometer of 2 mg noise.
   static CalibrationPoint simulated(const station::Profile& profile, device::DeviceTest test, double stretch_deg) {
-    constexpr double kNoise_g = 0.002;
-    std::mt19937_64 random(static_cast<std::uint64_t>(profile.sim.seed));
-    std::normal_distribution<double> noise(0.0, kNoise_g);
-    const auto motion = device::TestMotion::plan(test, {stretch_deg, -stretch_deg}, stretch_deg, stretch_deg);
-    if (!motion) return {};
-    sim::FingerVibration vibration(profile.sim.vibration, stretch_deg);
-    std::vector<texture::SweepRow> rows;
-    constexpr Duration kStep = std::chrono::milliseconds(1);
-    for (Duration at{}; at < motion->length(); at += kStep) {
-      const auto command = motion->at(at);
-      if (!command) break;
-      const double felt_g = vibration.step(command->vibration_duty_percent);
-      const int experiment = motion->experimentAt(at);
-      if (experiment == 0) continue;
-      texture::SweepRow row{.t_s = toSeconds(at), .part = experiment, .stretch_deg = stretch_deg};
-      row.duty_percent = command->vibration_duty_percent;
-      for (std::size_t i = 0; i < row.encoder_counts.size(); ++i) {
-        const double turns = vibration.motor_deg()[i] / 360.0;
-        row.encoder_counts[i] =
-            static_cast<int>(std::floor((turns - std::floor(turns)) * texture::kSweepCountsPerTurn)) %
-            texture::kSweepCountsPerTurn;
-      }
-      row.acceleration_g = felt_g + noise(random);
-      rows.push_back(row);
-    }
-    return pointOfSweep(rows);
+    return pointOfSweep(
+        sim::simulatedSweep(profile.sim.vibration, test, stretch_deg, static_cast<std::uint64_t>(profile.sim.seed)));
   }
 
   double lowest_deg_;

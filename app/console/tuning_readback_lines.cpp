@@ -26,6 +26,30 @@ ReadbackLine compare(const QString& what, double asked, double said, double tole
   return line;
 }
 
+/// What the finger feels of the vibration, as far as the plant is known; no sensor sees it.
+ReadbackLine vibrationAtTheFinger(const widgets::TuningModel& model, const pipeline::TelemetrySample& newest) {
+  const widgets::TunedParameter* plant = model.find("texture.plant_identified");
+  const bool identified = plant != nullptr && plant->value != 0.0;
+  ReadbackLine line{.what = tr("Vibration at the finger, reckoned (%1)")
+                                .arg(identified ? tr("motors and cloth identified") : tr("not identified")),
+                    .asked = widgets::quantityText(newest.texture_signal_g, 2, QStringLiteral("g")),
+                    .said = widgets::kNoValue};
+  constexpr double kSilent_dB = -60.0;
+  if (newest.felt_level_dB > kSilent_dB) {
+    line.said = tr("%1 over what is felt; motors %2; too small to turn %3, clipped %4")
+                    .arg(widgets::quantityText(newest.felt_level_dB, 0, QStringLiteral("dB")),
+                         widgets::quantityText(newest.vibration_rms_percent, 0, QStringLiteral("%")),
+                         widgets::quantityText(100.0 * newest.vibration_dead_share, 0, QStringLiteral("%")),
+                         widgets::quantityText(100.0 * newest.vibration_clipped_share, 0, QStringLiteral("%")));
+    line.state = newest.felt_level_dB >= 0.0 ? ReadbackLine::State::confirmed : ReadbackLine::State::unknown;
+  }
+  if (newest.felt_out_of_reach == 1.0) {
+    line.said = tr("out of reach: less than is felt arrives");
+    line.state = ReadbackLine::State::differs;
+  }
+  return line;
+}
+
 }  // namespace
 
 std::vector<ReadbackLine> readbackLines(const widgets::TuningModel& model, const pipeline::TelemetrySample& newest,
@@ -52,6 +76,7 @@ std::vector<ReadbackLine> readbackLines(const widgets::TuningModel& model, const
   out.push_back({.what = tr("Vibration duty, held by the motor board"),
                  .asked = widgets::quantityText(newest.vibration_duty_percent, 0, QStringLiteral("%")),
                  .said = widgets::kNoValue});
+  out.push_back(vibrationAtTheFinger(model, newest));
   return out;
 }
 

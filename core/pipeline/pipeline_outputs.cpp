@@ -145,7 +145,7 @@ void Pipeline::writeTelemetry(const Inputs& inputs) {
   const texture::FingerFigures felt = finger_prediction_.figures();
   out.felt_acceleration_g = felt.acceleration_g;
   out.felt_level_dB = felt.level_dB;
-  out.felt_out_of_reach = felt.out_of_reach;
+  out.felt_out_of_reach = felt.out_of_reach ? 1.0 : 0.0;
   out.vibration_rms_percent = felt.duty_rms_percent;
   out.vibration_dead_share = felt.dead_share;
   out.vibration_clipped_share = felt.clipped_share;

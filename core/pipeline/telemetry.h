@@ -47,12 +47,12 @@ struct TelemetrySample {
   double texture_signal_g = 0.0;
   double vibration_duty_percent = 0.0;
   double vibration_clipped = 0.0;
-  double vibration_rms_percent = 0.0;
-  double vibration_dead_share = 0.0;
-  double vibration_clipped_share = 0.0;
-  double felt_acceleration_g = 0.0;
-  double felt_level_dB = 0.0;
-  bool felt_out_of_reach = false;
+  double vibration_rms_percent = kNone;
+  double vibration_dead_share = kNone;
+  double vibration_clipped_share = kNone;
+  double felt_acceleration_g = kNone;
+  double felt_level_dB = kNone;
+  double felt_out_of_reach = kNone;
 
   double touch_x_mm = 0.0;
   double touch_y_mm = 0.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/base/portable_math.h"
 
@@ -32,12 +33,19 @@ int rampedMotor(const SweepPart& part) {
 
 struct Ramp {
   double breakaway_percent = 0.0;  // signed
+  int start_counts = 0;
+  double stretch_deg = 0.0;
 };
+
+/// From the second to the first, the short way round.
+int countsBetween(int first, int second) {
+  return (first - second + kSweepCountsPerTurn + kSweepCountsPerTurn / 2) % kSweepCountsPerTurn -
+         kSweepCountsPerTurn / 2;
+}
 
 Result<Ramp> readRamp(const SweepPart& part, std::size_t motor, const FeltPlant& base) {
   const auto moved = [&](std::size_t n) {
-    const int away = part[n].encoder_counts[motor] - part.front().encoder_counts[motor];
-    return (away + kSweepCountsPerTurn + kSweepCountsPerTurn / 2) % kSweepCountsPerTurn - kSweepCountsPerTurn / 2;
+    return countsBetween(part[n].encoder_counts[motor], part.front().encoder_counts[motor]);
   };
   const double last = part.back().duty_percent[motor];
   double largest = 0.0;
@@ -61,10 +69,23 @@ Result<Ramp> readRamp(const SweepPart& part, std::size_t motor, const FeltPlant&
     const std::size_t later = std::min(n + 20, part.size() - 1);
     const bool creeps = std::abs(moved(later)) < 3;
     const double fought = creeps ? 0.5 * kCount_deg * base.position_gain_percent_per_deg : 0.0;
-    return Ramp{std::copysign(std::max(std::abs(duty) - fought, 0.0), duty)};
+    return Ramp{.breakaway_percent = std::copysign(std::max(std::abs(duty) - fought, 0.0), duty),
+                .start_counts = part.front().encoder_counts[motor],
+                .stretch_deg = part.front().stretch_deg};
   }
   return fail("part {}: motor {} did not turn up to a duty of {} %; expected a ramp until it turns", part.front().part,
               motor + 1, largest);
+}
+
+/// What a ramp needs, %, as if the motor had stood where it stood before its first ramp: a motor that stuck on its way
+/// back is pushed by the board's position loop, and needs less one way and more the other.
+double breakawayFrom(const Ramp& first, const Ramp& ramp, const FeltPlant& base) {
+  constexpr double kSameStretch_deg = 3.0;
+  const double way = std::copysign(1.0, ramp.breakaway_percent);
+  const double stuck_deg = std::abs(ramp.stretch_deg - first.stretch_deg) <= kSameStretch_deg
+                               ? kCount_deg * countsBetween(ramp.start_counts, first.start_counts)
+                               : 0.0;
+  return std::abs(ramp.breakaway_percent) - way * stuck_deg * base.position_gain_percent_per_deg;
 }
 
 double mean(const std::vector<double>& x) {
@@ -108,6 +129,7 @@ Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, con
   FeltIdentification out;
   out.plant = base;
   std::array<std::array<std::vector<double>, 2>, kFeltMotors> ramps;
+  std::array<std::optional<Ramp>, kFeltMotors> first;
   std::vector<const SweepPart*> chirps;
   const std::vector<SweepPart> parts = partsOf(sweep);
   for (const SweepPart& part : parts) {
@@ -121,8 +143,9 @@ Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, con
     }
     const auto ramp = readRamp(part, static_cast<std::size_t>(motor), base);
     if (!ramp) return tl::unexpected(ramp.error());
-    ramps[static_cast<std::size_t>(motor)][ramp->breakaway_percent > 0.0 ? 0 : 1].push_back(
-        std::abs(ramp->breakaway_percent));
+    const auto of = static_cast<std::size_t>(motor);
+    if (!first[of]) first[of] = *ramp;
+    ramps[of][ramp->breakaway_percent > 0.0 ? 0 : 1].push_back(breakawayFrom(*first[of], *ramp, base));
   }
   const auto found = breakaways(ramps, base);
   if (!found) return tl::unexpected(found.error());

@@ -166,6 +166,10 @@
         <translation>%1 au cours du temps, %2</translation>
     </message>
     <message>
+        <source>%1 over what is felt; motors %2; too small to turn %3, clipped %4</source>
+        <translation>%1 au-dessus de ce qui se sent ; moteurs %2 ; trop faible pour tourner %3, écrêté %4</translation>
+    </message>
+    <message>
         <source>%1 presses of different depth at %2 or more stretches, the least and the greatest among them.</source>
         <translation>%1 pressions de profondeurs différentes à %2 étirements ou plus, dont le plus faible et le plus fort.</translation>
     </message>
@@ -4452,6 +4456,10 @@ Pour commencer : %1</translation>
         <translation>Vibration</translation>
     </message>
     <message>
+        <source>Vibration at the finger, reckoned (%1)</source>
+        <translation>Vibration au doigt, calculée (%1)</translation>
+    </message>
+    <message>
         <source>Vibration duty, held by the motor board</source>
         <translation>Rapport cyclique de vibration, tenu par la carte moteurs</translation>
     </message>
@@ -5984,6 +5992,10 @@ Pour commencer : %1</translation>
         <translation>moteurs '{}' : attendu qbmove:TTY</translation>
     </message>
     <message>
+        <source>motors and cloth identified</source>
+        <translation>moteurs et tissu identifiés</translation>
+    </message>
+    <message>
         <source>motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool</source>
         <translation>moteurs à {:.0f} et {:.0f} °C, coupés à {:.0f} : les laisser refroidir</translation>
     </message>
@@ -6184,6 +6196,10 @@ Pour commencer : %1</translation>
         <translation>pas encore assez d'expériences</translation>
     </message>
     <message>
+        <source>not identified</source>
+        <translation>non identifiés</translation>
+    </message>
+    <message>
         <source>not opened through the console's driver</source>
         <translation>pas ouvert par le pilote de la console</translation>
     </message>
@@ -6270,6 +6286,14 @@ Pour commencer : %1</translation>
     <message>
         <source>other version</source>
         <translation>autre version</translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation>hors de portée</translation>
+    </message>
+    <message>
+        <source>out of reach: less than is felt arrives</source>
+        <translation>hors de portée : il arrive moins que ce qui se sent</translation>
     </message>
     <message>
         <source>out of turn</source>

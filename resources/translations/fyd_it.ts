@@ -166,6 +166,10 @@
         <translation>%1 nel tempo, %2</translation>
     </message>
     <message>
+        <source>%1 over what is felt; motors %2; too small to turn %3, clipped %4</source>
+        <translation>%1 oltre ciò che si sente; motori %2; troppo piccolo per girare %3, tagliato %4</translation>
+    </message>
+    <message>
         <source>%1 presses of different depth at %2 or more stretches, the least and the greatest among them.</source>
         <translation>%1 pressioni di profondità diversa a %2 o più tensioni, fra cui la minima e la massima.</translation>
     </message>
@@ -4452,6 +4456,10 @@ Per cominciare: %1</translation>
         <translation>Vibrazione</translation>
     </message>
     <message>
+        <source>Vibration at the finger, reckoned (%1)</source>
+        <translation>Vibrazione al dito, calcolata (%1)</translation>
+    </message>
+    <message>
         <source>Vibration duty, held by the motor board</source>
         <translation>Duty della vibrazione, tenuto dalla scheda motori</translation>
     </message>
@@ -5984,6 +5992,10 @@ Per cominciare: %1</translation>
         <translation>motori '{}': atteso qbmove:TTY</translation>
     </message>
     <message>
+        <source>motors and cloth identified</source>
+        <translation>motori e tessuto identificati</translation>
+    </message>
+    <message>
         <source>motors at {:.0f} and {:.0f} °C, switched off at {:.0f}: let them cool</source>
         <translation>motori a {:.0f} e {:.0f} °C, spenti a {:.0f}: lasciarli raffreddare</translation>
     </message>
@@ -6184,6 +6196,10 @@ Per cominciare: %1</translation>
         <translation>non ancora abbastanza esperimenti</translation>
     </message>
     <message>
+        <source>not identified</source>
+        <translation>non identificati</translation>
+    </message>
+    <message>
         <source>not opened through the console's driver</source>
         <translation>non aperto attraverso il driver della console</translation>
     </message>
@@ -6270,6 +6286,14 @@ Per cominciare: %1</translation>
     <message>
         <source>other version</source>
         <translation>altra versione</translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation>fuori portata</translation>
+    </message>
+    <message>
+        <source>out of reach: less than is felt arrives</source>
+        <translation>fuori portata: arriva meno di ciò che si sente</translation>
     </message>
     <message>
         <source>out of turn</source>

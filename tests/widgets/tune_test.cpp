@@ -377,7 +377,7 @@ class TuneTest : public QObject {
     f.window->frame()->go(QStringLiteral("operate"));
     f.window->frame()->go(QStringLiteral("tune"));
     const auto said = [&](int row) { return f.page->readback()->table()->item(row, 3)->text(); };
-    QCOMPARE(f.page->readback()->table()->rowCount(), 6);
+    QCOMPARE(f.page->readback()->table()->rowCount(), 7);
     QCOMPARE(said(0), QStringLiteral("differs"));
     QCOMPARE(said(1), QStringLiteral("confirmed"));
     QCOMPARE(said(2), QStringLiteral("confirmed"));

@@ -57,7 +57,7 @@ TEST(Report, TouchesStandWithErrorAndSettling) {
   const ReportTable& touches = tableOf(content, "Touches");
   ASSERT_EQ(touches.rows.size(), 2U);
   EXPECT_THAT(touches.rows[0],
-              testing::ElementsAre("1", "0.50", "0.50", "3.25", "4.50", "0.580", "0.600", "−3.3", "0.00", "0.0"));
+              testing::ElementsAre("1", "0.50", "0.50", "3.25", "4.50", "0.580", "0.600", "−3.3", "0.00", "0.0", "–"));
   EXPECT_EQ(touches.rows[1][8], "never");
   EXPECT_EQ(touches.rows[1][7], "−50.0");
 }
