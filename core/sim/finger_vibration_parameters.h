@@ -21,8 +21,8 @@ struct FingerVibrationParameters {
   double tension_percent = 4.0;
   double resonance_Hz = 70.0;
   double damping = 0.3;
-  double resonance_Hz_per_deg = 0.0;
-  double finger_loading = 0.0;
+  double resonance_Hz_per_deg = 0.5;
+  double finger_loading = 0.15;
 
   template <class Visitor>
   void describe(Visitor& v) {
