@@ -1,24 +1,26 @@
 // The default predictor: several experts, weighted by how well each has done on this hand lately.
 //
 // Experts: hold; the paper's order 1; two linear forecasts that learn online, of a middle and a long memory
-// (linear_forecast.h); and a perceptron that has learnt from other people's strokes (learned_forecast.h). Each says
+// (linear_forecast.h); and a perceptron that has learnt from other people's strokes (learned_forecast.h), with a last
+// layer of its own for this hand (personal_layer.h). Each says
 // where the hand will be at the horizons in use; as soon as that is known, its squared error is added to its loss,
 // which forgets over a hundred messages. An expert's weight is (smallest loss / its loss)^16: nearly the best one's,
 // without a jump when another takes over. Before anything is known the losses are given ones, worth fifty messages.
 //
-// Of the horizons only those in use are worked on: the shortest and the longest age of the newest message at the ticks,
-// in steps Δ of the messages, and one between when they are far apart. Between them runs a polynomial. No prediction
-// goes further than 1.25 times what the hand has been seen to move over that horizon; and all of it is shortened by the
-// share that has come true at the ticks lately (regression of the true displacement on the predicted one, at most 1),
-// so that on noise, where nothing can be known, it holds.
+// Only the horizons in use are worked on (horizons.h); between them runs a polynomial. No prediction goes further than
+// 1.25 times what the hand has been seen to move over that horizon, or, before that is known, has come altogether; and
+// all of it is shortened by the share that has come true lately (trust.h), so that on noise it holds.
 #pragma once
 
 #include <array>
 #include <memory>
 
+#include "core/teleop/horizons.h"
 #include "core/teleop/learned_forecast.h"
 #include "core/teleop/linear_forecast.h"
 #include "core/teleop/motion_history.h"
+#include "core/teleop/personal_layer.h"
+#include "core/teleop/trust.h"
 
 namespace fyd::teleop {
 
@@ -52,24 +54,25 @@ class ExpertPredictor final : public Predictor {
     Position position_mm{};
     FeatureSet features{};
     Opinions said{};
-    double tick_s = 0.0;  ///< the last tick before the next anchor, the position it started from and where it went
+    StrokeForecast learned;  ///< without what is this hand's own
+    double tick_s = 0.0;     ///< the last tick before the next anchor, the position it started from and where it went
     Position tick_from_mm{};
     Position tick_by_mm{};
     bool has_tick = false;
     bool said_all = false;  ///< of the horizons that are of interest now
   };
 
-  void watchStep(double spacing_s);
   void begin(double step_s);
-  void watchAge(double age_s);
   void watchCentre(const Position& position_mm);
   void chooseNodes();
+  void keepFurthest(const Horizons::Steps& before, const Horizons::Steps& wanted);
   void settleAnchors();
   void settle(const Anchor& then);
   void settleTicks();
-  [[nodiscard]] double trust(const Position& by_mm) const;
+  [[nodiscard]] double believed(const Position& by_mm) const;
   [[nodiscard]] FeatureSet featuresAt(const DatedPosition& from) const;
-  [[nodiscard]] Opinions opinionsAt(const DatedPosition& from, const FeatureSet& features);
+  [[nodiscard]] Opinions opinionsAt(const DatedPosition& from, const FeatureSet& features,
+                                    StrokeForecast& learned) const;
   [[nodiscard]] Displacements mixed(const Opinions& opinions) const;
   void weigh();
   [[nodiscard]] Position moved(double age_s) const;
@@ -80,6 +83,7 @@ class ExpertPredictor final : public Predictor {
   Team team_;
   std::array<std::array<LinearForecast, kMostAxes>, kLinear> linear_{};
   LearnedForecast learned_;
+  PersonalLayer personal_;
   MotionHistory history_;
   std::array<Anchor, kKept> anchors_{};
   long index_ = 0;            ///< of the newest anchor; 0: none
@@ -88,18 +92,14 @@ class ExpertPredictor final : public Predictor {
   long settled_ = 0;          ///< the newest anchor whose future over all horizons is known
   Position centre_mm_{};      ///< the running mean of this motion
   int in_centre_ = 0;         ///< messages in it
-  std::array<int, kNodes> node_steps_{};
+  Horizons horizons_;
+  Trust trust_;
   std::array<double, kNodes> furthest_mm_{};  ///< the hand has moved over this node's horizon; −1: not known yet
-  double went_by_ = 0.0, went_along_ = 0.0;   ///< running Σ|by|² and Σ by·true displacement of the ticks
   std::array<double, kExperts> loss_{};
   std::array<double, kExperts> weight_{};
-  double losses_ = 0.0;                            ///< how many are in loss_
-  double begin_losses_ = 0.0;                      ///< what is left of the initial losses
-  double step_s_ = 0.0;                            ///< Δ; 0: not known yet
-  int shorter_ = 0, longer_ = 0;                   ///< spacings in a row that do not fit Δ
-  double least_age_s_ = -1.0, most_age_s_ = -1.0;  ///< of the newest message at the ticks; −1: none yet
-  int until_choice_ = 0;
-  bool stale_ = false;  ///< displaced_ is not of the newest message
+  double losses_ = 0.0;        ///< how many are in loss_
+  double begin_losses_ = 0.0;  ///< what is left of the initial losses
+  bool stale_ = false;         ///< displaced_ is not of the newest message
   Displacements displaced_{};
 };
 

@@ -88,12 +88,12 @@ std::shared_ptr<const StrokeWeights> StrokeWeights::usual() {
   return weights;
 }
 
-StrokeWeights::Outputs StrokeWeights::operator()(const Inputs& inputs) const {
+StrokeWeights::Outputs StrokeWeights::operator()(const Inputs& inputs, Hidden& second) const {
   const float* w = numbers_.data();
   auto first = copied<kHid>(w + kB1);
   addProduct(inputs, w + kW1, first);
   for (float& each : first) each = std::max(each, 0.0F);
-  auto second = copied<kHid>(w + kB2);
+  second = copied<kHid>(w + kB2);
   addProduct(first, w + kW2, second);
   for (float& each : second) each = std::max(each, 0.0F);
   auto out = copied<kOut>(w + kB3);
@@ -102,8 +102,8 @@ StrokeWeights::Outputs StrokeWeights::operator()(const Inputs& inputs) const {
   return out;
 }
 
-void LearnedForecast::look(const MotionHistory& history, const DatedPosition& from) {
-  knots_ = {};
+StrokeForecast LearnedForecast::look(const MotionHistory& history, const DatedPosition& from) const {
+  StrokeForecast out;
   std::array<Position, StrokeWeights::kLags> steps{};
   Position later = from.position_mm, ahead{}, before{};
   std::size_t place = 0;
@@ -122,7 +122,10 @@ void LearnedForecast::look(const MotionHistory& history, const DatedPosition& fr
   for (std::size_t a = 0; a < kMostAxes; ++a) before[a] -= along * ahead[a];
   normalize(before);
   const double scale_mm = std::sqrt(squares / static_cast<double>(steps.size())) + kLeastScale_mm;
-  if (!std::isfinite(scale_mm)) return;
+  if (!std::isfinite(scale_mm)) return out;
+  out.scale_mm_ = scale_mm;
+  out.ahead_ = ahead;
+  out.across_ = before;
   StrokeWeights::Inputs inputs{};
   for (std::size_t k = 0; k < steps.size(); ++k) {
     inputs[2 * k] = static_cast<float>(dot(steps[k], ahead) / scale_mm);
@@ -131,24 +134,37 @@ void LearnedForecast::look(const MotionHistory& history, const DatedPosition& fr
   constexpr double kLongest_s = static_cast<double>(StrokeWeights::kLags) * kStep_s;
   inputs[kIn - 2] = static_cast<float>(math::log(scale_mm));
   inputs[kIn - 1] = static_cast<float>(std::min(from.date_s - history.oldest().date_s, kLongest_s) / kLongest_s);
-  const StrokeWeights::Outputs outputs = (*weights_)(inputs);
+  const StrokeWeights::Outputs outputs = (*weights_)(inputs, out.hidden_);
   for (std::size_t k = 0; k < StrokeWeights::kKnots; ++k) {
     for (std::size_t a = 0; a < kMostAxes; ++a) {
-      knots_[k + 1][a] = scale_mm * (static_cast<double>(outputs[2 * k]) * ahead[a] +
-                                     static_cast<double>(outputs[2 * k + 1]) * before[a]);
+      out.knots_[k + 1][a] = scale_mm * (static_cast<double>(outputs[2 * k]) * ahead[a] +
+                                         static_cast<double>(outputs[2 * k + 1]) * before[a]);
     }
   }
+  return out;
 }
 
-Position LearnedForecast::displacement(double horizon_s) const {
+std::array<float, 2> StrokeForecast::inPlane(const Position& mm) const {
+  return {static_cast<float>(dot(mm, ahead_) / scale_mm_), static_cast<float>(dot(mm, across_) / scale_mm_)};
+}
+
+Position StrokeForecast::outOfPlane(const std::array<float, 2>& in_plane) const {
+  Position out{};
+  for (std::size_t a = 0; a < kMostAxes; ++a) {
+    out[a] = scale_mm_ * (static_cast<double>(in_plane[0]) * ahead_[a] + static_cast<double>(in_plane[1]) * across_[a]);
+  }
+  return out;
+}
+
+Position StrokeForecast::displacement(double horizon_s) const {
   // The cubic through the four knots around it; straight on beyond the last.
   constexpr double kLast = StrokeWeights::kKnots;
-  const double knot = std::min(horizon_s / kStep_s, kLast);
+  const double knot = std::min(horizon_s / LearnedForecast::kStep_s, kLast);
   const auto first = static_cast<std::size_t>(std::clamp(knot - 1.0, 0.0, kLast - 3.0));
   const double u = knot - static_cast<double>(first);
   const std::array<double, 4> share = {-(u - 1) * (u - 2) * (u - 3) / 6, u * (u - 2) * (u - 3) / 2,
                                        -u * (u - 1) * (u - 3) / 2, u * (u - 1) * (u - 2) / 6};
-  const double beyond = 0.5 * std::max(0.0, horizon_s / kStep_s - kLast);
+  const double beyond = 0.5 * std::max(0.0, horizon_s / LearnedForecast::kStep_s - kLast);
   Position out{};
   for (std::size_t a = 0; a < kMostAxes; ++a) {
     for (std::size_t i = 0; i < share.size(); ++i) out[a] += share[i] * knots_[first + i][a];

@@ -32,10 +32,32 @@ class StrokeWeights {
 
   using Inputs = std::array<float, kInputs>;
   using Outputs = std::array<float, kOutputs>;
-  [[nodiscard]] Outputs operator()(const Inputs& inputs) const;
+  using Hidden = std::array<float, kHidden>;
+  /// @param second set to the units of the second layer
+  [[nodiscard]] Outputs operator()(const Inputs& inputs, Hidden& second) const;
 
  private:
   std::vector<float> numbers_;
+};
+
+/// What the perceptron says from one message on.
+class StrokeForecast {
+ public:
+  /// @param horizon_s 0 and more; beyond the last knot it goes on half as far
+  /// @return mm
+  [[nodiscard]] Position displacement(double horizon_s) const;
+  /// In the motion's frame and scale, and back.
+  [[nodiscard]] std::array<float, 2> inPlane(const Position& mm) const;
+  [[nodiscard]] Position outOfPlane(const std::array<float, 2>& in_plane) const;
+  [[nodiscard]] const StrokeWeights::Hidden& hidden() const { return hidden_; }
+
+ private:
+  friend class LearnedForecast;
+
+  double scale_mm_ = 1.0;
+  Position ahead_{}, across_{};  ///< unit vectors; both zero: nothing is known
+  StrokeWeights::Hidden hidden_{};
+  std::array<Position, StrokeWeights::kKnots + 1> knots_{};  ///< mm, from no displacement at 0
 };
 
 class LearnedForecast {
@@ -45,14 +67,10 @@ class LearnedForecast {
   explicit LearnedForecast(std::shared_ptr<const StrokeWeights> weights) : weights_(std::move(weights)) {}
 
   /// Looks at a motion up to its newest message `from`. Never fails: a motion of one message stays where it is.
-  void look(const MotionHistory& history, const DatedPosition& from);
-  /// @param horizon_s 0 and more; beyond the last knot it goes on half as far
-  /// @return mm
-  [[nodiscard]] Position displacement(double horizon_s) const;
+  [[nodiscard]] StrokeForecast look(const MotionHistory& history, const DatedPosition& from) const;
 
  private:
   std::shared_ptr<const StrokeWeights> weights_;
-  std::array<Position, StrokeWeights::kKnots + 1> knots_{};  ///< mm, from no displacement at 0
 };
 
 }  // namespace fyd::teleop

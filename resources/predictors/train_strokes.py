@@ -92,7 +92,7 @@ class Perceptron:
         return [x.T @ d1, d1.sum(0), h1.T @ d2, d2.sum(0), h2.T @ d, d.sum(0), x.T @ d]
 
 
-def train(data, epochs, seed, batch=256, rate=2e-3, decay=1e-4):
+def train(data, epochs, seed, batch=256, rate=2e-3, decay=1e-3):
     inputs, targets, scales, _, kinds = data
     random = np.random.default_rng(seed)
     known = ~np.isnan(targets[:, :, 0])
