@@ -328,7 +328,10 @@ Position ExpertPredictor::predict(double time_s) {
   const DatedPosition& newest = history_.newest();
   const double age_s = time_s - newest.date_s;
   if (!std::isfinite(age_s)) return newest.position_mm;
-  if (horizons_.watchAge(age_s)) chooseNodes();
+  if (horizons_.watchAge(age_s)) {
+    chooseNodes();
+    stale_ = true;
+  }
   if (age_s <= 0.0) return newest.position_mm;  // of the future: the clocks are apart
   if (stale_ && history_.size() > 1) {
     StrokeForecast learned;
