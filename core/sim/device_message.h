@@ -1,0 +1,37 @@
+// What two linked devices tell each other: the tele-gesture paper's message (x, y, z, α, β, γ, force, date), with the
+// bits of `fyd budget`: 13 an axis for the desktop arm, 16 an angle, 16 a component of force. What couplings need
+// besides is added only where there is something to say: energies (time-domain passivity), a surface that is known.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/protocol/link_messages.h"
+#include "core/protocol/position_code.h"
+#include "core/teleop/coupling.h"
+
+namespace fyd::sim {
+
+struct DeviceMessage {
+  std::uint16_t session = 0;  ///< of the sender, another one with each start
+  bool running = true;        ///< false: it has been stopped
+  double date_s = 0.0;        ///< 0 … 8.9 years, in µs
+  Vec3 position_mm;
+  protocol::Orientation orientation;
+  Vec3 force_N;  ///< ±32.767, 1 mN steps
+  bool tells_energy = false;
+  /// Of each axis: what of CouplingMessage is neither date nor position.
+  std::array<teleop::CouplingMessage, 3> axes;
+};
+
+inline constexpr std::size_t kMostDeviceMessage = 80;
+
+/// @return its size; 0 when it does not fit
+std::size_t encode(const DeviceMessage& message, const protocol::PositionCode& code, std::span<std::uint8_t> out);
+/// @return nothing when it is no such message
+[[nodiscard]] std::optional<DeviceMessage> decodeDeviceMessage(std::span<const std::uint8_t> bytes,
+                                                               const protocol::PositionCode& code);
+
+}  // namespace fyd::sim

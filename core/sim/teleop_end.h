@@ -1,0 +1,83 @@
+// One end of a session of two linked devices: what it does with its device at 1 kHz, and what it sends and receives.
+//
+// Sockets and clocks are the caller's. A session exists while both ends run and hear each other: an end may be started
+// and stopped in any order, as often as one likes, and may vanish. Whoever is not linked exerts no force at all; a far
+// device then only brakes. What arrives is predicted to the present, smoothed, and given to the coupling of each axis.
+// The far device takes the hand where it is: their distance at the moment of linking is closed at 50 mm/s.
+//
+// Dates are of one clock at both ends.
+#pragma once
+
+#include "core/sim/device_message.h"
+#include "core/teleop/orientation_predictor.h"
+#include "core/teleop/smooth_output.h"
+
+namespace fyd::sim {
+
+struct TeleopEndSettings {
+  bool at_hand = true;  ///< otherwise far
+  teleop::CouplingChoice coupling = teleop::CouplingChoice::model;
+  teleop::CouplingSettings coupling_settings;
+  teleop::PredictorChoice predictor = teleop::PredictorChoice::experts;
+  double smooth_s = 0.015;  ///< of corrections
+  double period_s = 0.010;  ///< of messages
+};
+
+struct DeviceState {
+  Vec3 position_mm;
+  Vec3 velocity_mm_per_s;
+  Vec3 force_N;  ///< measured, on what is touched
+  protocol::Orientation orientation;
+};
+
+class TeleopEnd {
+ public:
+  enum class Phase : std::uint8_t { stopped, waiting, linked, lost };
+  static constexpr double kLost_s = 0.5;  ///< without a message
+  static constexpr int kFarewells = 3;
+
+  explicit TeleopEnd(const TeleopEndSettings& settings);
+
+  /// @param session another number with each start
+  void start(std::uint16_t session);
+  void stop();
+
+  void receive(std::span<const std::uint8_t> datagram, double now_s);
+  /// A millisecond. @return the force of the device's motors, N
+  [[nodiscard]] Vec3 step(const DeviceState& device, double now_s);
+  /// The datagram to send now, if one is due.
+  [[nodiscard]] std::span<const std::uint8_t> datagram(double now_s);
+
+  [[nodiscard]] Phase phase() const { return phase_; }
+  /// Where the other device is believed to be, and how it is turned; while linked.
+  [[nodiscard]] const teleop::Position& other_mm() const { return other_mm_; }
+  [[nodiscard]] const teleop::Orientation& otherOrientation() const { return other_orientation_; }
+  /// Over the three axes.
+  [[nodiscard]] teleop::CouplingTelemetry telemetry() const;
+
+ private:
+  void link(const DeviceMessage& first);
+
+  TeleopEndSettings settings_;
+  protocol::PositionCode code_;
+  Phase phase_ = Phase::stopped;
+  std::uint16_t session_ = 0, other_session_ = 0;
+  std::optional<std::uint16_t> ended_;  ///< the other's session that was stopped
+  double heard_s_ = 0.0;
+  double next_s_ = -1e300;  ///< of the next datagram
+  int farewells_ = 0;
+  std::array<std::unique_ptr<teleop::CouplingEnd>, 3> couplings_;
+  std::unique_ptr<teleop::Predictor> predictor_;
+  teleop::OrientationPredictor turning_;
+  teleop::SmoothOutput smooth_;
+  DeviceMessage newest_;
+  DeviceState device_;
+  teleop::Position apart_mm_{};
+  bool apart_known_ = false;
+  double stepped_s_ = 0.0;
+  teleop::Position other_mm_{};
+  teleop::Orientation other_orientation_;
+  std::array<std::uint8_t, kMostDeviceMessage> bytes_{};
+};
+
+}  // namespace fyd::sim

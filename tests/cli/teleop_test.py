@@ -1,0 +1,89 @@
+"""fyd teleop: two simulated desktop arms over a network, one run and the whole table."""
+import csv
+import math
+import os
+import unittest
+
+import fyd
+
+TRACE = os.path.join(fyd.DATA, "teleop_1dof", "d_foam.csv")
+NETWORK = os.path.join(fyd.DATA, "network", "urban_n8_10ms_01.csv")
+
+
+class Teleop(fyd.Case):
+    def run_of(self, *more):
+        return self.json("teleop", "run", "--trace", TRACE, "--period", 10, *more, "--json")
+
+    def test_figures_are_those_of_the_rows(self):
+        out = self.path("rows.csv")
+        got = self.run_of("--delay", 50, "--predictor", "default", "--coupling", "model", "--out", out)
+        with open(out, encoding="ascii") as file:
+            rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        self.assertEqual(len(rows), round(1000 * got["seconds"]))
+        linked = rows[round(len(rows) * (1 - got["linked_percent"] / 100)):]
+        errors = [math.dist(*([row[f"{who}_{axis}_mm"] for axis in "xyz"] for who in ("hand", "far"))) for row in linked]
+        self.assertAlmostEqual(got["rms_error_mm"], math.sqrt(sum(e * e for e in errors) / len(errors)), 2)
+        self.assertAlmostEqual(got["max_error_mm"], max(errors), 2)
+        self.assertEqual(got["drag_N"], 0)
+        self.assertAlmostEqual(got["packets_per_s"], 100, delta=1)
+        self.assertLessEqual(got["datagram_bits"], 640)  # 64 kbit/s · 10 ms
+
+    def test_predicted_is_nearer_than_held_and_less_late(self):
+        held, ours = (self.run_of("--delay", 100, "--jitter", 5, "--loss", 10, "--predictor", name) for name in ("order0", "default"))
+        self.assertLess(ours["rms_error_mm"], 0.6 * held["rms_error_mm"])
+        self.assertLess(ours["added_delay_ms"], 0.5 * held["added_delay_ms"])
+        self.assertLess(ours["orientation_rms_deg"], 0.6 * held["orientation_rms_deg"])
+
+    def test_all_couplings_run_against_a_wall_and_repeat_to_the_bit(self):
+        for name in ("spring", "tdpa", "model"):
+            with self.subTest(name):
+                options = ("--delay", 80, "--jitter", 10, "--loss", 20, "--coupling", name, "--wall", 800, "--seed", 3)
+                got = self.run_of(*options)
+                self.assertEqual(got, self.run_of(*options))
+                if name == "model":
+                    self.assertGreaterEqual(got["least_energy_J"], -1e-3)
+                    self.assertLessEqual(got["deadband_packets_percent"], 10)
+                    self.assertLessEqual(got["deadband_worst"], 1 + 1e-9)
+
+    def test_profiles_by_name_and_by_recording(self):
+        self.assertGreater(self.run_of("--profile", "adsl")["linked_percent"], 95)
+        recorded = self.run_of("--profile", NETWORK, "--predictor", "order0")
+        self.assertGreater(recorded["added_delay_ms"], 10)  # half of about 29 ms, and more
+        self.assertLess(recorded["added_delay_ms"], 60)
+
+    def test_wrong_usage_is_named(self):
+        run = ("teleop", "run", "--trace", TRACE)
+        self.assertIn("order2", self.refused(2, *run, "--predictor", "order2"))
+        self.assertIn("rope", self.refused(2, *run, "--coupling", "rope"))
+        self.assertIn("period 0", self.refused(2, *run, "--period", 0))
+        self.assertIn("-5", self.refused(2, *run, "--delay=-5"))
+        self.assertIn("wall -1", self.refused(2, *run, "--wall=-1"))
+        self.assertIn("modem", self.refused(2, *run, "--profile", "modem"))
+        self.assertIn("own", self.refused(2, *run, "--profile", "lan", "--delay", 5))
+        self.assertIn("none.csv", self.refused(1, "teleop", "run", "--trace", self.path("none.csv")))
+        self.assertIn("round trip -3", self.refused(1, *run, "--profile", self.write("n.csv", "sent_ms,rtt_ms\n0,5\n10,-3\n")))
+        self.assertIn("seconds", self.refused(2, "teleop", "table", "--seconds", 0))
+        self.assertIn("no recordings", self.refused(1, "teleop", "table", "--data", self.path("empty")))
+
+    def test_the_table_has_every_network_period_and_predictor(self):
+        folder = self.path("data")
+        os.makedirs(os.path.join(folder, "network"))
+        with open(TRACE, encoding="ascii") as file, open(os.path.join(folder, "hand.csv"), "w", encoding="ascii") as copy:
+            copy.write("".join(file.readlines()[:1500]))
+        os.symlink(NETWORK, os.path.join(folder, "network", "urban.csv"))
+        picture = self.path("table.svg")
+        rows = self.json("teleop", "table", "--data", folder, "--seconds", 2, "--out", picture, "--json")
+        keys = {(row["network"], row["period_ms"], row["predictor"]) for row in rows}
+        self.assertEqual(len(rows), 4 * 4 * 6)
+        self.assertEqual(len(keys), len(rows))
+        self.assertEqual({row["network"] for row in rows}, {"lan", "isdn", "adsl", "5g urban"})
+        self.assertEqual({row["period_ms"] for row in rows}, {10, 100, 250, 500})
+        for row in rows:
+            self.assertGreaterEqual(row["least_energy_J"], -1e-3, row)
+            self.assertLessEqual(row["packets_per_s"], 1000 / row["period_ms"] + 1)
+        with open(picture, encoding="utf-8") as file:
+            self.assertIn("adsl, 250 ms", file.read())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,188 @@
+// Two linked devices over real sockets: started and stopped in any order, with one of them lost.
+#include "core/sim/teleop_end.h"
+
+#include <cmath>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "core/protocol/udp_socket.h"
+#include "core/sim/desktop_arm.h"
+
+namespace fyd::sim {
+namespace {
+
+using Phase = TeleopEnd::Phase;
+
+protocol::Endpoint loopback(std::uint16_t port) {
+  protocol::Endpoint out;
+  out.address = {127, 0, 0, 1};
+  out.port = port;
+  return out;
+}
+
+/// One end with a socket of its own and a device that stands where it is told to.
+struct Peer {
+  explicit Peer(bool at_hand, teleop::CouplingChoice coupling = teleop::CouplingChoice::spring)
+      : end({.at_hand = at_hand,
+             .coupling = coupling,
+             .coupling_settings = {},
+             .predictor = teleop::PredictorChoice::order0,
+             .smooth_s = 0.0}),
+        socket(protocol::UdpSocket::open(loopback(0)).value()) {}
+
+  /// @param talks false: its cable is out
+  void step(double now_s, const protocol::Endpoint& other, bool talks = true) {
+    std::array<std::uint8_t, 256> buffer{};
+    while (const auto got = socket.receive(buffer, Duration::zero())) {
+      if (talks) end.receive(std::span(buffer).first(got->size), now_s);
+    }
+    force_N = end.step(device, now_s);
+    const auto bytes = end.datagram(now_s);
+    if (bytes.empty()) return;
+    ++sent;
+    if (talks) static_cast<void>(socket.send(bytes, other));
+  }
+
+  TeleopEnd end;
+  protocol::UdpSocket socket;
+  DeviceState device;
+  Vec3 force_N;
+  int sent = 0;
+};
+
+struct Pair {
+  /// Virtual milliseconds; between them real time for the kernel to deliver.
+  void run(int milliseconds, bool hand_talks = true, bool far_talks = true) {
+    for (int i = 0; i < milliseconds; ++i, now_s += 0.001) {
+      hand.step(now_s, far.socket.local(), hand_talks);
+      far.step(now_s, hand.socket.local(), far_talks);
+    }
+  }
+  Peer hand{true}, far{false};
+  double now_s = 100.0;
+};
+
+TEST(TeleopEnd, EitherMayStartFirstAndNoForceComesBeforeBothRun) {
+  for (const bool hand_first : {true, false}) {
+    Pair pair;
+    pair.hand.device.position_mm = {10.0, 0.0, 0.0};
+    Peer& first = hand_first ? pair.hand : pair.far;
+    Peer& second = hand_first ? pair.far : pair.hand;
+    pair.run(50);
+    EXPECT_EQ(pair.hand.sent + pair.far.sent, 0);
+    first.end.start(7);
+    pair.run(300);
+    EXPECT_EQ(first.end.phase(), Phase::waiting);
+    EXPECT_EQ(second.end.phase(), Phase::stopped);
+    EXPECT_EQ(pair.hand.force_N, Vec3{});
+    EXPECT_EQ(pair.far.force_N.norm(), 0.0);
+    second.end.start(8);
+    pair.run(2000);
+    EXPECT_EQ(first.end.phase(), Phase::linked);
+    EXPECT_EQ(second.end.phase(), Phase::linked);
+    EXPECT_NEAR(pair.far.end.other_mm()[0], 10.0, DesktopArm::kPrecision_mm);
+    EXPECT_GT(pair.far.force_N.x, 1.0);    // pulled to the hand
+    EXPECT_LT(pair.hand.force_N.x, -1.0);  // which is pulled back
+  }
+}
+
+TEST(TeleopEnd, EitherMayStopAndStartAgainAndTheOtherWaits) {
+  for (const bool hand_stops : {true, false}) {
+    Pair pair;
+    pair.hand.device.position_mm = {10.0, 0.0, 0.0};
+    pair.hand.end.start(1);
+    pair.far.end.start(2);
+    pair.run(1000);
+    Peer& stops = hand_stops ? pair.hand : pair.far;
+    Peer& stays = hand_stops ? pair.far : pair.hand;
+    stops.end.stop();
+    pair.run(100);
+    EXPECT_EQ(stops.end.phase(), Phase::stopped);
+    EXPECT_EQ(stays.end.phase(), Phase::waiting);
+    EXPECT_EQ(pair.hand.force_N.norm(), 0.0);
+    EXPECT_EQ(pair.far.force_N.norm(), 0.0);
+    const int sent = stops.sent;
+    pair.run(200);
+    EXPECT_EQ(stops.sent, sent);  // farewells end
+    stops.end.start(3);
+    pair.run(300);
+    EXPECT_EQ(stops.end.phase(), Phase::linked);
+    EXPECT_EQ(stays.end.phase(), Phase::linked);
+    stays.end.stop();
+    stops.end.stop();  // both at once
+    pair.run(100);
+    EXPECT_EQ(pair.hand.end.phase(), Phase::stopped);
+    EXPECT_EQ(pair.far.end.phase(), Phase::stopped);
+  }
+}
+
+TEST(TeleopEnd, ALostEndLeavesTheOtherWithoutForceAndIsTakenBack) {
+  for (const bool hand_vanishes : {true, false}) {
+    Pair pair;
+    pair.hand.device.position_mm = {10.0, 0.0, 0.0};
+    pair.hand.end.start(1);
+    pair.far.end.start(2);
+    pair.run(1000);
+    ASSERT_EQ(pair.far.end.phase(), Phase::linked);
+    pair.run(400, !hand_vanishes, hand_vanishes);
+    EXPECT_EQ((hand_vanishes ? pair.far : pair.hand).end.phase(), Phase::linked);  // a silence that networks have
+    pair.run(200, !hand_vanishes, hand_vanishes);
+    EXPECT_EQ(pair.hand.end.phase(), Phase::lost);
+    EXPECT_EQ(pair.far.end.phase(), Phase::lost);
+    EXPECT_EQ(pair.hand.force_N.norm(), 0.0);
+    EXPECT_EQ(pair.far.force_N.norm(), 0.0);
+    pair.far.device.velocity_mm_per_s = {100.0, 0.0, 0.0};
+    pair.run(1, !hand_vanishes, hand_vanishes);
+    EXPECT_LT(pair.far.force_N.x, 0.0);  // it brakes
+    pair.far.device.velocity_mm_per_s = {};
+    pair.run(1000);
+    EXPECT_EQ(pair.hand.end.phase(), Phase::linked);
+    EXPECT_EQ(pair.far.end.phase(), Phase::linked);
+  }
+}
+
+TEST(TeleopEnd, WhileLinkingTheDistanceIsClosedSlowlyNotInAJump) {
+  Pair pair;
+  pair.hand.device.position_mm = {40.0, 0.0, 0.0};
+  pair.hand.end.start(1);
+  pair.far.end.start(2);
+  double before = 0.0, most = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    pair.run(1);
+    most = std::max(most, std::abs(pair.far.force_N.x - before));
+    before = pair.far.force_N.x;
+  }
+  EXPECT_LE(most, 0.1);  // 50 mm/s · 1000 N/m · 1 ms is 0.05 N
+  EXPECT_GT(before, 5.0);
+}
+
+TEST(TeleopEnd, NoiseFromAStrangerAndAnOvertakenFarewellChangeNothing) {
+  Pair pair;
+  pair.hand.end.start(1);
+  pair.far.end.start(2);
+  pair.run(200);
+  std::vector<std::uint8_t> noise(60);
+  for (int i = 0; i < 2000; ++i) {
+    for (auto& each : noise) each = static_cast<std::uint8_t>(i * 7 + static_cast<int>(&each - noise.data()) * i);
+    pair.far.end.receive(std::span(noise).first(static_cast<std::size_t>(i) % 60), pair.now_s);
+  }
+  EXPECT_EQ(pair.far.end.phase(), Phase::linked);
+  // The hand's last message before its farewell comes after it.
+  const auto late = [&] {
+    pair.run(10);
+    TeleopEnd twin({.at_hand = true, .coupling_settings = {}});
+    twin.start(1);
+    static_cast<void>(twin.step({}, pair.now_s));
+    const auto bytes = twin.datagram(pair.now_s);
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+  }();
+  pair.hand.end.stop();
+  pair.run(50);
+  ASSERT_EQ(pair.far.end.phase(), Phase::waiting);
+  pair.far.end.receive(late, pair.now_s);
+  EXPECT_EQ(pair.far.end.phase(), Phase::waiting);
+}
+
+}  // namespace
+}  // namespace fyd::sim

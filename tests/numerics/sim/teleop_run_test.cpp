@@ -1,0 +1,139 @@
+#include "core/sim/teleop_run.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/protocol/message_budget.h"
+#include "core/sim/desktop_arm.h"
+
+namespace fyd::sim {
+namespace {
+
+using teleop::CouplingChoice;
+using teleop::PredictorChoice;
+
+teleop::Trace swing(double amplitude_mm, double hertz, double seconds) {
+  teleop::Trace out{.axes = 1, .time_s = {}, .position_mm = {}};
+  for (int i = 0; i < static_cast<int>(1000.0 * seconds); ++i) {
+    const double t = 0.001 * i;
+    out.time_s.push_back(t);
+    out.position_mm.push_back({amplitude_mm * std::sin(2.0 * std::numbers::pi * hertz * t), 0.0, 0.0});
+  }
+  return out;
+}
+
+TeleopRunSettings over(double delay_ms, PredictorChoice predictor, CouplingChoice coupling = CouplingChoice::model) {
+  TeleopRunSettings out{.predictor = predictor, .coupling = coupling};
+  out.path.forward.delay_ms = out.path.backward.delay_ms = delay_ms;
+  return out;
+}
+
+TEST(DesktopArm, HasThePapersFigures) {
+  const auto code = protocol::PositionCode::make(DesktopArm::workspace());
+  ASSERT_TRUE(code);
+  EXPECT_EQ(code->bitsPerAxis(), 13U);  // equation 1: 160 / 0.02 = 8000 points
+  EXPECT_NEAR(code->pointsOfLongestAxis(), 8000U, 2U);
+  DesktopArm arm;
+  arm.step({100.0, 0.0, 0.0}, {}, 0.001);  // 6.4 N on 45 g for 1 ms
+  EXPECT_NEAR(arm.velocity_mm_per_s().x, 6.4 / 0.045, 0.1);
+  for (int i = 0; i < 1000; ++i) arm.step({6.4, std::nan(""), 0.0}, {}, 0.001);
+  EXPECT_EQ(arm.measured_mm().x, 80.0);  // beyond its reach it reads the end
+  EXPECT_EQ(arm.measured_mm().y, 0.0);
+}
+
+TEST(DeviceMessage, GoesThroughAnIsdnLineEachTenMilliseconds) {
+  const auto code = *protocol::PositionCode::make(DesktopArm::workspace());
+  DeviceMessage message{.session = 7,
+                        .date_s = 12.345678,
+                        .position_mm = {12.34, -50.0, 64.98},
+                        .orientation = {1.0, -2.0, 3.0},
+                        .force_N = {1.234, -6.4, 40.0},
+                        .axes = {}};
+  message.axes[1] = {.touching = true, .knows_surface = true, .surface_m = 0.0125, .stiffness_N_per_m = 800.0};
+  std::array<std::uint8_t, kMostDeviceMessage> bytes{};
+  const std::size_t size = encode(message, code, bytes);
+  EXPECT_LE(8 * (size + 28), 640U);  // equation 2: 64 kbit/s · 10 ms
+  const auto again = decodeDeviceMessage(std::span(bytes).first(size), code);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->session, 7);
+  EXPECT_NEAR(again->date_s, 12.345678, 1e-6);
+  EXPECT_NEAR(again->position_mm.x, 12.34, 0.0101);
+  EXPECT_NEAR(again->position_mm.z, 64.98, 0.0101);
+  EXPECT_NEAR(again->orientation.beta_rad, -2.0, 1e-4);
+  EXPECT_NEAR(again->force_N.x, 1.234, 5e-4);
+  EXPECT_NEAR(again->force_N.z, 32.767, 1e-9);  // held at what can be said
+  EXPECT_TRUE(again->axes[1].touching && again->axes[1].knows_surface && !again->axes[0].knows_surface);
+  EXPECT_NEAR(again->axes[1].surface_m, 0.0125, 1e-8);
+  for (std::size_t cut = 0; cut < size; ++cut)
+    EXPECT_FALSE(decodeDeviceMessage(std::span(bytes).first(cut), code)) << cut;
+}
+
+TEST(TeleopRun, HeldMessagesComeAsLateAsTheyAreAndPredictedOnesDoNot) {
+  const auto trace = swing(30.0, 1.0, 6.0);
+  const TeleopFigures held = runTeleop(trace, over(50.0, PredictorChoice::order0), nullptr);
+  const TeleopFigures predicted = runTeleop(trace, over(50.0, PredictorChoice::experts), nullptr);
+  // 50 ms, half a period of 10 ms, the smoothing's and the device's own milliseconds.
+  EXPECT_GT(held.added_delay_ms, 52.0);
+  EXPECT_LT(held.added_delay_ms, 100.0);
+  EXPECT_LT(predicted.added_delay_ms, 20.0);
+  EXPECT_LT(predicted.rms_error_mm, 0.35 * held.rms_error_mm);
+  EXPECT_LT(predicted.orientation_rms_deg, 0.3 * predicted.orientation_held_rms_deg);
+  EXPECT_NEAR(held.packets_per_s, 100.0, 1.0);
+  EXPECT_LE(held.message_bits, 640.0);
+  EXPECT_NEAR(held.linked_share, 1.0 - 0.05 / 6.0, 0.005);
+}
+
+TEST(TeleopRun, TheModelGivesNoEnergyAndNoDragAndTheSpringDoes) {
+  auto settings = over(100.0, PredictorChoice::order0);
+  settings.wall_N_per_m = 500.0;
+  const auto trace = swing(20.0, 0.7, 6.0);
+  const TeleopFigures model = runTeleop(trace, settings, nullptr);
+  settings.coupling = CouplingChoice::spring;
+  const TeleopFigures spring = runTeleop(trace, settings, nullptr);
+  EXPECT_GE(model.least_energy_J, -1e-3);
+  EXPECT_LT(spring.least_energy_J, -0.005);
+  EXPECT_LE(model.deadband_worst, 1.0 + 1e-9);
+  settings.wall_N_per_m = 0.0;
+  EXPECT_GT(runTeleop(trace, settings, nullptr).drag_N, 0.5);
+  settings.coupling = CouplingChoice::model;
+  EXPECT_LT(runTeleop(trace, settings, nullptr).drag_N, 0.01);
+}
+
+TEST(TeleopRun, TheSameRunGivesTheSameAndAnotherSeedAnother) {
+  auto settings = over(40.0, PredictorChoice::experts);
+  settings.path.forward.jitter_ms = 20.0;
+  settings.path.forward.loss_percent = 20.0;
+  const auto trace = swing(25.0, 1.3, 3.0);
+  const TeleopFigures one = runTeleop(trace, settings, nullptr), same = runTeleop(trace, settings, nullptr);
+  EXPECT_EQ(one.rms_error_mm, same.rms_error_mm);
+  EXPECT_EQ(one.jerk_ratio, same.jerk_ratio);
+  settings.path.forward.seed = 99;
+  EXPECT_NE(runTeleop(trace, settings, nullptr).rms_error_mm, one.rms_error_mm);
+}
+
+TEST(TeleopRun, AMotionLargerThanTheWorkspaceIsScaledAndGapsAreCrossed) {
+  auto trace = swing(400.0, 0.5, 4.0);
+  for (std::size_t i = 1000; i < 1300; ++i) trace.position_mm[i][0] = std::nan("");
+  const TeleopFigures out = runTeleop(trace, over(20.0, PredictorChoice::experts), nullptr);
+  EXPECT_NEAR(out.scale, 0.9 * 160.0 / 800.0, 0.01);
+  EXPECT_TRUE(std::isfinite(out.rms_error_mm));
+  EXPECT_NEAR(out.seconds, 4.0, 0.002);
+}
+
+TEST(TeleopRun, WhatCannotBeIsRefusedByName) {
+  auto settings = over(20.0, PredictorChoice::order0);
+  settings.period_ms = 0.0;
+  EXPECT_THAT(checkTeleopRun(settings).error().text(), testing::HasSubstr("period 0"));
+  settings.period_ms = 10.0;
+  settings.wall_N_per_m = -1.0;
+  EXPECT_THAT(checkTeleopRun(settings).error().text(), testing::HasSubstr("wall -1"));
+  settings.wall_N_per_m = 0.0;
+  settings.path.forward.delay_ms = std::nan("");
+  EXPECT_FALSE(checkTeleopRun(settings));
+}
+
+}  // namespace
+}  // namespace fyd::sim
