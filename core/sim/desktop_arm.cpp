@@ -10,15 +10,20 @@ protocol::Workspace DesktopArm::workspace() {
 }
 
 void DesktopArm::step(const Vec3& motors_N, const Vec3& outside_N, double dt_s) {
-  const auto axis = [&](double motor, double outside, double& at, double& velocity) {
+  const auto axis = [&](double motor, double outside, double side, double& at, double& velocity) {
     const double force = std::clamp(std::isfinite(motor) ? motor : 0.0, -kMostForce_N, kMostForce_N) + outside -
                          kFriction_N_s_per_m * 1e-3 * velocity;
     velocity += 1e3 * dt_s * force / mass_kg_;
     at += dt_s * velocity;
+    const double within = std::clamp(at, -0.5 * side, 0.5 * side);
+    if (at != within) {  // a stop
+      at = within;
+      velocity = 0.0;
+    }
   };
-  axis(motors_N.x, outside_N.x, at_mm_.x, velocity_mm_per_s_.x);
-  axis(motors_N.y, outside_N.y, at_mm_.y, velocity_mm_per_s_.y);
-  axis(motors_N.z, outside_N.z, at_mm_.z, velocity_mm_per_s_.z);
+  axis(motors_N.x, outside_N.x, kWorkspace_mm.x, at_mm_.x, velocity_mm_per_s_.x);
+  axis(motors_N.y, outside_N.y, kWorkspace_mm.y, at_mm_.y, velocity_mm_per_s_.y);
+  axis(motors_N.z, outside_N.z, kWorkspace_mm.z, at_mm_.z, velocity_mm_per_s_.z);
 }
 
 Vec3 DesktopArm::measured_mm() const {

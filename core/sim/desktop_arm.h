@@ -22,7 +22,7 @@ class DesktopArm {
   /// @param more_kg that moves along: a hand's
   explicit DesktopArm(double more_kg = 0.0, const Vec3& at_mm = {}) : mass_kg_(kMass_kg + more_kg), at_mm_(at_mm) {}
 
-  /// The motors' force is held to what they can.
+  /// The motors' force is held to what they can; at the ends of the workspace are stops.
   void step(const Vec3& motors_N, const Vec3& outside_N, double dt_s);
 
   [[nodiscard]] const Vec3& position_mm() const { return at_mm_; }

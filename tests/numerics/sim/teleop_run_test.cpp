@@ -40,7 +40,8 @@ TEST(DesktopArm, HasThePapersFigures) {
   arm.step({100.0, 0.0, 0.0}, {}, 0.001);  // 6.4 N on 45 g for 1 ms
   EXPECT_NEAR(arm.velocity_mm_per_s().x, 6.4 / 0.045, 0.1);
   for (int i = 0; i < 1000; ++i) arm.step({6.4, std::nan(""), 0.0}, {}, 0.001);
-  EXPECT_EQ(arm.measured_mm().x, 80.0);  // beyond its reach it reads the end
+  EXPECT_EQ(arm.position_mm().x, 80.0);  // a stop
+  EXPECT_EQ(arm.velocity_mm_per_s().x, 0.0);
   EXPECT_EQ(arm.measured_mm().y, 0.0);
 }
 
