@@ -37,6 +37,14 @@ class FingerPath {
   ///         all that readCsv refuses
   [[nodiscard]] static Result<FingerPath> fromCsv(const std::string& path);
 
+  /// Straight between knots, which are rows of a file or a program's own. After the last one as fromCsv.
+  /// @param knots times rising from 0; one and more
+  struct Knot {
+    double time_s = 0.0;
+    FingerState state;
+  };
+  [[nodiscard]] static FingerPath fromKnots(std::vector<Knot> knots);
+
   /// The finger at a time since the start, in s; straight between two rows; O(log n), without allocation.
   /// Before 0 and for NaN: the first row.
   [[nodiscard]] FingerState at(double time_s) const;
@@ -46,11 +54,6 @@ class FingerPath {
   [[nodiscard]] std::size_t rows() const { return knots_.size(); }
 
  private:
-  struct Knot {
-    double time_s = 0.0;
-    FingerState state;
-  };
-
   std::vector<Knot> knots_;
   double duration_s_ = 0.0;
 };

@@ -115,8 +115,8 @@ Result<FingerPath> FingerPath::fromCsv(const std::string& path) {
     if (const auto checked = checkRow(*table, row, path); !checked) return tl::unexpected(checked.error());
   }
   const Fit fit = fitOf(*table);
-  FingerPath out;
-  out.knots_.reserve(table->rows());
+  std::vector<FingerPath::Knot> knots;
+  knots.reserve(table->rows());
   FingerState state;
   for (std::size_t row = 0; row < table->rows(); ++row) {
     const double z = table->values[3][row];
@@ -126,8 +126,14 @@ Result<FingerPath> FingerPath::fromCsv(const std::string& path) {
     } else {
       state = fit.apply(table->values[1][row], table->values[2][row], z);
     }
-    out.knots_.push_back({table->values[0][row] - table->values[0][0], state});
+    knots.push_back({table->values[0][row] - table->values[0][0], state});
   }
+  return FingerPath::fromKnots(std::move(knots));
+}
+
+FingerPath FingerPath::fromKnots(std::vector<Knot> knots) {
+  FingerPath out;
+  out.knots_ = std::move(knots);
   if (out.knots_.size() > 1) out.duration_s_ = out.knots_.back().time_s + kSeam_s;
   return out;
 }
