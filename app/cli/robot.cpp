@@ -59,7 +59,7 @@ nlohmann::ordered_json armJson(const device::FriRobot& robot) {
 
 void runRobot(const RobotCliOptions& given) {
   device::RobotRunnerOptions options = runnerOptions(given.end, "fyd robot " FYD_VERSION);
-  options.mapping = mappingOf(given);
+  options.reference.mapping = mappingOf(given);
   options.limits = given.limits;
   const auto workspace = numbersOrUsageError("--workspace", given.workspace, 3);
   options.limits.workspace_mm = {workspace[0], workspace[1], workspace[2]};

@@ -49,23 +49,12 @@ AxisState along(AxisState state, const Ramp& ramp, double time_s) {
   return {.position = state.position + time_s * ramp.speed, .velocity = ramp.speed};
 }
 
-}  // namespace
-
-double restPlace(const AxisState& state, const AxisLimits& limits) {
-  const Ramp stop = rampTo(state, 0.0, limits);
-  AxisState there = state;
-  for (std::size_t i = 0; i < stop.jerk.size(); ++i) there = moved(there, stop.jerk[i], stop.duration_s[i]);
-  return there.position;
-}
-
-AxisState brake(const AxisState& state, const AxisLimits& limits, double tick_s) {
-  return along(state, rampTo(state, 0.0, limits), tick_s);
-}
-
-AxisState approach(const AxisState& state, double goal, const AxisLimits& limits, double tick_s) {
+/// @param back, forth the speeds on the way to a goal that lies below and above, back ≤ 0 ≤ forth
+AxisState towards(const AxisState& state, double goal, double back, double forth, const AxisLimits& limits,
+                  double tick_s) {
   const double missing = goal - restPlace(state, limits);
   if (missing == 0.0) return brake(state, limits, tick_s);
-  const Ramp ramp = rampTo(state, std::copysign(limits.speed, missing), limits);
+  const Ramp ramp = rampTo(state, missing > 0.0 ? forth : back, limits);
   // The longer it accelerates, the farther on it comes to rest.
   const auto passes = [&](const AxisState& there) {
     const double beyond = restPlace(there, limits) - goal;
@@ -80,6 +69,33 @@ AxisState approach(const AxisState& state, double goal, const AxisLimits& limits
     (passes(along(state, ramp, middle_s)) ? after_s : before_s) = middle_s;
   }
   return brake(along(state, ramp, before_s), limits, tick_s - before_s);
+}
+
+}  // namespace
+
+double restPlace(const AxisState& state, const AxisLimits& limits) {
+  const Ramp stop = rampTo(state, 0.0, limits);
+  AxisState there = state;
+  for (std::size_t i = 0; i < stop.jerk.size(); ++i) there = moved(there, stop.jerk[i], stop.duration_s[i]);
+  return there.position;
+}
+
+AxisState brake(const AxisState& state, const AxisLimits& limits, double tick_s) {
+  return along(state, rampTo(state, 0.0, limits), tick_s);
+}
+
+AxisState approach(const AxisState& state, double goal, const AxisLimits& limits, double tick_s) {
+  return towards(state, goal, -limits.speed, limits.speed, limits, tick_s);
+}
+
+AxisState meet(const AxisState& state, double goal, double velocity, const AxisLimits& limits, double tick_s) {
+  AxisState seen = state;  // from the goal
+  seen.position -= goal - velocity * tick_s;
+  seen.velocity -= velocity;
+  AxisState there = towards(seen, 0.0, -limits.speed - velocity, limits.speed - velocity, limits, tick_s);
+  there.position += goal;
+  there.velocity += velocity;
+  return there;
 }
 
 }  // namespace fyd::device

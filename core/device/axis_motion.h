@@ -7,6 +7,9 @@
 // mean of the derivative). A goal that stays is reached exactly and not passed; no position lies beyond the farthest
 // of the goals so far and the start.
 //
+// A moving goal is the same in the frame that moves with it, where the limits of acceleration and jerk are the same and
+// that of speed is another for each side.
+//
 //   speed after the acceleration a has been taken back:  v + a|a|/2J
 //   a change of speed by g from the acceleration a:      peak √(J·g + a²/2), at most the limit, held as long as needed
 #pragma once
@@ -32,6 +35,11 @@ struct AxisState {
 [[nodiscard]] double restPlace(const AxisState& state, const AxisLimits& limits);
 /// The state `tick_s` later on the way to `goal`.
 [[nodiscard]] AxisState approach(const AxisState& state, double goal, const AxisLimits& limits, double tick_s);
+/// The state `tick_s` later on the way to a goal that moves steadily and is at `goal` then: where the two meet they
+/// have the same speed, so that a steady motion is followed without lag. Within the same limits.
+/// @param velocity of the goal, at most the limit of speed
+[[nodiscard]] AxisState meet(const AxisState& state, double goal, double velocity, const AxisLimits& limits,
+                             double tick_s);
 /// The state `tick_s` later in the fastest stop.
 [[nodiscard]] AxisState brake(const AxisState& state, const AxisLimits& limits, double tick_s);
 

@@ -20,22 +20,29 @@ class FollowingRobot final {
 
   [[nodiscard]] Message description() const { return robot_->description(); }
   [[nodiscard]] bool inVirtualTime() const { return robot_->inVirtualTime(); }
+  [[nodiscard]] double lag_s() const { return robot_->lag_s(); }
 
   /// @param target_mm not finite: refused, the last one stands
+  /// @param velocity_mm_s how the target moves: a target that moves steadily is followed without lag
   /// @param tick_s from this exchange to the next, s, as it is meant: what the machine adds to it moves nothing
   /// @return an error as Robot::exchange gives it
-  [[nodiscard]] Result<RobotReadings> exchange(const Vec3& target_mm, double tick_s, Instant now) {
+  [[nodiscard]] Result<RobotReadings> exchange(const Vec3& target_mm, double tick_s, Instant now,
+                                               const Vec3& velocity_mm_s = {}) {
     if (target_mm.finite()) {
       target_mm_ = target_mm;
+      velocity_mm_s_ = velocity_mm_s;
     } else {
       ++refused_;
+      velocity_mm_s_ = {};
     }
+    robot_->targetMoves(velocity_mm_s_);
     auto readings = robot_->exchange(limits_itself_ ? target_mm_ : advanced(tick_s), now);
     resumed_ = readings && !following_;
     following_ = readings.has_value();
     if (resumed_) {
       limiter_.reset(readings->commanded_mm.value_or(readings->position_mm));
       target_mm_ = limiter_.position_mm();
+      velocity_mm_s_ = {};
     }
     if (readings) commanded_mm_ = limits_itself_ ? readings->commanded_mm.value_or(target_mm_) : limiter_.position_mm();
     return readings;
@@ -58,13 +65,14 @@ class FollowingRobot final {
 
  private:
   const Vec3& advanced(double tick_s) {
-    return stopping_ ? limiter_.brake(tick_s) : limiter_.advance(target_mm_, tick_s);
+    return stopping_ ? limiter_.brake(tick_s) : limiter_.advance(target_mm_, tick_s, velocity_mm_s_);
   }
 
   std::unique_ptr<Robot> robot_;
   MotionLimiter limiter_;
   bool limits_itself_;
   Vec3 target_mm_;
+  Vec3 velocity_mm_s_;
   Vec3 commanded_mm_;
   std::uint64_t refused_ = 0;
   bool following_ = false;

@@ -201,7 +201,7 @@ void FriRobot::move(const std::optional<Vec3>& target_mm, bool in_time) {
   if (!in_time) {
     limiter_.stand();
   } else if (target_mm && !began_ && newest_.quality >= FriQuality::good) {
-    limiter_.advance(*target_mm, tick_.seconds());
+    limiter_.advance(*target_mm, tick_.seconds(), velocity_mm_s_);
   } else {
     limiter_.brake(tick_.seconds());
   }

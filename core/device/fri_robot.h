@@ -77,6 +77,7 @@ class FriRobot final : public Robot {
   [[nodiscard]] Result<RobotReadings> exchange(const Vec3& target_mm, Instant now) override;
   bool keepLimits(const MotionLimits& limits) override;
   void comeToRest() override { stopping_ = true; }
+  void targetMoves(const Vec3& velocity_mm_s) override { velocity_mm_s_ = velocity_mm_s; }
   [[nodiscard]] bool atRest() const override { return !moving_ || limiter_.atRest(); }
 
   [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
@@ -112,6 +113,7 @@ class FriRobot final : public Robot {
   Instant impossible_at_{};
   FriTick tick_;
   MotionLimiter limiter_;
+  Vec3 velocity_mm_s_;  // of the target
   bool heard_ = false;
   bool moving_ = false;    // the last answer carried a frame
   bool began_ = false;     // command mode did, in this exchange

@@ -46,18 +46,33 @@ void MotionLimiter::reset(const Vec3& position_mm) {
 
 void MotionLimiter::stand() { reset(Vec3(position_mm_)); }
 
-const Vec3& MotionLimiter::advance(const Vec3& target_mm, double tick_s) {
+AxisState MotionLimiter::next(const AxisState& axis, double goal, double wanted, double velocity, double edge,
+                              double tick_s) const {
+  if (velocity != 0.0 && goal == wanted) {
+    const AxisState met =
+        meet(axis, goal, std::clamp(velocity, -axis_limits_.speed, axis_limits_.speed), axis_limits_, tick_s);
+    // From each state a stop within the workspace is possible.
+    if (std::abs(restPlace(met, axis_limits_)) <= edge) return met;
+  }
+  return approach(axis, goal, axis_limits_, tick_s);
+}
+
+const Vec3& MotionLimiter::advance(const Vec3& target_mm, double tick_s, const Vec3& velocity_mm_s) {
+  Vec3 wanted_mm = goal_mm_;
+  Vec3 velocity{};
+  const Vec3& w = limits_.workspace_mm;
   if (target_mm.finite()) {
-    const Vec3& w = limits_.workspace_mm;
+    wanted_mm = target_mm;
+    if (velocity_mm_s.finite()) velocity = velocity_mm_s;
     goal_mm_ = {std::clamp(target_mm.x, -w.x, w.x), std::clamp(target_mm.y, -w.y, w.y),
                 std::clamp(target_mm.z, -w.z, w.z)};
   } else {
     ++refused_;
   }
   const double tick = tickOf(tick_s);
-  axes_[0] = approach(axes_[0], goal_mm_.x, axis_limits_, tick);
-  axes_[1] = approach(axes_[1], goal_mm_.y, axis_limits_, tick);
-  axes_[2] = approach(axes_[2], goal_mm_.z, axis_limits_, tick);
+  axes_[0] = next(axes_[0], goal_mm_.x, wanted_mm.x, velocity.x, w.x, tick);
+  axes_[1] = next(axes_[1], goal_mm_.y, wanted_mm.y, velocity.y, w.y, tick);
+  axes_[2] = next(axes_[2], goal_mm_.z, wanted_mm.z, velocity.z, w.z, tick);
   return take();
 }
 

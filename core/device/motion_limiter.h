@@ -4,7 +4,8 @@
 // were that led to them.
 //
 // Each axis follows its goal (the target, clamped to the workspace) with its share 1/√3 of the three limits, so that
-// the vectors stay within them; axis_motion.h says how. It arrives without overshoot, and never leaves the workspace.
+// the vectors stay within them; axis_motion.h says how. At a target that stands it arrives without overshoot, one that
+// moves it meets, and it never leaves the workspace.
 #pragma once
 
 #include <array>
@@ -38,7 +39,8 @@ class MotionLimiter {
 
   /// The next position to command, mm, always finite. A target that is not finite is refused: the last goal stands.
   /// @param tick_s until the arm takes the next command, s; above 1 counts as 1; what is not above 0 moves nothing
-  const Vec3& advance(const Vec3& target_mm, double tick_s);
+  /// @param velocity_mm_s how the target moves: one that moves steadily is followed without lag. Not finite: it stands
+  const Vec3& advance(const Vec3& target_mm, double tick_s, const Vec3& velocity_mm_s = {});
   /// The next position of the fastest stop, which becomes the goal.
   const Vec3& brake(double tick_s);
 
@@ -48,6 +50,8 @@ class MotionLimiter {
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
 
  private:
+  [[nodiscard]] AxisState next(const AxisState& axis, double goal, double wanted, double velocity, double edge,
+                               double tick_s) const;
   const Vec3& take();
 
   MotionLimits limits_;

@@ -33,6 +33,11 @@ class Robot {
   /// that succeeds again holds the arm where it stands
   [[nodiscard]] virtual Result<RobotReadings> exchange(const Vec3& target_mm, Instant now) = 0;
 
+  /// How the target of the next exchanges moves, mm/s, until said anew. An arm that keeps its limits follows it so.
+  virtual void targetMoves(const Vec3& /*velocity_mm_s*/) {}
+  /// How far the tool runs behind what the arm is told, as far as that is known, s.
+  [[nodiscard]] virtual double lag_s() const { return 0.0; }
+
   /// Limits for all that is told from now on. An arm that takes its commands in ticks of its own, whatever those of
   /// the caller are, keeps them itself. @return false: the caller has to keep them, one exchange being one tick
   virtual bool keepLimits(const MotionLimits& /*limits*/) { return false; }

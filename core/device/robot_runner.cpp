@@ -30,6 +30,7 @@ Result<std::unique_ptr<RobotRunner>> RobotRunner::open(const RobotRunnerOptions&
                 protocol::toString(options.touchpad));
   }
   if (auto limits = checkLimits(options.limits); !limits) return fail("robot end: {}", limits.error().message);
+  if (auto good = checkReference(options.reference); !good) return fail("robot end: {}", good.error().message);
   auto socket = protocol::UdpSocket::open(options.bind);
   if (!socket) return tl::unexpected(socket.error());
   std::unique_ptr<RobotRunner> made(new RobotRunner(options, std::move(robot), std::move(*socket)));
@@ -43,7 +44,7 @@ RobotRunner::RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robo
       end_(makeEnd(options)),
       socket_(std::move(socket)),
       preparation_(options.probe, options.probe_material, options.known_stiffness_N_per_mm),
-      mapping_(options.mapping),
+      reference_(options.reference, robot_.lag_s()),
       buffer_(protocol::kMaximumDatagram) {
   std::ranges::stable_sort(options_.commands, {}, &TimedCommand::at_s);
   now_.description = robot_.description();
@@ -64,7 +65,7 @@ void RobotRunner::prepareAhead() {
 }
 
 void RobotRunner::prepareStep(Duration tick, Instant now) {
-  exchangeWithRobot(preparation_.target(), tick, now);
+  exchangeWithRobot({.position_mm = preparation_.target(), .velocity_mm_s = {}}, tick, now);
   if (robot_.following()) {
     preparation_.succeeded(now_.readings, now);
   } else {
@@ -73,7 +74,7 @@ void RobotRunner::prepareStep(Duration tick, Instant now) {
   now_.prepared = preparation_.finished();
   now_.probe_outcome = preparation_.outcome();
   now_.probed_stiffness_N_per_mm = preparation_.stiffness_N_per_mm();
-  mapping_.reset(preparation_.target());
+  reference_.reset(preparation_.target());
 }
 
 void RobotRunner::run(const std::stop_token& stop, Duration limit) {
@@ -92,7 +93,7 @@ void RobotRunner::run(const std::stop_token& stop, Duration limit) {
       }
     }
     if (now_.prepared) {
-      exchangeWithRobot(mapping_.target(), period, now);
+      exchangeWithRobot(reference_.at(now, end_->phase()), period, now);
       // An arm left to itself in the middle of a motion would stop dead.
       if (braking_since && (robot_.atRest() || !robot_.following() || now - *braking_since > kLongestBraking)) break;
       queueCommands(now);
@@ -120,8 +121,9 @@ RobotRunnerStatus RobotRunner::status() const {
   return shown_;
 }
 
-void RobotRunner::exchangeWithRobot(const Vec3& target_mm, Duration tick, Instant now) {
-  auto readings = robot_.exchange(target_mm, toSeconds(tick), now);
+void RobotRunner::exchangeWithRobot(const MovingTarget& target, Duration tick, Instant now) {
+  now_.target_mm = target.position_mm;
+  auto readings = robot_.exchange(target.position_mm, toSeconds(tick), now, target.velocity_mm_s);
   if (!readings) {
     ++now_.robot_errors;
     now_.robot_problem = std::move(readings.error().message);
@@ -132,7 +134,7 @@ void RobotRunner::exchangeWithRobot(const Vec3& target_mm, Duration tick, Instan
     now_.robot_problem = {};
   }
   now_.readings = *readings;
-  if (robot_.resumed()) mapping_.resume(robot_.commanded_mm());
+  if (robot_.resumed()) reference_.resume(robot_.commanded_mm());
 }
 
 void RobotRunner::queueCommands(Instant now) {
@@ -164,17 +166,9 @@ void RobotRunner::receiveUntil(Instant deadline) {
     const auto received = socket_.receive(buffer_, std::max(deadline - Clock::now(), Duration::zero()));
     if (!received) return;
     const auto reception = end_->handle({buffer_.data(), received->size}, received->from, Clock::now());
-    if (reception.connected) {
-      if (now_.connections++ == 0) connected_ = Clock::now();
-      mapping_.resume(robot_.commanded_mm());
-    }
-    if (reception.touch) {
-      const std::uint64_t gaps = end_->counters().lost + end_->counters().missed_replies;
-      // What the touch did meanwhile was not followed, and the session may be held since then.
-      if (std::exchange(gaps_, gaps) != gaps) mapping_.resume(robot_.commanded_mm());
-      now_.touch = *reception.touch;
-      mapping_.apply(*reception.touch);
-    }
+    if (reception.connected && now_.connections++ == 0) connected_ = Clock::now();
+    if (reception.touch) now_.touch = *reception.touch;
+    reference_.take(reception, end_->counters(), robot_.commanded_mm(), Clock::now());
     if (Clock::now() >= deadline) return;
   }
 }
@@ -198,6 +192,8 @@ void RobotRunner::publish(Instant now) {
   now_.problem = end_->problem();
   now_.seconds = toSeconds(now - began_);
   now_.targets_refused = robot_.refused();
+  now_.arrived_mm = reference_.arrived_mm();
+  now_.reference = reference_.figures();
   const std::lock_guard lock(mutex_);
   shown_ = now_;
 }

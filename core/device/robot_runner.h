@@ -1,5 +1,5 @@
 // The robot end as a runnable (thesis §4.2): an arm behind the motion limits, its preparation (material probe, rest
-// acceleration), the touch's mapping to motion, one end of a protocol and a UDP socket, in one loop. Any arm, real or
+// acceleration), the touch's way to motion, one end of a protocol and a UDP socket, in one loop. Any arm, real or
 // simulated; the classic protocol, or FYD Link with a key.
 // The console runs it in a thread over loopback; `fyd robot` and `fyd sim robot` run it as their own process.
 #pragma once
@@ -19,9 +19,9 @@
 #include "core/device/material_probe.h"
 #include "core/device/robot.h"
 #include "core/device/robot_preparation.h"
+#include "core/device/touch_reference.h"
 #include "core/protocol/classic_robot_end.h"
 #include "core/protocol/link_robot_end.h"
-#include "core/protocol/touch_mapping.h"
 #include "core/protocol/udp_socket.h"
 
 namespace fyd::device {
@@ -38,7 +38,7 @@ struct RobotRunnerOptions {
   protocol::ClassicRobotSettings link;   ///< of the classic protocol
   std::optional<protocol::LinkKey> key;  ///< nothing: the classic protocol
   protocol::LinkRobotSettings secure;    ///< with a key: `rate_Hz` is then the accelerometer's
-  protocol::TouchMappingSettings mapping;
+  TouchReferenceSettings reference;
   ProbeSettings probe;
   pipeline::RobotMotorReference motor_reference;  ///< sent after command 10
   std::vector<TimedCommand> commands;             ///< in the order of their times
@@ -59,7 +59,10 @@ struct RobotRunnerStatus {
   ProbeOutcome probe_outcome = ProbeOutcome::skipped;
   double probed_stiffness_N_per_mm = 0.0;
   RobotReadings readings;
-  pipeline::TouchMessage touch;       ///< the newest
+  pipeline::TouchMessage touch;  ///< the newest
+  Vec3 arrived_mm;               ///< where it leads by itself
+  Vec3 target_mm;                ///< where the arm is led
+  ReferenceFigures reference;
   std::uint64_t connections = 0;      ///< handshakes completed
   std::uint64_t missed_cycles = 0;    ///< of the loop's own clock
   std::uint64_t robot_errors = 0;     ///< exchanges with the arm that failed
@@ -93,7 +96,7 @@ class RobotRunner {
   RobotRunner(const RobotRunnerOptions& options, std::unique_ptr<Robot> robot, protocol::UdpSocket socket);
   void prepareAhead();
   void prepareStep(Duration tick, Instant now);
-  void exchangeWithRobot(const Vec3& target_mm, Duration tick, Instant now);
+  void exchangeWithRobot(const MovingTarget& target, Duration tick, Instant now);
   void sendDue(Instant now);
   void receiveUntil(Instant deadline);
   void queueCommands(Instant now);
@@ -105,11 +108,10 @@ class RobotRunner {
   std::unique_ptr<protocol::RobotEnd> end_;
   protocol::UdpSocket socket_;
   RobotPreparation preparation_;
-  protocol::TouchMapping mapping_;
+  TouchReference reference_;
   std::vector<std::uint8_t> buffer_;
   Ring<pipeline::RobotCommand> asked_{16};
   std::size_t next_command_ = 0;
-  std::uint64_t gaps_ = 0;  // in the stream of touches, so far
   Instant began_{};
   Instant published_{};
   Instant connected_{};

@@ -2,11 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "core/base/time.h"
 #include "core/base/vec3.h"
 #include "core/texture/acceleration_sample.h"
 
 namespace fyd::pipeline {
+
+/// Where a picture showed the finger, as the robot's position, and when it was taken.
+struct SeenFinger {
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  Instant taken{};
+};
 
 /// Touchpad → robot. Frame: x right, y back, z up, origin at the camera axis on the untouched cloth;
 /// pressing is negative z (thesis §4.1.1, fact sheet §3).
@@ -14,6 +23,9 @@ struct TouchMessage {
   Vec3 position_mm;
   bool in_contact = false;  ///< false: the robot holds its x and y
   double force_N = 0.0;     ///< normal force at the finger, ≥ 0
+  /// While a finger touches: what x and y are on their way to. A message that carries its date (FYD Link) says this
+  /// in their place, so that the robot can work out where the finger is now.
+  std::optional<SeenFinger> seen = std::nullopt;
 };
 
 /// Robot → touchpad: state-like part.

@@ -95,6 +95,7 @@ void Pipeline::stepMotion(const Inputs& inputs) {
                                  .finger_y_mm = contact_.y_mm,
                                  .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
                                  .force_N = force_N_.value,
+                                 .finger_taken = inputs.finger.taken,
                                  .absolute = step.absolute_motion,
                                  .scale = step.motion_scale,
                                  .depth_scale = step.motion_depth_scale,

@@ -26,6 +26,7 @@ TouchMessage TouchMotion::step(const MotionInput& input) {
                       std::clamp(wanted.y, -kWorkspaceHalf_mm.y, kWorkspaceHalf_mm.y), 0.0};
     // At the workspace's edge the clutch slips, so that turning back moves the robot at once.
     if (!input.absolute) anchor_mm_ = target - finger;
+    see(target, input);
     position_mm_.x = approach(position_mm_.x, target.x, furthest);
     position_mm_.y = approach(position_mm_.y, target.y, furthest);
   }
@@ -37,7 +38,20 @@ TouchMessage TouchMotion::step(const MotionInput& input) {
   }
   return {.position_mm = position_mm_,
           .in_contact = contact,
-          .force_N = contact && std::isfinite(input.force_N) ? std::max(0.0, input.force_N) : 0.0};
+          .force_N = contact && std::isfinite(input.force_N) ? std::max(0.0, input.force_N) : 0.0,
+          .seen = contact ? std::optional(seen_) : std::nullopt};
+}
+
+void TouchMotion::see(const Vec3& target_mm, const MotionInput& input) {
+  if (!touching_) {
+    seen_ = {.x_mm = position_mm_.x, .y_mm = position_mm_.y, .taken = input.finger_taken};
+    return;
+  }
+  if (input.finger_taken <= seen_.taken) return;
+  const double furthest = std::max(0.0, toSeconds(input.finger_taken - seen_.taken)) * input.speed_limit_mm_s;
+  seen_ = {.x_mm = approach(seen_.x_mm, target_mm.x, furthest),
+           .y_mm = approach(seen_.y_mm, target_mm.y, furthest),
+           .taken = input.finger_taken};
 }
 
 }  // namespace fyd::pipeline

@@ -48,9 +48,7 @@ class ClassicRobotEnd final : public RobotEnd {
   [[nodiscard]] std::span<const Datagram> tick(Instant now, const RobotReport& report) override;
 
   [[nodiscard]] RobotReception handle(Bytes datagram, const Endpoint& from);
-  [[nodiscard]] RobotReception handle(Bytes datagram, const Endpoint& from, Instant /*now*/) override {
-    return handle(datagram, from);
-  }
+  [[nodiscard]] RobotReception handle(Bytes datagram, const Endpoint& from, Instant now) override;
 
   /// Puts a command into one of the next states, one each.
   bool command(pipeline::RobotCommand command) override;

@@ -53,7 +53,7 @@ struct TouchFields {
 
 struct LinkTouch {
   std::uint16_t sequence = 0;  ///< grows by one with each touch, modulo 2¹⁶
-  double age_s = 0.0;          ///< how long before the sending it was taken; 0…0.65535, 10 µs steps
+  double age_s = 0.0;          ///< how long before the sending x and y were seen; 0…0.65535, 10 µs steps
   Vec3 position_mm;
   bool in_contact = false;
   std::optional<double> force_N;         ///< 0…13.107, 0.2 mN steps

@@ -101,6 +101,7 @@ class LinkRobotEnd final : public RobotEnd {
   RandomSource random_;
   SteadyTime time_;
   LinkTime now_us_ = 0;
+  Instant now_{};  // of the datagram
   RobotPhase phase_ = RobotPhase::handshake;
 
   HelloNonce nonce_{};

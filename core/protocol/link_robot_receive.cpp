@@ -13,6 +13,7 @@ using pipeline::RobotCommand;
 
 RobotReception LinkRobotEnd::handle(Bytes datagram, const Endpoint& from, Instant now) {
   RobotReception out;
+  now_ = now;
   passTime(now);
   if (from != touchpad_) {
     ++counters_.wrong_peer;
@@ -194,6 +195,8 @@ void LinkRobotEnd::takeTouch(const LinkReceived& received, RobotReception& out) 
   touch_ = touch;
   touch_sequence_ = touch.sequence;
   ++counters_.touches;
+  out.touch_sent = now_ - std::chrono::microseconds(std::max<std::int64_t>(received.age_us, 0));
+  out.touch_seen = out.touch_sent - fromSeconds(touch.age_s);
   out.touch = {
       .position_mm = touch.position_mm, .in_contact = touch.in_contact, .force_N = touch.force_N.value_or(0.0)};
 }

@@ -197,9 +197,11 @@ void LinkTouchpadEnd::sendInfo(const TouchpadAnswer& answer) {
 }
 
 void LinkTouchpadEnd::sendTouch(const TouchpadAnswer& answer) {
+  const auto& seen = answer.touch.seen;
+  const Vec3& at = answer.touch.position_mm;
   LinkTouch touch{.sequence = ++touch_sequence_,
-                  .age_s = toSeconds(now_ - std::min(now_, answer.taken)),
-                  .position_mm = answer.touch.position_mm,
+                  .age_s = toSeconds(now_ - std::min(now_, seen ? seen->taken : answer.taken)),
+                  .position_mm = seen ? Vec3{seen->x_mm, seen->y_mm, at.z} : at,
                   .in_contact = answer.touch.in_contact};
   if (touch_fields_.force) touch.force_N = answer.touch.force_N;
   if (touch_fields_.indentation) touch.indentation_mm = answer.touch.in_contact ? -answer.touch.position_mm.z : 0.0;

@@ -26,6 +26,10 @@ struct RobotReport {
 struct RobotReception {
   bool connected = false;  ///< the handshake is complete
   std::optional<pipeline::TouchMessage> touch;
+  /// When the touch was sent and when the finger was seen at its x and y, on our clock. The classic protocol tells
+  /// neither: both are half the cycle before the arrival.
+  Instant touch_sent{};
+  Instant touch_seen{};
   bool info = false;   ///< the touchpad described itself
   bool image = false;  ///< a picture is complete
 };

@@ -30,18 +30,25 @@ bool TouchMapping::waits(const pipeline::TouchMessage& touch) {
   return interrupted_;
 }
 
-const Vec3& TouchMapping::apply(const pipeline::TouchMessage& touch) {
+TouchGoal TouchMapping::goal(const pipeline::TouchMessage& touch) {
   const Vec3& p = touch.position_mm;
-  if (!p.finite()) return target_mm_;
-  if (p.z > 0.0 && p.x != 0.0 && p.y != 0.0) return target_mm_;
-  if (waits(touch)) return target_mm_;
-  const bool held = !touch.in_contact || (p.x == 0.0 && p.y == 0.0);
+  TouchGoal out{.position_mm = {settings_.scale_xy * p.x, settings_.scale_xy * p.y, settings_.scale_z * p.z}};
+  if (!p.finite() || !out.position_mm.finite()) return out;
+  if (p.z > 0.0 && p.x != 0.0 && p.y != 0.0) return out;
+  if (waits(touch)) return out;
+  out.along = touch.in_contact && !(p.x == 0.0 && p.y == 0.0);
+  out.depth = true;
+  return out;
+}
+
+const Vec3& TouchMapping::apply(const pipeline::TouchMessage& touch) {
+  const TouchGoal to = goal(touch);
   Vec3 next = target_mm_;
-  if (!held) {
-    next.x = settings_.keep_xy * next.x + (1.0 - settings_.keep_xy) * settings_.scale_xy * p.x;
-    next.y = settings_.keep_xy * next.y + (1.0 - settings_.keep_xy) * settings_.scale_xy * p.y;
+  if (to.along) {
+    next.x = settings_.keep_xy * next.x + (1.0 - settings_.keep_xy) * to.position_mm.x;
+    next.y = settings_.keep_xy * next.y + (1.0 - settings_.keep_xy) * to.position_mm.y;
   }
-  next.z = settings_.keep_z * next.z + (1.0 - settings_.keep_z) * settings_.scale_z * p.z;
+  if (to.depth) next.z = settings_.keep_z * next.z + (1.0 - settings_.keep_z) * to.position_mm.z;
   if (next.finite()) target_mm_ = next;
   return target_mm_;
 }

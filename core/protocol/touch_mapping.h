@@ -24,6 +24,13 @@ struct TouchMappingSettings {
   double keep_z = 0.9;   ///< w of z
 };
 
+/// What a touch asks of the arm.
+struct TouchGoal {
+  Vec3 position_mm;    ///< by the scales
+  bool along = false;  ///< x and y are to be followed
+  bool depth = false;  ///< z is
+};
+
 class TouchMapping {
  public:
   explicit TouchMapping(const TouchMappingSettings& settings = {}) : settings_(settings) {}
@@ -32,6 +39,9 @@ class TouchMapping {
   void reset(const Vec3& target_mm);
   /// Starts from where the robot stands, after an interruption.
   void resume(const Vec3& target_mm);
+  /// Where the touch leads, without smoothing. Nothing is to be followed of one that is not finite, that the rules
+  /// above ignore, or that waits after an interruption.
+  [[nodiscard]] TouchGoal goal(const pipeline::TouchMessage& touch);
   /// @return the new target, mm; always finite. A touch that is not finite changes nothing.
   const Vec3& apply(const pipeline::TouchMessage& touch);
   [[nodiscard]] const Vec3& target() const { return target_mm_; }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <utility>
 
 #include "core/protocol/classic_robot_end.h"
 #include "core/protocol/classic_touchpad_end.h"
@@ -77,11 +76,11 @@ Result<std::vector<ReachRow>> reach(const ReachSettings& settings) {
   Way to_touchpad(settings.network.forward);
   Way to_robot(settings.network.backward);
   device::FollowingRobot robot(std::make_unique<RobotArm>(settings.touchpad.sim), settings.limits);
-  protocol::TouchMapping mapping(settings.mapping);
+  device::TouchReference reference(settings.reference, robot.lag_s());
+  const protocol::TouchMappingSettings& mapping = settings.reference.mapping;
   const pipeline::StepParameters& step = settings.touchpad.parameters.step;
-  const Vec3 scale{settings.mapping.scale_xy * step.motion_scale, settings.mapping.scale_xy * step.motion_scale,
-                   settings.mapping.scale_z * step.motion_depth_scale};
-  std::uint64_t gaps = 0;
+  const Vec3 scale{mapping.scale_xy * step.motion_scale, mapping.scale_xy * step.motion_scale,
+                   mapping.scale_z * step.motion_depth_scale};
   std::vector<ReachRow> rows;
   const auto ticks = static_cast<int>(settings.seconds / kTick_s);
   for (int tick = 0; tick < ticks; ++tick) {
@@ -95,26 +94,22 @@ Result<std::vector<ReachRow>> reach(const ReachSettings& settings) {
     });
     for (const Datagram& datagram : ends.touchpad->advance(now, answer)) to_robot.put(datagram, now);
 
-    const auto readings = robot.exchange(mapping.target(), kTick_s, now);
+    const device::MovingTarget target = reference.at(now, ends.robot->phase());
+    const auto readings = robot.exchange(target.position_mm, kTick_s, now, target.velocity_mm_s);
     if (!readings) return tl::unexpected(readings.error());
     const protocol::RobotReport report{.robot = {.position_mm = readings->position_mm},
                                        .acceleration_taken = readings->taken};
     for (const Datagram& datagram : ends.robot->tick(now, report)) to_touchpad.put(datagram, now);
     to_robot.deliver(now, [&](protocol::Bytes bytes, Instant /*due*/) {
       const protocol::RobotReception reception = ends.robot->handle(bytes, kTouchpad, now);
-      if (reception.connected) mapping.resume(robot.commanded_mm());
-      if (!reception.touch) return;
-      const std::uint64_t counted = ends.robot->counters().lost + ends.robot->counters().missed_replies;
-      if (std::exchange(gaps, counted) != gaps) mapping.resume(robot.commanded_mm());
-      mapping.apply(*reception.touch);
+      reference.take(reception, ends.robot->counters(), robot.commanded_mm(), now);
     });
 
     const FingerState finger = touchpad.world().truth().finger;
     const Vec3 touch = outputs.touch.position_mm;
     rows.push_back({.t_s = touchpad.time_s(),
                     .finger_mm = {scale.x * finger.x_mm, scale.y * finger.y_mm, -scale.z * finger.indentation_mm},
-                    .touch_mm = {settings.mapping.scale_xy * touch.x, settings.mapping.scale_xy * touch.y,
-                                 settings.mapping.scale_z * touch.z},
+                    .touch_mm = {mapping.scale_xy * touch.x, mapping.scale_xy * touch.y, mapping.scale_z * touch.z},
                     .told_mm = robot.commanded_mm(),
                     .tool_mm = readings->position_mm,
                     .touching = !finger.lifted && outputs.touch.in_contact});

@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "core/device/following_robot.h"
-#include "core/protocol/touch_mapping.h"
+#include "core/device/touch_reference.h"
 #include "core/sim/lockstep.h"
 #include "core/sim/network_emulator.h"
 
 namespace fyd::sim {
 
 struct ReachSettings {
-  /// Its finger should stay on the cloth and within the robot's workspace by `mapping`: the robot then goes where the
+  /// Its finger should stay on the cloth and within the robot's workspace by the mapping: the robot then goes where the
   /// finger is (pipeline.absolute_motion), so that the truth is known without the touchpad.
   LockstepOptions touchpad;
   NetworkProfile network;  ///< forward leads to the touchpad
   bool secured = true;     ///< FYD Link; false: the classic protocol
-  protocol::TouchMappingSettings mapping;
+  device::TouchReferenceSettings reference;
   device::MotionLimits limits;
   double seconds = 10.0;
 };

@@ -7,7 +7,6 @@
 namespace fyd::sim {
 namespace {
 
-constexpr double kBandwidth_rad_s = 60.0;
 constexpr double kAccelerationLimit_mm_s2 = 10'000.0;
 constexpr double kLongestStep_s = 0.001;
 constexpr double kLongestCatchUp_s = 0.1;

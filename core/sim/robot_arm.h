@@ -17,6 +17,7 @@
 namespace fyd::sim {
 
 inline constexpr Vec3 kRobotWorkspace_mm{35.0, 25.0, 70.0};  ///< ± from the start
+inline constexpr double kBandwidth_rad_s = 60.0;
 inline constexpr double kMaterialSurface_mm = -2.0;          ///< z of the untouched surface
 
 class RobotArm final : public device::Robot {
@@ -25,6 +26,8 @@ class RobotArm final : public device::Robot {
 
   [[nodiscard]] Message description() const override;
   [[nodiscard]] bool inVirtualTime() const override { return true; }
+  /// Of a steady motion: twice the time constant of its second order.
+  [[nodiscard]] double lag_s() const override { return 2.0 / kBandwidth_rad_s; }
 
   /// A target beyond the workspace is followed to its edge; time that stands still or goes back moves nothing.
   /// @return an error when the target is not finite; the arm then keeps its last target

@@ -21,6 +21,8 @@ class SmoothOutput {
   /// At each tick, in the order of time. What is not finite leaves the output where it was.
   /// @param velocity_mm_per_s the prediction's own (Predictor::velocity)
   [[nodiscard]] Position step(double time_s, const Position& predicted_mm, const Position& velocity_mm_per_s);
+  /// Of the last step.
+  [[nodiscard]] const Position& velocity_mm_per_s() const { return velocity_mm_per_s_; }
   /// The next prediction is taken as it is.
   void reset() { begun_ = false; }
 

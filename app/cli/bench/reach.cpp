@@ -1,6 +1,7 @@
 // fyd bench reach: from the finger to the tool, on the simulation's truth, with recorded hands.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "app/cli/bench/bench_options.h"
@@ -133,6 +134,15 @@ teleop::TrialFigures figuresOf(const std::vector<ReachRow>& rows) {
   return teleop::trialFigures(truth, plan, tool);
 }
 
+std::vector<std::pair<double, std::string>> cases() {
+  std::vector<std::pair<double, std::string>> out;
+  for (const double delay_ms : {0.0, 50.0}) {
+    out.emplace_back(delay_ms, "thesis");
+    for (const std::string_view name : teleop::kPredictorNames) out.emplace_back(delay_ms, name);
+  }
+  return out;
+}
+
 double depthRms(const std::vector<ReachRow>& rows) {
   double squares = 0.0;
   int count = 0;
@@ -155,17 +165,21 @@ Table bench_reach() {
       "jerk / limit"};
   for (const Hand& hand : hands()) {
     for (const bool secured : {true, false}) {
-      for (const double delay_ms : {0.0, 50.0}) {
+      for (const auto& [delay_ms, following] : cases()) {
         sim::ReachSettings settings;
         settings.touchpad.finger = hand.path;
         settings.touchpad.parameters.step.absolute_motion = true;
         settings.touchpad.sim.material = sim::Material::none;
         settings.network.forward.delay_ms = settings.network.backward.delay_ms = delay_ms;
+        settings.reference.predictor = cli::valueOrFail(device::followingNamed(following));
+        if (const char* t = std::getenv("TAU")) settings.reference.smooth_ms = atof(t);
+        if (const char* t = std::getenv("LEAD")) settings.reference.lead_ms = atof(t);
         settings.secured = secured;
         settings.seconds = kSeconds;
         const auto rows = cli::valueOrFail(sim::reach(settings));
         const teleop::TrialFigures figures = figuresOf(rows);
-        table.rows.push_back({hand.name, secured ? "FYD Link" : "classic", number(delay_ms), "as before (baseline)",
+        table.rows.push_back({hand.name, secured ? "FYD Link" : "classic", number(delay_ms),
+                              following == "thesis" ? "thesis (baseline)" : following,
                               number(lag_ms(rows, {&Vec3::x, &Vec3::y})), number(figures.rms_mm),
                               number(lag_ms(rows, {&Vec3::z})), number(depthRms(rows)), number(figures.vibration_ratio),
                               number(figures.largest_step_mm), number(over(rows, 1, settings.limits.speed_mm_s)),
