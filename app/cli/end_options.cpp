@@ -60,6 +60,8 @@ nlohmann::ordered_json endJson(const device::RobotRunnerStatus& s) {
           {"stiffness_N_per_mm", jsonNumber(s.probed_stiffness_N_per_mm)},
           {"position_mm", {jsonNumber(position.x), jsonNumber(position.y), jsonNumber(position.z)}},
           {"force_N", jsonNumber(s.readings.force_N)},
+          {"prediction_error_mm", jsonNumber(s.reference.error_mm)},
+          {"prediction_horizon_ms", jsonNumber(s.reference.horizon_ms)},
           {"connections", s.connections},
           {"states_sent", c.states},
           {"touches_received", c.touches},

@@ -1,5 +1,6 @@
 // fyd robot: the robot end of a session (thesis §4.2), with a simulated arm or a KUKA LWR.
 #include <algorithm>
+#include <optional>
 
 #include "app/cli/end_options.h"
 #include "app/cli/process_options.h"
@@ -23,6 +24,9 @@ struct RobotCliOptions {
   device::ProbeSettings probe;
   std::string scale = "1,3";
   std::string smoothing = "0.8,0.9";
+  std::string predictor = "default";
+  double smooth_ms = device::TouchReferenceSettings{}.smooth_ms;
+  std::optional<double> arm_lag_ms;
   std::string workspace = "35,25,70";
   device::MotionLimits limits;
 };
@@ -60,6 +64,11 @@ nlohmann::ordered_json armJson(const device::FriRobot& robot) {
 void runRobot(const RobotCliOptions& given) {
   device::RobotRunnerOptions options = runnerOptions(given.end, "fyd robot " FYD_VERSION);
   options.reference.mapping = mappingOf(given);
+  const auto following = device::followingNamed(given.predictor);
+  if (!following) throw UsageError(about("--predictor", following.error().message));
+  options.reference.predictor = *following;
+  options.reference.smooth_ms = given.smooth_ms;
+  options.reference.lead_ms = given.arm_lag_ms;
   options.limits = given.limits;
   const auto workspace = numbersOrUsageError("--workspace", given.workspace, 3);
   options.limits.workspace_mm = {workspace[0], workspace[1], workspace[2]};
@@ -119,7 +128,20 @@ void add_robot(CLI::App& app) {
       ->check(CLI::IsMember({"slope", "mean", "thesis"}))
       ->capture_default_str();
   robot->add_option("--scale", options->scale, "XY,Z: robot's way for the finger's")->capture_default_str();
-  robot->add_option("--smoothing", options->smoothing, "XY,Z: share of the old target kept at each touch")
+  robot
+      ->add_option("--predictor", options->predictor,
+                   "How the arm is led: default, order0, order1, hybrid, kalman or ar say where the finger is now; "
+                   "thesis keeps a share of the old target at each touch")
+      ->capture_default_str();
+  robot->add_option("--smooth", options->smooth_ms, "Time in which a prediction's correction decays, ms")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  robot
+      ->add_option("--arm-lag", options->arm_lag_ms,
+                   "How far the tool runs behind what the arm is told, ms, which is predicted too; the simulated arm "
+                   "says its own, the KUKA none")
+      ->check(CLI::Range(0.0, 500.0));
+  robot->add_option("--smoothing", options->smoothing, "XY,Z: share of the old target kept at each touch, of thesis")
       ->capture_default_str();
   robot->add_option("--workspace", options->workspace, "X,Y,Z: farthest from the start, mm")->capture_default_str();
   robot->add_option("--speed-limit", options->limits.speed_mm_s, "mm/s")->capture_default_str();

@@ -23,8 +23,7 @@ SenseTable readSenseTable(const std::string& path, const sensing::IndentationPar
   for (std::size_t row = 0; row < out.rows(); ++row) {
     const double area = out.area_mm2[row];
     if (area < 0.0 || std::isinf(area)) {
-      throw Failure(
-          say("{}:{}: area_mm2 = {}: expected 0 or more, or an empty field", path, out.lines[row], area));
+      throw Failure(say("{}:{}: area_mm2 = {}: expected 0 or more, or an empty field", path, out.lines[row], area));
     }
     std::vector<double>& codes = out.codes.emplace_back();
     for (std::size_t i = 0; i < sensors; ++i) codes.push_back(values[i][row]);

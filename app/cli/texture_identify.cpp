@@ -28,8 +28,9 @@ void identify(const IdentifyOptions& options) {
 
   nlohmann::ordered_json motors = nlohmann::ordered_json::array();
   for (const texture::FoundBreakaway& b : found->breakaway) {
-    motors.push_back(
-        {{"breakaway_percent", b.percent}, {"sigma_percent", b.sigma_percent}, {"asymmetry_percent", b.asymmetry_percent}});
+    motors.push_back({{"breakaway_percent", b.percent},
+                      {"sigma_percent", b.sigma_percent},
+                      {"asymmetry_percent", b.asymmetry_percent}});
   }
   nlohmann::ordered_json chirps = nlohmann::ordered_json::array();
   for (const texture::FoundCloth& c : found->cloths) {

@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kThesis = "thesis";
 constexpr double kShortestSpacing_s = 0.0075;  // of messages a predictor is told: a hand does nothing new in less
 constexpr double kClockLeap_s = 0.5;           // of dates, backwards: the other end's clock was taken anew
-constexpr double kForgetting = 0.97;           // of an error a message, 30 of which come in a second
+constexpr double kForgetting = 0.93;           // of an error a message, 30 of which come in a second
 
 }  // namespace
 

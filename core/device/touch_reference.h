@@ -29,7 +29,7 @@ namespace fyd::device {
 struct TouchReferenceSettings {
   protocol::TouchMappingSettings mapping;
   std::optional<teleop::PredictorChoice> predictor = teleop::PredictorChoice::experts;  ///< nothing: the thesis' way
-  double smooth_ms = 20.0;        ///< time constant of corrections, 0…1000
+  double smooth_ms = 10.0;        ///< time constant of corrections, 0…1000
   double patience_ms = 150.0;     ///< without a touch, 1…10 000
   double furthest_ms = 250.0;     ///< beyond the newest date, lead included, 0…1000
   std::optional<double> lead_ms;  ///< 0…500; nothing: the arm's own lag

@@ -189,7 +189,7 @@ TEST(SimulatedRobot, KeepsItsLimitsFromCycleToCycleAndComesToRestWhenItIsStopped
     options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
     options.rate_Hz = rate_Hz;
     options.probe_material = false;
-    options.mapping.scale_xy = 5.0;  // 30 mm to go, which takes more than a second
+    options.reference.mapping.scale_xy = 5.0;  // 30 mm to go, which takes more than a second
     options.limits = {.speed_mm_s = 30.0, .acceleration_mm_s2 = 100.0, .jerk_mm_s3 = 1000.0};
     const auto robot = SimulatedRobot::open(options, std::make_unique<NotingArm>(told)).value();
     told.clear();  // of the preparation, whose ticks are others

@@ -73,6 +73,27 @@ TEST(TouchMotion, TheSpeedLimitHoldsWhateverTheFingerDoes) {
   EXPECT_NEAR(next.z, -0.2, 1e-12);
 }
 
+TEST(TouchMotion, SaysBesideThePlaceWhatThePictureShowedAndWhen) {
+  TouchMotion motion;
+  MotionInput input = touching(0, 0);
+  input.finger_taken = instantAt(5.0);
+  EXPECT_EQ(motion.step(input).seen->x_mm, 0.0);
+  input.finger_x_mm = 3.0;  // of the next picture, 33 ms later: 90 mm/s
+  input.finger_taken = instantAt(5.033);
+  const TouchMessage moved = motion.step(input);
+  EXPECT_NEAR(moved.position_mm.x, 0.2, 1e-12) << "on its way";
+  EXPECT_NEAR(moved.seen->x_mm, 3.0, 1e-12);
+  EXPECT_EQ(moved.seen->taken, instantAt(5.033));
+  EXPECT_NEAR(settle(motion, input).seen->x_mm, 3.0, 1e-12) << "until another picture comes";
+  input.finger_y_mm = 20.0;  // 606 mm/s: as far as the limit of 200 mm/s goes in 33 ms
+  input.finger_taken = instantAt(5.066);
+  EXPECT_NEAR(motion.step(input).seen->y_mm, 6.6, 1e-9);
+  input.finger_taken = instantAt(4.0);  // older than what is known
+  EXPECT_NEAR(motion.step(input).seen->y_mm, 6.6, 1e-9);
+  input.contact = false;
+  EXPECT_FALSE(motion.step(input).seen) << "a lifted finger is nowhere";
+}
+
 TEST(TouchMotion, DisabledStandsStill) {
   TouchMotion motion;
   settle(motion, touching(0, 0));
