@@ -4620,6 +4620,10 @@ Pour commencer : %1</translation>
         <translation>une image de {} x {} pixels : trop grande</translation>
     </message>
     <message>
+        <source>a prediction of {} ms at most: expected 0 to 1000</source>
+        <translation>une prédiction de {} ms au plus : attendu 0 à 1000</translation>
+    </message>
+    <message>
         <source>a reason that this program does not know</source>
         <translation>une raison que ce programme ne connaît pas</translation>
     </message>
@@ -5804,6 +5808,10 @@ Pour commencer : %1</translation>
         <translation>poser la cible à plat et mettre la caméra d'équerre</translation>
     </message>
     <message>
+        <source>lead of {} ms: expected 0 to 500</source>
+        <translation>avance de {} ms : attendu 0 à 500</translation>
+    </message>
+    <message>
         <source>left and right</source>
         <translation>à gauche et à droite</translation>
     </message>
@@ -6364,6 +6372,10 @@ Pour commencer : %1</translation>
         <translation>chemin : {}</translation>
     </message>
     <message>
+        <source>patience of {} ms: expected 1 to 10000</source>
+        <translation>patience de {} ms : attendu 1 à 10000</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>en pause</translation>
     </message>
@@ -6382,6 +6394,10 @@ Pour commencer : %1</translation>
     <message>
         <source>period {} ms: expected 0 (each row) or 0.1 … {}</source>
         <translation>période {} ms : 0 (chaque ligne) ou 0.1 … {} attendu</translation>
+    </message>
+    <message>
+        <source>period {} ms: expected 1 … 10000</source>
+        <translation>période de {} ms : attendu 1 … 10000</translation>
     </message>
     <message>
         <source>period {} ms: expected more than 0</source>
@@ -6446,6 +6462,10 @@ Pour commencer : %1</translation>
     <message>
         <source>predictor "{}": expected one of {}</source>
         <translation>prédicteur "{}" : un parmi {} attendu</translation>
+    </message>
+    <message>
+        <source>predictor "{}": expected one of {}, {}</source>
+        <translation>prédicteur &quot;{}&quot; : attendu un de {}, {}</translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -6770,6 +6790,14 @@ Pour commencer : %1</translation>
     <message>
         <source>slope per angle, monotone law</source>
         <translation>pente par angle, loi monotone</translation>
+    </message>
+    <message>
+        <source>smoothing of {} ms: expected 0 to 1000</source>
+        <translation>lissage de {} ms : attendu 0 à 1000</translation>
+    </message>
+    <message>
+        <source>smoothing {} ms: expected 0 … 1000</source>
+        <translation>lissage de {} ms : attendu 0 … 1000</translation>
     </message>
     <message>
         <source>solid</source>
@@ -7442,6 +7470,10 @@ Pour commencer : %1</translation>
     <message>
         <source>waiting for a robot on {}</source>
         <translation>en attente d'un robot sur {}</translation>
+    </message>
+    <message>
+        <source>wall {} N/m: expected 0 (none) … 20000</source>
+        <translation>paroi de {} N/m : attendu 0 (aucune) … 20000</translation>
     </message>
     <message>
         <source>wanted</source>

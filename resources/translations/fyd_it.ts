@@ -4620,6 +4620,10 @@ Per cominciare: %1</translation>
         <translation>un'immagine di {} x {} pixel: troppo grande</translation>
     </message>
     <message>
+        <source>a prediction of {} ms at most: expected 0 to 1000</source>
+        <translation>una predizione di al più {} ms: atteso da 0 a 1000</translation>
+    </message>
+    <message>
         <source>a reason that this program does not know</source>
         <translation>un motivo che questo programma non conosce</translation>
     </message>
@@ -5804,6 +5808,10 @@ Per cominciare: %1</translation>
         <translation>stendere piano il bersaglio e mettere la telecamera perpendicolare</translation>
     </message>
     <message>
+        <source>lead of {} ms: expected 0 to 500</source>
+        <translation>anticipo di {} ms: atteso da 0 a 500</translation>
+    </message>
+    <message>
         <source>left and right</source>
         <translation>a sinistra e a destra</translation>
     </message>
@@ -6364,6 +6372,10 @@ Per cominciare: %1</translation>
         <translation>percorso: {}</translation>
     </message>
     <message>
+        <source>patience of {} ms: expected 1 to 10000</source>
+        <translation>pazienza di {} ms: atteso da 1 a 10000</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>in pausa</translation>
     </message>
@@ -6382,6 +6394,10 @@ Per cominciare: %1</translation>
     <message>
         <source>period {} ms: expected 0 (each row) or 0.1 … {}</source>
         <translation>periodo {} ms: atteso 0 (ogni riga) o 0.1 … {}</translation>
+    </message>
+    <message>
+        <source>period {} ms: expected 1 … 10000</source>
+        <translation>periodo di {} ms: atteso 1 … 10000</translation>
     </message>
     <message>
         <source>period {} ms: expected more than 0</source>
@@ -6446,6 +6462,10 @@ Per cominciare: %1</translation>
     <message>
         <source>predictor "{}": expected one of {}</source>
         <translation>predittore "{}": atteso uno di {}</translation>
+    </message>
+    <message>
+        <source>predictor "{}": expected one of {}, {}</source>
+        <translation>predittore &quot;{}&quot;: atteso uno di {}, {}</translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -6770,6 +6790,14 @@ Per cominciare: %1</translation>
     <message>
         <source>slope per angle, monotone law</source>
         <translation>pendenza per angolo, legge monotona</translation>
+    </message>
+    <message>
+        <source>smoothing of {} ms: expected 0 to 1000</source>
+        <translation>livellamento di {} ms: atteso da 0 a 1000</translation>
+    </message>
+    <message>
+        <source>smoothing {} ms: expected 0 … 1000</source>
+        <translation>livellamento di {} ms: atteso 0 … 1000</translation>
     </message>
     <message>
         <source>solid</source>
@@ -7442,6 +7470,10 @@ Per cominciare: %1</translation>
     <message>
         <source>waiting for a robot on {}</source>
         <translation>in attesa di un robot su {}</translation>
+    </message>
+    <message>
+        <source>wall {} N/m: expected 0 (none) … 20000</source>
+        <translation>parete di {} N/m: atteso 0 (nessuna) … 20000</translation>
     </message>
     <message>
         <source>wanted</source>
