@@ -24,6 +24,8 @@ constexpr double kRadiansPerMillimetre = 0.02;  // how the hand turns as it move
 constexpr double kForceFloor_N = 0.1;
 constexpr double kAskedBack_s = 0.2;
 constexpr int kMostDelay_ms = 2000, kDelayEvery = 5;
+constexpr double kBeyond = 1.2;
+constexpr int kBeyond_ms = 50;
 
 Vec3 vectorOf(const Position& p) { return {p[0], p[1], p[2]}; }
 Position positionOf(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -98,7 +100,7 @@ class Way {
 
 using Datagram = std::vector<std::uint8_t>;
 
-/// By how much the far motion is later than the hand's: where their mean squared distance is least.
+/// By how much the far motion is later than the hand's: where their mean squared distance is least, before it grows.
 double delayOf(const std::vector<TeleopRow>& rows, std::size_t from) {
   double best = std::numeric_limits<double>::infinity();
   int delay_ms = 0;
@@ -109,6 +111,7 @@ double delayOf(const std::vector<TeleopRow>& rows, std::size_t from) {
     for (std::size_t i = from + static_cast<std::size_t>(most); i < rows.size(); i += kDelayEvery, ++count) {
       sum += square(rows[i].far_mm, rows[i - static_cast<std::size_t>(by)].hand_mm);
     }
+    if (sum > kBeyond * best && by > delay_ms + kBeyond_ms) break;  // a later one would be another swing's
     if (count == 0 || !(sum < best)) continue;
     best = sum;
     delay_ms = by;

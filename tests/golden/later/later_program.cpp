@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <vector>
 
 #include "core/session/recording_salvage.h"
 #include "core/session/recording_writer.h"
@@ -43,10 +44,15 @@ void replayed(const std::string& path) {
 
 void copied(const std::string& from, const std::string& to) {
   const auto recording = orFail(session::openDamaged(from));  // steps as they stand in the file
+  // What the file has no columns for is what the step gives.
+  std::vector<pipeline::TelemetrySample> filled;
+  (void)orFail(session::replay(*orFail(session::Recording::open(from)), {},
+                               [&filled](const auto&, const auto& recorded) { filled.push_back(recorded); }));
   auto writer = orFail(session::RecordingWriter::create(to, recording->info().header));
   session::KnownDamage damage;
   for (std::uint64_t row = 0; row < recording->info().committed_samples; ++row) {
     auto record = orFail(session::damagedStep(*recording, row, damage));
+    record.telemetry = filled.at(row);
     pipeline::Inputs& in = record.inputs;
     in.finger.value.inserted_mm2 = 100.5;
     in.inserted_K = 200.5 + static_cast<double>(row);

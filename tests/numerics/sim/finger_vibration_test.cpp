@@ -12,6 +12,7 @@ namespace {
 
 FingerVibrationParameters frictionless() {
   FingerVibrationParameters p;
+  p.resonance_Hz_per_deg = 0.0;
   p.breakaway_percent = 0.0;
   p.second_strength = 1.0;
   p.second_friction = 1.0;

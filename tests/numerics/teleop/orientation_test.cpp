@@ -88,7 +88,7 @@ TEST(OrientationPredictor, EveryPredictorIsOfUseWhereAnglesFail) {
       const Errors hold = run("order0", motion, delay_s);
       for (const std::string_view name : {"order1", "hybrid", "kalman", "ar", "default"}) {
         const Errors each = run(name, motion, delay_s);
-        RecordProperty(std::string(name), std::to_string(each.rms));
+
         EXPECT_LT(each.rms, 0.6 * hold.rms) << name << ", " << delay_s;
         EXPECT_LT(each.worst, 1.2 * hold.worst) << name << ", " << delay_s;
       }
