@@ -6,6 +6,7 @@
 #include "app/cli/sim_touchpad.h"
 #include "core/base/end_signals.h"
 #include "core/protocol/register_map.h"
+#include "core/sim/gesture_card.h"
 #include "core/sim/touchpad_process.h"
 
 namespace fyd::cli {
@@ -69,7 +70,7 @@ void runSimTouchpad(SimTouchpadOptions& options) {
     if (!fault) throw UsageError(say("--fault: {}", fault.error().message));
     options.process.faults.push_back(*fault);
   }
-  if (!options.finger.empty()) options.process.finger = valueOrFail(sim::FingerPath::fromCsv(options.finger));
+  if (!options.finger.empty()) options.process.finger = valueOrFail(sim::readFingerFile(options.finger));
 
   watchForEnd();
   const auto process = valueOrFail(sim::TouchpadProcess::start(options.process));

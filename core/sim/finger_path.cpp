@@ -63,6 +63,12 @@ FingerPath FingerPath::constant(double x_mm, double y_mm, double indentation_mm)
 FingerState FingerPath::at(double time_s) const {
   const Knot& first = knots_.front();
   if (knots_.size() == 1 || !(time_s > 0.0)) return first.state;
+  if (!loops_ && time_s >= duration_s_) {
+    FingerState gone = knots_.back().state;
+    gone.lifted = true;
+    gone.indentation_mm = 0.0;
+    return gone;
+  }
   const double t = std::fmod(time_s, duration_s_);
   const auto after = std::upper_bound(knots_.begin(), knots_.end(), t,
                                       [](double time, const Knot& knot) { return time < knot.time_s; });
@@ -82,6 +88,14 @@ FingerState FingerPath::at(double time_s) const {
           .y_mm = mix(a.state.y_mm, after->state.y_mm),
           .indentation_mm = mix(a.state.indentation_mm, after->state.indentation_mm),
           .lifted = false};
+}
+
+FingerPath FingerPath::played(double speed, bool loop) const {
+  FingerPath out = *this;
+  for (Knot& knot : out.knots_) knot.time_s /= speed;
+  out.duration_s_ = knots_.back().time_s / speed + (duration_s_ - knots_.back().time_s);
+  out.loops_ = loop;
+  return out;
 }
 
 }  // namespace fyd::sim

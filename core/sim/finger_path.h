@@ -45,6 +45,10 @@ class FingerPath {
   };
   [[nodiscard]] static FingerPath fromKnots(std::vector<Knot> knots);
 
+  /// The same, `speed` times as fast; once or again and again.
+  /// @param speed above 0
+  [[nodiscard]] FingerPath played(double speed, bool loop) const;
+
   /// The finger at a time since the start, in s; straight between two rows; O(log n), without allocation.
   /// Before 0 and for NaN: the first row.
   [[nodiscard]] FingerState at(double time_s) const;
@@ -56,6 +60,7 @@ class FingerPath {
  private:
   std::vector<Knot> knots_;
   double duration_s_ = 0.0;
+  bool loops_ = true;  // false: lifted after the end
 };
 
 }  // namespace fyd::sim

@@ -7,7 +7,7 @@ namespace fyd::station::words {
 
 inline constexpr const char* kTouchpad = "simulated, modbus-tcp:HOST:PORT, modbus-rtu:TTY[:BAUD] or recording:FILE";
 inline constexpr const char* kMotors = "qbmove:TTY, the original motor board in place of the touchpad's own motors";
-inline constexpr const char* kFinger = "Recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)";
+inline constexpr const char* kFinger = "Gesture card or recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)";
 inline constexpr const char* kCamera =
     "Device index, video file, folder of pictures, stream URL or recording:FILE; left out, the touchpad's own "
     "(simulated, recorded)";

@@ -8,6 +8,7 @@
 #include "core/device/touchpad_source.h"
 #include "core/session/recorded_camera.h"
 #include "core/session/recorded_touchpad.h"
+#include "core/sim/gesture_card.h"
 #include "core/sim/simulated_camera.h"
 #include "core/sim/simulated_touchpad.h"
 #include "core/station/notice.h"
@@ -31,7 +32,7 @@ Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& path
 
 Result<sim::FingerPath> readFinger(const std::string& path) {
   if (path.empty()) return sim::FingerPath::demonstration();
-  return sim::FingerPath::fromCsv(path);
+  return sim::readFingerFile(path);
 }
 
 Result<std::unique_ptr<device::Touchpad>> makeTouchpad(const StationOptions& options,

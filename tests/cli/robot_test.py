@@ -150,6 +150,7 @@ class WrongOptions(fyd.Case):
         self.assertIn("x,x,z", self.refused(2, *robot, "--arm", "kuka:127.0.0.1:0", "--axes", "x,x,z"))
         self.assertIn("--scale", self.refused(2, *robot, "--scale", "1"))
         self.assertIn("--smoothing", self.refused(2, *robot, "--smoothing", "1,1"))
+        self.assertIn("oracle", self.refused(2, *robot, "--predictor", "oracle"))
         self.assertIn("speed limit", self.refused(2, *robot, "--speed-limit", "1e9"))
         self.assertIn("acceleration limit", self.refused(2, *robot, "--acceleration-limit", "1"))
         self.assertIn("jerk limit 5", self.refused(2, *robot, "--jerk-limit", "5"))

@@ -259,7 +259,7 @@ class CalibrateTest : public QObject {
     QVERIFY(c.page->hint().contains(QLatin1String("sees a finger")));
     c.state(SafetyState::stopped);
     c.click(c.page->takeButton());
-    c.readings(30);
+    c.readings(551);  // 11 s, fifty times a second
     QCOMPARE(c.page->points().size(), std::size_t{1});
     QCOMPARE(c.session->profile.step.sensing.indentation.ir_offset_mm[0], 100.0);  // nothing before "Accept"
     c.click(c.page->acceptButton());
