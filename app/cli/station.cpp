@@ -130,6 +130,11 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
   json["link_jitter_ms"] = jsonNumber(status.link.figures.jitter_ms);
   json["link_loss_percent"] = jsonNumber(status.link.figures.loss_percent);
   json["link_lost"] = status.link.figures.lost;
+  if (status.link.led) {
+    json["predictor"] = status.link.led->predictor;
+    json["prediction_error_mm"] = jsonNumber(status.link.led->error_mm);
+    json["prediction_horizon_ms"] = jsonNumber(status.link.led->horizon_ms);
+  }
   json["pwm_abs_max"] = figures.pwm_abs_max;
   json["telemetry_lost"] = station.telemetryLost();
   if (options.station.record) json["recording"] = recordingOf(station.recorderStatus());

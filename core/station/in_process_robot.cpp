@@ -6,11 +6,15 @@
 namespace fyd::station {
 
 Result<std::unique_ptr<InProcessRobot>> InProcessRobot::open(const protocol::Endpoint& touchpad,
-                                                             const sim::SimParameters& parameters) {
+                                                             const sim::SimParameters& parameters,
+                                                             std::string_view predictor) {
   auto any_port = protocol::parseEndpoint("127.0.0.1:0");
   sim::SimulatedRobotOptions options;
   options.touchpad = touchpad;
   options.bind = *any_port;
+  const auto following = device::followingNamed(predictor);
+  if (!following) return tl::unexpected(following.error());
+  options.reference.predictor = *following;
   auto robot = sim::SimulatedRobot::open(options, std::make_unique<sim::RobotArm>(parameters));
   if (!robot) return tl::unexpected(robot.error());
   return std::unique_ptr<InProcessRobot>(new InProcessRobot(std::move(*robot)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <thread>
 
 #include "core/protocol/endpoint.h"
@@ -12,9 +13,10 @@ namespace fyd::station {
 
 class InProcessRobot {
  public:
-  /// Probes its material before it connects.
+  /// Probes its material before it connects. @param predictor as device::followingNamed takes it
   [[nodiscard]] static Result<std::unique_ptr<InProcessRobot>> open(const protocol::Endpoint& touchpad,
-                                                                    const sim::SimParameters& parameters);
+                                                                    const sim::SimParameters& parameters,
+                                                                    std::string_view predictor);
   ~InProcessRobot() { shutDown(); }
   void start();
   void shutDown();

@@ -7,11 +7,13 @@ namespace fyd::station::words {
 
 inline constexpr const char* kTouchpad = "simulated, modbus-tcp:HOST:PORT, modbus-rtu:TTY[:BAUD] or recording:FILE";
 inline constexpr const char* kMotors = "qbmove:TTY, the original motor board in place of the touchpad's own motors";
-inline constexpr const char* kFinger = "Gesture card or recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)";
+inline constexpr const char* kFinger =
+    "Gesture card or recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)";
 inline constexpr const char* kCamera =
     "Device index, video file, folder of pictures, stream URL or recording:FILE; left out, the touchpad's own "
     "(simulated, recorded)";
-inline constexpr const char* kRobot = "simulated, none, or link:HOST:PORT or classic:HOST:PORT to listen there";
+inline constexpr const char* kRobot =
+    "simulated (simulated:PREDICTOR), none, or link:HOST:PORT or classic:HOST:PORT to listen there";
 inline constexpr const char* kKey = "Key file of FYD Link, for --robot link:HOST:PORT";
 inline constexpr const char* kSurface = "Stored surface to feel with --robot none (TOML)";
 inline constexpr const char* kRecord = "Record the session into this new file (.h5)";

@@ -1,10 +1,13 @@
 #include "core/station/robot_choice.h"
 
+#include "core/device/touch_reference.h"
 #include "core/protocol/link_key_file.h"
 
 namespace fyd::station {
 namespace {
 
+constexpr std::string_view kSimulated = "simulated";
+constexpr std::string_view kSimulatedPrefix = "simulated:";
 constexpr std::string_view kClassicPrefix = "classic:";
 constexpr std::string_view kLinkPrefix = "link:";
 constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
@@ -12,7 +15,7 @@ constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
 }  // namespace
 
 Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& key_file) {
-  const bool in_process = robot == "simulated";
+  const bool in_process = robot == kSimulated || robot.starts_with(kSimulatedPrefix);
   const bool classic = robot.starts_with(kClassicPrefix);
   const bool secured = robot.starts_with(kLinkPrefix);
   if (!in_process && !classic && !secured && robot != "none") {
@@ -23,6 +26,8 @@ Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& k
                    : fail("robot '{}': takes no key file; only link:HOST:PORT does", robot);
   }
   RobotChoice choice{.in_process = in_process};
+  if (robot.starts_with(kSimulatedPrefix)) choice.predictor = robot.substr(kSimulatedPrefix.size());
+  if (auto known = device::followingNamed(choice.predictor); !known) return tl::unexpected(known.error());
   if (robot == "none") return choice;
   std::string_view address = kSimulatedRobotEndpoint;
   if (classic) address = robot.substr(kClassicPrefix.size());

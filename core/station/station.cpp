@@ -138,9 +138,10 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
         {.action = pipeline::OperatorAction::target_by_hand, .value = options.profile.step.step.hand_target_N_per_mm});
   }
   if (choice->in_process) {
-    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim);
+    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim, choice->predictor);
     if (!robot) return tl::unexpected(robot.error());
     impl->robot = std::move(*robot);
+    impl->predictor = choice->predictor;
   }
   impl->recorder.start();
   if (options.record) {
@@ -229,6 +230,14 @@ StationStatus Station::status() const {
   if (impl_->link) {
     out.parts.push_back(impl_->link->part(now));
     out.link = impl_->link->status();
+    if (impl_->robot) {
+      const sim::SimulatedRobotStatus robot = impl_->robot->status();
+      out.link.led = LedArm{.predictor = impl_->predictor,
+                            .arrived_mm = robot.arrived_mm,
+                            .target_mm = robot.target_mm,
+                            .error_mm = robot.reference.error_mm,
+                            .horizon_ms = robot.reference.horizon_ms};
+    }
   } else {
     out.link.protocol = say("none");
   }

@@ -35,10 +35,10 @@ struct StationOptions {
                            ///< readings again, motors not driven; empty: the profile's
   std::string motors;      ///< "qbmove:TTY" in place of the touchpad's own motors; empty: its own
   std::string camera;      ///< device index, file, folder, URL, "recording:FILE"; empty: the touchpad's own
-  std::string robot;       ///< "simulated", "none", "link:HOST:PORT" or "classic:HOST:PORT" (listens there); empty: the
-                           ///< profile's
-  std::string key_file;    ///< of FYD Link; "link:" needs one, the others take none
-  std::string surface;     ///< file of a stored surface, felt while robot is "none"; empty: none
+  std::string robot;  ///< "simulated[:PREDICTOR]", "none", "link:HOST:PORT" or "classic:HOST:PORT" (listens there);
+                      ///< empty: the profile's
+  std::string key_file;  ///< of FYD Link; "link:" needs one, the others take none
+  std::string surface;   ///< file of a stored surface, felt while robot is "none"; empty: none
   std::optional<session::RecordingRequest> record;  ///< recorded from the first step on
 };
 
@@ -65,6 +65,15 @@ struct LoopStatus {
   bool real_time = false;  ///< SCHED_FIFO granted
 };
 
+/// How a robot end leads its arm.
+struct LedArm {
+  std::string predictor;
+  Vec3 arrived_mm;          ///< where the newest touch leads by itself
+  Vec3 target_mm;           ///< where the arm is led
+  double error_mm = 0.0;    ///< RMS over about a second: where the finger was said to be, and was seen after
+  double horizon_ms = 0.0;  ///< predicted, from the newest picture
+};
+
 struct LinkStatus {
   Message protocol;      ///< "FYD Link, sealed", "classic, not secured", "none"
   bool secured = false;  ///< authenticated and encrypted
@@ -77,6 +86,7 @@ struct LinkStatus {
   std::uint64_t samples_lost = 0;   ///< accelerations and commands the loop did not take in time
   pipeline::LinkPhase phase = pipeline::LinkPhase::none;
   protocol::LinkFigures figures;  ///< round trip, jitter, loss, refusals by reason
+  std::optional<LedArm> led;      ///< of the simulated robot in this process; another one keeps it to itself
 };
 
 struct StationStatus {

@@ -74,6 +74,7 @@ struct Station::Impl {
   CameraThread camera;
   std::unique_ptr<LinkThread> link;  // none without a robot
   std::unique_ptr<InProcessRobot> robot;
+  std::string predictor;  // of that one
   bool simulated_camera;
 
   // between threads

@@ -254,6 +254,8 @@ TEST(Station, WrongOptionsAreClearErrors) {
   };
   EXPECT_THAT(problem([](auto& o) { o.robot = "robby"; }),
               testing::HasSubstr("robot 'robby': expected simulated, none"));
+  EXPECT_THAT(problem([](auto& o) { o.robot = "simulated:oracle"; }),
+              testing::HasSubstr("predictor \"oracle\": expected one of thesis, order0"));
   EXPECT_THAT(problem([](auto& o) { o.robot = "classic:3490"; }), testing::HasSubstr("3490"));
   EXPECT_THAT(problem([](auto& o) { o.finger_csv = "nowhere.csv"; }), testing::HasSubstr("nowhere.csv"));
   EXPECT_THAT(problem([](auto& o) { o.surface = "nowhere.toml"; }), testing::HasSubstr("nowhere.toml"));
