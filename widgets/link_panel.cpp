@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kShape = 24;
 
-enum RowIndex { condition, peer, local, protocol, round_trip, jitter, loss, rate, age, received, sent, times_lost };
+enum RowIndex { condition, peer, local, protocol, round_trip, jitter, loss, rate, age, received, sent, times_lost,
+                predictor, ahead, arrived, led, led_error };
 
 QString countText(std::uint64_t count) { return QString::number(count); }
 
@@ -79,12 +80,17 @@ LinkPanel::LinkPanel(QWidget* parent)
   // In the order of RowIndex.
   for (const QString& label :
        {tr("State"), tr("Robot"), tr("Listening on"), tr("Protocol"), tr("Round trip"), tr("Jitter"), tr("Loss"),
-        tr("Messages"), tr("Last message"), tr("Received"), tr("Sent"), tr("Times lost")}) {
+        tr("Messages"), tr("Last message"), tr("Received"), tr("Sent"), tr("Times lost"), tr("Predictor"), tr("Predicted ahead"), tr("Arrived"),
+        tr("Predicted"), tr("Prediction error")}) {
     rows_.push_back(addRow(*grid_, static_cast<int>(rows_.size()), label));
   }
   rows_[jitter].label->setToolTip(tr("How far the time between the robot's messages strays: four mean deviations."));
   rows_[loss].label->setToolTip(tr("Share of the robot's messages of the last second that did not arrive."));
   rows_[times_lost].label->setToolTip(tr("How often the robot was silent for longer than the link allows."));
+  rows_[arrived].label->setToolTip(tr("Where the newest touch leads the arm by itself: x, y, z."));
+  rows_[led].label->setToolTip(tr("Where the arm is led: where the finger will be when it gets there."));
+  rows_[led_error].label->setToolTip(
+      tr("Where the finger was said to be, against where it was seen after: RMS over about a second."));
   connect(&Look::instance(), &Look::changed, this, &LinkPanel::showSecurity);
   setLink({});
 }
@@ -122,6 +128,16 @@ void LinkPanel::setLink(const LinkView& view) {
   set(rows_[received], any ? countText(view.received) : kNoValue);
   set(rows_[sent], any ? countText(view.sent) : kNoValue);
   set(rows_[times_lost], any ? countText(view.times_lost) : kNoValue);
+  const bool told = !view.predictor.isEmpty();
+  set(rows_[predictor], view.predictor);
+  set(rows_[ahead], quantityText(view.ahead_ms, 0, tr("ms")));
+  set(rows_[arrived], view.arrived);
+  set(rows_[led], view.led);
+  set(rows_[led_error], quantityText(view.led_error_mm, 2, QStringLiteral("mm")));
+  for (const RowIndex index : {predictor, ahead, arrived, led, led_error}) {
+    rows_[index].label->setVisible(told);
+    rows_[index].value->setVisible(told);
+  }
   const QString why = view.security == LinkView::Security::open ? tr("The classic protocol cannot tell.") : QString();
   for (const RowIndex index : {round_trip, loss}) rows_[index].value->setToolTip(why);
   const char* role = view.health == LinkView::Health::lost ? "warning" : "";

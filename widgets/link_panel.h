@@ -35,6 +35,11 @@ struct LinkView {
   double loss_percent = kUnknown;
   double rate_hz = kUnknown;  ///< the robot's messages in the last second
   double age_ms = kUnknown;   ///< of its last message
+  QString predictor;               ///< by which the arm is led; empty: the robot's end does not say
+  QString arrived;                 ///< "12.3, −4.0, −2.1 mm": where the newest touch leads by itself
+  QString led;                     ///< where the arm is led
+  double ahead_ms = kUnknown;      ///< predicted, from the newest picture
+  double led_error_mm = kUnknown;  ///< RMS of the last second
   std::uint64_t received = 0;
   std::uint64_t sent = 0;
   std::uint64_t times_lost = 0;

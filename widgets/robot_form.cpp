@@ -11,6 +11,8 @@ namespace {
 
 enum Kind { simulated, none, classic, link };
 
+const QString kPredictedPrefix = QStringLiteral("simulated:");
+
 // In the order of Kind; those that end in a colon go on with the address.
 const QStringList& words() {
   static const QStringList kWords = {QStringLiteral("simulated"), QStringLiteral("none"), QStringLiteral("classic:"),
@@ -23,6 +25,8 @@ const QStringList& words() {
 RobotForm::RobotForm(QWidget* parent)
     : QFrame(parent),
       kind_(new QComboBox(this)),
+      predictor_label_(new QLabel(tr("Predictor"), this)),
+      predictor_(new QComboBox(this)),
       address_label_(new QLabel(tr("Listen on"), this)),
       address_(new QLineEdit(this)),
       key_label_(new QLabel(tr("Key file"), this)),
@@ -42,6 +46,9 @@ RobotForm::RobotForm(QWidget* parent)
   kind_->addItem(tr("FYD Link with a key"));
   kind_->setMinimumContentsLength(16);
   kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  predictor_->setObjectName(QStringLiteral("robot_predictor"));
+  predictor_->setAccessibleName(predictor_label_->text());
+  predictor_->setToolTip(tr("How the robot's end says where the finger is now; \"thesis\" follows late and smoothly."));
   address_->setObjectName(QStringLiteral("robot_address"));
   address_->setPlaceholderText(QStringLiteral("127.0.0.1:3490"));
   address_->setAccessibleName(tr("Address and port to listen on"));
@@ -70,8 +77,10 @@ RobotForm::RobotForm(QWidget* parent)
   grid->addWidget(key_label_, 3, 0);
   grid->addWidget(key_, 3, 1);
   grid->addWidget(browse_, 3, 2);
-  grid->addWidget(hint_, 4, 0, 1, 3);
-  grid->addWidget(reconnect_, 5, 0, 1, 3);
+  grid->addWidget(predictor_label_, 4, 0);
+  grid->addWidget(predictor_, 4, 1, 1, 2);
+  grid->addWidget(hint_, 5, 0, 1, 3);
+  grid->addWidget(reconnect_, 6, 0, 1, 3);
 
   connect(kind_, &QComboBox::currentIndexChanged, this, &RobotForm::refresh);
   connect(address_, &QLineEdit::textChanged, this, &RobotForm::refresh);
@@ -81,7 +90,17 @@ RobotForm::RobotForm(QWidget* parent)
   refresh();
 }
 
+void RobotForm::setPredictors(const QStringList& names) {
+  predictor_->clear();
+  predictor_->addItems(names);
+  refresh();
+}
+
 void RobotForm::setRobot(const QString& robot, const QString& key_file) {
+  if (robot.startsWith(kPredictedPrefix)) {
+    kind_->setCurrentIndex(simulated);
+    predictor_->setCurrentText(robot.mid(kPredictedPrefix.size()));
+  }
   for (int i = 0; i < words().size(); ++i) {
     const QString& word = words()[i];
     const bool with_address = word.endsWith(QLatin1Char(':'));
@@ -100,6 +119,9 @@ void RobotForm::setAllowed(bool allowed) {
 
 QString RobotForm::robot() const {
   const QString& word = words()[std::max(0, kind_->currentIndex())];
+  if (kind_->currentIndex() == simulated && predictor_->currentIndex() > 0) {
+    return kPredictedPrefix + predictor_->currentText();
+  }
   return word.endsWith(QLatin1Char(':')) ? word + address_->text().trimmed() : word;
 }
 
@@ -109,6 +131,9 @@ void RobotForm::refresh() {
   const int kind = kind_->currentIndex();
   const bool by_network = kind == classic || kind == link;
   const bool by_key = kind == link;
+  const bool predicted = kind == simulated && predictor_->count() > 0;
+  predictor_label_->setVisible(predicted);
+  predictor_->setVisible(predicted);
   for (QWidget* each : {static_cast<QWidget*>(address_label_), static_cast<QWidget*>(address_)}) {
     each->setVisible(by_network);
   }

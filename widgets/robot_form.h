@@ -16,7 +16,9 @@ class RobotForm : public QFrame {
  public:
   explicit RobotForm(QWidget* parent = nullptr);
 
-  /// @param robot "simulated", "none", "classic:HOST:PORT" or "link:HOST:PORT"; @param key_file of "link:"
+  /// @param names of the predictors that the simulated robot may have; the first is its usual one
+  void setPredictors(const QStringList& names);
+  /// @param robot "simulated[:PREDICTOR]", "none", "classic:HOST:PORT" or "link:HOST:PORT"; @param key_file of "link:"
   void setRobot(const QString& robot, const QString& key_file);
   /// Whether the robot may be changed now.
   void setAllowed(bool allowed);
@@ -24,6 +26,7 @@ class RobotForm : public QFrame {
   [[nodiscard]] QString robot() const;    ///< as entered, in the words of setRobot
   [[nodiscard]] QString keyFile() const;  ///< empty unless FYD Link is chosen
   [[nodiscard]] QComboBox* kind() const { return kind_; }
+  [[nodiscard]] QComboBox* predictor() const { return predictor_; }
   [[nodiscard]] QLineEdit* address() const { return address_; }
   [[nodiscard]] QLineEdit* key() const { return key_; }
   [[nodiscard]] QPushButton* reconnectButton() const { return reconnect_; }
@@ -38,6 +41,8 @@ class RobotForm : public QFrame {
 
   bool allowed_ = false;
   QComboBox* kind_;
+  QLabel* predictor_label_;
+  QComboBox* predictor_;
   QLabel* address_label_;
   QLineEdit* address_;
   QLabel* key_label_;

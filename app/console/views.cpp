@@ -148,6 +148,17 @@ widgets::LinkView toLink(const station::StationStatus& status) {
   out.jitter_ms = figures.jitter_ms;
   out.loss_percent = figures.loss_percent;
   out.age_ms = figures.silence_ms;
+  if (link.led) {
+    const auto place = [](const Vec3& p) {
+      return QStringLiteral("%1, %2, %3 mm")
+          .arg(widgets::numberText(p.x, 1), widgets::numberText(p.y, 1), widgets::numberText(p.z, 1));
+    };
+    out.predictor = text(link.led->predictor);
+    out.arrived = place(link.led->arrived_mm);
+    out.led = place(link.led->target_mm);
+    out.ahead_ms = link.led->horizon_ms;
+    out.led_error_mm = link.led->error_mm;
+  }
   out.received = link.states_received;
   out.sent = link.touches_sent;
   out.times_lost = figures.lost;

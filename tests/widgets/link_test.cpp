@@ -102,6 +102,42 @@ class LinkTest : public QObject {
     }
   }
 
+  void howTheArmIsLedStandsWhereTheRobotsEndSaysIt() {
+    widgets::LinkPanel panel;
+    station::StationStatus status = classicStatus();
+    panel.setLink(console::toLink(status));
+    QVERIFY(valueOf(panel, "Prediction error").isEmpty());
+    status.link.led = station::LedArm{.predictor = "order1",
+                                      .arrived_mm = {12.34, -4.0, -2.06},
+                                      .target_mm = {14.0, -3.5, -2.0},
+                                      .error_mm = 0.973,
+                                      .horizon_ms = 46.2};
+    panel.setLink(console::toLink(status));
+    QCOMPARE(valueOf(panel, "Predictor"), QStringLiteral("order1"));
+    QCOMPARE(valueOf(panel, "Predicted ahead"), QStringLiteral("46 ms"));
+    QCOMPARE(valueOf(panel, "Arrived"), QString::fromUtf8("12.3, −4.0, −2.1 mm"));
+    QCOMPARE(valueOf(panel, "Predicted"), QString::fromUtf8("14.0, −3.5, −2.0 mm"));
+    QCOMPARE(valueOf(panel, "Prediction error"), QStringLiteral("0.97 mm"));
+  }
+
+  void thePredictorOfTheSimulatedRobotIsChosen() {
+    Fixture f;
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    widgets::RobotForm* form = f.window->link()->form();
+    QVERIFY(form->predictor()->isVisible());
+    QCOMPARE(form->predictor()->count(), 7);
+    QCOMPARE(form->robot(), QStringLiteral("simulated"));
+    form->predictor()->setCurrentText(QStringLiteral("thesis"));
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    QCOMPARE(f.session->asked.back().robot, std::string("simulated:thesis"));
+    form->kind()->setCurrentIndex(1);
+    QVERIFY(!form->predictor()->isVisible());
+    form->setRobot(QStringLiteral("simulated:kalman"), {});
+    QCOMPARE(form->robot(), QStringLiteral("simulated:kalman"));
+  }
+
   void everyPhaseHasItsOwnWords() {
     QSet<QString> words;
     for (const LinkPhase phase :
