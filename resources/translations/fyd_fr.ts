@@ -610,6 +610,10 @@
         <translation>Surface, mm²</translation>
     </message>
     <message>
+        <source>Arrived</source>
+        <translation>Arrivé</translation>
+    </message>
+    <message>
         <source>Asked</source>
         <translation>Demandé</translation>
     </message>
@@ -1864,6 +1868,10 @@ Robot : %2
         <translation>Avec quelle lenteur la raideur mesurée suit la vraie (constante de temps) ; le réglage automatique la mesure.</translation>
     </message>
     <message>
+        <source>How the robot's end says where the finger is now; "thesis" follows late and smoothly.</source>
+        <translation>Comment le côté du robot dit où est le doigt maintenant ; "thesis" suit tard et en douceur.</translation>
+    </message>
+    <message>
         <source>How the stretch follows the stiffness target: law and PID, or as the thesis prints it.</source>
         <translation>Comment l'étirement suit la raideur de consigne : loi et PID, ou comme imprimé dans la thèse.</translation>
     </message>
@@ -3058,6 +3066,22 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Position sent</source>
         <translation>Position envoyée</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Prédit</translation>
+    </message>
+    <message>
+        <source>Predicted ahead</source>
+        <translation>Prédit en avance</translation>
+    </message>
+    <message>
+        <source>Prediction error</source>
+        <translation>Erreur de la prédiction</translation>
+    </message>
+    <message>
+        <source>Predictor</source>
+        <translation>Prédicteur</translation>
     </message>
     <message>
         <source>Present</source>
@@ -4520,6 +4544,18 @@ Pour commencer : %1</translation>
         <translation>Ce qui a été demandé, et ce qu'en dit la partie qui le tient. Une valeur n'est confirmée que lorsque cette partie l'a dit.</translation>
     </message>
     <message>
+        <source>Where the arm is led: where the finger will be when it gets there.</source>
+        <translation>Où le bras est mené : là où le doigt sera quand il y arrivera.</translation>
+    </message>
+    <message>
+        <source>Where the finger was said to be, against where it was seen after: RMS over about a second.</source>
+        <translation>Où le doigt était dit être, par rapport à où il a été vu ensuite : RMS sur environ une seconde.</translation>
+    </message>
+    <message>
+        <source>Where the newest touch leads the arm by itself: x, y, z.</source>
+        <translation>Où le toucher le plus récent mène le bras à lui seul : x, y, z.</translation>
+    </message>
+    <message>
         <source>Whether the way to the finger was identified; the constants below are guesses otherwise.</source>
         <translation>Si le chemin jusqu'au doigt a été identifié ; sinon les constantes ci-dessous sont des suppositions.</translation>
     </message>
@@ -5620,6 +5656,14 @@ Pour commencer : %1</translation>
         <translation>les bords avant et arrière sont libres</translation>
     </message>
     <message>
+        <source>gesture "{}": {} rows from {} to {} s: expected two and more of its {} s</source>
+        <translation>geste "{}" : {} lignes de {} à {} s : deux ou plus attendues de ses {} s</translation>
+    </message>
+    <message>
+        <source>gesture: {} rows: expected two and more</source>
+        <translation>geste : {} lignes : deux ou plus attendues</translation>
+    </message>
+    <message>
         <source>gone</source>
         <translation>disparu</translation>
     </message>
@@ -6465,7 +6509,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>predictor "{}": expected one of {}, {}</source>
-        <translation>prédicteur &quot;{}&quot; : attendu un de {}, {}</translation>
+        <translation>prédicteur "{}" : attendu un de {}, {}</translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -7344,6 +7388,10 @@ Pour commencer : %1</translation>
         <translation>toucher %1 à %2 s</translation>
     </message>
     <message>
+        <source>touch from {:.3f} to {:.3f} s: {} pictures show its finger; expected two and more</source>
+        <translation>toucher de {:.3f} à {:.3f} s : {} images montrent son doigt ; deux ou plus attendues</translation>
+    </message>
+    <message>
         <source>touchpad at {}</source>
         <translation>touchpad sur {}</translation>
     </message>
@@ -7980,6 +8028,10 @@ Pour commencer : %1</translation>
         <translation>{} : la colonne {} n'est pas du type de ce format</translation>
     </message>
     <message>
+        <source>{}: depth_mm is {}; expected 0 to {}</source>
+        <translation>{} : depth_mm vaut {} ; attendu de 0 à {}</translation>
+    </message>
+    <message>
         <source>{}: does not count the tables' rows</source>
         <translation>{} : ne compte pas les lignes des tables</translation>
     </message>
@@ -8144,8 +8196,20 @@ Pour commencer : %1</translation>
         <translation>{} : fait par une version plus récente de ce programme (tables {}, celui-ci connaît {})</translation>
     </message>
     <message>
+        <source>{}: more than {} bytes: no gesture card is that large</source>
+        <translation>{} : plus de {} octets : aucune carte de geste n'est aussi grande</translation>
+    </message>
+    <message>
+        <source>{}: name of {} bytes: expected 1 to {} that can be printed</source>
+        <translation>{} : name de {} octets : de 1 à {} imprimables attendus</translation>
+    </message>
+    <message>
         <source>{}: no 'format'; expected a record of calibrations, format = {}</source>
         <translation>{} : pas de 'format' ; attendu un registre d'étalonnages, format = {}</translation>
+    </message>
+    <message>
+        <source>{}: no line --- between the card's head and its rows; expected one</source>
+        <translation>{} : aucune ligne --- entre l'en-tête de la carte et ses lignes ; une attendue</translation>
     </message>
     <message>
         <source>{}: no memory for its variables</source>
@@ -8356,12 +8420,32 @@ Pour commencer : %1</translation>
         <translation>{} : le mettre en commande à distance et fermer ce qui le pilote par ailleurs</translation>
     </message>
     <message>
+        <source>{}: source of {} bytes: expected at most {} that can be printed</source>
+        <translation>{} : source de {} octets : au plus {} imprimables attendus</translation>
+    </message>
+    <message>
+        <source>{}: speed = {}: expected {} to {}</source>
+        <translation>{} : speed = {} : attendu de {} à {}</translation>
+    </message>
+    <message>
         <source>{}: stop, then arm again</source>
         <translation>{} : arrêter, puis armer de nouveau</translation>
     </message>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>
         <translation>{} : archivé, mais la source ne peut pas être supprimée : {} ; il est entier aux deux endroits</translation>
+    </message>
+    <message>
+        <source>{}: t_s is {} after {}; time must increase from row to row</source>
+        <translation>{} : t_s vaut {} après {} ; le temps doit croître de ligne en ligne</translation>
+    </message>
+    <message>
+        <source>{}: t_s is {}; expected 0 in the first row</source>
+        <translation>{} : t_s vaut {} ; 0 attendu dans la première ligne</translation>
+    </message>
+    <message>
+        <source>{}: t_s is {}; expected 0 to {} s</source>
+        <translation>{} : t_s vaut {} ; attendu de 0 à {} s</translation>
     </message>
     <message>
         <source>{}: take points at the cloth's corners, far from its middle, some on the untouched cloth and some pressed down as deep as you can</source>
@@ -8508,6 +8592,14 @@ Pour commencer : %1</translation>
         <translation>{} : l'écriture de {} a échoué ; le disque est-il plein ?</translation>
     </message>
     <message>
+        <source>{}: x_mm is {}; expected −{} to {}</source>
+        <translation>{} : x_mm vaut {} ; attendu de −{} à {}</translation>
+    </message>
+    <message>
+        <source>{}: y_mm is {}; expected −{} to {}</source>
+        <translation>{} : y_mm vaut {} ; attendu de −{} à {}</translation>
+    </message>
+    <message>
         <source>{}: {:.0f} % of the acceleration held out is left; breakaway {:.1f} ± {:.1f} % and {:.1f} ± {:.1f} %, resonance {:.1f} ± {:.1f} Hz at {:.0f}°, damping {:.2f}</source>
         <translation>{} : il reste {:.0f} % de l'accélération mise de côté ; décollage {:.1f} ± {:.1f} % et {:.1f} ± {:.1f} %, résonance {:.1f} ± {:.1f} Hz à {:.0f}°, amortissement {:.2f}</translation>
     </message>
@@ -8596,6 +8688,10 @@ Pour commencer : %1</translation>
         <translation>{} : {} lignes de {} champs font {:.1f} Gio, un fichier MATLAB 5 en prend 2 ; choisir moins de champs ou un temps plus court</translation>
     </message>
     <message>
+        <source>{}: {} rows: expected two and more</source>
+        <translation>{} : {} lignes : deux ou plus attendues</translation>
+    </message>
+    <message>
         <source>{}: {} values; expected at most {}</source>
         <translation>{} : {} valeurs ; attendu au plus {}</translation>
     </message>
@@ -8638,6 +8734,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: {}{}: expected {}</source>
         <translation>{} : {}{} : attendu {}</translation>
+    </message>
+    <message>
+        <source>{}:1: format = "{}": expected "{}"</source>
+        <translation>{}:1 : format = "{}" : "{}" attendu</translation>
     </message>
     <message>
         <source>{}:{}: column {}: '{}' is not a number</source>
@@ -8694,6 +8794,14 @@ Pour commencer : %1</translation>
     <message>
         <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
         <translation>{}:{} : {} parmi x_mm, y_mm, z_mm sont NaN ; tous les trois veulent dire un doigt levé, sinon aucun ne peut l'être</translation>
+    </message>
+    <message>
+        <source>{}:{}: {}: expected one of {}</source>
+        <translation>{}:{} : {} : un parmi {} attendu</translation>
+    </message>
+    <message>
+        <source>{}:{}: {}: expected {}</source>
+        <translation>{}:{} : {} : attendu {}</translation>
     </message>
     <message>
         <source>{}; WARNING: {}</source>

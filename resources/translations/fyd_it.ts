@@ -610,6 +610,10 @@
         <translation>Area, mm²</translation>
     </message>
     <message>
+        <source>Arrived</source>
+        <translation>Arrivato</translation>
+    </message>
+    <message>
         <source>Asked</source>
         <translation>Chiesto</translation>
     </message>
@@ -1864,6 +1868,10 @@ Robot: %2
         <translation>Quanto lentamente la rigidezza misurata segue la vera (costante di tempo); la taratura automatica la misura.</translation>
     </message>
     <message>
+        <source>How the robot's end says where the finger is now; "thesis" follows late and smoothly.</source>
+        <translation>Come il lato del robot dice dove si trova ora il dito; "thesis" segue tardi e dolcemente.</translation>
+    </message>
+    <message>
         <source>How the stretch follows the stiffness target: law and PID, or as the thesis prints it.</source>
         <translation>Come la tensione segue la rigidezza desiderata: legge e PID, o come stampato nella tesi.</translation>
     </message>
@@ -3058,6 +3066,22 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Position sent</source>
         <translation>Posizione inviata</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Previsto</translation>
+    </message>
+    <message>
+        <source>Predicted ahead</source>
+        <translation>Previsto in avanti</translation>
+    </message>
+    <message>
+        <source>Prediction error</source>
+        <translation>Errore della previsione</translation>
+    </message>
+    <message>
+        <source>Predictor</source>
+        <translation>Predittore</translation>
     </message>
     <message>
         <source>Present</source>
@@ -4520,6 +4544,18 @@ Per cominciare: %1</translation>
         <translation>Che cosa è stato chiesto, e che cosa ne dice la parte che lo tiene. Un valore è confermato solo quando quella parte lo ha detto.</translation>
     </message>
     <message>
+        <source>Where the arm is led: where the finger will be when it gets there.</source>
+        <translation>Dove è portato il braccio: dove sarà il dito quando il braccio vi arriva.</translation>
+    </message>
+    <message>
+        <source>Where the finger was said to be, against where it was seen after: RMS over about a second.</source>
+        <translation>Dove si diceva che fosse il dito, rispetto a dove è stato visto dopo: RMS su circa un secondo.</translation>
+    </message>
+    <message>
+        <source>Where the newest touch leads the arm by itself: x, y, z.</source>
+        <translation>Dove il tocco più recente porta il braccio da solo: x, y, z.</translation>
+    </message>
+    <message>
         <source>Whether the way to the finger was identified; the constants below are guesses otherwise.</source>
         <translation>Se la via fino al dito è stata identificata; altrimenti le costanti qui sotto sono supposizioni.</translation>
     </message>
@@ -5620,6 +5656,14 @@ Per cominciare: %1</translation>
         <translation>i bordi davanti e dietro sono liberi</translation>
     </message>
     <message>
+        <source>gesture "{}": {} rows from {} to {} s: expected two and more of its {} s</source>
+        <translation>gesto "{}": {} righe da {} a {} s: attese due o più dei suoi {} s</translation>
+    </message>
+    <message>
+        <source>gesture: {} rows: expected two and more</source>
+        <translation>gesto: {} righe: attese due o più</translation>
+    </message>
+    <message>
         <source>gone</source>
         <translation>sparito</translation>
     </message>
@@ -6465,7 +6509,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>predictor "{}": expected one of {}, {}</source>
-        <translation>predittore &quot;{}&quot;: atteso uno di {}, {}</translation>
+        <translation>predittore "{}": atteso uno di {}, {}</translation>
     </message>
     <message>
         <source>preset %1</source>
@@ -7344,6 +7388,10 @@ Per cominciare: %1</translation>
         <translation>tocco %1 a %2 s</translation>
     </message>
     <message>
+        <source>touch from {:.3f} to {:.3f} s: {} pictures show its finger; expected two and more</source>
+        <translation>tocco da {:.3f} a {:.3f} s: {} immagini mostrano il dito; attese due o più</translation>
+    </message>
+    <message>
         <source>touchpad at {}</source>
         <translation>touchpad su {}</translation>
     </message>
@@ -7980,6 +8028,10 @@ Per cominciare: %1</translation>
         <translation>{}: la colonna {} non è del tipo di questo formato</translation>
     </message>
     <message>
+        <source>{}: depth_mm is {}; expected 0 to {}</source>
+        <translation>{}: depth_mm vale {}; atteso da 0 a {}</translation>
+    </message>
+    <message>
         <source>{}: does not count the tables' rows</source>
         <translation>{}: non conta le righe delle tabelle</translation>
     </message>
@@ -8144,8 +8196,20 @@ Per cominciare: %1</translation>
         <translation>{}: creato da una versione più nuova di questo programma (tabelle {}, questo conosce {})</translation>
     </message>
     <message>
+        <source>{}: more than {} bytes: no gesture card is that large</source>
+        <translation>{}: più di {} byte: nessuna scheda di gesto è così grande</translation>
+    </message>
+    <message>
+        <source>{}: name of {} bytes: expected 1 to {} that can be printed</source>
+        <translation>{}: name di {} byte: attesi da 1 a {} stampabili</translation>
+    </message>
+    <message>
         <source>{}: no 'format'; expected a record of calibrations, format = {}</source>
         <translation>{}: manca 'format'; atteso un registro di calibrazioni, format = {}</translation>
+    </message>
+    <message>
+        <source>{}: no line --- between the card's head and its rows; expected one</source>
+        <translation>{}: nessuna riga --- tra la testa della scheda e le sue righe; attesa una</translation>
     </message>
     <message>
         <source>{}: no memory for its variables</source>
@@ -8356,12 +8420,32 @@ Per cominciare: %1</translation>
         <translation>{}: metterlo in comando remoto e chiudere ogni altro programma che lo pilota</translation>
     </message>
     <message>
+        <source>{}: source of {} bytes: expected at most {} that can be printed</source>
+        <translation>{}: source di {} byte: attesi al massimo {} stampabili</translation>
+    </message>
+    <message>
+        <source>{}: speed = {}: expected {} to {}</source>
+        <translation>{}: speed = {}: atteso da {} a {}</translation>
+    </message>
+    <message>
         <source>{}: stop, then arm again</source>
         <translation>{}: fermare, poi armare di nuovo</translation>
     </message>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>
         <translation>{}: archiviato, ma l'originale non può essere rimosso: {}; è intero in entrambi i posti</translation>
+    </message>
+    <message>
+        <source>{}: t_s is {} after {}; time must increase from row to row</source>
+        <translation>{}: t_s vale {} dopo {}; il tempo deve crescere di riga in riga</translation>
+    </message>
+    <message>
+        <source>{}: t_s is {}; expected 0 in the first row</source>
+        <translation>{}: t_s vale {}; atteso 0 nella prima riga</translation>
+    </message>
+    <message>
+        <source>{}: t_s is {}; expected 0 to {} s</source>
+        <translation>{}: t_s vale {}; atteso da 0 a {} s</translation>
     </message>
     <message>
         <source>{}: take points at the cloth's corners, far from its middle, some on the untouched cloth and some pressed down as deep as you can</source>
@@ -8508,6 +8592,14 @@ Per cominciare: %1</translation>
         <translation>{}: scrittura di {} non riuscita; il disco è pieno?</translation>
     </message>
     <message>
+        <source>{}: x_mm is {}; expected −{} to {}</source>
+        <translation>{}: x_mm vale {}; atteso da −{} a {}</translation>
+    </message>
+    <message>
+        <source>{}: y_mm is {}; expected −{} to {}</source>
+        <translation>{}: y_mm vale {}; atteso da −{} a {}</translation>
+    </message>
+    <message>
         <source>{}: {:.0f} % of the acceleration held out is left; breakaway {:.1f} ± {:.1f} % and {:.1f} ± {:.1f} %, resonance {:.1f} ± {:.1f} Hz at {:.0f}°, damping {:.2f}</source>
         <translation>{}: resta il {:.0f} % dell'accelerazione tenuta da parte; spunto {:.1f} ± {:.1f} % e {:.1f} ± {:.1f} %, risonanza {:.1f} ± {:.1f} Hz a {:.0f}°, smorzamento {:.2f}</translation>
     </message>
@@ -8596,6 +8688,10 @@ Per cominciare: %1</translation>
         <translation>{}: {} righe di {} campi sono {:.1f} GiB, un file MATLAB 5 ne prende 2; scegliere meno campi o un tempo più breve</translation>
     </message>
     <message>
+        <source>{}: {} rows: expected two and more</source>
+        <translation>{}: {} righe: attese due o più</translation>
+    </message>
+    <message>
         <source>{}: {} values; expected at most {}</source>
         <translation>{}: {} valori; attesi al più {}</translation>
     </message>
@@ -8638,6 +8734,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: {}{}: expected {}</source>
         <translation>{}: {}{}: atteso {}</translation>
+    </message>
+    <message>
+        <source>{}:1: format = "{}": expected "{}"</source>
+        <translation>{}:1: format = "{}": atteso "{}"</translation>
     </message>
     <message>
         <source>{}:{}: column {}: '{}' is not a number</source>
@@ -8694,6 +8794,14 @@ Per cominciare: %1</translation>
     <message>
         <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
         <translation>{}:{}: {} di x_mm, y_mm, z_mm sono NaN; tutti e tre significano un dito sollevato, altrimenti nessuno può esserlo</translation>
+    </message>
+    <message>
+        <source>{}:{}: {}: expected one of {}</source>
+        <translation>{}:{}: {}: atteso uno di {}</translation>
+    </message>
+    <message>
+        <source>{}:{}: {}: expected {}</source>
+        <translation>{}:{}: {}: atteso {}</translation>
     </message>
     <message>
         <source>{}; WARNING: {}</source>
