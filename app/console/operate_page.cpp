@@ -28,6 +28,7 @@ std::vector<widgets::TuningSection> sections() {
       {OperatePage::tr("Texture"),
        Quantity::vibration,
        {{QStringLiteral("texture.method"), {}},
+        {QStringLiteral("texture.pwm"), {}},
         {QStringLiteral("texture.k_vib"), {}},
         {QStringLiteral("texture.dead_zone_percent"), {}},
         {QStringLiteral("texture.maximum_percent"), {}}}},

@@ -101,7 +101,9 @@ struct TextureParameters {
             .unit = "%",
             .minimum = 0,
             .maximum = 100,
-            .help = sentence("Duties smaller than this become zero, as the motors would not turn."),
+            .help =
+                sentence("Mappings symmetric and thesis: duties smaller than this become zero, as the motors would not "
+                         "turn."),
             .live = true});
     v.real("texture.maximum_percent", maximum_percent,
            {.name = sentence("Maximum"),
@@ -118,7 +120,7 @@ struct TextureParameters {
             .help = sentence("Signal that asks for the largest duty (s_max of the thesis)."),
             .live = true});
     v.choice("texture.pwm", pwm, kPwmNames,
-             {.name = sentence("Pwm"),
+             {.name = sentence("Mapping"),
               .help = sentence(
                   "Mapping from signal to duty: so that the finger feels it, rounded alike on both sides, or as the "
                   "thesis prints it."),

@@ -1326,10 +1326,6 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Tracée en clair. La recherche de ses touchers a été annulée.</translation>
     </message>
     <message>
-        <source>Duties smaller than this become zero, as the motors would not turn.</source>
-        <translation>Les rapports cycliques plus petits deviennent zéro, car les moteurs ne tourneraient pas.</translation>
-    </message>
-    <message>
         <source>Duty that the first motor needs before it turns.</source>
         <translation>Rapport cyclique nécessaire au premier moteur pour tourner.</translation>
     </message>
@@ -2408,6 +2404,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Manuel</translation>
     </message>
     <message>
+        <source>Mapping</source>
+        <translation>Conversion</translation>
+    </message>
+    <message>
         <source>Mapping felt: a steady signal of less RMS than this is noise and stays silent.</source>
         <translation>Conversion felt : un signal continu de valeur efficace inférieure est du bruit et reste muet.</translation>
     </message>
@@ -2422,6 +2422,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Mapping from signal to duty: so that the finger feels it, rounded alike on both sides, or as the thesis prints it.</source>
         <translation>Conversion du signal en rapport cyclique : pour que le doigt la sente, arrondie pareillement des deux côtés, ou telle que la thèse l'imprime.</translation>
+    </message>
+    <message>
+        <source>Mappings symmetric and thesis: duties smaller than this become zero, as the motors would not turn.</source>
+        <translation>Conversions symmetric et thesis : les rapports cycliques plus petits que celui-ci deviennent zéro, car les moteurs ne tourneraient pas.</translation>
     </message>
     <message>
         <source>Marked values differ from the profile (Ctrl+S)</source>
@@ -3162,10 +3166,6 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Put the robot to rest with its tool in the air, and take the point: it lasts 3 s.</source>
         <translation>Mettre le robot au repos, outil en l'air, et prendre le point : cela dure 3 s.</translation>
-    </message>
-    <message>
-        <source>Pwm</source>
-        <translation>PWM</translation>
     </message>
     <message>
         <source>Quit</source>

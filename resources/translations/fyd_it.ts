@@ -1326,10 +1326,6 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Disegnata tenue. La ricerca dei suoi tocchi è stata annullata.</translation>
     </message>
     <message>
-        <source>Duties smaller than this become zero, as the motors would not turn.</source>
-        <translation>I duty più piccoli di così diventano zero, perché i motori non girerebbero.</translation>
-    </message>
-    <message>
         <source>Duty that the first motor needs before it turns.</source>
         <translation>Duty di cui il primo motore ha bisogno per girare.</translation>
     </message>
@@ -2408,6 +2404,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Manuale</translation>
     </message>
     <message>
+        <source>Mapping</source>
+        <translation>Conversione</translation>
+    </message>
+    <message>
         <source>Mapping felt: a steady signal of less RMS than this is noise and stays silent.</source>
         <translation>Conversione felt: un segnale continuo con RMS minore di questo è rumore e tace.</translation>
     </message>
@@ -2422,6 +2422,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Mapping from signal to duty: so that the finger feels it, rounded alike on both sides, or as the thesis prints it.</source>
         <translation>Conversione dal segnale al duty: così che il dito la senta, arrotondata allo stesso modo da entrambi i lati, o come la stampa la tesi.</translation>
+    </message>
+    <message>
+        <source>Mappings symmetric and thesis: duties smaller than this become zero, as the motors would not turn.</source>
+        <translation>Conversioni symmetric e thesis: i duty più piccoli di questo diventano zero, perché i motori non girerebbero.</translation>
     </message>
     <message>
         <source>Marked values differ from the profile (Ctrl+S)</source>
@@ -3162,10 +3166,6 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Put the robot to rest with its tool in the air, and take the point: it lasts 3 s.</source>
         <translation>Mettere il robot a riposo con l'utensile in aria e prendere il punto: dura 3 s.</translation>
-    </message>
-    <message>
-        <source>Pwm</source>
-        <translation>PWM</translation>
     </message>
     <message>
         <source>Quit</source>

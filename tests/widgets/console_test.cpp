@@ -118,7 +118,7 @@ class ConsoleTest : public QObject {
     station::Profile profile;
     const auto bound = bindParameters(profile);
     for (const char* id : {"pipeline.hand_target_N_per_mm", "control.kp", "control.ki", "control.kd", "texture.k_vib",
-                           "texture.method", "texture.dead_zone_percent", "texture.maximum_percent"}) {
+                           "texture.method", "texture.pwm", "texture.dead_zone_percent", "texture.maximum_percent"}) {
       QVERIFY2(f.row(id) != nullptr, id);
       QVERIFY2(findParameter(bound, id)->info.live, id);
     }
