@@ -11,8 +11,25 @@ namespace {
 
 constexpr int kShape = 24;
 
-enum RowIndex { condition, peer, local, protocol, round_trip, jitter, loss, rate, age, received, sent, times_lost,
-                predictor, ahead, arrived, led, led_error };
+enum RowIndex {
+  condition,
+  peer,
+  local,
+  protocol,
+  round_trip,
+  jitter,
+  loss,
+  rate,
+  age,
+  received,
+  sent,
+  times_lost,
+  predictor,
+  ahead,
+  arrived,
+  led,
+  led_error
+};
 
 QString countText(std::uint64_t count) { return QString::number(count); }
 
@@ -80,8 +97,8 @@ LinkPanel::LinkPanel(QWidget* parent)
   // In the order of RowIndex.
   for (const QString& label :
        {tr("State"), tr("Robot"), tr("Listening on"), tr("Protocol"), tr("Round trip"), tr("Jitter"), tr("Loss"),
-        tr("Messages"), tr("Last message"), tr("Received"), tr("Sent"), tr("Times lost"), tr("Predictor"), tr("Predicted ahead"), tr("Arrived"),
-        tr("Predicted"), tr("Prediction error")}) {
+        tr("Messages"), tr("Last message"), tr("Received"), tr("Sent"), tr("Times lost"), tr("Predictor"),
+        tr("Predicted ahead"), tr("Arrived"), tr("Predicted"), tr("Prediction error")}) {
     rows_.push_back(addRow(*grid_, static_cast<int>(rows_.size()), label));
   }
   rows_[jitter].label->setToolTip(tr("How far the time between the robot's messages strays: four mean deviations."));

@@ -33,8 +33,8 @@ struct LinkView {
   double round_trip_ms = kUnknown;
   double jitter_ms = kUnknown;
   double loss_percent = kUnknown;
-  double rate_hz = kUnknown;  ///< the robot's messages in the last second
-  double age_ms = kUnknown;   ///< of its last message
+  double rate_hz = kUnknown;       ///< the robot's messages in the last second
+  double age_ms = kUnknown;        ///< of its last message
   QString predictor;               ///< by which the arm is led; empty: the robot's end does not say
   QString arrived;                 ///< "12.3, −4.0, −2.1 mm": where the newest touch leads by itself
   QString led;                     ///< where the arm is led
