@@ -40,9 +40,9 @@ constexpr double kConcave = 5.0;  // … the rest lies with the faint: most surf
 constexpr double kFrictionShare = 0.95;  // of the breakaway: a turning motor has less
 constexpr double kSoftSign = 0.15;       // of the wanted speed's RMS
 constexpr double kLead = 0.2;            // samples by which the wanted speed is ahead of the end of the sample
-constexpr double kWarm = 0.6;    // of the limit's square: as if it had run before, so that a beginning is no exception
+constexpr double kWarm = 0.85;   // of the limit's square: as if it had run before, so that a beginning is no exception
 constexpr double kHeat_s = 1.0;  // far shorter than a motor takes to warm, longer than a surface's own ups and downs
-constexpr double kAim = 0.9;     // of the heat limit, friction included
+constexpr double kAim = 0.92;    // of the heat limit, friction included
 constexpr double kHeadroom = 0.97;  // what a limit cuts is no texture
 
 /// Denormals would cost hundreds of cycles each.
@@ -122,10 +122,17 @@ void FeltMapping::learn(const Surface& squares) {
   follow(learned_.speed, towards.speed);
 }
 
+double FeltMapping::limit_percent() const {
+  return kAim * std::min(settings_.rms_limit_percent, settings_.maximum_percent);
+}
+
+double FeltMapping::friction_percent(std::size_t motor) const {
+  return std::min(kFrictionShare * settings_.plant.breakaway_percent[motor], limit_percent());
+}
+
 double FeltMapping::target_percent(double level_g) const {
-  const double friction = kFrictionShare * std::max(settings_.plant.breakaway_percent[0],  //
-                                                    settings_.plant.breakaway_percent[1]);
-  const double limit = kAim * std::min(settings_.rms_limit_percent, settings_.maximum_percent);
+  const double friction = std::max(friction_percent(0), friction_percent(1));
+  const double limit = limit_percent();
   const double most = std::sqrt(std::max(limit * limit - friction * friction, 0.04 * limit * limit));
   const double below = std::clamp(math::log(kStrongest_g / level_g) / kRange, 0.0, 2.0);
   return most * math::exp(-kCompressed * (kEven * below + (1.0 - kEven) * math::pow(below, kConcave)));
@@ -173,7 +180,7 @@ FeltDuty FeltMapping::step(double signal_g, double position_share_percent) {
   double hottest = 0.0;
   for (std::size_t i = 0; i < kFeltMotors; ++i) {
     const double still = std::max(0.0, 1.0 - share / std::max(2.0 * plant.breakaway_percent[i], 1.0));
-    const double friction = kFrictionShare * plant.breakaway_percent[i] * sign * still * std::min(settings_.gain, 1.0);
+    const double friction = friction_percent(i) * sign * still * std::min(settings_.gain, 1.0);
     const double wanted = gate_ * (gain_now * linear_percent + friction);
     out.percent[i] = std::clamp(cool * wanted, -room, room);
     out.clipped = out.clipped || std::abs(cool * wanted) > room;

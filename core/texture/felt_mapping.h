@@ -20,19 +20,10 @@
 #include <array>
 
 #include "core/base/state.h"
-#include "core/texture/felt_plant.h"
+#include "core/texture/felt_settings.h"
 #include "core/texture/inverse_cloth.h"
 
 namespace fyd::texture {
-
-struct FeltSettings {
-  FeltPlant plant;
-  double gain = 1.0;                ///< k_vib, at the finger
-  double maximum_percent = 100.0;   ///< largest duty
-  double rms_limit_percent = 38.9;  ///< heat: largest RMS duty, over a second
-  double gate_g = 0.0075;           ///< a steady signal of less RMS is noise
-  double surface_level_g = 0.0;     ///< stored RMS of this surface; 0: learned
-};
 
 struct FeltDuty {
   std::array<double, kFeltMotors> percent{};
@@ -78,6 +69,11 @@ class FeltMapping {
   [[nodiscard]] Surface usual() const;
   [[nodiscard]] double gain() const;
   [[nodiscard]] double warm() const;
+  /// RMS of the duty to aim at, for the motors' heat.
+  [[nodiscard]] double limit_percent() const;
+  /// Feed-forward of a motor: with more than the heat allows it would only be cooled again.
+  [[nodiscard]] double friction_percent(std::size_t motor) const;
+  /// RMS of the duty's linear part, for a surface of this level.
   [[nodiscard]] double target_percent(double level_g) const;
 
   FeltSettings settings_;

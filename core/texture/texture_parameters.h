@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/base/message.h"
-#include "core/texture/felt_plant.h"
+#include "core/texture/felt_settings.h"
 
 namespace fyd::texture {
 
@@ -52,9 +52,9 @@ struct TextureParameters {
   double maximum_percent = 100.0;
   double full_scale_g = 2.0;
   PwmChoice pwm = PwmChoice::felt;
-  double felt_rms_limit_percent = 38.9;
-  double felt_gate_g = 0.0075;
-  double felt_surface_level_g = 0.0;
+  double felt_rms_limit_percent = FeltSettings{}.rms_limit_percent;
+  double felt_gate_g = FeltSettings{}.gate_g;
+  double felt_surface_level_g = FeltSettings{}.surface_level_g;
   double input_delay_ms = 0.5;
   double maximum_gap_ms = 2.5;
   double crossfade_ms = 20.0;

@@ -79,7 +79,7 @@ class Felt(fyd.Case):
                   f"symmetric {mean(r['level_g'] >= .02 for r in symmetric if r['f0'] == f0):.2f}")
         print("worst:", min((round(run["match"], 2), run["in"], run["b"], run["f0"]) for run in felt))
         self.assertGreaterEqual(min(run["match"] for run in felt), .5)
-        self.assertGreaterEqual(mean(run["level_g"] >= .02 for run in felt), .74)
+        self.assertGreaterEqual(mean(run["level_g"] >= .02 for run in felt), .75)
         self.assertLessEqual(mean(run["thirds_dB"] for run in felt), 1.5)
         self.assertGreaterEqual(mean(run["envelope"] for run in felt), .85)
         self.assertLessEqual(max(run["lag_ms"] for run in felt), 10)
@@ -98,10 +98,9 @@ class Felt(fyd.Case):
 
     def test_constants_that_are_30_percent_wrong(self):
         for factor in (0.7, 1.3):
-            runs = self.jobs(self.surfaces[::3], factor=factor)
+            runs = self.jobs(self.surfaces, factor=factor)
             print(f"constants × {factor}: match {mean(r['match'] for r in runs):.3f}")
-            # A third of the surfaces; over all of them 0.64 and 0.71 (manual).
-            self.assertGreaterEqual(mean(run["match"] for run in runs), .58)
+            self.assertGreaterEqual(mean(run["match"] for run in runs), .62)
             self.assertLessEqual(max(max(run["duty_rms"]) for run in runs), 40)
 
     def test_level_grows_with_the_surface(self):

@@ -293,21 +293,45 @@ TEST(StepSession, ATareUnderAFingerIsRefused) {
   EXPECT_TRUE(failed);
 }
 
-TEST(StepSession, WithoutARobotAStoredSurfaceIsFeltWhileTheFingerMoves) {
+struct FeltTexture {
+  double loudest_percent = 0.0;
+  double estimated_g = 0.0;  // RMS while the finger touches
+  double simulated_g = 0.0;  // of the simulated way to the finger, which shares no formula with the estimate
+};
+
+FeltTexture feltWithoutARobot(texture::PwmChoice mapping) {
   LockstepOptions options;
+  options.parameters.texture.pwm = mapping;
   options.robot_stiffness_N_per_mm = std::numeric_limits<double>::quiet_NaN();
   options.surface =
-      texture::SurfaceModel{.name = "test", .bands = {{.wavelength_mm = 0.3, .quality = 2.0, .rms_g = 2.0}}};
+      texture::SurfaceModel{.name = "test", .bands = {{.wavelength_mm = 0.5, .quality = 2.0, .rms_g = 0.2}}};
   options.finger = sim::FingerPath::demonstration();
-  auto session = std::make_unique<Lockstep>(options);
-  session->run(0.5);
-  arm(*session);
-  double loudest = 0.0;
-  session->run(12.0, [&loudest](const pipeline::Outputs& outputs) {
-    loudest = std::max(loudest, std::abs(outputs.motors.vibration_duty_percent[0]));
+  Lockstep session(options);
+  session.run(0.5);
+  arm(session);
+  FeltTexture out;
+  double estimated = 0.0, simulated = 0.0;
+  int samples = 0;
+  session.run(12.0, [&](const pipeline::Outputs& outputs) {
+    out.loudest_percent = std::max(out.loudest_percent, std::abs(outputs.motors.vibration_duty_percent[0]));
+    if (outputs.telemetry.state != SafetyState::active || !outputs.telemetry.contact) return;
+    estimated += outputs.telemetry.felt_acceleration_g * outputs.telemetry.felt_acceleration_g;
+    simulated += session.world().truth().felt_g * session.world().truth().felt_g;
+    ++samples;
   });
-  EXPECT_EQ(session->outputs().telemetry.state, SafetyState::active);
-  EXPECT_GT(loudest, 25.0);
+  EXPECT_EQ(session.outputs().telemetry.state, SafetyState::active);
+  EXPECT_GT(samples, 1000);
+  out.estimated_g = std::sqrt(estimated / samples);
+  out.simulated_g = std::sqrt(simulated / samples);
+  return out;
+}
+
+TEST(StepSession, WithoutARobotAStoredSurfaceIsFeltWhileTheFingerMoves) {
+  const FeltTexture felt = feltWithoutARobot(texture::PwmChoice::felt);
+  EXPECT_GT(felt.loudest_percent, 25.0);
+  EXPECT_GT(felt.simulated_g, texture::kFeltThreshold_g);
+  EXPECT_LT(std::abs(20.0 * std::log10(felt.simulated_g / felt.estimated_g)), 3.0);
+  EXPECT_GT(felt.simulated_g, 2.0 * feltWithoutARobot(texture::PwmChoice::symmetric).simulated_g);
 }
 
 TEST(StepSession, TwoSessionsOfOneSeedAreEqual) {
