@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "core/base/portable_math.h"
+#include "core/signal/minimum_phase.h"
 
 namespace fyd::texture {
 namespace {
@@ -39,14 +40,8 @@ void InverseCloth::tune(double resonance_Hz, double damping) {
     const double held = k == 0 ? 1.0 : math::sin(std::numbers::pi * f) / (std::numbers::pi * f);
     bins[k] = std::min(-log_cloth - math::log(held), kLargestLogGain);
   }
-  const auto cepstrum = fft_.time();
-  fft_.backward();
-  for (std::size_t i = 1; i < kFrame / 2; ++i) cepstrum[i] *= 2.0;
-  std::fill(cepstrum.begin() + kFrame / 2 + 1, cepstrum.end(), 0.0);
-  fft_.forward();
-  for (auto& bin : bins) bin = math::polar(math::exp(bin.real()), bin.imag());
-  fft_.backward();
-  std::copy_n(cepstrum.begin(), kTaps, goal_.begin());
+  signal::minimumPhase(fft_);
+  std::copy_n(fft_.time().begin(), kTaps, goal_.begin());
   gliding_ = kGlide;
 }
 

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/base/portable_math.h"
+#include "core/signal/minimum_phase.h"
 
 namespace fyd::texture {
 namespace {
@@ -102,20 +103,15 @@ void SpectralEqualiser::design() {
   if (strongest <= kFaint) return;  // nothing to learn from: keep the last filter
 
   const auto bins = fft_.bins();
-  const auto cepstrum = fft_.time();
   const double floor = kFloor * strongest;
   for (std::size_t k = 0; k < kBins; ++k) {
     const double log_gain = 0.5 * math::log((reference_[k] + floor) / (power_[k] + floor));
     bins[k] = std::clamp(log_gain, -kLargestLogGain, kLargestLogGain);
   }
-  fft_.backward();
-  for (std::size_t i = 1; i < kFrame / 2; ++i) cepstrum[i] *= 2.0;
-  std::fill(cepstrum.begin() + kFrame / 2 + 1, cepstrum.end(), 0.0);
-  fft_.forward();
-  for (auto& bin : bins) bin = math::polar(math::exp(bin.real()), bin.imag());
-  fft_.backward();
+  signal::minimumPhase(fft_);
+  const auto response = fft_.time();
   for (std::size_t i = 0; i < kTaps; ++i) {
-    next_taps_[i] = cepstrum[i];
+    next_taps_[i] = response[i];
     tap_steps_[i] = (next_taps_[i] - taps_[i]) / kHop;
   }
 }
