@@ -113,14 +113,8 @@ nlohmann::ordered_json figuresOf(const std::vector<Row>& rows, const FeltPlant& 
     signal.push_back(row.signal_g);
     finger.push_back(simulation.step(row.duty_percent));
     wanted += row.signal_g * row.signal_g;
-    bool any = false;
-    bool turns = false;
-    for (std::size_t i = 0; i < kFeltMotors; ++i) {
-      heat[i] += row.duty_percent[i] * row.duty_percent[i];
-      any = any || row.duty_percent[i] != 0.0;
-      turns = turns || std::abs(row.duty_percent[i]) >= plant.breakaway_percent[i];
-    }
-    dead += any && !turns ? 1.0 : 0.0;
+    for (std::size_t i = 0; i < kFeltMotors; ++i) heat[i] += row.duty_percent[i] * row.duty_percent[i];
+    dead += isDead(row.duty_percent, plant) ? 1.0 : 0.0;
     limited += row.limited ? 1.0 : 0.0;
     moved_deg = std::max(moved_deg, std::abs(simulation.stretch_deg() - stretch_deg));
   }
@@ -133,7 +127,7 @@ nlohmann::ordered_json figuresOf(const std::vector<Row>& rows, const FeltPlant& 
           {"level_g", jsonNumber(f.level_g)},
           {"level_dB", jsonNumber(f.level_dB)},
           {"felt", felt},
-          {"out_of_reach", !felt && std::sqrt(wanted / count) > 0.01},
+          {"out_of_reach", !felt && std::sqrt(wanted / count) > kWanting_g},
           {"lag_ms", jsonNumber(f.lag_ms)},
           {"dead_share", dead / count},
           {"limited_share", limited / count},
@@ -177,13 +171,7 @@ void felt(const FeltOptions& options) {
       {"delay_ms", 1e3 * chain.delaySamples() / kRate_Hz},
       {"ns_per_sample", took.count() / static_cast<double>(std::max<std::size_t>(rows.size(), 1))}};
   json.update(figuresOf(rows, plant, stretch_deg));
-  if (options.json) {
-    printJson(json);
-    return;
-  }
-  for (const auto& [key, value] : json.items()) {
-    std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << '\n';
-  }
+  printValues(json, options.json);
 }
 
 }  // namespace

@@ -10,8 +10,7 @@ namespace fyd::texture {
 namespace {
 
 constexpr double kMean_s = 1.0;
-constexpr double kFaintest = 1e-6;   // of the threshold: −120 dB
-constexpr double kWanting_g = 0.01;  // RMS from which something is wanted
+constexpr double kFaintest = 1e-6;  // of the threshold: −120 dB
 
 signal::BiquadCoefficients clothFilter(double resonance_Hz, double damping, double gain, double rate_Hz) {
   const double w = 2.0 * std::numbers::pi * resonance_Hz;
@@ -26,6 +25,15 @@ signal::BiquadCoefficients clothFilter(double resonance_Hz, double damping, doub
 }
 
 }  // namespace
+
+bool isDead(const std::array<double, kFeltMotors>& duty_percent, const FeltPlant& plant) {
+  bool any = false;
+  for (std::size_t i = 0; i < kFeltMotors; ++i) {
+    if (std::abs(duty_percent[i]) >= plant.breakaway_percent[i]) return false;
+    any = any || duty_percent[i] != 0.0;
+  }
+  return any;
+}
 
 FingerPrediction::FingerPrediction(const FeltPlant& plant, double sample_rate_Hz) : rate_Hz_(sample_rate_Hz) {
   configure(plant, plant.stretch_deg);
@@ -51,8 +59,6 @@ void FingerPrediction::step(const std::array<double, kFeltMotors>& duty_percent,
   const double tau = plant_.time_constant_ms * 1e-3;
   const double slows = T / tau;
   double acceleration = 0.0;
-  bool none_turns = true;
-  bool any_duty = false;
   for (std::size_t i = 0; i < kFeltMotors; ++i) {
     const double friction = plant_.breakaway_percent[i];
     const double drive = duty_percent[i] - plant_.position_gain_percent_per_deg * angle_deg_[i];
@@ -63,14 +69,12 @@ void FingerPrediction::step(const std::array<double, kFeltMotors>& duty_percent,
     speed_deg_s_[i] = std::copysign(std::max(std::abs(pushed) - stops, 0.0), pushed);
     angle_deg_[i] += T * speed_deg_s_[i];
     acceleration += (speed_deg_s_[i] - before) / T;
-    any_duty = any_duty || duty_percent[i] != 0.0;
-    none_turns = none_turns && std::abs(duty_percent[i]) < friction;
     heat_[i] += share * (duty_percent[i] * duty_percent[i] - heat_[i]);
   }
   newest_g_ = cloth_.step(acceleration / kFeltMotors / plant_.degreesPerG());
   felt_ += share * (newest_g_ * newest_g_ - felt_);
   wanted_ += share * (wanted_g * wanted_g - wanted_);
-  dead_ += share * ((any_duty && none_turns ? 1.0 : 0.0) - dead_);
+  dead_ += share * ((isDead(duty_percent, plant_) ? 1.0 : 0.0) - dead_);
   clipped_ += share * ((clipped ? 1.0 : 0.0) - clipped_);
 }
 

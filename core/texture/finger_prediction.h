@@ -18,11 +18,15 @@ namespace fyd::texture {
 struct FingerFigures {
   double acceleration_g = 0.0;    ///< newest, of the finger
   double level_dB = 0.0;          ///< RMS at the finger over kFeltThreshold_g; −120 at least
-  double dead_share = 0.0;        ///< of the samples: a duty, but less than any motor needs to turn
+  double dead_share = 0.0;        ///< of the samples (isDead)
   double clipped_share = 0.0;     ///< of the samples: cut by a limit
   double duty_rms_percent = 0.0;  ///< of the motor with more
   bool out_of_reach = false;      ///< something is wanted, and less than the threshold arrives
 };
+
+inline constexpr double kWanting_g = 0.01;  ///< RMS of the texture signal from which something is wanted
+/// A duty, but less than any motor needs to turn.
+[[nodiscard]] bool isDead(const std::array<double, kFeltMotors>& duty_percent, const FeltPlant& plant);
 
 class FingerPrediction {
  public:

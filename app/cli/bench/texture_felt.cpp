@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <random>
 
 #include "app/cli/bench/table.h"
@@ -72,7 +73,7 @@ Signal materialSignal(sim::Material material, const Stroke& stroke, std::uint64_
     travelled_mm += speed / kRate_Hz;
     double sum = properties.broadband_g * rough[n];
     for (const sim::SurfaceWave& wave : properties.waves) {
-      sum += wave.amplitude_g.z * std::sin(2.0 * 3.141592653589793 * travelled_mm / wave.length_mm + wave.phase_rad.z);
+      sum += wave.amplitude_g.z * std::sin(2.0 * std::numbers::pi * travelled_mm / wave.length_mm + wave.phase_rad.z);
     }
     out.push_back(sum * speed / (speed + 30.0) * std::sqrt(force));
   }
@@ -121,7 +122,7 @@ Signal tap(double peak_g) {
   Signal out(kSamples, 0.0);
   for (std::size_t n = 0; n < 60; ++n) {
     const double t = static_cast<double>(n) / kRate_Hz;
-    out[2000 + n] = peak_g * std::cos(2.0 * 3.141592653589793 * 120.0 * t) * std::exp(-t / 0.01);
+    out[2000 + n] = peak_g * std::cos(2.0 * std::numbers::pi * 120.0 * t) * std::exp(-t / 0.01);
   }
   return out;
 }
