@@ -63,7 +63,7 @@ void add_bench(CLI::App& app) {
     if (!options->cloth.empty()) bench::benchCloths() = {bench::clothOf(options->cloth)};
     for (const Subject& subject : subjects()) {
       if (!options->name.empty() && options->name != subject.name && !subject.name.starts_with(options->name + "_")) {
-        continue;  // texture has texture_felt beside it
+        continue;  // NAME_… are further tables of the subject NAME
       }
       const bench::Table table = subject.run();
       std::cout << bench::toMarkdown(table) << '\n' << std::flush;

@@ -48,11 +48,7 @@ void runBudget(const BudgetOptions& options) {
                                    {"indentation", budget->fields.indentation},
                                    {"orientation", budget->fields.orientation},
                                    {"fits", budget->fits}};
-  if (options.json) {
-    printJson(out);
-    return;
-  }
-  for (const auto& [key, value] : out.items()) std::cout << fmt::format("{:<18}{}\n", key, value.dump());
+  printValues(out, options.json);
 }
 
 }  // namespace

@@ -36,6 +36,8 @@ T valueOrFail(Result<T> result) {
 
 /// The one document that this program prints on standard output; `printErrorJson` may still add to it.
 void printJson(const nlohmann::ordered_json& json);
+/// That document with --json, else a line for each value; those of an object within are called "object.value".
+void printValues(const nlohmann::ordered_json& object, bool as_json);
 /// Adds "error" with its kind, format, values and text: to the object that was printed; beside an array ("result");
 /// alone when nothing was printed.
 void printErrorJson(const Message& message);

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/cli/command.h"
 
@@ -36,9 +39,30 @@ nlohmann::ordered_json partsOf(const Message& message) {
   return {{"kind", toString(message.kind)}, {"format", message.format}, {"values", values}, {"text", message.text()}};
 }
 
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+void addLines(const nlohmann::ordered_json& object, const std::string& prefix, Lines& lines) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      addLines(value, prefix + key + ".", lines);
+    } else {
+      lines.emplace_back(prefix + key, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+}
+
 }  // namespace
 
 void printJson(const nlohmann::ordered_json& json) { document = json; }
+
+void printValues(const nlohmann::ordered_json& object, bool as_json) {
+  if (as_json) return printJson(object);
+  Lines lines;
+  addLines(object, "", lines);
+  std::size_t widest = 0;
+  for (const auto& [name, value] : lines) widest = std::max(widest, name.size());
+  for (const auto& [name, value] : lines) std::cout << fmt::format("{:<{}}  {}\n", name, widest, value);
+}
 
 void printErrorJson(const Message& message) {
   if (!document) {

@@ -94,11 +94,7 @@ void runPredict(const PredictOptions& options) {
                                     {"largest_step_mm", jsonNumber(figures.largest_step_mm)},
                                     {"jerk_ratio", jsonNumber(figures.jerk_ratio)},
                                     {"ns_per_step", jsonNumber(ns_per_step)}};
-  if (options.json) {
-    printJson(json);
-  } else {
-    for (const auto& [key, value] : json.items()) std::cout << fmt::format("{:<16}{}\n", key, value.dump());
-  }
+  printValues(json, options.json);
 }
 
 }  // namespace

@@ -10,20 +10,6 @@
 #include "core/base/end_signals.h"
 
 namespace fyd::cli {
-namespace {
-
-void printLines(const nlohmann::ordered_json& object, const std::string& prefix) {
-  for (const auto& [key, value] : object.items()) {
-    if (value.is_object()) {
-      printLines(value, prefix + key + ".");
-    } else {
-      std::cout << fmt::format("{:<32}{}\n", prefix + key, value.is_string() ? value.get<std::string>() : value.dump());
-    }
-  }
-}
-
-}  // namespace
-
 protocol::Endpoint endpointOrUsageError(const std::string& option, const std::string& text) {
   auto endpoint = protocol::parseEndpoint(text);
   if (!endpoint) throw UsageError(about(option, endpoint.error().message));
@@ -93,12 +79,6 @@ void runUntilInterrupted(const std::function<void(const std::stop_token&)>& run,
 
 Duration runLimit(double duration_s) { return duration_s > 0.0 ? fromSeconds(duration_s) : Duration::max(); }
 
-void printSummary(const nlohmann::ordered_json& summary, bool json) {
-  if (json) {
-    printJson(summary);
-  } else {
-    printLines(summary, "");
-  }
-}
+void printSummary(const nlohmann::ordered_json& summary, bool json) { printValues(summary, json); }
 
 }  // namespace fyd::cli

@@ -14,16 +14,6 @@ std::unique_ptr<session::Recording> openRecording(const std::string& path) {
   return valueOrFail(session::Recording::open(path));
 }
 
-void printSession(const nlohmann::ordered_json& result, bool json) {
-  if (json) {
-    printJson(result);
-    return;
-  }
-  for (const auto& [key, value] : result.items()) {
-    std::cout << fmt::format("{:<32} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
-  }
-}
-
 void add_session(CLI::App& app) {
   CLI::App* command = app.add_subcommand("session", "Recordings: what is in them, recover, replay; lists of trials");
   command->require_subcommand(1);

@@ -30,6 +30,5 @@ void addSessionOptions(CLI::App& command, SessionOptions& options);
 [[nodiscard]] std::unique_ptr<session::Recording> openRecording(const std::string& path);
 
 /// As JSON, or one line for each key.
-void printSession(const nlohmann::ordered_json& result, bool json);
 
 }  // namespace fyd::cli

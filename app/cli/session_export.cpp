@@ -44,7 +44,7 @@ void runExport(const ExportCommand& command) {
     json["health"] = health;
     json["health_reason"] = reason;
   }
-  printSession(json, command.session.json);
+  printValues(json, command.session.json);
 }
 
 void runReport(const ExportCommand& command) {
@@ -53,7 +53,7 @@ void runReport(const ExportCommand& command) {
   nlohmann::ordered_json json;
   json["file"] = command.out;
   json["bytes"] = std::filesystem::file_size(command.out);
-  printSession(json, command.session.json);
+  printValues(json, command.session.json);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ void addSessionInfo(CLI::App& parent) {
       json.erase("profile");
       json.erase("surface");
     }
-    printSession(json, options->json);
+    printValues(json, options->json);
   });
 }
 

@@ -26,18 +26,18 @@ void addSessionVerify(CLI::App& parent) {
   addSessionOptions(*command, *options);
   command->callback([options] {
     const auto checked = valueOrFail(session::verify(options->file));
-    printSession({{"intact", checked.intact()},
-                  {"wholeness", session::toString(checked.wholeness)},
-                  {"health", checked.health.word},
-                  {"health_reason", checked.health.reason},
-                  {"commits", checked.commits},
-                  {"damaged_commits", checked.damaged_commits},
-                  {"unproven_rows", checked.unproven_rows},
-                  {"blocks", checked.blocks},
-                  {"bytes", checked.bytes},
-                  {"damaged", checked.damaged},
-                  {"first_damage", checked.first_damage}},
-                 options->json);
+    printValues({{"intact", checked.intact()},
+                 {"wholeness", session::toString(checked.wholeness)},
+                 {"health", checked.health.word},
+                 {"health_reason", checked.health.reason},
+                 {"commits", checked.commits},
+                 {"damaged_commits", checked.damaged_commits},
+                 {"unproven_rows", checked.unproven_rows},
+                 {"blocks", checked.blocks},
+                 {"bytes", checked.bytes},
+                 {"damaged", checked.damaged},
+                 {"first_damage", checked.first_damage}},
+                options->json);
     if (!checked.intact()) {
       throw Failure(say("{}: damaged: {} of {} commits, {} of {} blocks, {} rows are unproven; the first: {}",
                         options->file, checked.damaged_commits, checked.commits, checked.damaged, checked.blocks,
@@ -59,14 +59,14 @@ void addSessionRecover(CLI::App& parent) {
     }
     auto missing = nlohmann::ordered_json::array();
     for (const session::MissingRows& rows : outcome.missing) missing.push_back(session::wordsOf(rows));
-    printSession({{"result", toString(outcome.result)},
-                  {"file", outcome.file},
-                  {"kept", outcome.kept},
-                  {"samples", outcome.steps},
-                  {"lost_samples", outcome.lost_steps},
-                  {"missing", missing},
-                  {"first_damage", outcome.first_damage}},
-                 options->json);
+    printValues({{"result", toString(outcome.result)},
+                 {"file", outcome.file},
+                 {"kept", outcome.kept},
+                 {"samples", outcome.steps},
+                 {"lost_samples", outcome.lost_steps},
+                 {"missing", missing},
+                 {"first_damage", outcome.first_damage}},
+                options->json);
     if (outcome.result == session::RecoverResult::part_lost) {
       throw Failure(say("{}: a part is lost ({} steps; {}); what can be read is saved in {}, the original is {}",
                         options->file, outcome.lost_steps,

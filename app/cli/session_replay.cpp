@@ -102,7 +102,7 @@ void addSessionReplay(CLI::App& parent) {
     if (!replayed) throw Failure(about(options->session.file, replayed.error().message));
     const session::ReplayResult& result = *replayed;
     if (csv) csv->close();
-    printSession(toJson(result, recording->info()), options->session.json);
+    printValues(toJson(result, recording->info()), options->session.json);
     const bool proves = !result.what_if && !result.closed_loop;
     if (proves && result.different > 0 && result.arithmetic_recorded != pipeline::kArithmetic) {
       sayArithmetic(options->session.file, result);

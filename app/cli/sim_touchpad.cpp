@@ -45,13 +45,7 @@ void reportSimTouchpad(const SimTouchpadOptions& options, const sim::TouchpadPro
                                        {"motors_on_s", figures.motors_on_s},
                                        {"vibration_peak_percent", figures.vibration_peak_percent},
                                        {"motor_temperature_degC", figures.temperature_degC}};
-  if (options.json) {
-    printJson(json);
-    return;
-  }
-  for (const auto& [key, value] : json.items()) {
-    std::cout << fmt::format("{:<24} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
-  }
+  printValues(json, options.json);
 }
 
 void runSimTouchpad(SimTouchpadOptions& options) {

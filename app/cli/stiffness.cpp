@@ -64,11 +64,7 @@ void add_stiffness(CLI::App& app) {
     std::vector<sim::TrialPoint> course;
     const nlohmann::ordered_json json = trialJson(sim::runTrial(trial, &course));
     if (!options->course.empty()) writeCourse(options->course, course);
-    if (options->json) {
-      printJson(json);
-    } else {
-      for (const auto& [key, value] : json.items()) std::cout << fmt::format("{}: {}\n", key, value.dump());
-    }
+    printValues(json, options->json);
   });
 }
 

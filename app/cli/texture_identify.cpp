@@ -54,13 +54,7 @@ void identify(const IdentifyOptions& options) {
                                        {"cloth_gain", found->plant.cloth_gain},
                                        {"sigma_resonance_Hz", jsonNumber(found->sigma_resonance_Hz)},
                                        {"held_out_error", found->held_out_error}};
-  if (options.json) {
-    printJson(json);
-    return;
-  }
-  for (const auto& [key, value] : json.items()) {
-    std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << '\n';
-  }
+  printValues(json, options.json);
 }
 
 }  // namespace

@@ -89,13 +89,7 @@ void render(const TextureRenderOptions& options) {
                                        {"delay_ms", 1e3 * delay / rate_Hz},
                                        {"ns_per_sample", jsonNumber(rendered.ns_per_sample)},
                                        {"edge_jump_ratio", jsonNumber(edgeJumpRatio(rendered.signal, hop, delay))}};
-  if (options.json) {
-    printJson(json);
-    return;
-  }
-  for (const auto& [key, value] : json.items()) {
-    std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << '\n';
-  }
+  printValues(json, options.json);
 }
 
 }  // namespace
