@@ -10,9 +10,8 @@
 #include "core/calibration/cloth_calibration.h"
 #include "core/sensing/contact_cloth.h"
 #include "core/sensing/ir_distance.h"
-#include "core/sim/cloth.h"
+#include "core/sim/cloth_presses.h"
 #include "core/sim/ir_sensor.h"
-#include "core/sim/picture.h"
 #include "widgets/number_text.h"
 
 namespace fyd::console {
@@ -191,33 +190,24 @@ class ClothStep : public CalibrationStep {
 
   std::vector<CalibrationPoint> simulatedPoints(const station::Profile& profile) const override {
     const auto& p = profile.step.sensing.indentation;
-    if (sensorsOf(p) > sim::kIrPlaces.size()) return {};
+    if (sensorsOf(p) != sim::kIrPlaces.size()) return {};  // it is the simulated touchpad's own that are pressed
     std::mt19937_64 random(static_cast<std::uint64_t>(profile.sim.seed));
     std::normal_distribution<double> noise(0.0, profile.sim.ir_noise_mV / 1000.0);
-    sim::Cloth cloth(profile.sim);
-    const sim::Cloth& shape = cloth;
     std::vector<CalibrationPoint> out;
-    for (std::size_t over = 0; over < sensorsOf(p); ++over) {
-      for (const double depth_mm : {3.0, 6.0, 3.0, 6.0, 3.0, 6.0}) {  // once each is near the limit
-        const sim::FingerState finger{
-            .x_mm = p.ir_x_mm[over], .y_mm = p.ir_y_mm[over], .indentation_mm = depth_mm, .lifted = false};
-        const sim::Pressing press = cloth.press(profile.step.control.travel_minimum_deg, finger, 0.0);
-        std::vector<double> codes;
-        for (std::size_t i = 0; i < sensorsOf(p); ++i) {
-          // Sensors that read as the profile says: what its curves and offsets are off is not the cloth's.
-          const double volts = distanceSensorOf(p, i).voltsAt(
-              p.ir_offset_mm[i] - shape.deflection_mm(sim::kIrPlaces[i].x_mm, sim::kIrPlaces[i].y_mm, finger));
-          double sum = 0.0;
-          for (int k = 0; k < readings(); ++k) sum += sim::irCode(volts + noise(random));
-          codes.push_back(sum / readings());
-        }
-        sim::Spot seen{finger.x_mm + press.centre_x_mm, finger.y_mm + press.centre_y_mm, press.area_mm2};
-        if (shape.kind() != sim::ClothKind::ideal) {  // its picture is one from far away
-          seen = sim::seenFromBelow(seen, depth_mm, profile.sim.cloth_height_mm);
-        }
-        const double bridge_mV_per_V = calibration::kUnknown;
-        out.push_back(pointOnTheCloth(codes, {seen.x_mm, seen.y_mm, seen.area_mm2}, bridge_mV_per_V, p));
+    constexpr std::array kDepths_mm{3.0, 6.0, 3.0, 6.0, 3.0, 6.0};  // once each is near the limit
+    for (const sim::ClothPress& press :
+         sim::pressesOverSensors(profile.sim, profile.step.control.travel_minimum_deg, kDepths_mm)) {
+      std::vector<double> codes;
+      for (std::size_t i = 0; i < sensorsOf(p); ++i) {
+        // Sensors that read as the profile says: what its curves and offsets are off is not the cloth's.
+        const double volts = distanceSensorOf(p, i).voltsAt(p.ir_offset_mm[i] - press.deflection_mm[i]);
+        double sum = 0.0;
+        for (int k = 0; k < readings(); ++k) sum += sim::irCode(volts + noise(random));
+        codes.push_back(sum / readings());
       }
+      const double bridge_mV_per_V = calibration::kUnknown;
+      out.push_back(
+          pointOnTheCloth(codes, {press.seen.x_mm, press.seen.y_mm, press.seen.area_mm2}, bridge_mV_per_V, p));
     }
     return out;
   }

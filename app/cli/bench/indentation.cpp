@@ -121,9 +121,9 @@ Score wholeCloth(const Method& method, const Scene& scene) {
   Score score;
   const sensing::IndentationParameters parameters = parametersOf(method, scene);
   const bool ideal = scene.cloth == sim::ClothKind::ideal;
-  // To where the finger goes down to 8 mm without touching the frame.
-  const bool disc = scene.finger == sim::FingerKind::disc && !ideal;
-  const double width_mm = disc ? 38 : 41.5, depth_mm = disc ? 18 : 27;
+  // To where the finger goes down to 8 mm without touching the frame, and within its table.
+  const double width_mm = !ideal && scene.finger == sim::FingerKind::disc ? 38 : 41.5;
+  const double depth_mm = ideal || scene.finger == sim::FingerKind::sphere ? 27 : 18;
   std::uint64_t seed = 1;
   for (int i = -4; i <= 4; ++i) {
     for (int j = -3; j <= 3; ++j) {
