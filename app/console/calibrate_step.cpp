@@ -73,6 +73,15 @@ CalibrationFit curveFit(const calibration::CalibrationResult& result, const std:
   return out;
 }
 
+CalibrationEntry stretchEntry(double lowest_deg, double highest_deg) {
+  return {.name = QCoreApplication::translate("CalibrationStep", "Stretch"),
+          .units = {QStringLiteral("°")},
+          .per_unit = {1.0},
+          .lowest = lowest_deg,
+          .highest = highest_deg,
+          .decimals = 1};
+}
+
 CalibrationFit noPoints(const QString& missing) {
   CalibrationFit out;
   out.missing = missing;

@@ -154,6 +154,9 @@ inline constexpr int kDistanceInterval_ms = 20;  ///< about as often as distance
 [[nodiscard]] sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& parameters,
                                                    std::size_t sensor);
 
+/// A stretch that the operator types, in these limits.
+[[nodiscard]] CalibrationEntry stretchEntry(double lowest_deg, double highest_deg);
+
 /// A fit that has no points yet.
 /// @param missing which points to take; the empty plot says it too
 [[nodiscard]] CalibrationFit noPoints(const QString& missing);

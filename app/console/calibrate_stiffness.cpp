@@ -36,14 +36,7 @@ class StiffnessStep : public CalibrationStep {
                           : tr("Let go, type the next stretch, hold the button and press to three depths again.");
   }
   QStringList columns() const override { return {tr("Stretch, °"), tr("Indentation, mm"), tr("Force, N")}; }
-  std::vector<CalibrationEntry> entries() const override {
-    return {{.name = tr("Stretch"),
-             .units = {QStringLiteral("°")},
-             .per_unit = {1.0},
-             .lowest = lowest_deg_,
-             .highest = highest_deg_,
-             .decimals = 1}};
-  }
+  std::vector<CalibrationEntry> entries() const override { return {stretchEntry(lowest_deg_, highest_deg_)}; }
   double offer(const std::vector<CalibrationPoint>& points) const override {
     // Ends first: a law reaches no further than its points.
     constexpr std::array kShares = {0.0, 1.0, 0.5, 0.25, 0.75};

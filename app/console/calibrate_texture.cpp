@@ -71,13 +71,14 @@ class TextureStep : public CalibrationStep {
   }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
     if (test(points) == device::DeviceTest::breakaway) {
-      return tr(
-          "Take your hands off the cloth and hold the button for 35 s: the duty of each motor grows until it turns.");
+      return tr("Take your hands off the cloth and hold the button for %1 s: the duty of each motor grows until it "
+                "turns.")
+          .arg(widgets::numberText(std::ceil(breakaway_s()), 0));
     }
     if (points.size() < 3) {
-      return tr(
-          "Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the "
-          "button until the sweep of 8 s is over: at two stretches or more.");
+      return tr("Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the "
+                "button until the sweep of %1 s is over: at two stretches or more.")
+          .arg(widgets::numberText(device::kChirp_s, 0));
     }
     return tr("Look at the verdict at the right, then accept it, or add a sweep at another stretch.");
   }
@@ -85,14 +86,7 @@ class TextureStep : public CalibrationStep {
   QStringList row(const CalibrationPoint& point) const override {
     return {isRamps(point) ? tr("breakaway") : tr("sweep"), widgets::numberText(point[0], 1)};
   }
-  std::vector<CalibrationEntry> entries() const override {
-    return {{.name = tr("Stretch"),
-             .units = {QStringLiteral("°")},
-             .per_unit = {1.0},
-             .lowest = lowest_deg_,
-             .highest = highest_deg_,
-             .decimals = 1}};
-  }
+  std::vector<CalibrationEntry> entries() const override { return {stretchEntry(lowest_deg_, highest_deg_)}; }
   double offer(const std::vector<CalibrationPoint>& points) const override {
     constexpr double kApart_deg = 5.0;
     for (const double share : {0.15, 0.85, 0.5}) {
@@ -173,6 +167,11 @@ class TextureStep : public CalibrationStep {
   static CalibrationPoint simulated(const station::Profile& profile, device::DeviceTest test, double stretch_deg) {
     return pointOfSweep(
         sim::simulatedSweep(profile.sim.vibration, test, stretch_deg, static_cast<std::uint64_t>(profile.sim.seed)));
+  }
+
+  double breakaway_s() const {
+    const auto motion = device::TestMotion::plan(device::DeviceTest::breakaway, {}, highest_deg_);
+    return motion ? toSeconds(motion->length()) : 0.0;
   }
 
   double lowest_deg_;

@@ -54,7 +54,7 @@ Result<void> quickInflate(std::span<const std::byte> packed, std::span<std::byte
   const int status = isal_inflate(state.get());
   if (status != ISAL_DECOMP_OK) return fail("compressed bytes are damaged ({})", status);
   if (state->block_state != ISAL_BLOCK_FINISH || state->avail_out != 0)
-    return fail("{} compressed bytes do not give the {} they should", packed.size(), out.size());
+    return fail("damaged: {} compressed bytes do not give the {} they should", packed.size(), out.size());
   return {};
 }
 

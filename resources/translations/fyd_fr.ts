@@ -2172,8 +2172,8 @@ Robot : %2
         <translation>Poser la cible imprimée sur le tissu, cliquer une de ses marques dans l'image, saisir sa position et prendre le point.</translation>
     </message>
     <message>
-        <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of 8 s is over: at two stretches or more.</source>
-        <translation>Posez l'accéléromètre du robot sur le tissu, le long de son mouvement, et un doigt à côté. Puis tenez le bouton jusqu'à la fin du balayage de 8 s : à deux étirements ou plus.</translation>
+        <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of %1 s is over: at two stretches or more.</source>
+        <translation>Posez l&apos;accéléromètre du robot sur le tissu, le long de son mouvement, et un doigt à côté. Puis tenez le bouton jusqu&apos;à la fin du balayage de %1 s : à deux étirements ou plus.</translation>
     </message>
     <message>
         <source>Layouts</source>
@@ -3952,12 +3952,12 @@ N/mm</translation>
         <translation>Faire la tare, ou refaire l'étalonnage sous Étalonnage. Cela n'empêche pas d'armer.</translation>
     </message>
     <message>
-        <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
-        <translation>Ôter les mains du tissu et tenir le bouton 16 s : les deux moteurs vont aussitôt à leur zéro, puis par pas de %1° jusqu'à %2° et retour.</translation>
+        <source>Take your hands off the cloth and hold the button for %1 s: the duty of each motor grows until it turns.</source>
+        <translation>Ôtez les mains du tissu et tenez le bouton pendant %1 s : le rapport cyclique de chaque moteur croît jusqu&apos;à ce qu&apos;il tourne.</translation>
     </message>
     <message>
-        <source>Take your hands off the cloth and hold the button for 35 s: the duty of each motor grows until it turns.</source>
-        <translation>Ôtez les mains du tissu et tenez le bouton pendant 35 s : le rapport cyclique de chaque moteur croît jusqu'à ce qu'il tourne.</translation>
+        <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
+        <translation>Ôter les mains du tissu et tenir le bouton 16 s : les deux moteurs vont aussitôt à leur zéro, puis par pas de %1° jusqu'à %2° et retour.</translation>
     </message>
     <message>
         <source>Takes the last point back.</source>
@@ -5266,6 +5266,10 @@ Pour commencer : %1</translation>
     <message>
         <source>damaged pictures</source>
         <translation>images endommagées</translation>
+    </message>
+    <message>
+        <source>damaged: {} compressed bytes do not give the {} they should</source>
+        <translation>endommagé : {} octets compressés ne donnent pas les {} qu&apos;ils devraient</translation>
     </message>
     <message>
         <source>dashed</source>
@@ -7714,10 +7718,6 @@ Pour commencer : %1</translation>
     <message>
         <source>{} chirps, stretches {} ° apart; expected two or more chirps, {} ° apart</source>
         <translation>{} balayages, tensions écartées de {} ° ; attendu deux balayages ou plus, écartés de {} °</translation>
-    </message>
-    <message>
-        <source>{} compressed bytes do not give the {} they should</source>
-        <translation>{} octets compressés ne donnent pas les {} qu'ils devraient</translation>
     </message>
     <message>
         <source>{} conditions: expected 1 … {}</source>

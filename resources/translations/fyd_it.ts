@@ -2172,8 +2172,8 @@ Robot: %2
         <translation>Posare il bersaglio stampato sul tessuto, fare clic su un suo segno nell'immagine, scrivere dove si trova e prendere il punto.</translation>
     </message>
     <message>
-        <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of 8 s is over: at two stretches or more.</source>
-        <translation>Posa l'accelerometro del robot sul tessuto, lungo il suo moto, e un dito accanto. Poi tieni premuto il pulsante finché la scansione di 8 s è finita: a due stiramenti o più.</translation>
+        <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of %1 s is over: at two stretches or more.</source>
+        <translation>Posa l&apos;accelerometro del robot sul tessuto, lungo il suo moto, e un dito accanto. Poi tieni premuto il pulsante finché la scansione di %1 s è finita: a due stiramenti o più.</translation>
     </message>
     <message>
         <source>Layouts</source>
@@ -3952,12 +3952,12 @@ N/mm</translation>
         <translation>Fare la tara, o ripetere la calibrazione in Calibra. Non impedisce di armare.</translation>
     </message>
     <message>
-        <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
-        <translation>Togliere le mani dal tessuto e tenere il pulsante per 16 s: entrambi i motori vanno subito al loro zero, poi a passi di %1° fino a %2° e ritorno.</translation>
+        <source>Take your hands off the cloth and hold the button for %1 s: the duty of each motor grows until it turns.</source>
+        <translation>Togli le mani dal tessuto e tieni premuto il pulsante per %1 s: il duty di ogni motore cresce finché gira.</translation>
     </message>
     <message>
-        <source>Take your hands off the cloth and hold the button for 35 s: the duty of each motor grows until it turns.</source>
-        <translation>Togli le mani dal tessuto e tieni premuto il pulsante per 35 s: il duty di ogni motore cresce finché gira.</translation>
+        <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
+        <translation>Togliere le mani dal tessuto e tenere il pulsante per 16 s: entrambi i motori vanno subito al loro zero, poi a passi di %1° fino a %2° e ritorno.</translation>
     </message>
     <message>
         <source>Takes the last point back.</source>
@@ -5266,6 +5266,10 @@ Per cominciare: %1</translation>
     <message>
         <source>damaged pictures</source>
         <translation>immagini danneggiate</translation>
+    </message>
+    <message>
+        <source>damaged: {} compressed bytes do not give the {} they should</source>
+        <translation>danneggiato: {} byte compressi non danno i {} che dovrebbero</translation>
     </message>
     <message>
         <source>dashed</source>
@@ -7714,10 +7718,6 @@ Per cominciare: %1</translation>
     <message>
         <source>{} chirps, stretches {} ° apart; expected two or more chirps, {} ° apart</source>
         <translation>{} sweep, tensioni distanti {} °; attesi due o più sweep, distanti {} °</translation>
-    </message>
-    <message>
-        <source>{} compressed bytes do not give the {} they should</source>
-        <translation>{} byte compressi non danno i {} che dovrebbero</translation>
     </message>
     <message>
         <source>{} conditions: expected 1 … {}</source>
