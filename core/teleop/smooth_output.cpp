@@ -12,7 +12,15 @@ bool finite(const Position& p) {
   return std::ranges::all_of(p, [](double x) { return std::isfinite(x); });
 }
 
+constexpr double kLeast_s = 0.015, kUntilPeriod_s = 0.010;
+constexpr double kMost_s = 0.055, kMorePerDelay = 0.15, kMostDelay_s = 0.5;
+
 }  // namespace
+
+double usualSmoothing_s(double period_s, double delay_s) {
+  const double most_s = kMost_s + kMorePerDelay * std::clamp(std::isfinite(delay_s) ? delay_s : 0.0, 0.0, kMostDelay_s);
+  return std::min(kLeast_s + std::max(0.0, period_s - kUntilPeriod_s), most_s);
+}
 
 Position SmoothOutput::step(double time_s, const Position& predicted_mm, const Position& velocity_mm_per_s) {
   if (!std::isfinite(time_s) || !finite(predicted_mm) || !finite(velocity_mm_per_s)) return position_mm_;

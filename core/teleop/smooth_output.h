@@ -13,6 +13,12 @@
 
 namespace fyd::teleop {
 
+/// The time constant for two linked devices, where nobody says another: the rarer the messages, the larger what each of
+/// them corrects. 15 ms at periods to 10 ms; from there as much more as the period is longer, up to 55 ms and 0.15 of
+/// the delay. Chosen on five recordings and judged on five others (resources/manual/teleop.md).
+/// @param delay_s held to 0 … 0.5 s
+[[nodiscard]] double usualSmoothing_s(double period_s, double delay_s);
+
 class SmoothOutput {
  public:
   /// @param time_constant_s τ; 0: the prediction itself
