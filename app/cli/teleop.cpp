@@ -1,5 +1,6 @@
 // fyd teleop run --trace CSV --period MS --delay MS [--jitter MS] [--loss PCT] [--profile NAME] --predictor NAME
-//                --coupling NAME [--smooth MS] [--wall N_PER_M] [--columns A,B,C] [--seed I] [--out FILE] [--json]
+//                --coupling NAME [--smooth MS] [--deadband PCT] [--wall N_PER_M] [--columns A,B,C] [--seed I] [--out
+//                FILE] [--json]
 #include "app/cli/teleop_cli.h"
 
 #include <iostream>
@@ -25,11 +26,14 @@ struct RunOptions {
 constexpr double kUsualDelay_ms = 50.0;
 
 void writeRows(const std::string& path, const std::vector<sim::TeleopRow>& rows) {
-  std::string text = "t_s,hand_x_mm,hand_y_mm,hand_z_mm,far_x_mm,far_y_mm,far_z_mm,hand_force_N,far_force_N\n";
+  std::string text =
+      "t_s,hand_x_mm,hand_y_mm,hand_z_mm,far_x_mm,far_y_mm,far_z_mm,hand_force_N,far_force_N,told_x_mm,told_x_mm_per_s,"
+      "told_force_N\n";
   for (const sim::TeleopRow& row : rows) {
     text += fmt::format("{:.3f}", row.t_s);
     for (const auto& at : {row.hand_mm, row.far_mm}) text += fmt::format(",{},{},{}", at[0], at[1], at[2]);
-    text += fmt::format(",{},{}\n", row.hand_force_N, row.far_force_N);
+    text += fmt::format(",{},{},{},{},{}\n", row.hand_force_N, row.far_force_N, row.told_x_mm, row.told_x_mm_per_s,
+                        row.told_force_N);
   }
   writeTextFile(path, text);
 }
@@ -79,9 +83,14 @@ void runRun(RunOptions options) {
                                     {"dissipated_J", jsonNumber(f.dissipated_J)},
                                     {"drag_N", jsonNumber(f.drag_N)},
                                     {"packets_per_s", jsonNumber(f.packets_per_s)},
+                                    {"back_packets_per_s", jsonNumber(f.back_packets_per_s)},
+                                    {"packets_without_per_s", jsonNumber(f.packets_without_per_s)},
                                     {"datagram_bits", f.message_bits},
-                                    {"deadband_packets_percent", jsonNumber(f.deadband_packets_percent)},
-                                    {"deadband_worst", jsonNumber(f.deadband_worst)}};
+                                    {"deadband_percent", settings.deadband_percent},
+                                    {"told_percent", jsonNumber(100.0 * f.told_share)},
+                                    {"told_force_percent", jsonNumber(100.0 * f.told_force_share)},
+                                    {"deadband_worst", jsonNumber(f.deadband_worst)},
+                                    {"deadband_force_worst", jsonNumber(f.deadband_force_worst)}};
   if (options.json) {
     printJson(json);
   } else {
@@ -143,8 +152,10 @@ void add_teleop(CLI::App& app) {
   run->add_option("--predictor", options->predictor, "order0, order1, hybrid, kalman, ar or default")
       ->capture_default_str();
   run->add_option("--coupling", options->coupling, "spring, tdpa or model")->capture_default_str();
-  run->add_option("--smooth", options->settings.smooth_ms, "Time constant with which a correction decays, ms")
-      ->capture_default_str();
+  run->add_option("--smooth", options->settings.smooth_ms,
+                  "Time constant with which a correction decays, ms; by period and delay when not given");
+  run->add_option("--deadband", options->settings.deadband_percent,
+                  "Send only what differs by so much, % of speed or force; 0: a message each period");
   run->add_option("--wall", options->settings.wall_N_per_m,
                   "Stiffness of a wall across the middle of the far device's first axis, N/m; 0: none");
   run->add_option("--seed", options->seed, "Of jitter and loss")->capture_default_str();

@@ -5,10 +5,16 @@
 // device then only brakes. What arrives is predicted to the present, smoothed, and given to the coupling of each axis.
 // The far device takes the hand where it is: their distance at the moment of linking is closed at 50 mm/s.
 //
+// With a deadband an end sends only what can be felt (teleop/deadband.h): its place and its force, and a surface that
+// has become another one. What the other end did not send it therefore knows within the band, and its predictor is told
+// so: each period a position, as without a deadband. At most kRefresh_s pass between two messages, which repeat how the
+// device is turned too.
+//
 // Dates are of one clock at both ends.
 #pragma once
 
 #include "core/sim/device_message.h"
+#include "core/teleop/deadband.h"
 #include "core/teleop/orientation_predictor.h"
 #include "core/teleop/smooth_output.h"
 
@@ -19,8 +25,9 @@ struct TeleopEndSettings {
   teleop::CouplingChoice coupling = teleop::CouplingChoice::model;
   teleop::CouplingSettings coupling_settings;
   teleop::PredictorChoice predictor = teleop::PredictorChoice::experts;
-  double smooth_s = 0.015;  ///< of corrections
-  double period_s = 0.010;  ///< of messages
+  std::optional<double> smooth_s;  ///< of corrections; none: usualSmoothing_s of the period and the first message's age
+  double period_s = 0.010;         ///< of messages; with a deadband the least time between two
+  double deadband = 0.0;           ///< share by which what can be felt differs, 0 … 1; 0: a message each period
 };
 
 struct DeviceState {
@@ -35,6 +42,8 @@ class TeleopEnd {
   enum class Phase : std::uint8_t { stopped, waiting, linked, lost };
   static constexpr double kLost_s = 0.5;  ///< without a message
   static constexpr int kFarewells = 3;
+  /// With a deadband: smaller differences are never sent; ten messages in a row are lost before the other end is.
+  static constexpr double kPlaceFloor_mm = 0.1, kForceFloor_N = 0.1, kRefresh_s = 0.1 * kLost_s;
 
   explicit TeleopEnd(const TeleopEndSettings& settings);
 
@@ -52,11 +61,16 @@ class TeleopEnd {
   /// Where the other device is believed to be, and how it is turned; while linked.
   [[nodiscard]] const teleop::Position& other_mm() const { return other_mm_; }
   [[nodiscard]] const teleop::Orientation& otherOrientation() const { return other_orientation_; }
+  /// With a deadband: what is known of the other device at a moment, its place (mm) and force (N), and the bands.
+  [[nodiscard]] teleop::DeadbandReceiver::Answer told(double date_s) const { return receiver_.at(date_s); }
+  [[nodiscard]] const teleop::DeadbandChannels& channels() const { return channels_; }
   /// Over the three axes.
   [[nodiscard]] teleop::CouplingTelemetry telemetry() const;
 
  private:
-  void link(const DeviceMessage& first);
+  void link(const DeviceMessage& first, double now_s);
+  void hear(const DeviceMessage& message);
+  [[nodiscard]] bool surfaceIsAnother(const DeviceMessage& message) const;
 
   TeleopEndSettings settings_;
   protocol::PositionCode code_;
@@ -70,6 +84,11 @@ class TeleopEnd {
   std::unique_ptr<teleop::Predictor> predictor_;
   teleop::OrientationPredictor turning_;
   teleop::SmoothOutput smooth_;
+  teleop::DeadbandChannels channels_;
+  teleop::DeadbandSender sender_;
+  teleop::DeadbandReceiver receiver_;
+  std::optional<double> fed_s_;  ///< up to here the predictor has been told
+  std::array<teleop::CouplingMessage, 3> told_axes_;
   DeviceMessage newest_;
   DeviceState device_;
   teleop::Position apart_mm_{};

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "core/base/portable_math.h"
 #include "core/sim/desktop_arm.h"
-#include "core/teleop/deadband.h"
 
 namespace fyd::sim {
 namespace {
@@ -21,9 +19,8 @@ constexpr double kHand_kg = 0.5, kHand_N_per_m = 1000.0, kHand_N_s_per_m = 30.0;
 constexpr double kRoom = 0.9;  // of the workspace
 constexpr double kWallDamping_N_s_per_m = 1.0;
 constexpr double kRadiansPerMillimetre = 0.02;  // how the hand turns as it moves
-constexpr double kForceFloor_N = 0.1;
-constexpr double kAskedBack_s = 0.2;
 constexpr int kMostDelay_ms = 2000, kDelayEvery = 5;
+constexpr double kDateStep_s = 1e-6;  // of a message
 constexpr double kBeyond = 1.2;
 constexpr int kBeyond_ms = 50;
 
@@ -100,6 +97,43 @@ class Way {
 
 using Datagram = std::vector<std::uint8_t>;
 
+/// The longest of the path, jitter and queue apart.
+double delay_s(const NetworkSettings& way) {
+  double most_ms = way.delay_ms;
+  for (const double each : way.trace.delay_ms) most_ms = std::isfinite(each) ? std::max(most_ms, each) : most_ms;
+  return 1e-3 * most_ms;
+}
+
+/// What an end knows of the other one, some time later, against the truth.
+class Told {
+ public:
+  Told(const TeleopEnd& end, std::size_t channel, double later_s)
+      : end_(end), channel_(channel), later_(static_cast<std::size_t>(later_s / kStep_s + 0.5)) {}
+
+  /// At each step, since which both are linked. @return the step that is asked about and the answer, if it is known
+  std::optional<std::pair<std::size_t, teleop::DeadbandReceiver::Answer>> step(std::size_t now, double truth) {
+    truth_.push_back(truth);
+    if (truth_.size() <= later_) return std::nullopt;
+    const std::size_t asked = truth_.size() - 1 - later_;
+    const auto answer = end_.told(kStep_s * static_cast<double>(now - later_) + kDateStep_s);
+    asked_ += 1.0;
+    if (!answer.known) return std::nullopt;
+    known_ += 1.0;
+    const double band = end_.channels()[channel_].band(answer.value[channel_], answer.slope[channel_]);
+    worst_ = std::max(worst_, std::abs(truth_[asked] - answer.value[channel_]) / band);
+    return std::pair{now - later_, answer};
+  }
+  [[nodiscard]] double share() const { return asked_ > 0.0 ? known_ / asked_ : std::nan(""); }
+  [[nodiscard]] double worst() const { return known_ > 0.0 ? worst_ : std::nan(""); }
+
+ private:
+  const TeleopEnd& end_;
+  std::size_t channel_;
+  std::size_t later_;
+  std::vector<double> truth_;
+  double asked_ = 0.0, known_ = 0.0, worst_ = 0.0;
+};
+
 /// By how much the far motion is later than the hand's: where their mean squared distance is least, before it grows.
 double delayOf(const std::vector<TeleopRow>& rows, std::size_t from) {
   double best = std::numeric_limits<double>::infinity();
@@ -126,7 +160,12 @@ Result<void> checkTeleopRun(const TeleopRunSettings& settings) {
   if (!within(settings.period_ms, 1.0, 10'000.0)) {
     return fail("period {} ms: expected 1 … 10000", settings.period_ms);
   }
-  if (!within(settings.smooth_ms, 0.0, 1000.0)) return fail("smoothing {} ms: expected 0 … 1000", settings.smooth_ms);
+  if (settings.smooth_ms && !within(*settings.smooth_ms, 0.0, 1000.0)) {
+    return fail("smoothing {} ms: expected 0 … 1000", *settings.smooth_ms);
+  }
+  if (!within(settings.deadband_percent, 0.0, 100.0)) {
+    return fail("deadband {} %: expected 0 (none) … 100", settings.deadband_percent);
+  }
   if (!within(settings.wall_N_per_m, 0.0, 20'000.0)) {
     return fail("wall {} N/m: expected 0 (none) … 20000", settings.wall_N_per_m);
   }
@@ -144,8 +183,9 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
                                               .damping_N_s_per_m = std::sqrt(1000.0 * DesktopArm::kMass_kg),
                                               .most_force_N = DesktopArm::kMostForce_N},
                         .predictor = settings.predictor,
-                        .smooth_s = 1e-3 * settings.smooth_ms,
-                        .period_s = 1e-3 * settings.period_ms};
+                        .smooth_s = settings.smooth_ms ? std::optional(1e-3 * *settings.smooth_ms) : std::nullopt,
+                        .period_s = 1e-3 * settings.period_ms,
+                        .deadband = 1e-2 * settings.deadband_percent};
   TeleopEnd hand_end(end);
   end.at_hand = false;
   TeleopEnd far_end(end);
@@ -154,15 +194,10 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
   const Vec3 begin = vectorOf(recorded.at_mm.front());
   DesktopArm hand(kHand_kg, begin), far(0.0, begin);
   Way<Datagram> there(settings.path.forward), back(settings.path.backward);
-  // The force is sent a second time through a deadband, on a path of its own: its packets are counted, not felt.
-  teleop::DeadbandChannels channels{};
-  for (std::size_t a = 0; a < 3; ++a) channels[a] = {.fraction = 0.10, .floor = kForceFloor_N};
-  teleop::DeadbandSender force_sender(channels);
-  teleop::DeadbandReceiver force_receiver;
-  Way<teleop::DeadbandPacket> force_way(settings.path.backward);
-  std::vector<double> far_force;
+  const double there_s = delay_s(settings.path.forward), back_s = delay_s(settings.path.backward);
+  Told told_place(far_end, 0, kAskedBack_s + there_s), told_force(hand_end, 3, kAskedBack_s + back_s);
   std::vector<TeleopRow> rows;
-  double packets = 0.0, force_packets = 0.0, drag = 0.0, drag_ticks = 0.0, turned = 0.0, held = 0.0, energy_J = 0.0;
+  double packets = 0.0, back_packets = 0.0, drag = 0.0, drag_ticks = 0.0, turned = 0.0, held = 0.0, energy_J = 0.0;
   double turned_ticks = 0.0;
   std::size_t first_linked = recorded.at_mm.size();
   Vec3 wall{};
@@ -188,22 +223,8 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
       const auto bytes = which->datagram(t);
       if (bytes.empty()) continue;
       out.message_bits = std::max(out.message_bits, 8.0 * static_cast<double>(bytes.size() + 28));
-      if (which == &hand_end) packets += 1.0;
+      (which == &hand_end ? packets : back_packets) += 1.0;
       (which == &hand_end ? there : back).send(Datagram(bytes.begin(), bytes.end()), bytes.size(), t);
-    }
-    far_force.push_back(wall.x);
-    if (const auto packet = force_sender.step(t, {wall.x, wall.y, wall.z})) {
-      force_packets += 1.0;
-      force_way.send(*packet, 40, t);
-    }
-    force_way.deliver(t, [&](const teleop::DeadbandPacket& each) { force_receiver.receive(each); });
-    if (t >= kAskedBack_s) {
-      const auto asked = i - static_cast<std::size_t>(kAskedBack_s / kStep_s + 0.5);
-      const auto answer = force_receiver.at(kStep_s * static_cast<double>(asked));
-      if (answer.known) {
-        out.deadband_worst = std::max(out.deadband_worst,
-                                      std::abs(far_force[asked] - answer.value[0]) / channels[0].band(answer.value[0]));
-      }
     }
     const bool linked = far_end.phase() == TeleopEnd::Phase::linked;
     if (linked) {
@@ -217,8 +238,19 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
           teleop::fromAngles(last_heard.alpha_rad, last_heard.beta_rad, last_heard.gamma_rad), truth));
       turned_ticks += 1.0;
     }
-    rows.push_back(
-        {t, positionOf(hand.position_mm()), positionOf(far.position_mm()), far_end.other_mm(), -felt.x, wall.x});
+    rows.push_back({.t_s = t,
+                    .hand_mm = positionOf(hand.position_mm()),
+                    .far_mm = positionOf(far.position_mm()),
+                    .wanted_mm = far_end.other_mm(),
+                    .hand_force_N = -felt.x,
+                    .far_force_N = wall.x});
+    if (settings.deadband_percent > 0.0 && linked && hand_end.phase() == TeleopEnd::Phase::linked) {
+      if (const auto known = told_place.step(i, hand.measured_mm().x)) {
+        rows[known->first].told_x_mm = known->second.value[0];
+        rows[known->first].told_x_mm_per_s = known->second.slope[0];
+      }
+      if (const auto known = told_force.step(i, wall.x)) rows[known->first].told_force_N = known->second.value[3];
+    }
     if (wall.x == 0.0) {
       drag += felt.norm();
       drag_ticks += 1.0;
@@ -253,7 +285,12 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
   out.energy_J = energy_J;
   out.dissipated_J = hand_end.telemetry().dissipated_J + far_end.telemetry().dissipated_J;
   out.packets_per_s = packets / out.seconds;
-  out.deadband_packets_percent = 100.0 * force_packets / ticks;
+  out.back_packets_per_s = back_packets / out.seconds;
+  out.packets_without_per_s = 1e3 / settings.period_ms;
+  out.told_share = told_place.share();
+  out.told_force_share = told_force.share();
+  out.deadband_worst = told_place.worst();
+  out.deadband_force_worst = told_force.worst();
   out.drag_N = drag_ticks > 0.0 ? drag / drag_ticks : std::nan("");
   out.orientation_rms_deg = std::sqrt(turned / turned_ticks);
   out.orientation_held_rms_deg = std::sqrt(held / turned_ticks);

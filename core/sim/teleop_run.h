@@ -2,6 +2,8 @@
 // the same figures to the bit. Real sockets: teleop_end.h takes any.
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/sim/network_emulator.h"
@@ -15,8 +17,9 @@ struct TeleopRunSettings {
   NetworkProfile path;      ///< forward: from the hand
   teleop::PredictorChoice predictor = teleop::PredictorChoice::experts;
   teleop::CouplingChoice coupling = teleop::CouplingChoice::model;
-  double smooth_ms = 15.0;
-  double wall_N_per_m = 0.0;  ///< across the middle of the first axis; 0: none
+  std::optional<double> smooth_ms;  ///< none: by period and delay (teleop/smooth_output.h)
+  double wall_N_per_m = 0.0;        ///< across the middle of the first axis; 0: none
+  double deadband_percent = 0.0;    ///< 0 … 100, what an end does not send (teleop_end.h); 0: a message each period
 };
 
 /// @return an error that names the value and its range
@@ -26,7 +29,13 @@ struct TeleopRow {
   double t_s = 0.0;
   teleop::Position hand_mm{}, far_mm{}, wanted_mm{};  ///< the devices, and where the far end believes the hand to be
   double hand_force_N = 0.0, far_force_N = 0.0;       ///< along the first axis: felt, and of the wall
+  /// With a deadband, along the first axis: what the other end knew of this moment kAskedBack_s later; else NaN.
+  double told_x_mm = std::numeric_limits<double>::quiet_NaN();        ///< the far end, of the hand
+  double told_x_mm_per_s = std::numeric_limits<double>::quiet_NaN();  ///< its speed, as it was sent
+  double told_force_N = std::numeric_limits<double>::quiet_NaN();     ///< the hand's end, of the wall
 };
+/// And the delay of the path.
+inline constexpr double kAskedBack_s = 0.15;
 
 /// What is not known (nothing moved, no wall) is NaN.
 struct TeleopFigures {
@@ -39,12 +48,14 @@ struct TeleopFigures {
   double jerk_ratio = 0.0, vibration_ratio = 0.0, largest_step_mm = 0.0;  ///< of the far device, as of `fyd predict`
   double orientation_rms_deg = 0.0, orientation_held_rms_deg = 0.0;       ///< predicted, and held
   double least_energy_J = 0.0, energy_J = 0.0,
-         dissipated_J = 0.0;              ///< put in by the hand: least, at the end; by couplings
-  double drag_N = 0.0;                    ///< mean of the hand's felt force while nothing is touched
-  double packets_per_s = 0.0;             ///< one way, from the hand
-  double message_bits = 0.0;              ///< longest, with IPv4 and UDP headers
-  double deadband_packets_percent = 0.0;  ///< of the steps, at 10 % on the far force; against one a step
-  double deadband_worst = 0.0;            ///< error / band wherever the hand's end knows the force; over the same path
+         dissipated_J = 0.0;                             ///< put in by the hand: least, at the end; by couplings
+  double drag_N = 0.0;                                   ///< mean of the hand's felt force while nothing is touched
+  double packets_per_s = 0.0, back_packets_per_s = 0.0;  ///< from the hand, and to it (force)
+  double packets_without_per_s = 0.0;                    ///< a message each period, either way
+  double message_bits = 0.0;                             ///< longest, with IPv4 and UDP headers
+  /// With a deadband, of the moments since both ends have been linked; along the first axis.
+  double told_share = 0.0, told_force_share = 0.0;          ///< known kAskedBack_s later
+  double deadband_worst = 0.0, deadband_force_worst = 0.0;  ///< error / band, where known
 };
 
 /// @param rows takes a row a millisecond; null: not kept

@@ -6,72 +6,107 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr std::uint32_t kMostAhead = 100'000;  // changes: more have not been missed in any silence
+constexpr std::uint32_t kMostAhead = 100'000;  // samples: more have not been missed in any silence
+
+bool finite(const DeadbandValues& values) {
+  return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });
+}
 
 }  // namespace
 
-double DeadbandChannel::band(double sent) const { return std::max(floor, fraction * std::abs(sent)); }
+double DeadbandChannel::band(double value, double slope) const {
+  return std::max(floor, fraction * (moves ? std::abs(slope) * kContinued_s : std::abs(value)));
+}
 
-std::optional<DeadbandPacket> DeadbandSender::step(double time_s, const DeadbandValues& values) {
+DeadbandValues DeadbandSample::at(double time_s) const {
+  DeadbandValues out = value;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] += slope[i] * (time_s - date_s);
+  return out;
+}
+
+std::optional<DeadbandPacket> DeadbandSender::step(double time_s, const DeadbandValues& values,
+                                                   const DeadbandValues& slopes, bool must) {
   if (!std::isfinite(time_s)) return std::nullopt;
-  DeadbandValues now = changes_[newest_ % changes_.size()].value;
-  bool changed = newest_ == 0;
-  for (std::size_t i = 0; i < now.size(); ++i) {
+  const DeadbandSample& last = samples_[newest_ % samples_.size()];
+  const DeadbandValues believed = last.at(time_s);
+  DeadbandSample now{.number = newest_ + 1, .date_s = time_s, .value = believed, .slope = {}};
+  bool changed = newest_ == 0 || must;
+  for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) continue;
-    changed = changed || !(std::abs(values[i] - now[i]) <= channels_[i].band(now[i]));
-    now[i] = values[i];
+    const double band = channels_[i].band(last.value[i], last.slope[i]);
+    changed = changed || !(std::abs(values[i] - believed[i]) <= band);
+    now.value[i] = values[i];
+    if (channels_[i].moves && std::isfinite(slopes[i])) now.slope[i] = slopes[i];
   }
   if (changed) {
-    ++newest_;
-    changes_[newest_ % changes_.size()] = {.number = newest_, .date_s = time_s, .value = now};
     repeat_s_ = kFirstRepeat_s;
-  } else if (time_s - sent_s_ < repeat_s_) {
+  } else if (time_s - last.date_s < repeat_s_) {
     return std::nullopt;
   } else {
     repeat_s_ = std::min(2.0 * repeat_s_, refresh_s_);
   }
-  sent_s_ = time_s;
-  DeadbandPacket packet{.date_s = time_s, .changes = {}};
-  const std::uint32_t count = std::min<std::uint32_t>(newest_, DeadbandPacket::kHistory);
+  ++newest_;
+  samples_[newest_ % samples_.size()] = now;
+  DeadbandPacket packet;
+  const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(newest_, history_));
   for (std::uint32_t n = newest_ - count + 1; n <= newest_; ++n)
-    static_cast<void>(packet.changes.push(changes_[n % changes_.size()]));
+    static_cast<void>(packet.push(samples_[n % samples_.size()]));
   return packet;
 }
 
+void DeadbandSender::told(const DeadbandValues& values, const DeadbandValues& slopes) {
+  if (newest_ == 0 || !finite(values) || !finite(slopes)) return;
+  samples_[newest_ % samples_.size()].value = values;
+  samples_[newest_ % samples_.size()].slope = slopes;
+}
+
 void DeadbandReceiver::receive(const DeadbandPacket& packet) {
-  if (!std::isfinite(packet.date_s)) return;
   std::uint32_t last = 0;
-  for (const DeadbandChange& each : packet.changes) {
-    const bool sound = each.number > last && std::isfinite(each.date_s) && each.date_s <= packet.date_s &&
-                       std::ranges::all_of(each.value, [](double x) { return std::isfinite(x); });
-    if (!sound) return;
+  for (const DeadbandSample& each : packet) {
+    if (each.number <= last || !std::isfinite(each.date_s) || !finite(each.value) || !finite(each.slope)) return;
     last = each.number;
   }
   if (newest_ > 0 && last > newest_ && last - newest_ > kMostAhead) return;
-  for (const DeadbandChange& each : packet.changes) {
+  for (const DeadbandSample& each : packet) {
     if (newest_ >= kKept && each.number <= newest_ - kKept) continue;  // its place is taken
-    changes_[each.number % kKept] = each;
-    if (each.number <= newest_) continue;
-    newest_ = each.number;
-    unchanged_until_s_ = each.date_s;
+    samples_[each.number % kKept] = each;
+    newest_ = std::max(newest_, each.number);
   }
-  if (last == newest_) unchanged_until_s_ = std::max(unchanged_until_s_, packet.date_s);
+}
+
+const DeadbandSample* DeadbandReceiver::before(double time_s) const {
+  const std::uint32_t oldest = newest_ >= kKept ? newest_ - kKept + 1 : 1;
+  for (std::uint32_t n = newest_; n >= oldest && std::isfinite(time_s); --n) {
+    if (kept(n).number == n && kept(n).date_s <= time_s) return &kept(n);
+  }
+  return nullptr;
+}
+
+const DeadbandSample* DeadbandReceiver::after(const DeadbandSample& sample) const {
+  const DeadbandSample& next = kept(sample.number + 1);
+  return sample.number < newest_ && next.number == sample.number + 1 ? &next : nullptr;
 }
 
 DeadbandReceiver::Answer DeadbandReceiver::at(double time_s) const {
-  if (newest_ == 0 || !std::isfinite(time_s)) return {};
-  bool whole = time_s <= unchanged_until_s_;
-  const std::uint32_t oldest = newest_ >= kKept ? newest_ - kKept + 1 : 1;
-  for (std::uint32_t n = newest_; n >= oldest; --n) {
-    const DeadbandChange& each = kept(n);
-    if (each.number != n) {
-      whole = false;  // lost: what lies before it does not hold until the change after it
-      continue;
-    }
-    if (each.date_s <= time_s) return {.value = each.value, .known = whole};
-    whole = true;  // between two neighbours all is known
-  }
-  return {};
+  const DeadbandSample* last = before(time_s);
+  if (last == nullptr) return {};
+  // Between two neighbours all is known. Where the next one is missing, it may have been sent before this moment.
+  const bool known = after(*last) != nullptr || time_s == last->date_s;
+  return {.value = last->at(time_s), .slope = last->slope, .known = known};
+}
+
+std::optional<double> DeadbandReceiver::place(double time_s, std::size_t channel,
+                                              const DeadbandChannel& as_sent) const {
+  const DeadbandSample* last = before(time_s);
+  const DeadbandSample* next = last != nullptr ? after(*last) : nullptr;
+  if (next == nullptr || !(next->date_s > last->date_s)) return std::nullopt;
+  const double span_s = next->date_s - last->date_s, s = (time_s - last->date_s) / span_s;
+  const double from = last->value[channel], to = next->value[channel];
+  const double out = from * (1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s) + to * s * s * (3.0 - 2.0 * s) +
+                     span_s * s * (1.0 - s) * ((1.0 - s) * last->slope[channel] - s * next->slope[channel]);
+  const double straight = last->at(time_s)[channel], band = as_sent.band(from, last->slope[channel]);
+  if (!std::isfinite(out) || !std::isfinite(straight)) return std::nullopt;
+  return std::clamp(out, straight - band, straight + band);
 }
 
 }  // namespace fyd::teleop

@@ -1,13 +1,17 @@
 // Sends only what can be felt, and tells the receiver what it may rely on.
 //
-// A change is sent when a channel has left the band around what was sent last: |x − sent| > max(floor, fraction ·
-// |sent|) (Weber). Changes are numbered; a packet carries the last kHistory of them and the date up to which nothing
-// else has changed, so a lost packet is made up for by any later one. A packet is repeated 20, 40, 80 … ms after the
-// last one, at most `refresh` apart.
+// A sample is sent when a channel has left the band around what the receiver makes of the sample before (Weber):
 //
-// The receiver answers for a moment: with the value sent then, and with `known` when every change up to that moment has
-// arrived. Where it is known the error is at most the band, whatever was lost, shuffled or doubled: what is missing is
-// said, never guessed. A receiver that asks 100 ms back knows nearly all of it at 20 % loss.
+//   a level (a force)     |x − sent| > max(floor, fraction · |sent|)
+//   a place that moves    |x − (sent + slope · t)| > max(floor, fraction · |slope| · kContinued_s)
+//
+// so a place goes on at the speed it was sent with, and the speed may be wrong by the fraction for 50 ms. Without a
+// change a sample is sent 20, 40, 80 … ms after the last one, at most `refresh` apart. Samples are numbered, and a
+// packet carries the last of them, so a lost packet is made up for by a later one.
+//
+// The receiver answers for a moment: with what the sample before it says, and with `known` when no sample up to that
+// moment is missing. Where it is known the error is at most the band, whatever was lost, shuffled or doubled: what is
+// missing is said, never guessed. A receiver that asks 150 ms back knows nearly all of it at 20 % loss.
 #pragma once
 
 #include <array>
@@ -22,46 +26,57 @@ namespace fyd::teleop {
 struct DeadbandChannel {
   double fraction = 0.10;  ///< of the value sent last, 0 … 1
   double floor = 0.0;      ///< in the channel's unit, 0 and more: smaller differences are never sent
+  bool moves = false;      ///< a place, which goes on at its slope; otherwise a level, which stays
 
-  /// How far the true value may be from the one that was sent.
-  [[nodiscard]] double band(double sent) const;
+  static constexpr double kContinued_s = 0.050;
+
+  /// How far the true value may be from what is made of a sample.
+  [[nodiscard]] double band(double value, double slope) const;
 };
 
 inline constexpr std::size_t kMostDeadbandChannels = 6;
 using DeadbandValues = std::array<double, kMostDeadbandChannels>;
 using DeadbandChannels = std::array<DeadbandChannel, kMostDeadbandChannels>;
 
-struct DeadbandChange {
+struct DeadbandSample {
   std::uint32_t number = 0;  ///< from 1
   double date_s = 0.0;
   DeadbandValues value{};
+  DeadbandValues slope{};  ///< a second; of levels 0
+
+  /// What is made of it for a moment after it.
+  [[nodiscard]] DeadbandValues at(double time_s) const;
 };
 
-struct DeadbandPacket {
-  static constexpr std::size_t kHistory = 8;
-  double date_s = 0.0;                      ///< up to here nothing changed after the last change
-  Batch<DeadbandChange, kHistory> changes;  ///< the newest last
-};
+inline constexpr std::size_t kMostDeadbandHistory = 8;
+using DeadbandPacket = Batch<DeadbandSample, kMostDeadbandHistory>;  ///< the newest last
 
 class DeadbandSender {
  public:
   static constexpr double kFirstRepeat_s = 0.020, kRefresh_s = 0.100;
 
   /// @param channels of those that are not used the values are 0
-  explicit DeadbandSender(const DeadbandChannels& channels, double refresh_s = kRefresh_s)
-      : channels_(channels), refresh_s_(refresh_s) {}
+  /// @param history samples in a packet, 1 … kMostDeadbandHistory
+  explicit DeadbandSender(const DeadbandChannels& channels, double refresh_s = kRefresh_s,
+                          std::size_t history = kMostDeadbandHistory)
+      : channels_(channels), refresh_s_(refresh_s), history_(history) {}
 
-  /// At each step, in the order of time. A value that is not finite counts as the last one.
+  /// Whenever a packet might be sent, in the order of time. A value that is not finite counts as the last one, a slope
+  /// as 0. @param must something else has changed that is to be sent at once
   /// @return what to send now, if anything
-  [[nodiscard]] std::optional<DeadbandPacket> step(double time_s, const DeadbandValues& values);
+  [[nodiscard]] std::optional<DeadbandPacket> step(double time_s, const DeadbandValues& values,
+                                                   const DeadbandValues& slopes = {}, bool must = false);
+  /// What the steps of the message have made of the newest sample, where it is not told as it was given: the band is
+  /// about what the receiver reads.
+  void told(const DeadbandValues& values, const DeadbandValues& slopes);
 
  private:
   DeadbandChannels channels_;
   double refresh_s_;
-  std::array<DeadbandChange, DeadbandPacket::kHistory> changes_{};  ///< by number
+  std::size_t history_;
+  std::array<DeadbandSample, kMostDeadbandHistory> samples_{};  ///< by number
   std::uint32_t newest_ = 0;
-  double sent_s_ = 0.0;
-  double repeat_s_ = 0.0;  ///< after sent_s_
+  double repeat_s_ = 0.0;  ///< after the newest
 };
 
 class DeadbandReceiver {
@@ -71,18 +86,26 @@ class DeadbandReceiver {
 
   struct Answer {
     DeadbandValues value{};
+    DeadbandValues slope{};
     bool known = false;  ///< nothing before that moment is missing
   };
-  /// What was sent for this moment; zeros and not known before the first change.
+  /// What was sent for this moment; zeros and not known before the first sample.
   [[nodiscard]] Answer at(double time_s) const;
+  /// Where a place was between two samples: the cubic curve that has both their values and slopes, held within the band
+  /// of what `at` answers; its error is at most twice the band, and mostly far less.
+  /// @return nothing where it is not known
+  [[nodiscard]] std::optional<double> place(double time_s, std::size_t channel, const DeadbandChannel& as_sent) const;
 
  private:
-  static constexpr std::uint32_t kKept = 128;
-  [[nodiscard]] const DeadbandChange& kept(std::uint32_t number) const { return changes_[number % kKept]; }
+  static constexpr std::uint32_t kKept = 512;
+  [[nodiscard]] const DeadbandSample& kept(std::uint32_t number) const { return samples_[number % kKept]; }
+  /// The newest one that has arrived of those up to a moment; null: none.
+  [[nodiscard]] const DeadbandSample* before(double time_s) const;
+  /// The next one; null: it has not arrived.
+  [[nodiscard]] const DeadbandSample* after(const DeadbandSample& sample) const;
 
-  std::array<DeadbandChange, kKept> changes_{};  ///< number 0: nothing
-  std::uint32_t newest_ = 0;                     ///< the newest change that is known
-  double unchanged_until_s_ = 0.0;               ///< after it
+  std::array<DeadbandSample, kKept> samples_{};  ///< number 0: nothing
+  std::uint32_t newest_ = 0;
 };
 
 }  // namespace fyd::teleop

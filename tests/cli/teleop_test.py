@@ -42,8 +42,36 @@ class Teleop(fyd.Case):
                 self.assertEqual(got, self.run_of(*options))
                 if name == "model":
                     self.assertGreaterEqual(got["least_energy_J"], -1e-3)
-                    self.assertLessEqual(got["deadband_packets_percent"], 10)
-                    self.assertLessEqual(got["deadband_worst"], 1 + 1e-9)
+
+    def test_with_a_deadband_less_is_sent_and_the_rows_show_the_band_held(self):
+        out = self.path("rows.csv")
+        options = ("--delay", 40, "--jitter", 10, "--loss", 20, "--wall", 500)
+        every = self.run_of(*options)
+        self.assertIsNone(every["deadband_worst"])
+        got = self.run_of(*options, "--deadband", 10, "--out", out)
+        self.assertLess(got["packets_per_s"], 60)
+        self.assertLess(got["back_packets_per_s"], 100)  # a tenth of 1 kHz
+        self.assertEqual(got["packets_without_per_s"], 100)
+        self.assertLess(got["rms_error_mm"], 1.5 * every["rms_error_mm"])
+        self.assertGreaterEqual(got["least_energy_J"], -1e-3)
+        with open(out, encoding="ascii") as file:
+            rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        known = [row for row in rows if not math.isnan(row["told_x_mm"])]
+        forces = [row for row in rows if not math.isnan(row["told_force_N"])]
+        self.assertGreater(len(known), 0.8 * len(rows))
+        self.assertGreater(len(forces), 0.8 * len(rows))
+        self.assertGreater(max(row["far_force_N"] for row in forces), 1)
+        for row in known:  # 0.01 mm: the row is the hand, what was sent the device's encoder
+            band = max(0.1, 0.10 * 0.05 * abs(row["told_x_mm_per_s"]))
+            self.assertLessEqual(abs(row["hand_x_mm"] - row["told_x_mm"]), band + 0.0101, row)
+        for row in forces:
+            self.assertLessEqual(abs(row["far_force_N"] - row["told_force_N"]), max(0.1, 0.10 * abs(row["told_force_N"])) + 1e-4, row)
+
+    def test_the_rarer_the_messages_the_longer_corrections_take_unless_told(self):
+        usual = self.json("teleop", "run", "--trace", TRACE, "--period", 100, "--profile", "lan", "--json")
+        short = self.json("teleop", "run", "--trace", TRACE, "--period", 100, "--profile", "lan", "--smooth", 15, "--json")
+        self.assertLess(usual["vibration_ratio"], 0.25 * short["vibration_ratio"])
+        self.assertEqual(self.run_of("--profile", "lan"), self.run_of("--profile", "lan", "--smooth", 15))
 
     def test_profiles_by_name_and_by_recording(self):
         self.assertGreater(self.run_of("--profile", "adsl")["linked_percent"], 95)
@@ -58,6 +86,8 @@ class Teleop(fyd.Case):
         self.assertIn("period 0", self.refused(2, *run, "--period", 0))
         self.assertIn("-5", self.refused(2, *run, "--delay=-5"))
         self.assertIn("wall -1", self.refused(2, *run, "--wall=-1"))
+        self.assertIn("deadband -1", self.refused(2, *run, "--deadband=-1"))
+        self.assertIn("deadband nan", self.refused(2, *run, "--deadband=nan"))
         self.assertIn("modem", self.refused(2, *run, "--profile", "modem"))
         self.assertIn("own", self.refused(2, *run, "--profile", "lan", "--delay", 5))
         self.assertIn("none.csv", self.refused(1, "teleop", "run", "--trace", self.path("none.csv")))

@@ -45,7 +45,7 @@ void send(const Trace& force, const DeadbandChannel& channel, double loss, Saved
       if (!answer.known) continue;
       saved.known += 1.0;
       const double error = std::abs(force.position_mm[asked][0] - answer.value[0]);
-      saved.worst = std::max(saved.worst, error / channel.band(answer.value[0]));
+      saved.worst = std::max(saved.worst, error / channel.band(answer.value[0], 0.0));
     }
   }
 }

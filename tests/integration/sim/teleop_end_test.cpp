@@ -23,12 +23,13 @@ protocol::Endpoint loopback(std::uint16_t port) {
 
 /// One end with a socket of its own and a device that stands where it is told to.
 struct Peer {
-  explicit Peer(bool at_hand, teleop::CouplingChoice coupling = teleop::CouplingChoice::spring)
+  explicit Peer(bool at_hand, double deadband = 0.0)
       : end({.at_hand = at_hand,
-             .coupling = coupling,
+             .coupling = teleop::CouplingChoice::spring,
              .coupling_settings = {},
              .predictor = teleop::PredictorChoice::order0,
-             .smooth_s = 0.0}),
+             .smooth_s = 0.0,
+             .deadband = deadband}),
         socket(protocol::UdpSocket::open(loopback(0)).value()) {}
 
   /// @param talks false: its cable is out
@@ -59,7 +60,8 @@ struct Pair {
       far.step(now_s, hand.socket.local(), far_talks);
     }
   }
-  Peer hand{true}, far{false};
+  explicit Pair(double deadband = 0.0) : hand(true, deadband), far(false, deadband) {}
+  Peer hand, far;
   double now_s = 100.0;
 };
 
@@ -155,6 +157,41 @@ TEST(TeleopEnd, WhileLinkingTheDistanceIsClosedSlowlyNotInAJump) {
   }
   EXPECT_LE(most, 0.1);  // 50 mm/s · 1000 N/m · 1 ms is 0.05 N
   EXPECT_GT(before, 5.0);
+}
+
+TEST(TeleopEnd, WithADeadbandAHandAtRestIsRefreshedAndAMoveIsToldAtOnce) {
+  Pair pair(0.10);
+  pair.hand.device.position_mm = {10.0, 0.0, 0.0};
+  pair.hand.end.start(1);
+  pair.far.end.start(2);
+  pair.run(1000);
+  ASSERT_EQ(pair.far.end.phase(), Phase::linked);
+  const int before = pair.hand.sent;
+  pair.run(1000);
+  EXPECT_LE(pair.hand.sent - before, 21);  // one in 50 ms
+  EXPECT_GE(pair.hand.sent - before, 19);
+  EXPECT_EQ(pair.far.end.phase(), Phase::linked);
+  EXPECT_NEAR(pair.far.end.told(pair.now_s - 0.2).value[0], 10.0, DesktopArm::kPrecision_mm);
+  EXPECT_TRUE(pair.far.end.told(pair.now_s - 0.2).known);
+  pair.hand.device.position_mm.x = 10.05;  // not felt
+  const int still = pair.hand.sent;
+  pair.run(1);
+  EXPECT_LE(pair.hand.sent - still, 1);
+  pair.hand.device.position_mm.x = 10.3;
+  const int moved = pair.hand.sent;
+  pair.run(1);
+  EXPECT_EQ(pair.hand.sent, moved + 1);
+  pair.run(400, false, false);  // a silence that networks have
+  pair.run(300);
+  EXPECT_EQ(pair.far.end.phase(), Phase::linked);
+  EXPECT_NEAR(pair.far.end.other_mm()[0], 10.3, DesktopArm::kPrecision_mm);
+  pair.run(600, false, false);
+  EXPECT_EQ(pair.far.end.phase(), Phase::lost);
+  pair.hand.end.stop();
+  pair.hand.end.start(3);
+  pair.run(300);
+  EXPECT_EQ(pair.far.end.phase(), Phase::linked);
+  EXPECT_NEAR(pair.far.end.told(pair.now_s - 0.1).value[0], 10.3, DesktopArm::kPrecision_mm);
 }
 
 TEST(TeleopEnd, NoiseFromAStrangerAndAnOvertakenFarewellChangeNothing) {

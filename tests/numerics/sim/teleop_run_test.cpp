@@ -72,6 +72,69 @@ TEST(DeviceMessage, GoesThroughAnIsdnLineEachTenMilliseconds) {
     EXPECT_FALSE(decodeDeviceMessage(std::span(bytes).first(cut), code)) << cut;
 }
 
+TEST(DeviceMessage, WithADeadbandItRepeatsTheTwoBefore) {
+  const auto code = *protocol::PositionCode::make(DesktopArm::workspace());
+  DeviceMessage message{.session = 7,
+                        .date_s = 12.5,
+                        .position_mm = {12.34, -50.0, 64.98},
+                        .force_N = {1.234, -6.4, 4.0},
+                        .number = 4'000'000'000U,
+                        .velocity_mm_per_s = {-123.4, 0.05, 9999.0},
+                        .earlier = {},
+                        .axes = {}};
+  ASSERT_TRUE(message.earlier.push({12.25, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {0.7, 0.8, 0.9}}));
+  ASSERT_TRUE(message.earlier.push({12.375, {-1.0, -2.0, -3.0}, {-4.0, -5.0, -6.0}, {-0.7, -0.8, -0.9}}));
+  for (auto& axis : message.axes) axis = {.knows_surface = true, .surface_m = 0.01, .stiffness_N_per_m = 500.0};
+  message.tells_energy = true;
+  std::array<std::uint8_t, kMostDeviceMessage> bytes{};
+  const std::size_t size = encode(message, code, bytes);
+  ASSERT_GT(size, 0U);  // the longest there is
+  const auto again = decodeDeviceMessage(std::span(bytes).first(size), code);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->number, 4'000'000'000U);
+  EXPECT_NEAR(again->velocity_mm_per_s.x, -123.4, 1e-9);
+  EXPECT_NEAR(again->velocity_mm_per_s.z, 3276.7, 1e-9);  // held at what can be said
+  ASSERT_EQ(again->earlier.size(), 2U);
+  EXPECT_NEAR(again->earlier[0].date_s, 12.25, 1e-6);
+  EXPECT_NEAR(again->earlier[1].date_s, 12.375, 1e-6);
+  EXPECT_NEAR(again->earlier[1].position_mm.y, -2.0, 0.0101);
+  EXPECT_NEAR(again->earlier[0].velocity_mm_per_s.z, 6.0, 1e-9);
+  EXPECT_NEAR(again->earlier[1].force_N.z, -0.9, 1e-9);
+  for (std::size_t cut = 0; cut < size; ++cut) {
+    const auto shorter = decodeDeviceMessage(std::span(bytes).first(cut), code);
+    EXPECT_TRUE(!shorter || shorter->earlier.size() < 2) << cut;  // whole samples may be left out, nothing else
+  }
+}
+
+TEST(TeleopRun, ADeadbandSendsLessAndWhatIsToldStaysWithinItWhereAFifthIsLost) {
+  auto settings = over(30.0, PredictorChoice::experts);
+  settings.wall_N_per_m = 500.0;
+  for (NetworkSettings* way : {&settings.path.forward, &settings.path.backward}) {
+    way->jitter_ms = 10.0;
+    way->loss_percent = 20.0;
+  }
+  const auto trace = swing(25.0, 0.6, 8.0);
+  const TeleopFigures every = runTeleop(trace, settings, nullptr);
+  EXPECT_TRUE(std::isnan(every.told_share));
+  double before_per_s = 1e9;
+  for (const double percent : {5.0, 10.0, 20.0}) {
+    settings.deadband_percent = percent;
+    const TeleopFigures out = runTeleop(trace, settings, nullptr);
+    EXPECT_LT(out.packets_per_s, before_per_s) << percent;
+    before_per_s = out.packets_per_s;
+    EXPECT_LT(out.packets_per_s, 0.6 * every.packets_per_s) << percent;
+    EXPECT_LT(out.back_packets_per_s, 100.0) << percent;  // of 1 kHz a tenth
+    EXPECT_LE(out.deadband_worst, 1.001) << percent;      // a microsecond is the date's step
+    EXPECT_LE(out.deadband_force_worst, 1.001) << percent;
+    EXPECT_GT(out.deadband_worst, 0.5) << percent;
+    EXPECT_GT(out.told_share, 0.95) << percent;
+    EXPECT_GT(out.told_force_share, 0.95) << percent;
+    EXPECT_LT(out.rms_error_mm, 1.5 * every.rms_error_mm) << percent;
+    EXPECT_GE(out.least_energy_J, -1e-3) << percent;
+    EXPECT_EQ(out.linked_share, every.linked_share) << percent;  // never lost
+  }
+}
+
 TEST(TeleopRun, HeldMessagesComeAsLateAsTheyAreAndPredictedOnesDoNot) {
   const auto trace = swing(30.0, 1.0, 6.0);
   const TeleopFigures held = runTeleop(trace, over(50.0, PredictorChoice::order0), nullptr);
@@ -96,7 +159,6 @@ TEST(TeleopRun, TheModelGivesNoEnergyAndNoDragAndTheSpringDoes) {
   const TeleopFigures spring = runTeleop(trace, settings, nullptr);
   EXPECT_GE(model.least_energy_J, -1e-3);
   EXPECT_LT(spring.least_energy_J, -0.005);
-  EXPECT_LE(model.deadband_worst, 1.0 + 1e-9);
   settings.wall_N_per_m = 0.0;
   EXPECT_GT(runTeleop(trace, settings, nullptr).drag_N, 0.5);
   settings.coupling = CouplingChoice::model;
@@ -132,6 +194,12 @@ TEST(TeleopRun, WhatCannotBeIsRefusedByName) {
   settings.wall_N_per_m = -1.0;
   EXPECT_THAT(checkTeleopRun(settings).error().text(), testing::HasSubstr("wall -1"));
   settings.wall_N_per_m = 0.0;
+  settings.deadband_percent = 101.0;
+  EXPECT_THAT(checkTeleopRun(settings).error().text(), testing::HasSubstr("deadband 101"));
+  settings.deadband_percent = 0.0;
+  settings.smooth_ms = std::nan("");
+  EXPECT_THAT(checkTeleopRun(settings).error().text(), testing::HasSubstr("smoothing nan"));
+  settings.smooth_ms.reset();
   settings.path.forward.delay_ms = std::nan("");
   EXPECT_FALSE(checkTeleopRun(settings));
 }

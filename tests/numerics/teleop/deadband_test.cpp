@@ -89,7 +89,7 @@ TEST(Deadband, AtTenPercentNineOfTenPacketsOfRecordedForcesAreNotSentAndTheBandH
           const Outcome out = send(force, {.fraction = 0.10, .floor = 0.1}, loss, 30.0, seed);
           EXPECT_LE(out.packets, 0.10) << file << ' ' << name;
           EXPECT_LE(out.worst, 1e-9) << file << ' ' << name << ", loss " << loss;
-          EXPECT_GE(out.known, loss > 0.0 ? 0.92 : 0.999) << file << ' ' << name << ", loss " << loss;
+          EXPECT_GE(out.known, loss > 0.0 ? 0.90 : 0.999) << file << ' ' << name << ", loss " << loss;
         }
       }
     }
@@ -116,6 +116,62 @@ TEST(Deadband, WhereHalfIsLostTheBandStillHoldsOrItIsSaid) {
   }
 }
 
+TEST(Deadband, APlaceThatMovesIsKnownWithinTheBandAndTheCurveBetweenSamplesIsNearer) {
+  // A hand of 30 mm and 1 Hz with a faster tremble: its speed is the derivative, written here by hand.
+  const auto place = [](double t) { return 30.0 * std::sin(6.0 * t) + 0.4 * std::sin(50.0 * t); };
+  const auto speed = [](double t) { return 180.0 * std::cos(6.0 * t) + 20.0 * std::cos(50.0 * t); };
+  const DeadbandChannel channel{.fraction = 0.10, .floor = 0.1, .moves = true};
+  for (const double loss : {0.0, 0.2, 0.5}) {
+    DeadbandChannels channels{};
+    channels[0] = channel;
+    DeadbandSender sender(channels, 0.05, 3);
+    DeadbandReceiver receiver;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    std::multimap<double, DeadbandPacket> underway;
+    double packets = 0.0, known = 0.0, ticks = 0.0, straight = 0.0, curved = 0.0;
+    for (int i = 0; i < 20'000; ++i) {
+      const double now = 0.001 * i;
+      if (const auto packet = sender.step(now, {place(now)}, {speed(now)})) {
+        packets += 1.0;
+        EXPECT_LE(packet->size(), 3U);
+        if (uniform(random) >= loss) underway.emplace(now + 0.02 + 0.04 * uniform(random), *packet);
+      }
+      for (; !underway.empty() && underway.begin()->first <= now; underway.erase(underway.begin())) {
+        receiver.receive(underway.begin()->second);
+      }
+      if (i < 500) continue;
+      const double asked = 0.001 * (i - 250);  // a moment at which the sender looked
+      const auto answer = receiver.at(asked);
+      ticks += 1.0;
+      if (!answer.known) continue;
+      known += 1.0;
+      const double error = std::abs(place(asked) - answer.value[0]);
+      EXPECT_LE(error, std::max(0.1, 0.10 * 0.05 * std::abs(answer.slope[0])) + 1e-9) << "at " << asked;
+      const auto curve = receiver.place(asked, 0, channel);
+      if (!curve) continue;
+      straight += error * error;
+      curved += (place(asked) - *curve) * (place(asked) - *curve);
+    }
+    EXPECT_LT(packets, 0.10 * 20'000) << loss;
+    EXPECT_GT(known / ticks, loss > 0.3 ? 0.75 : loss > 0.0 ? 0.97 : 0.999) << loss;
+    EXPECT_LT(curved, 0.05 * straight) << loss;
+  }
+}
+
+TEST(Deadband, WhatTheMessageMadeOfASampleIsWhatTheBandIsAbout) {
+  DeadbandChannels channels{};
+  channels[0] = {.fraction = 0.0, .floor = 1.0};
+  DeadbandSender sender(channels);
+  EXPECT_TRUE(sender.step(0.0, {10.4}));
+  sender.told({10.0}, {});  // whole numbers go over this wire
+  EXPECT_FALSE(sender.step(0.001, {10.9}));
+  EXPECT_TRUE(sender.step(0.002, {11.1}));
+  sender.told({kNaN}, {});  // passed over
+  EXPECT_FALSE(sender.step(0.003, {11.1}));
+  EXPECT_TRUE(sender.step(0.004, {11.1}, {}, true));
+}
+
 TEST(Deadband, AConstantIsRefreshedAndASilenceIsNotTakenForOne) {
   DeadbandChannels channels{};
   DeadbandSender sender(channels);
@@ -140,8 +196,8 @@ TEST(Deadband, AConstantIsRefreshedAndASilenceIsNotTakenForOne) {
 TEST(Deadband, HostilePacketsChangeNothing) {
   DeadbandReceiver receiver;
   const auto packet = [](std::uint32_t number, double date_s, double value) {
-    DeadbandPacket out{.date_s = date_s, .changes = {}};
-    EXPECT_TRUE(out.changes.push({.number = number, .date_s = date_s, .value = {value}}));
+    DeadbandPacket out;
+    EXPECT_TRUE(out.push({.number = number, .date_s = date_s, .value = {value}, .slope = {}}));
     return out;
   };
   receiver.receive(packet(1, 1.0, 5.0));
