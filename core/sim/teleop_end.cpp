@@ -18,6 +18,16 @@ constexpr int kMostTold = 64;       // positions at once, after a silence
 
 Position positionOf(const Vec3& v) { return {v.x, v.y, v.z}; }
 
+/// NaN is none, nor is what no device on a table can be.
+bool isMeasurement(const DeviceState& device) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double at_m = 1e-3 * positionOf(device.position_mm)[a], v = 1e-3 * positionOf(device.velocity_mm_per_s)[a];
+    if (!teleop::isPlace(at_m) || !(std::abs(v) <= teleop::kFastest_m_per_s)) return false;
+    if (!std::isfinite(positionOf(device.force_N)[a])) return false;
+  }
+  return true;
+}
+
 teleop::DeadbandChannels channelsOf(double share) {
   teleop::DeadbandChannels out{};
   for (std::size_t a = 0; a < 3; ++a) {
@@ -81,8 +91,10 @@ void TeleopEnd::receive(std::span<const std::uint8_t> datagram, double now_s) {
     if (phase_ == Phase::linked && message->session == other_session_) phase_ = Phase::waiting;
     return;
   }
+  const bool another = message->session != other_session_;
+  if (phase_ == Phase::linked && another && message->date_s < newest_.date_s) return;  // overtaken by a new start
   heard_s_ = now_s;
-  if (phase_ != Phase::linked || message->session != other_session_) link(*message, now_s);
+  if (phase_ != Phase::linked || another) link(*message, now_s);
   if (message->date_s >= newest_.date_s) newest_ = *message;
   hear(*message);
   turning_.message(message->date_s, teleop::fromAngles(message->orientation.alpha_rad, message->orientation.beta_rad,
@@ -118,11 +130,14 @@ void TeleopEnd::hear(const DeviceMessage& message) {
 }
 
 Vec3 TeleopEnd::step(const DeviceState& device, double now_s) {
-  device_ = device;
+  if (isMeasurement(device)) device_ = device;
   if (phase_ == Phase::linked && now_s - heard_s_ > kLost_s) phase_ = Phase::lost;
+  if (!isMeasurement(device)) return {};
   const Vec3& v = device.velocity_mm_per_s;
   if (phase_ != Phase::linked) {
-    return settings_.at_hand ? Vec3{} : (-1e-3 * kBrake_N_s_per_m) * v;
+    const double most = settings_.coupling_settings.most_force_N;
+    const auto brake = [&](double speed) { return std::clamp(-1e-3 * kBrake_N_s_per_m * speed, -most, most); };
+    return settings_.at_hand ? Vec3{} : Vec3{brake(v.x), brake(v.y), brake(v.z)};
   }
   const Position own = positionOf(device.position_mm), speed = positionOf(v), force = positionOf(device.force_N);
   other_mm_ = smooth_.step(now_s, predictor_->predict(now_s), predictor_->velocity(now_s));

@@ -52,7 +52,7 @@ class TeleopEnd {
   void stop();
 
   void receive(std::span<const std::uint8_t> datagram, double now_s);
-  /// A millisecond. @return the force of the device's motors, N
+  /// A millisecond. @return the force of the device's motors, N; none for a state that is no measurement (NaN)
   [[nodiscard]] Vec3 step(const DeviceState& device, double now_s);
   /// The datagram to send now, if one is due.
   [[nodiscard]] std::span<const std::uint8_t> datagram(double now_s);

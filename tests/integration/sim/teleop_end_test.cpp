@@ -159,6 +159,44 @@ TEST(TeleopEnd, WhileLinkingTheDistanceIsClosedSlowlyNotInAJump) {
   EXPECT_GT(before, 5.0);
 }
 
+TEST(TeleopEnd, AMessageOfTheStartBeforeLinksNobodyAgain) {
+  Pair pair;
+  pair.hand.end.start(1);
+  pair.far.end.start(2);
+  pair.run(200);
+  TeleopEnd twin({.at_hand = true, .coupling_settings = {}});
+  twin.start(1);
+  static_cast<void>(twin.step({.position_mm = {-20.0, 0.0, 0.0}}, pair.now_s));
+  const auto bytes = twin.datagram(pair.now_s);
+  const std::vector<std::uint8_t> late(bytes.begin(), bytes.end());
+  pair.hand.device.position_mm = {10.0, 0.0, 0.0};
+  pair.hand.end.start(3);  // without a farewell: it had crashed
+  pair.run(300);
+  ASSERT_NEAR(pair.far.end.other_mm()[0], 10.0, DesktopArm::kPrecision_mm);
+  pair.far.end.receive(late, pair.now_s);
+  pair.run(1);
+  EXPECT_NEAR(pair.far.end.other_mm()[0], 10.0, DesktopArm::kPrecision_mm);
+}
+
+TEST(TeleopEnd, ADeviceThatMeasuresNothingGetsNoForceAndIsTakenAgain) {
+  for (const bool far : {true, false}) {
+    Pair pair;
+    pair.hand.device.position_mm = {10.0, 0.0, 0.0};
+    pair.hand.end.start(1);
+    pair.far.end.start(2);
+    Peer& blind = far ? pair.far : pair.hand;
+    const DeviceState good = blind.device;
+    blind.device.position_mm.x = blind.device.velocity_mm_per_s.y = std::nan("");
+    pair.run(300);
+    EXPECT_EQ(blind.force_N, Vec3{});
+    EXPECT_EQ(blind.end.phase(), Phase::linked);
+    blind.device = good;
+    pair.run(1000);
+    EXPECT_GT(pair.far.force_N.x, 1.0);
+    EXPECT_LT(pair.hand.force_N.x, -1.0);
+  }
+}
+
 TEST(TeleopEnd, WithADeadbandAHandAtRestIsRefreshedAndAMoveIsToldAtOnce) {
   Pair pair(0.10);
   pair.hand.device.position_mm = {10.0, 0.0, 0.0};

@@ -1,0 +1,115 @@
+// What two linked devices tell each other, of any bytes: refused, or finite and stable when written and read again. And
+// one end of a session that is told such messages among a real peer's, late, changed, twice and after silences: its
+// force stays finite and within the motor's, and what it sends can be read.
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/sim/desktop_arm.h"
+#include "core/sim/teleop_end.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace fyd;
+using namespace fyd::sim;
+
+namespace {
+
+constexpr double kMost_N = 20.0;
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool finite(const DeviceMessage& message) {
+  bool good = finite(message.position_mm) && finite(message.force_N) && finite(message.velocity_mm_per_s) &&
+              std::isfinite(message.date_s) && std::isfinite(message.orientation.alpha_rad) &&
+              std::isfinite(message.orientation.beta_rad) && std::isfinite(message.orientation.gamma_rad);
+  for (const DeviceSample& each : message.earlier) {
+    good = good && std::isfinite(each.date_s) && finite(each.position_mm) && finite(each.velocity_mm_per_s);
+  }
+  return good;
+}
+
+void readAndWrite(std::span<const std::uint8_t> bytes, const protocol::PositionCode& code) {
+  const auto message = decodeDeviceMessage(bytes, code);
+  if (!message) return;
+  fuzz::require(finite(*message));
+  std::array<std::uint8_t, kMostDeviceMessage> written{}, again{};
+  const std::size_t size = encode(*message, code, written);
+  fuzz::require(size == bytes.size());
+  const auto read = decodeDeviceMessage(std::span(written).first(size), code);
+  fuzz::require(read && read->number == message->number && read->earlier.size() == message->earlier.size());
+  fuzz::require(encode(*read, code, again) == size && again == written);
+}
+
+DeviceState stateOf(fuzz::Input& in) {
+  const auto number = [&](double scale) {
+    const std::uint8_t byte = in.byte();
+    if (byte == 255) return std::numeric_limits<double>::quiet_NaN();
+    if (byte == 254) return 1e300;
+    return scale * (byte - 127.0);
+  };
+  DeviceState out;
+  out.position_mm = {number(1.0), number(0.5), 0.0};
+  out.velocity_mm_per_s = {number(10.0), 0.0, 0.0};
+  out.force_N = {number(0.1), 0.0, 0.0};
+  return out;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto code = *protocol::PositionCode::make(DesktopArm::workspace());
+  readAndWrite({data, size}, code);
+  fuzz::Input in(data, size);
+  const std::uint8_t mode = in.byte();
+  TeleopEndSettings settings{
+      .at_hand = (mode & 1) != 0,
+      .coupling = static_cast<teleop::CouplingChoice>((mode >> 1) % 3),
+      .coupling_settings = {.most_force_N = kMost_N},
+      .predictor = (mode & 64) != 0 ? teleop::PredictorChoice::kalman : teleop::PredictorChoice::order1,
+      .deadband = (mode & 128) != 0 ? 0.1 : 0.0};
+  TeleopEnd end(settings);
+  settings.at_hand = !settings.at_hand;
+  TeleopEnd peer(settings);
+  std::uint16_t session = 1;
+  end.start(session++);
+  peer.start(session++);
+  double now_s = 100.0;
+  std::vector<std::uint8_t> sent;
+  DeviceState own, others;
+  while (!in.empty()) {
+    const std::uint8_t op = in.byte();
+    now_s += 0.001;
+    static_cast<void>(peer.step(others, now_s));
+    const auto bytes = peer.datagram(now_s);
+    if (!bytes.empty()) sent.assign(bytes.begin(), bytes.end());
+    switch (op % 8) {
+      case 3: {
+        auto changed = sent;
+        std::size_t at = in.byte();
+        for (const std::uint8_t each : in.bytes()) {
+          if (at < changed.size()) changed[at++] ^= each;
+        }
+        end.receive(changed, now_s);
+        readAndWrite(changed, code);
+        break;
+      }
+      case 4: end.receive(in.bytes(), now_s); break;
+      case 5: now_s += 0.010 * in.byte(); break;
+      case 6:
+        ((op & 8) != 0 ? end : peer).stop();
+        if ((op & 16) != 0) ((op & 8) != 0 ? end : peer).start(session++);
+        break;
+      case 7: ((op & 8) != 0 ? own : others) = stateOf(in); break;
+      default: end.receive(sent, now_s); break;
+    }
+    const Vec3 force = end.step(own, now_s);
+    fuzz::require(finite(force));
+    for (const double each : {force.x, force.y, force.z}) fuzz::require(std::abs(each) <= kMost_N);
+    const auto told = end.datagram(now_s);
+    if (told.empty()) continue;
+    fuzz::require(decodeDeviceMessage(told, code).has_value());
+    peer.receive(told, now_s);
+  }
+  return 0;
+}
