@@ -3,6 +3,7 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QLayout>
 #include <QToolButton>
 
 #include "widgets/camera_image.h"
@@ -17,6 +18,8 @@ class CameraPanel : public QFrame {
   /// Nothing new comes: the figures are no longer true. @param text what was looked for, what to do
   void showMissing(const QString& text);
   void setTouchable(PictureToTouchpad to_touchpad);
+  /// Below the words about the simulated finger.
+  void addBelow(QWidget* widget) { layout()->addWidget(widget); }
   [[nodiscard]] CameraImage* image() const { return image_; }
   [[nodiscard]] QToolButton* maskButton() const { return mask_; }
   [[nodiscard]] QString figure(int row) const { return values_[row]->text(); }

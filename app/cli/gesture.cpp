@@ -1,7 +1,6 @@
 // fyd gesture: cards of gestures, made of a recording's touches, trimmed and shown. They are played as the simulated
 // finger: `fyd station --simulate --finger CARD`.
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <limits>
 
@@ -75,8 +74,7 @@ void fromRecording(const GestureOptions& options) {
     throw Failure(
         say("{}: touch {}: expected 1 to {}, the touches it holds", options.recording, options.touch, touches.size()));
   }
-  const std::string source =
-      fmt::format("{}, touch {}", std::filesystem::path(options.recording).filename().string(), options.touch);
+  const std::string source = session::touchName(options.recording, options.touch);
   auto card = valueOrFail(session::gestureOf(*recording, touches[options.touch - 1], source, source));
   takeSettings(card, options);
   write(card, options);

@@ -136,6 +136,8 @@ void OperatePage::connectFinger() {
       sensing::toMillimetres(finger, px.x(), px.y(), x_mm, y_mm);
       return QPointF(x_mm, y_mm);
     });
+    finger_ = new FingerMenu(session, context_.tell, camera_);
+    camera_->addBelow(finger_);
   }
   const widgets::CameraImage* image = camera_->image();
   connect(image, &widgets::CameraImage::fingerMoved, this,
@@ -202,6 +204,14 @@ void OperatePage::addCommands(PlaceCommands& commands) {
   panel("view.panel_readiness", QT_TRANSLATE_NOOP("Commands", "Readiness list"), "readiness");
   panel("view.panel_tuning", QT_TRANSLATE_NOOP("Commands", "Tuning panel"), "tuning");
   addCurveCommands(commands);
+  if (finger_ != nullptr) {
+    commands.add(
+        {"session.finger_card", "Edit", QT_TRANSLATE_NOOP("Commands", "Gesture card for the simulated finger"), "", ""},
+        [this](bool) { finger_->chooseFile(); });
+    commands.add({"session.finger_demonstration", "Edit",
+                  QT_TRANSLATE_NOOP("Commands", "Demonstration by the simulated finger"), "", ""},
+                 [this](bool) { finger_->playDemonstration(); });
+  }
   QToolButton* mask = camera_->maskButton();
   QAction* mask_action =
       commands.add({"view.mask", "View", QT_TRANSLATE_NOOP("Commands", "Finger mask"), "mask", "M", true},

@@ -4,6 +4,7 @@
 #include "app/console/calibrate_ages.h"
 #include "app/console/curve_tools.h"
 #include "app/console/dock_set.h"
+#include "app/console/finger_menu.h"
 #include "app/console/page.h"
 #include "widgets/camera_panel.h"
 #include "widgets/curve_view.h"
@@ -20,6 +21,8 @@ class OperatePage : public Page {
   void enter() override { showLimits(); }
 
   [[nodiscard]] widgets::CameraPanel* camera() const { return camera_; }
+  /// Null where the touchpad is no simulated one.
+  [[nodiscard]] FingerMenu* finger() const { return finger_; }
   [[nodiscard]] widgets::ReadinessList* readiness() const { return readiness_; }
   [[nodiscard]] widgets::CurveView* curves() const { return curves_; }
   [[nodiscard]] CurveTools* curveTools() const { return curve_tools_; }
@@ -39,6 +42,7 @@ class OperatePage : public Page {
   PageContext context_;
   CalibrationAges ages_;
   widgets::CameraPanel* camera_;
+  FingerMenu* finger_ = nullptr;
   widgets::ReadinessList* readiness_;
   widgets::CurveView* curves_;
   CurveTools* curve_tools_;

@@ -3,6 +3,8 @@
 #include <QFileInfo>
 
 #include "core/session/report.h"
+#include "core/session/touch_gesture.h"
+#include "core/station/replace_file.h"
 #include "widgets/core_text.h"
 
 namespace fyd::console {
@@ -20,6 +22,17 @@ Result<void> write(const std::string& path, const std::string& target, session::
   options.progress = progress;
   const auto exported = session::exportRecording(**recording, target, options);
   return exported ? Result<void>() : tl::unexpected(exported.error());
+}
+
+Result<void> writeCard(const std::string& path, const std::string& target, const session::Touch& touch,
+                       std::size_t number) {
+  const auto recording = session::Recording::open(path);
+  if (!recording) return tl::unexpected(recording.error());
+  const std::string name = session::touchName(path, number);
+  const auto card = session::gestureOf(**recording, touch, name, name);
+  if (!card) return tl::unexpected(card.error());
+  const auto text = sim::formatGesture(*card);
+  return text ? station::replaceFile(target, *text) : tl::unexpected(text.error());
 }
 
 }  // namespace
@@ -47,6 +60,27 @@ void ReviewExports::exportShown(const ReviewCurves& curves, const QString& targe
 
 void ReviewExports::exportTo(const std::string& target, const session::ExportOptions& options) {
   if (path_.isEmpty()) return;
+  run(target, [path = path_.toStdString(), target, options](const session::Progress& progress) {
+    return write(path, target, options, progress);
+  });
+}
+
+void ReviewExports::exportCard(const session::Touch& touch, int number) {
+  if (path_.isEmpty()) return;
+  const QFileInfo file(path_);
+  const QString base =
+      tr("%1 touch %2").arg(file.absolutePath() + QLatin1Char('/') + file.completeBaseName()).arg(number);
+  QString target = base + QStringLiteral(".gesture");
+  for (int next = 2; QFileInfo::exists(target); ++next) target = base + QStringLiteral(" (%1).gesture").arg(next);
+  run(
+      target.toStdString(),
+      [path = path_.toStdString(), target = target.toStdString(), touch, number](const session::Progress&) {
+        return writeCard(path, target, touch, static_cast<std::size_t>(number));
+      },
+      tr("The simulated finger plays it: Operate, Finger, Gesture card."));
+}
+
+void ReviewExports::run(const std::string& target, Write write, const QString& then) {
   const QString name = QString::fromStdString(target);
   if (works_.contains(target)) {
     tell_(Severity::information, tr("%1 is being written already.").arg(name));
@@ -54,18 +88,19 @@ void ReviewExports::exportTo(const std::string& target, const session::ExportOpt
   }
   auto* work = works_[target] = new LongWork(bars_, this);
   work->run(tr("Writing %1").arg(QFileInfo(name).fileName()),
-            [this, path = path_.toStdString(), target, options](const session::Progress& progress) {
-              const auto done = write(path, target, options, progress);
-              return [this, done, target] { finish(target, done); };
+            [this, target, write = std::move(write), then](const session::Progress& progress) {
+              const auto done = write(progress);
+              return [this, done, target, then] { finish(target, done, then); };
             });
 }
 
-void ReviewExports::finish(const std::string& target, const Result<void>& done) {
+void ReviewExports::finish(const std::string& target, const Result<void>& done, const QString& then) {
   LongWork* work = works_.extract(target).mapped();
   work->deleteLater();  // it is still telling that it has ended
   const QString name = QString::fromStdString(target);
   if (done) {
-    tell_(Severity::information, tr("%1 is written.").arg(name));
+    const QString written = tr("%1 is written.").arg(name);
+    tell_(Severity::information, then.isEmpty() ? written : written + QLatin1Char(' ') + then);
   } else if (work->cancelled()) {
     tell_(Severity::information, tr("%1 was cancelled; no file is left.").arg(name));
   } else {

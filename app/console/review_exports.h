@@ -10,6 +10,7 @@
 #include "app/console/long_work.h"
 #include "app/console/review_curves.h"
 #include "core/session/export_recording.h"
+#include "core/session/touches.h"
 #include "widgets/notice_stack.h"
 
 namespace fyd::console {
@@ -27,13 +28,18 @@ class ReviewExports : public QObject {
   void exportAs(const QString& ending);
   /// The rows and fields that `curves` show, as CSV.
   void exportShown(const ReviewCurves& curves, const QString& target);
+  /// A touch as a gesture card. @param number from 1
+  void exportCard(const session::Touch& touch, int number);
   /// All of them end soon, and leave nothing.
   void drop();
 
  private:
+  using Write = std::function<Result<void>(const session::Progress&)>;
   void exportTo(const std::string& target, const session::ExportOptions& options);
+  /// @param then what is told after "… is written."
+  void run(const std::string& target, Write write, const QString& then = {});
 
-  void finish(const std::string& target, const Result<void>& done);
+  void finish(const std::string& target, const Result<void>& done, const QString& then);
 
   widgets::WorkBars* bars_;
   Tell tell_;

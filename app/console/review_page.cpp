@@ -139,6 +139,14 @@ void ReviewPage::findTouches() {
   });
 }
 
+void ReviewPage::makeCard() {
+  if (const session::Touch* touch = touch_table_->chosen()) {
+    exports_->exportCard(*touch, touch_table_->currentRow() + 1);
+  } else {
+    context_.tell(Severity::information, tr("Choose a touch in the list first."));
+  }
+}
+
 void ReviewPage::showTouches(const std::vector<session::Touch>& touches) {
   touch_table_->setTouches(touches);
   std::vector<std::pair<double, double>> bars;

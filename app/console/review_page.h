@@ -43,6 +43,8 @@ class ReviewPage : public Page {
   /// At the cursor.
   void writeNote(session::NoteKind kind, const QString& text);
   void setMark(widgets::CurveStack::Mark which);
+  /// A gesture card of the touch that is chosen.
+  void makeCard();
 
   [[nodiscard]] const session::Recording* recording() const { return recording_.get(); }
   [[nodiscard]] ReviewPlayer* player() { return &player_; }
@@ -51,6 +53,7 @@ class ReviewPage : public Page {
   [[nodiscard]] widgets::SessionOverview* overview() const { return overview_; }
   [[nodiscard]] SessionList* list() const { return list_; }
   [[nodiscard]] TouchTable* touches() const { return touch_table_; }
+  [[nodiscard]] QToolButton* cardButton() const { return card_; }
   [[nodiscard]] FiguresTable* figures() const { return figures_table_; }
   [[nodiscard]] NoteTable* notes() const { return note_table_; }
   [[nodiscard]] WhatIfPanel* whatIf() const { return what_if_; }
@@ -103,6 +106,7 @@ class ReviewPage : public Page {
   QLineEdit* note_field_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   TouchTable* touch_table_ = nullptr;
+  QToolButton* card_ = nullptr;
   FiguresTable* figures_table_ = nullptr;
   WhatIfPanel* what_if_ = nullptr;
   ReviewComparison* comparison_ = nullptr;

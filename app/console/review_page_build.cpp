@@ -164,7 +164,21 @@ QWidget* ReviewPage::buildRight() {
   figures_table_ = new FiguresTable(tabs_);
   what_if_ = new WhatIfPanel(work_, tabs_);
   comparison_ = new ReviewComparison(work_, tabs_);
-  tabs_->addTab(touch_table_, tr("Touches"));
+  auto* touches = new QWidget(tabs_);
+  auto* layout = new QVBoxLayout(touches);
+  layout->setContentsMargins(0, 0, 0, kGrid);
+  layout->setSpacing(kGrid);
+  layout->addWidget(touch_table_, 1);
+  card_ = new QToolButton(touches);
+  card_->setObjectName(QStringLiteral("card_button"));
+  card_->setText(tr("Make a gesture card of this touch"));
+  card_->setToolTip(tr("A small file beside the recording, which the simulated finger plays (G)"));
+  card_->setEnabled(false);
+  connect(card_, &QToolButton::clicked, this, &ReviewPage::makeCard);
+  connect(touch_table_, &QTableWidget::currentCellChanged, this,
+          [this] { card_->setEnabled(touch_table_->chosen() != nullptr); });
+  layout->addWidget(card_, 0, Qt::AlignHCenter);
+  tabs_->addTab(touches, tr("Touches"));
   tabs_->addTab(figures_table_, tr("A – B"));
   tabs_->addTab(what_if_, tr("What if"));
   tabs_->addTab(comparison_, tr("Compare"));

@@ -39,6 +39,8 @@ void ReviewPage::addCommands(PlaceCommands& commands) {
   add("review.whole", QT_TRANSLATE_NOOP("Commands", "Show the whole session"), "", "Home", [this] {
     if (recording_) curves_->show(0.0, recording_->info().duration_s);
   });
+  add("review.gesture_card", QT_TRANSLATE_NOOP("Commands", "Make a gesture card of the chosen touch"), "save", "G",
+      [this] { makeCard(); });
   addExportCommands(commands);
   add("review.recover", QT_TRANSLATE_NOOP("Commands", "Recover a crashed recording"), "", "", [this] {
     if (showsList()) {

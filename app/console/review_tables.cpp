@@ -94,6 +94,12 @@ void TouchTable::setTouches(const std::vector<session::Touch>& touches) {
   }
 }
 
+const session::Touch* TouchTable::chosen() const {
+  const int row = currentRow();
+  return row >= 0 && static_cast<std::size_t>(row) < touches_.size() ? &touches_[static_cast<std::size_t>(row)]
+                                                                     : nullptr;
+}
+
 FiguresTable::FiguresTable(QWidget* parent)
     : ReviewTable(
           {tr("Between A and B"), tr("At A"), tr("At B"), tr("B − A"), tr("Slope\nper s"), tr("Mean"), tr("RMS")}, {0},

@@ -34,6 +34,8 @@ class TouchTable : public ReviewTable {
  public:
   explicit TouchTable(QWidget* parent = nullptr);
   void setTouches(const std::vector<session::Touch>& touches);
+  /// The row that is chosen; null: none.
+  [[nodiscard]] const session::Touch* chosen() const;
 
  signals:
   void touchChosen(double start_s, double end_s);

@@ -85,6 +85,11 @@ class StationSession : public Session {
   void releaseSimulatedFinger() override {
     if (station_) station_->releaseSimulatedFinger();
   }
+  void playSimulatedFinger(const sim::FingerPath& path) override {
+    finger_ = path;
+    if (station_) station_->playSimulatedFinger(path);
+  }
+  std::string fingerFile() const override { return options_.finger_csv; }
   bool simulated() const override { return station_ && station_->simulated(); }
 
   RobotWords robot() const override { return {.robot = options_.robot, .key_file = options_.key_file}; }
@@ -97,6 +102,7 @@ class StationSession : public Session {
   void close();
 
   station::StationOptions options_;
+  std::optional<sim::FingerPath> finger_;      // asked for since the start
   std::unique_ptr<station::Station> station_;  // none after a reconnect that failed twice
 };
 
@@ -105,6 +111,7 @@ Result<void> StationSession::open(const station::StationOptions& options) {
   if (!opened) return tl::unexpected(opened.error());
   options_ = options;
   station_ = std::move(*opened);
+  if (finger_) station_->playSimulatedFinger(*finger_);
   station_->start();
   return {};
 }

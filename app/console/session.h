@@ -51,6 +51,10 @@ class Session {
 
   virtual void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) = 0;
   virtual void releaseSimulatedFinger() = 0;
+  /// Stays when the session is begun anew.
+  virtual void playSimulatedFinger(const sim::FingerPath& path) = 0;
+  /// The file it followed at the start; empty: the demonstration.
+  [[nodiscard]] virtual std::string fingerFile() const = 0;
   [[nodiscard]] virtual bool simulated() const = 0;
 
   [[nodiscard]] virtual RobotWords robot() const = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 namespace fyd::session {
@@ -13,6 +14,10 @@ constexpr double kSamePicture_s = 0.002;  // its time, from now and its age, dif
 constexpr double kLeastDepth_mm = 0.01;   // a finger that touches is not lifted
 
 }  // namespace
+
+std::string touchName(const std::string& recording_path, std::size_t number) {
+  return fmt::format("{}, touch {}", std::filesystem::path(recording_path).filename().string(), number);
+}
 
 Result<sim::GestureCard> gestureOf(const Recording& recording, const Touch& touch, std::string name,
                                    std::string source) {

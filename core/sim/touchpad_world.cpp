@@ -65,11 +65,11 @@ WorldSnapshot between(const WorldSnapshot& a, const WorldSnapshot& b, Instant wh
 TouchpadWorld::TouchpadWorld(const SimParameters& parameters, FingerPath path, Instant start)
     : parameters_(parameters),
       path_(std::move(path)),
+      path_begins_(start),
       cloth_(parameters),
       vibration_(parameters.vibration, parameters.initial_angle_deg),
       motors_{SimulatedMotor(parameters.initial_angle_deg), SimulatedMotor(-parameters.initial_angle_deg)},
       random_(static_cast<std::uint64_t>(parameters.seed)),
-      start_(start),
       now_(start),
       pressed_(start),
       next_ir_(start),
@@ -107,7 +107,7 @@ void TouchpadWorld::step() {
 }
 
 FingerState TouchpadWorld::fingerNow() const {
-  return cleaned(finger_override_ ? *finger_override_ : path_.at(toSeconds(now_ - start_)));
+  return cleaned(finger_override_ ? *finger_override_ : path_.at(toSeconds(now_ - path_begins_)));
 }
 
 void TouchpadWorld::remember() {
@@ -207,6 +207,12 @@ WorldSnapshot TouchpadWorld::truthLocked(Instant when) const {
 void TouchpadWorld::setFingerOverride(std::optional<FingerState> finger) {
   const std::scoped_lock lock(mutex_);
   finger_override_ = finger;
+}
+
+void TouchpadWorld::setPath(FingerPath path) {
+  const std::scoped_lock lock(mutex_);
+  std::swap(path_, path);  // the former one is freed after the lock: the step waits for it
+  path_begins_ = now_;
 }
 
 }  // namespace fyd::sim

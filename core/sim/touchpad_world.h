@@ -63,6 +63,8 @@ class TouchpadWorld {
   /// Puts the finger somewhere (a mouse, a test) in place of the path; nullopt gives it back to the path.
   /// Clamped to the usable area; NaN lifts.
   void setFingerOverride(std::optional<FingerState> finger);
+  /// Another path in place of the present one, from its beginning.
+  void setPath(FingerPath path);
 
   [[nodiscard]] const SimParameters& parameters() const { return parameters_; }
 
@@ -82,6 +84,7 @@ class TouchpadWorld {
   const SimParameters parameters_;
   mutable std::mutex mutex_;
   FingerPath path_;
+  Instant path_begins_;  ///< its time 0
   std::optional<FingerState> finger_override_;
   Cloth cloth_;
   FingerVibration vibration_;
@@ -90,7 +93,6 @@ class TouchpadWorld {
   control::MotorCommand command_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
-  Instant start_;
   Instant now_;
   Instant pressed_;
   Instant next_ir_;

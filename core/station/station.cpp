@@ -264,6 +264,10 @@ void Station::moveSimulatedFinger(double x_mm, double y_mm, double indentation_m
       sim::FingerState{.x_mm = x_mm, .y_mm = y_mm, .indentation_mm = indentation_mm, .lifted = indentation_mm <= 0.0});
 }
 
+void Station::playSimulatedFinger(const sim::FingerPath& path) {
+  if (impl_->world) impl_->world->setPath(path);
+}
+
 void Station::releaseSimulatedFinger() {
   if (impl_->world) impl_->world->setFingerOverride(std::nullopt);
 }

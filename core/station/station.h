@@ -23,6 +23,7 @@
 #include "core/protocol/touchpad_end.h"
 #include "core/sensing/finger_types.h"
 #include "core/session/recorder.h"
+#include "core/sim/finger_path.h"
 #include "core/station/device_test.h"
 #include "core/station/profile.h"
 
@@ -196,6 +197,8 @@ class Station {
   /// Simulation only: the finger goes where the mouse says until released; no effect on a real touchpad.
   void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm);
   void releaseSimulatedFinger();
+  /// Simulation only: what the finger does while nobody moves it, from its beginning.
+  void playSimulatedFinger(const sim::FingerPath& path);
   [[nodiscard]] bool simulated() const;
 
  private:

@@ -230,6 +230,55 @@ class ConsoleTest : public QObject {
     QVERIFY(f.session->finger.empty());
   }
 
+  void theSimulatedFingerPlaysAGestureCardAtASpeedOnceOrAgain() {
+    Fixture f;
+    console::FingerMenu* menu = f.window->operate()->finger();
+    QVERIFY(menu != nullptr && menu->isVisible());
+    QVERIFY(menu->text().contains(QStringLiteral("Demonstration")));
+    QVERIFY(f.session->played.empty());  // it goes on with what it does
+    const QString path = f.folder.filePath(QStringLiteral("stroke.gesture"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "format = \"FYD gesture 1\"\nname = \"a stroke & more\"\nspeed = 3\nloop = false\n---\n"
+        "t_s,x_mm,y_mm,depth_mm\n0,-9,5,2\n3,9,5,2\n");
+    file.close();
+    menu->playFile(path);
+    QCOMPARE(f.session->played.size(), std::size_t{1});
+    QVERIFY(std::abs(f.session->played.back().at(0.5).x_mm) <
+            1e-9);                                     // half of the way in half a second: three times as fast
+    QVERIFY(f.session->played.back().at(1.2).lifted);  // once
+    QVERIFY(menu->text().contains(QStringLiteral("a stroke && more")));
+    QVERIFY(!menu->again() && menu->speed() == 3.0);
+    const auto trigger = [&](const QString& words) {
+      QList<QAction*> all = menu->menu()->actions();
+      for (QAction* each : menu->menu()->actions()) {
+        if (each->menu() != nullptr) all += each->menu()->actions();
+      }
+      for (QAction* each : all) {
+        if (each->text() == words) return each->trigger();
+      }
+      QFAIL(qPrintable(words));
+    };
+    trigger(QStringLiteral("1 ×"));
+    QVERIFY(std::abs(f.session->played.back().at(1.5).x_mm) < 1e-9);
+    trigger(QStringLiteral("Again and again"));
+    QVERIFY(!f.session->played.back().at(5.0).lifted);  // 3 s, half a second lifted, and again
+    trigger(QStringLiteral("Demonstration"));
+    QCOMPARE(f.session->played.back().duration_s(), sim::FingerPath::demonstration().duration_s());
+    QVERIFY(menu->text().contains(QStringLiteral("Demonstration")));
+    trigger(QStringLiteral("a stroke && more"));
+    QCOMPARE(f.session->played.back().at(0.0).x_mm, -9.0);
+    // What is no card changes nothing.
+    const std::size_t before = f.session->played.size();
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("format = \"FYD gesture 1\"\nname = \"far\"\n---\nt_s,x_mm,y_mm,depth_mm\n0,99,5,2\n3,9,5,2\n");
+    file.close();
+    menu->playFile(path);
+    QCOMPARE(f.session->played.size(), before);
+    QVERIFY(menu->text().contains(QStringLiteral("a stroke")));
+    QVERIFY(f.window->notices()->text(f.window->notices()->count() - 1).contains(QStringLiteral("x_mm is 99")));
+  }
   void everyCommandHasItsOwnKeysAndThePaletteRunsThem() {
     Fixture f;
     // Two places may use the same keys, as only one is shown; nothing else may.

@@ -6,6 +6,7 @@
 
 #include "core/session/catalogue.h"
 #include "core/session/recording_hdf5.h"
+#include "core/sim/gesture_card.h"
 #include "tests/unit/session/recording_damage.h"
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/suite.h"
@@ -88,6 +89,32 @@ class ReviewWorkTest : public QObject {
     QVERIFY(!f.page->work()->isVisible());
   }
 
+  void aTouchBecomesAGestureCardOnceItIsChosen() {
+    WorkFixture f;
+    QVERIFY(!f.page->cardButton()->isEnabled());
+    f.key(Qt::Key_G);
+    WAIT_FOR(f.told().contains(QStringLiteral("Choose a touch")));
+    f.page->touches()->setCurrentCell(0, 0);
+    QVERIFY(f.page->cardButton()->isEnabled());
+    QTest::mouseClick(f.page->cardButton(), Qt::LeftButton);
+    const QString path = f.folder.filePath(QStringLiteral("session touch 1.gesture"));
+    WAIT_FOR(QFileInfo::exists(path) && f.page->work()->running().empty());
+    WAIT_FOR(f.told().contains(QStringLiteral("is written")));
+    const auto card = sim::readGestureFile(path.toStdString());
+    QVERIFY2(card.has_value(), card ? "" : card.error().text().c_str());
+    QCOMPARE(card->name, std::string("session.h5, touch 1"));
+    // What row() of the fixture says: 2 s of a finger at 10 mm/s, 4 mm deep.
+    QVERIFY2(std::abs(card->duration_s() - 2.0) < 0.1, qPrintable(QString::number(card->duration_s())));
+    for (const auto& knot : card->rows) {
+      QVERIFY(std::abs(knot.state.x_mm - (card->rows.front().state.x_mm + 10.0 * knot.time_s)) < 1e-6);
+      QCOMPARE(knot.state.indentation_mm, 4.0);
+    }
+    const QByteArray before = contentOf(path);
+    f.key(Qt::Key_G);  // once more: beside it, not over it
+    WAIT_FOR(QFileInfo::exists(f.folder.filePath(QStringLiteral("session touch 1 (2).gesture"))));
+    WAIT_FOR(f.page->work()->running().empty());
+    QCOMPARE(contentOf(path), before);
+  }
   void aCancelledExportLeavesNothingAndTheNextOneWorks() {
     WorkFixture f;
     for (const char* name : {"csv", "mat", "mcap", "html"}) {

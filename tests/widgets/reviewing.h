@@ -20,6 +20,11 @@ inline session::StepRecord row(std::uint64_t i, std::uint64_t press) {
   record.telemetry.contact = contact;
   record.telemetry.force_N = contact ? 2.0 : 0.001 * static_cast<double>(i);  // a slope of 1 N/s before and after
   if (i == kSpike) record.telemetry.force_N = 7.0;
+  if (contact) {  // a picture each 33 ms, the finger goes right at 10 mm/s
+    record.telemetry.finger_age_ms = static_cast<double>(i % 33);
+    record.telemetry.finger_x_mm = 0.01 * (static_cast<double>(i - i % 33) - static_cast<double>(press)) - 10.0;
+    record.telemetry.finger_y_mm = 5.0;
+  }
   record.telemetry.indentation_mm = contact ? 4.0 : 0.0;
   record.telemetry.stiffness_observable = contact;
   record.telemetry.stiffness_N_per_mm = contact ? 0.5 : pipeline::kNone;

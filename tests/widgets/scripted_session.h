@@ -50,7 +50,8 @@ class ScriptedSession : public console::Session {
   void keepDeviceTest() override { ++keeps; }
   void stopDeviceTest() override {
     ++test_stops;
-    if (test_status.running) test_status = {.test = test_status.test, .words = fyd::say("ended: the button was released")};
+    if (test_status.running)
+      test_status = {.test = test_status.test, .words = fyd::say("ended: the button was released")};
   }
   station::DeviceTestStatus deviceTestStatus() const override { return test_status; }
   std::vector<texture::SweepRow> deviceTestSweep() override { return sweep; }
@@ -75,6 +76,8 @@ class ScriptedSession : public console::Session {
     finger = {x_mm, y_mm, indentation_mm};
   }
   void releaseSimulatedFinger() override { finger.clear(); }
+  void playSimulatedFinger(const sim::FingerPath& path) override { played.push_back(path); }
+  std::string fingerFile() const override { return finger_file; }
   bool simulated() const override { return true; }
   console::RobotWords robot() const override { return present; }
   bool isOpen() const override { return open; }
@@ -111,6 +114,8 @@ class ScriptedSession : public console::Session {
   station::StationStatus now;
   std::vector<station::ReadinessLine> lines = {{.what = fyd::say("Motors answer"), .ok = true}};
   std::vector<double> finger;
+  std::vector<sim::FingerPath> played;  ///< what the simulated finger was given to do
+  std::string finger_file;              ///< that the session was started with
   std::vector<device::DeviceReport> reports;
   std::vector<device::DeviceTest> tests;
   std::vector<double> stretches;  ///< asked for with each of them

@@ -90,6 +90,8 @@ class BusySession : public Session {
   session::RecorderStatus recorderStatus() const override { return {}; }
   void moveSimulatedFinger(double, double, double) override {}
   void releaseSimulatedFinger() override {}
+  void playSimulatedFinger(const sim::FingerPath&) override {}
+  std::string fingerFile() const override { return {}; }
   bool simulated() const override { return true; }
   RobotWords robot() const override { return {}; }
   Result<void> reconnect(const RobotWords&) override { return {}; }

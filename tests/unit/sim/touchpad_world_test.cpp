@@ -299,5 +299,21 @@ TEST(SimulatedTouchpad, ReadsUnderTheOldCommandAndThenTakesTheNewOne) {
   EXPECT_FALSE(readings->motors.value.position_duty_known) << "as the thesis' board";
 }
 
+TEST(TouchpadWorld, AnotherPathBeginsWhenItIsGivenAndTheMouseStillComesFirst) {
+  TouchpadWorld world(SimParameters{}, FingerPath::constant(1.0, 2.0, 3.0), instantAt(10.0));
+  world.advanceTo(instantAt(10.1));
+  EXPECT_EQ(world.truth().finger.x_mm, 1.0);
+  world.setPath(FingerPath::fromKnots({{0.0, {.x_mm = -20.0, .indentation_mm = 2.0, .lifted = false}},
+                                       {0.2, {.x_mm = 20.0, .indentation_mm = 2.0, .lifted = false}}}));
+  world.advanceTo(instantAt(10.2));
+  EXPECT_NEAR(world.truth().finger.x_mm, 0.0, 1e-6);  // half of it, 0.1 s after it was given
+  world.setFingerOverride(FingerState{.x_mm = 7.0, .y_mm = 0.0, .indentation_mm = 1.0, .lifted = false});
+  world.advanceTo(instantAt(10.25));
+  EXPECT_EQ(world.truth().finger.x_mm, 7.0);
+  world.setFingerOverride(std::nullopt);
+  world.advanceTo(instantAt(10.3));
+  EXPECT_NEAR(world.truth().finger.x_mm, 20.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace fyd::sim

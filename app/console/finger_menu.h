@@ -1,0 +1,56 @@
+// What the simulated finger does while no mouse moves it: the demonstration, or a gesture card or recorded hand, at a
+// speed, once or again and again; the same as `--finger FILE`.
+#pragma once
+
+#include <QActionGroup>
+#include <QMenu>
+#include <QToolButton>
+#include <optional>
+
+#include "app/console/session.h"
+#include "widgets/notice_stack.h"
+
+namespace fyd::console {
+
+class FingerMenu : public QToolButton {
+  Q_OBJECT
+ public:
+  using Tell = std::function<void(widgets::Severity, const QString&)>;
+  FingerMenu(Session& session, Tell tell, QWidget* parent = nullptr);
+
+  void playDemonstration();
+  /// A card with its own speed and repetition. What is wrong with it is told, and the finger goes on as before.
+  void playFile(const QString& path);
+  /// By dialog.
+  void chooseFile();
+
+  [[nodiscard]] double speed() const;
+  [[nodiscard]] bool again() const { return again_->isChecked(); }
+
+ private:
+  struct Hand {
+    QString name;
+    sim::FingerPath path;  ///< as recorded
+  };
+
+  bool take(const QString& path);
+  void build();
+  void setSpeed(double speed);
+  void play();
+  void show();
+
+  Session& session_;
+  Tell tell_;
+  std::optional<Hand> hand_;  ///< the last one that was chosen
+  bool demonstrates_ = true;
+  QString folder_;
+  QMenu* menu_;
+  QMenu* speeds_;
+  QActionGroup* what_;
+  QActionGroup* speed_;
+  QAction* demonstration_;
+  QAction* recorded_;
+  QAction* again_;
+};
+
+}  // namespace fyd::console
