@@ -95,8 +95,9 @@ void CameraPanel::setTouchable(PictureToTouchpad to_touchpad) {
 }
 
 void CameraPanel::sayHint() {
-  hint_->setText(tr("Simulated finger: press on the picture. Depth %1; wheel or Shift and drag changes it.")
+  hint_->setText(tr("Simulated: press on the picture, %1 deep; the wheel changes it.")
                      .arg(quantityText(image_->depth_mm(), 2, tr("mm"))));
+  hint_->setToolTip(tr("Shift and drag changes the depth, too"));
 }
 
 }  // namespace fyd::widgets

@@ -42,6 +42,7 @@ void FingerMenu::build() {
   setObjectName(QStringLiteral("finger_menu"));
   setPopupMode(QToolButton::InstantPopup);
   setToolButtonStyle(Qt::ToolButtonTextOnly);
+  setFont(widgets::textFont(widgets::TextSize::small));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setMenu(menu_);
   for (QAction* each : {demonstration_, recorded_}) {
