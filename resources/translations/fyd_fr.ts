@@ -206,6 +206,10 @@
         <translation>de %1 à %2 : la borne supérieure doit être la plus grande</translation>
     </message>
     <message>
+        <source>%1 touch %2</source>
+        <translation>%1 toucher %2</translation>
+    </message>
+    <message>
         <source>%1 was cancelled; no file is left.</source>
         <translation>%1 a été annulé ; il ne reste aucun fichier.</translation>
     </message>
@@ -228,6 +232,10 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 ×, %3. A gesture card is made of a touch in Review.</source>
+        <translation>%1, %2 ×, %3. Une carte de geste se fait d'un toucher dans Relecture.</translation>
     </message>
     <message>
         <source>%1, in review</source>
@@ -442,6 +450,10 @@
         <translation>Un rectangle autour du tissu, avec un doigt dedans.</translation>
     </message>
     <message>
+        <source>A small file beside the recording, which the simulated finger plays (G)</source>
+        <translation>Un petit fichier à côté de l'enregistrement, que le doigt simulé joue (G)</translation>
+    </message>
+    <message>
         <source>A test needs motors that answer.</source>
         <translation>Un essai demande des moteurs qui répondent.</translation>
     </message>
@@ -564,6 +576,10 @@
     <message>
         <source>Advance from a frame to the next: whole frames are blocks, less overlaps them.</source>
         <translation>Avance d'une trame à la suivante : une trame entière donne des blocs, moins les recouvre.</translation>
+    </message>
+    <message>
+        <source>Again and again</source>
+        <translation>En boucle</translation>
     </message>
     <message>
         <source>Age of inputs</source>
@@ -890,6 +906,10 @@
         <translation>Choisir une session, ou saisir le chemin d'un enregistrement.</translation>
     </message>
     <message>
+        <source>Choose a touch in the list first.</source>
+        <translation>Choisir d'abord un toucher dans la liste.</translation>
+    </message>
+    <message>
         <source>Choose curves</source>
         <translation>Choisir les courbes</translation>
     </message>
@@ -1144,6 +1164,14 @@
     <message>
         <source>Delete the chosen preset; undo brings it back</source>
         <translation>Supprimer le préréglage choisi ; Annuler le ramène</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Démonstration</translation>
+    </message>
+    <message>
+        <source>Demonstration by the simulated finger</source>
+        <translation>Démonstration par le doigt simulé</translation>
     </message>
     <message>
         <source>Depth
@@ -1602,6 +1630,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Doigt, y</translation>
     </message>
     <message>
+        <source>Finger: %1</source>
+        <translation>Doigt : %1</translation>
+    </message>
+    <message>
         <source>First encoder's reading at zero stretch.</source>
         <translation>Lecture du premier codeur à étirement nul.</translation>
     </message>
@@ -1698,6 +1730,22 @@ N</translation>
     <message>
         <source>Gain of the vibration; the robot's operator moves it by 0.1.</source>
         <translation>Gain de la vibration ; l'opérateur du robot le change de 0.1.</translation>
+    </message>
+    <message>
+        <source>Gesture card for the simulated finger</source>
+        <translation>Carte de geste pour le doigt simulé</translation>
+    </message>
+    <message>
+        <source>Gesture card or recorded hand</source>
+        <translation>Carte de geste ou main enregistrée</translation>
+    </message>
+    <message>
+        <source>Gesture card …</source>
+        <translation>Carte de geste …</translation>
+    </message>
+    <message>
+        <source>Gesture cards (*.gesture);;Recorded hands (*.csv);;All files (*)</source>
+        <translation>Cartes de geste (*.gesture);;Mains enregistrées (*.csv);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Give the chosen preset the name above</source>
@@ -2394,6 +2442,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>MJPEG {}: cannot listen: {}</source>
         <translation>MJPEG {} : écoute impossible : {}</translation>
+    </message>
+    <message>
+        <source>Make a gesture card of the chosen touch</source>
+        <translation>Faire du toucher choisi une carte de geste</translation>
+    </message>
+    <message>
+        <source>Make a gesture card of this touch</source>
+        <translation>Faire de ce toucher une carte de geste</translation>
     </message>
     <message>
         <source>Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted.</source>
@@ -3610,6 +3666,10 @@ s</translation>
         <translation>Part de la vibration</translation>
     </message>
     <message>
+        <source>Shift and drag changes the depth, too</source>
+        <translation>Maj et glisser change aussi la profondeur</translation>
+    </message>
+    <message>
         <source>Show %1</source>
         <translation>Afficher %1</translation>
     </message>
@@ -3662,8 +3722,8 @@ s</translation>
         <translation>Simulé</translation>
     </message>
     <message>
-        <source>Simulated finger: press on the picture. Depth %1; wheel or Shift and drag changes it.</source>
-        <translation>Doigt simulé : appuyer sur l'image. Profondeur %1 ; molette ou Maj et glisser la changent.</translation>
+        <source>Simulated finger: %1</source>
+        <translation>Doigt simulé : %1</translation>
     </message>
     <message>
         <source>Simulated points, from the simulator's own truth and noise. No part was measured.</source>
@@ -3672,6 +3732,10 @@ s</translation>
     <message>
         <source>Simulated points.</source>
         <translation>Points simulés.</translation>
+    </message>
+    <message>
+        <source>Simulated: press on the picture, %1 deep; the wheel changes it.</source>
+        <translation>Simulé : presser sur l'image, à %1 de profondeur ; la molette la change.</translation>
     </message>
     <message>
         <source>Slope
@@ -3694,6 +3758,10 @@ par s</translation>
     <message>
         <source>Spectrum of the vibration</source>
         <translation>Spectre de la vibration</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
     </message>
     <message>
         <source>Speed of playing</source>
@@ -4194,6 +4262,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The simulated finger leaves the cloth…</source>
         <translation>Le doigt simulé quitte le tissu…</translation>
+    </message>
+    <message>
+        <source>The simulated finger plays it: Operate, Finger, Gesture card.</source>
+        <translation>Le doigt simulé la joue : Conduite, Doigt, Carte de geste.</translation>
     </message>
     <message>
         <source>The station did not take the command: too many at once. Try again.</source>
@@ -4768,6 +4840,10 @@ Pour commencer : %1</translation>
         <translation>adresse « {} » : le port « {} » n'est pas un nombre entier de 0 à 65535</translation>
     </message>
     <message>
+        <source>again and again</source>
+        <translation>en boucle</translation>
+    </message>
+    <message>
         <source>ageing: %1</source>
         <translation>vieillit : %1</translation>
     </message>
@@ -5278,6 +5354,10 @@ Pour commencer : %1</translation>
     <message>
         <source>days left</source>
         <translation>jours restants</translation>
+    </message>
+    <message>
+        <source>deadband {} %: expected 0 (none) … 100</source>
+        <translation>bande morte {} % : attendu de 0 (aucune) à 100</translation>
     </message>
     <message>
         <source>default %1</source>
@@ -6314,6 +6394,10 @@ Pour commencer : %1</translation>
     <message>
         <source>on</source>
         <translation>allumé</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>une fois</translation>
     </message>
     <message>
         <source>one of {}</source>

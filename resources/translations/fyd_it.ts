@@ -206,6 +206,10 @@
         <translation>da %1 a %2: l'estremo superiore deve essere il maggiore</translation>
     </message>
     <message>
+        <source>%1 touch %2</source>
+        <translation>%1 tocco %2</translation>
+    </message>
+    <message>
         <source>%1 was cancelled; no file is left.</source>
         <translation>%1 è stato annullato; non resta alcun file.</translation>
     </message>
@@ -228,6 +232,10 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 ×, %3. A gesture card is made of a touch in Review.</source>
+        <translation>%1, %2 ×, %3. Una scheda di gesto si fa da un tocco in Revisione.</translation>
     </message>
     <message>
         <source>%1, in review</source>
@@ -442,6 +450,10 @@
         <translation>Un rettangolo attorno al tessuto, con un dito dentro.</translation>
     </message>
     <message>
+        <source>A small file beside the recording, which the simulated finger plays (G)</source>
+        <translation>Un piccolo file accanto alla registrazione, che il dito simulato esegue (G)</translation>
+    </message>
+    <message>
         <source>A test needs motors that answer.</source>
         <translation>Una prova richiede motori che rispondono.</translation>
     </message>
@@ -564,6 +576,10 @@
     <message>
         <source>Advance from a frame to the next: whole frames are blocks, less overlaps them.</source>
         <translation>Avanzamento da un frame al seguente: un frame intero dà blocchi, meno li sovrappone.</translation>
+    </message>
+    <message>
+        <source>Again and again</source>
+        <translation>Di continuo</translation>
     </message>
     <message>
         <source>Age of inputs</source>
@@ -890,6 +906,10 @@
         <translation>Scegliere una sessione, o scrivere il percorso di una registrazione.</translation>
     </message>
     <message>
+        <source>Choose a touch in the list first.</source>
+        <translation>Scegliere prima un tocco nell'elenco.</translation>
+    </message>
+    <message>
         <source>Choose curves</source>
         <translation>Scegli le curve</translation>
     </message>
@@ -1144,6 +1164,14 @@
     <message>
         <source>Delete the chosen preset; undo brings it back</source>
         <translation>Elimina la preimpostazione scelta; Annulla la riporta</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Dimostrazione</translation>
+    </message>
+    <message>
+        <source>Demonstration by the simulated finger</source>
+        <translation>Dimostrazione del dito simulato</translation>
     </message>
     <message>
         <source>Depth
@@ -1602,6 +1630,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Dito, y</translation>
     </message>
     <message>
+        <source>Finger: %1</source>
+        <translation>Dito: %1</translation>
+    </message>
+    <message>
         <source>First encoder's reading at zero stretch.</source>
         <translation>Lettura del primo encoder a tensione zero.</translation>
     </message>
@@ -1698,6 +1730,22 @@ N</translation>
     <message>
         <source>Gain of the vibration; the robot's operator moves it by 0.1.</source>
         <translation>Guadagno della vibrazione; l'operatore del robot lo muove di 0.1.</translation>
+    </message>
+    <message>
+        <source>Gesture card for the simulated finger</source>
+        <translation>Scheda di gesto per il dito simulato</translation>
+    </message>
+    <message>
+        <source>Gesture card or recorded hand</source>
+        <translation>Scheda di gesto o mano registrata</translation>
+    </message>
+    <message>
+        <source>Gesture card …</source>
+        <translation>Scheda di gesto …</translation>
+    </message>
+    <message>
+        <source>Gesture cards (*.gesture);;Recorded hands (*.csv);;All files (*)</source>
+        <translation>Schede di gesto (*.gesture);;Mani registrate (*.csv);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Give the chosen preset the name above</source>
@@ -2394,6 +2442,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>MJPEG {}: cannot listen: {}</source>
         <translation>MJPEG {}: ascolto impossibile: {}</translation>
+    </message>
+    <message>
+        <source>Make a gesture card of the chosen touch</source>
+        <translation>Fare del tocco scelto una scheda di gesto</translation>
+    </message>
+    <message>
+        <source>Make a gesture card of this touch</source>
+        <translation>Fare di questo tocco una scheda di gesto</translation>
     </message>
     <message>
         <source>Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted.</source>
@@ -3610,6 +3666,10 @@ s</translation>
         <translation>Quota della vibrazione</translation>
     </message>
     <message>
+        <source>Shift and drag changes the depth, too</source>
+        <translation>Anche Shift e trascinamento cambiano la profondità</translation>
+    </message>
+    <message>
         <source>Show %1</source>
         <translation>Mostra %1</translation>
     </message>
@@ -3662,8 +3722,8 @@ s</translation>
         <translation>Simulato</translation>
     </message>
     <message>
-        <source>Simulated finger: press on the picture. Depth %1; wheel or Shift and drag changes it.</source>
-        <translation>Dito simulato: premere sull'immagine. Profondità %1; rotella o Shift e trascinamento la cambiano.</translation>
+        <source>Simulated finger: %1</source>
+        <translation>Dito simulato: %1</translation>
     </message>
     <message>
         <source>Simulated points, from the simulator's own truth and noise. No part was measured.</source>
@@ -3672,6 +3732,10 @@ s</translation>
     <message>
         <source>Simulated points.</source>
         <translation>Punti simulati.</translation>
+    </message>
+    <message>
+        <source>Simulated: press on the picture, %1 deep; the wheel changes it.</source>
+        <translation>Simulato: premere sull'immagine, a fondo %1; la rotella lo cambia.</translation>
     </message>
     <message>
         <source>Slope
@@ -3694,6 +3758,10 @@ al s</translation>
     <message>
         <source>Spectrum of the vibration</source>
         <translation>Spettro della vibrazione</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocità</translation>
     </message>
     <message>
         <source>Speed of playing</source>
@@ -4194,6 +4262,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The simulated finger leaves the cloth…</source>
         <translation>Il dito simulato lascia il tessuto…</translation>
+    </message>
+    <message>
+        <source>The simulated finger plays it: Operate, Finger, Gesture card.</source>
+        <translation>Il dito simulato la esegue: Lavoro, Dito, Scheda di gesto.</translation>
     </message>
     <message>
         <source>The station did not take the command: too many at once. Try again.</source>
@@ -4768,6 +4840,10 @@ Per cominciare: %1</translation>
         <translation>indirizzo "{}": la porta "{}" non è un numero intero da 0 a 65535</translation>
     </message>
     <message>
+        <source>again and again</source>
+        <translation>di continuo</translation>
+    </message>
+    <message>
         <source>ageing: %1</source>
         <translation>invecchia: %1</translation>
     </message>
@@ -5278,6 +5354,10 @@ Per cominciare: %1</translation>
     <message>
         <source>days left</source>
         <translation>giorni rimasti</translation>
+    </message>
+    <message>
+        <source>deadband {} %: expected 0 (none) … 100</source>
+        <translation>banda morta {} %: atteso da 0 (nessuna) a 100</translation>
     </message>
     <message>
         <source>default %1</source>
@@ -6314,6 +6394,10 @@ Per cominciare: %1</translation>
     <message>
         <source>on</source>
         <translation>acceso</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>una volta</translation>
     </message>
     <message>
         <source>one of {}</source>
