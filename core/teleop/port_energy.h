@@ -39,9 +39,9 @@ class PortEnergy {
   [[nodiscard]] double dissipated_J() const { return dissipated_J_; }
   [[nodiscard]] double step_s() const { return step_s_; }
 
- private:
   static constexpr double kReserve_J = 0.3e-3;
 
+ private:
   bool begun_ = false;
   double time_s_ = 0.0;
   double position_m_ = 0.0;

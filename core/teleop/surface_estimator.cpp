@@ -15,8 +15,7 @@ constexpr std::size_t kLeastPoints = 8;
 constexpr double kLeastSpread_N = 0.15;
 constexpr double kMisfit_N = 0.4, kMisfit = 0.15;
 constexpr int kMisfitSteps = 60;
-constexpr int kAirSteps = 30;  // beyond the surface without a force: it is no longer there
-constexpr double kBeyond_m = 0.002;
+constexpr int kAirSteps = 30;
 
 }  // namespace
 

@@ -14,6 +14,8 @@ namespace fyd::teleop {
 class SurfaceEstimator {
  public:
   static constexpr double kContact_N = 0.25, kNoContact_N = 0.12;
+  /// Further than this beyond the surface without a force: it is no longer there.
+  static constexpr double kBeyond_m = 0.002;
   static constexpr double kLeast_N_per_m = 20.0, kMost_N_per_m = 20'000.0;
 
   /// At each step of 1 ms. What is not finite is passed over.
