@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "core/base/time.h"
@@ -33,6 +34,8 @@ struct RobotState {
   double stiffness_N_per_mm = 0.0;
   Vec3 position_mm;
   bool button = false;
+  /// Of its tool on what it touches, ≥ 0. NaN: not told (the classic protocol has no place for it).
+  double force_N = std::numeric_limits<double>::quiet_NaN();
 
   static constexpr auto fields() {
     using R = RobotState;
@@ -41,7 +44,8 @@ struct RobotState {
         Field("x_mm", "mm", "of the end effector in the touchpad's frame, x right", inside(&R::position_mm, &Vec3::x)),
         Field("y_mm", "mm", "of the end effector in the touchpad's frame, y back", inside(&R::position_mm, &Vec3::y)),
         Field("z_mm", "mm", "of the end effector in the touchpad's frame, z up", inside(&R::position_mm, &Vec3::z)),
-        Field("button", "1", "1: pressed", &R::button));
+        Field("button", "1", "1: pressed", &R::button),
+        Field("force_N", "N", "of its tool on what it touches; none where the protocol does not tell it", &R::force_N));
   }
 };
 

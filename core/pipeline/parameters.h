@@ -4,6 +4,7 @@
 #include "core/base/message.h"
 #include "core/control/control_parameters.h"
 #include "core/sensing/sensing_parameters.h"
+#include "core/teleop/touchpad_coupling.h"
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::pipeline {
@@ -19,6 +20,7 @@ struct StepParameters {
   double motion_depth_scale = 1.0;
   double motion_speed_limit_mm_s = 200.0;
   double hand_target_N_per_mm = 0.6;
+  teleop::TouchpadCouplingChoice coupling = teleop::TouchpadCouplingChoice::model;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -64,10 +66,18 @@ struct StepParameters {
     v.real("pipeline.hand_target_N_per_mm", hand_target_N_per_mm,
            {.name = sentence("Hand target"),
             .unit = "N/mm",
-            .minimum = 0.05,
-            .maximum = 3,
+            .minimum = teleop::kLeastTarget_N_per_mm,
+            .maximum = teleop::kMostTarget_N_per_mm,
             .help = sentence("Stiffness target while it is set by hand."),
             .live = true});
+    v.choice(
+        "pipeline.coupling", coupling, teleop::kTouchpadCouplingNames,
+        {.name = sentence("Coupling"),
+         .help = sentence("What the robot feels becomes the cloth's stiffness as it comes (direct), as its force "
+                          "over the indentation (spring), the same with the finger's energy watched (tdpa), or "
+                          "from an estimate kept here, which stiffens out of contact or at another place (model)."),
+         .live = true,
+         .before_it_was = static_cast<double>(teleop::TouchpadCouplingChoice::direct)});
   }
 };
 

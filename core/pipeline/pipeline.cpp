@@ -40,6 +40,7 @@ const Outputs& Pipeline::step(const Inputs& inputs) {
   stepTare(inputs);
   judge(inputs);
   stepSafety(inputs);
+  stepCoupling(inputs);
   stepControl(inputs);
   stepTexture(inputs);
   stepMotion(inputs);
@@ -200,11 +201,6 @@ void Pipeline::stepTare(const Inputs& inputs) {
   parameters_.sensing.load_cell.zero_N = load_cell_.zero_N();
   outputs_.tare = {.ir_offset_mm = kept, .force_zero_N = load_cell_.zero_N()};
   report({.kind = EventKind::tare_done, .value = largest});
-}
-
-double Pipeline::target(const Inputs& inputs) const {
-  if (target_by_hand_) return parameters_.step.hand_target_N_per_mm;
-  return inputs.robot.state.count > 0 ? inputs.robot.state.value.stiffness_N_per_mm : kNone;
 }
 
 void Pipeline::judge(const Inputs& inputs) {

@@ -2,6 +2,7 @@
 //
 //   sensing   counts, bridge, finger            → force, indentation, stiffness
 //   safety    ages, validity, operator, robot   → state
+//   coupling  what the robot tells, finger      → target
 //   control   target, measured stiffness        → stretch
 //   texture   accelerations or stored surface   → vibration duty
 //   motion    finger, indentation               → touch message
@@ -30,6 +31,7 @@
 #include "core/sensing/load_cell.h"
 #include "core/sensing/stiffness_estimator.h"
 #include "core/sensing/tare.h"
+#include "core/teleop/touchpad_coupling.h"
 #include "core/texture/finger_prediction.h"
 #include "core/texture/finger_speed.h"
 #include "core/texture/texture_renderer.h"
@@ -80,6 +82,7 @@ class Pipeline {
   void stepTare(const Inputs& inputs);
   void judge(const Inputs& inputs);
   void stepSafety(const Inputs& inputs);
+  void stepCoupling(const Inputs& inputs);
   void stepControl(const Inputs& inputs);
   void stepTexture(const Inputs& inputs);
   void stepMotion(const Inputs& inputs);
@@ -90,7 +93,7 @@ class Pipeline {
   void setParameter(std::string_view id, Value&& value);
   void followRobotReference(const RobotMotorReference& reference);
   void configure();
-  [[nodiscard]] double target(const Inputs& inputs) const;
+  [[nodiscard]] double target() const;
   [[nodiscard]] bool rendering(const Inputs& inputs) const;
   [[nodiscard]] std::optional<Lack> fault(const Inputs& inputs) const;
   void report(const Event& event) { (void)outputs_.events.push(event); }
@@ -110,6 +113,7 @@ class Pipeline {
   sensing::LoadCell load_cell_;
   sensing::StiffnessEstimator stiffness_;
   sensing::Tare tare_;
+  teleop::TouchpadCoupling coupling_;
   control::StiffnessController controller_;
   control::MotorMixing mixing_;
   texture::TextureRenderer renderer_;
@@ -143,6 +147,7 @@ class Pipeline {
   sensing::Contact contact_;
   sensing::StiffnessEstimate stiff_;
   control::RollerAngles rollers_;
+  teleop::TouchpadCouplingOutput coupled_;
   control::ControlOutput control_;
   texture::TextureOutput texture_;
   Lacks lacks_;

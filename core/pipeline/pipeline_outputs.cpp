@@ -18,11 +18,30 @@ bool Pipeline::rendering(const Inputs& inputs) const {
   return safety_.state() == SafetyState::active && inputs.robot.phase != LinkPhase::paused;
 }
 
+double Pipeline::target() const {
+  return target_by_hand_ ? parameters_.step.hand_target_N_per_mm : coupled_.target_N_per_mm;
+}
+
+void Pipeline::stepCoupling(const Inputs& inputs) {
+  const RobotState& robot = inputs.robot.state.value;
+  coupled_ = coupling_.step({.choice = parameters_.step.coupling,
+                             .elapsed_s = toSeconds(elapsed_),
+                             .led = rendering(inputs) && !target_by_hand_,
+                             .robot = {.stiffness_N_per_mm = robot.stiffness_N_per_mm,
+                                       .force_N = robot.force_N,
+                                       .position_mm = robot.position_mm},
+                             .robot_count = inputs.robot.state.count,
+                             .touched = indent_.touched,
+                             .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
+                             .force_N = force_N_.count > 0 ? force_N_.value : kNone,
+                             .least_indentation_mm = parameters_.sensing.stiffness.minimum_indentation_mm});
+}
+
 void Pipeline::stepControl(const Inputs& inputs) {
   const bool enabled = rendering(inputs);
   const bool robot_sets = enabled && robot_sets_reference_ && inputs.robot.motor_reference.count > 0;
   control_ = controller_.step({.now = inputs.now,
-                               .target_N_per_mm = target(inputs),
+                               .target_N_per_mm = target(),
                                .measured_N_per_mm = stiff_.stiffness_N_per_mm,
                                .measured_sigma_N_per_mm = stiff_.sigma_N_per_mm,
                                .place_factor = indentation_.placeFactor(),
@@ -124,9 +143,15 @@ void Pipeline::writeTelemetry(const Inputs& inputs) {
   out.stiffness_N_per_mm = stiff_.known ? stiff_.stiffness_N_per_mm : kNone;
   out.stiffness_observable = stiff_.observable;
   out.stiffness_place_factor = indentation_.placeFactor();
-  out.target_N_per_mm = target(inputs);
+  if (inputs.robot.state.count > 0) {
+    out.robot_stiffness_N_per_mm = inputs.robot.state.value.stiffness_N_per_mm;
+    out.robot_force_N = inputs.robot.state.value.force_N;
+  }
+  out.target_N_per_mm = target();
   out.reachable_target_N_per_mm = control_.reachable_target_N_per_mm;
   out.target_clamped = control_.target_clamped;
+  out.finger_energy_mJ = coupled_.finger_energy_mJ;
+  out.coupling_withheld_mJ = coupled_.withheld_mJ;
   out.stretch_reference_deg = stretch_deg_;
   if (rollers_.valid) {
     out.stretch_measured_deg = rollers_.stretch_deg;

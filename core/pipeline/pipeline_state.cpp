@@ -157,6 +157,7 @@ void Pipeline::eachModule(Visit&& visit) {
   visit("indentation", indentation_);
   visit("stiffness", stiffness_);
   visit("tare", tare_);
+  visit("coupling", coupling_);
   visit("controller", controller_);
   visit("mixing", mixing_);
   visit("renderer", renderer_);

@@ -33,9 +33,13 @@ struct TelemetrySample {
   double stiffness_N_per_mm = kNone;
   bool stiffness_observable = false;
   double stiffness_place_factor = kNone;
+  double robot_stiffness_N_per_mm = kNone;
+  double robot_force_N = kNone;
   double target_N_per_mm = kNone;
   double reachable_target_N_per_mm = kNone;
   bool target_clamped = false;
+  double finger_energy_mJ = kNone;
+  double coupling_withheld_mJ = kNone;
 
   double stretch_reference_deg = kNone;
   double stretch_measured_deg = kNone;
@@ -92,10 +96,22 @@ struct TelemetrySample {
         Field("stiffness_place_factor", "1",
               "stiffness of the cloth under this finger over that of the law, by place and depth; none where unknown",
               &T::stiffness_place_factor),
+        Field("robot_stiffness_N_per_mm", "N/mm",
+              "stiffness as the robot tells it, before the coupling; 0: it touches nothing",
+              &T::robot_stiffness_N_per_mm),
+        Field("robot_force_N", "N", "force of the robot's tool on what it touches; none where it does not tell it",
+              &T::robot_force_N),
         Field("target_N_per_mm", "N/mm", "stiffness asked for", &T::target_N_per_mm),
         Field("reachable_target_N_per_mm", "N/mm", "stiffness nearest to the target that the touchpad can do",
               &T::reachable_target_N_per_mm),
         Field("target_clamped", "1", "1: the target asked for is not reachable", &T::target_clamped),
+        Field("finger_energy_mJ", "mJ",
+              "energy that the finger has put into the cloth during this touch, or the last one, less what came back",
+              &T::finger_energy_mJ),
+        Field("coupling_withheld_mJ", "mJ",
+              "energy that the cloth, had it been as stiff as the coupling was asked for, would have given this finger "
+              "more during this touch, or the last one",
+              &T::coupling_withheld_mJ),
         Field("stretch_reference_deg", "°", "stretch of the cloth, as commanded", &T::stretch_reference_deg),
         Field("stretch_measured_deg", "°", "stretch of the cloth, from the encoders", &T::stretch_measured_deg),
         Field("translation_measured_deg", "°", "sideways motion of the cloth, from the encoders",
@@ -119,8 +135,8 @@ struct TelemetrySample {
               "acceleration of the finger that the duties make, by texture.plant_*: an estimate, a guess where the "
               "plant was not identified",
               &T::felt_acceleration_g),
-        Field("felt_level_dB", "dB", "its RMS over a second, over the least that a finger feels (0.02 g); −120 at least",
-              &T::felt_level_dB),
+        Field("felt_level_dB", "dB",
+              "its RMS over a second, over the least that a finger feels (0.02 g); −120 at least", &T::felt_level_dB),
         Field("felt_out_of_reach", "1", "1: a texture is wanted, and less than a finger feels arrives",
               &T::felt_out_of_reach),
         Field("touch_x_mm", "mm", "position sent to the robot, x right", &T::touch_x_mm),

@@ -110,7 +110,7 @@ std::size_t encodeLink(const LinkState& state, const PositionCode& code, LinkTim
   envelope(writer, LinkMessage::state, flags, sent_us);
   writer.u16(state.sequence);
   writer.f32(held(state.robot.stiffness_N_per_mm, 0.0, fields::kMaximumStiffness));
-  writer.u16(static_cast<std::uint16_t>(count(state.force_N, kRobotForce_N, kMost16)));
+  writer.u16(static_cast<std::uint16_t>(count(state.robot.force_N, kRobotForce_N, kMost16)));
   writePosition(writer, code, state.robot.position_mm, state.robot.button);
   if (state.orientation) fields::writeOrientation(writer, *state.orientation);
   if (state.motor_reference) {
@@ -134,7 +134,7 @@ LinkDecoded<LinkState> decodeState(const LinkEnvelope& message, const PositionCo
   state.sequence = in.u16();
   state.robot.stiffness_N_per_mm = in.f32();
   bool good = within(state.robot.stiffness_N_per_mm, 0.0, fields::kMaximumStiffness);
-  state.force_N = kRobotForce_N * in.u16();
+  state.robot.force_N = kRobotForce_N * in.u16();
   good = readPosition(in, code, state.robot.position_mm, state.robot.button) && good;
   if ((message.flags & kOrientation) != 0) state.orientation = fields::readOrientation(in);
   if ((message.flags & kMotorReference) != 0) {

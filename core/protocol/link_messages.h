@@ -68,8 +68,7 @@ struct LinkAcceleration {
 
 struct LinkState {
   std::uint16_t sequence = 0;
-  pipeline::RobotState robot;  ///< stiffness 0…10⁶ N/mm
-  double force_N = 0.0;        ///< 0…65.535, 1 mN steps
+  pipeline::RobotState robot;  ///< stiffness 0…10⁶ N/mm; force 0…65.535 N, 1 mN steps
   std::optional<Orientation> orientation;
   std::optional<pipeline::RobotMotorReference> motor_reference;  ///< ±10⁶ ticks
   Batch<LinkAcceleration, kMaximumBatch> accelerations;          ///< oldest first

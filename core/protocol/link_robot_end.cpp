@@ -118,7 +118,7 @@ void LinkRobotEnd::collect(Instant now, const RobotReport& report) {
 }
 
 void LinkRobotEnd::sendState(const RobotReport& report) {
-  LinkState state{.sequence = ++state_sequence_, .robot = report.robot, .force_N = report.force_N};
+  LinkState state{.sequence = ++state_sequence_, .robot = report.robot};
   if (motor_references_on_) {
     state.motor_reference = report.motor_reference;
     ++counters_.motor_references;

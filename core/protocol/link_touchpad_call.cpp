@@ -110,6 +110,7 @@ void LinkTouchpadEnd::answerCall(Callee& callee, const RobotHello& hello, const 
                              .from = from,
                              .caller = caller,
                              .rates = own.rates,
+                             .tells_force = (hello.capabilities & static_cast<std::uint32_t>(Capability::force)) != 0,
                              .robot_code = *PositionCode::make(hello.workspace),
                              .since_us = now_us_,
                              .answer_size = whole});
@@ -134,6 +135,7 @@ void LinkTouchpadEnd::establish() {
   session_ = pending_->session;
   peer_ = pending_->from;
   rates_ = pending_->rates;
+  robot_tells_force_ = pending_->tells_force;
   robot_code_ = pending_->robot_code;
   pending_.reset();
   touch_fields_ = {};

@@ -138,6 +138,7 @@ void LinkTouchpadEnd::takeState(const LinkReceived& received) {
   phase_ = nextPhase(phase_, LinkEvent::state);
   ++counters_.states;
   reception_.state = state.robot;
+  if (!robot_tells_force_) reception_.state->force_N = pipeline::RobotState{}.force_N;
   const Instant sent = now_ - std::chrono::microseconds(received.age_us);
   for (const LinkAcceleration& sample : state.accelerations) {
     const Instant taken = std::min(now_, sent - fromSeconds(sample.age_s));

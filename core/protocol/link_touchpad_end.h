@@ -73,6 +73,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
     Endpoint from;
     PublicKey caller{};
     Rates rates;
+    bool tells_force = false;
     PositionCode robot_code;
     LinkTime since_us = 0;
     std::array<std::uint8_t, kMaximumLinkDatagram> answer{};
@@ -113,6 +114,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   std::optional<Endpoint> peer_;
   pipeline::LinkPhase phase_ = pipeline::LinkPhase::waiting;
   Rates rates_;
+  bool robot_tells_force_ = false;
   Workspace touch_workspace_;
   PositionCode touch_code_;
   PositionCode robot_code_;

@@ -15,11 +15,10 @@ namespace fyd::protocol {
 
 /// What the robot has to say at this moment.
 struct RobotReport {
-  Vec3 acceleration_g;  ///< rest removed
-  pipeline::RobotState robot;
+  Vec3 acceleration_g;                            ///< rest removed
+  pipeline::RobotState robot;                     ///< its force: FYD Link only
   pipeline::RobotMotorReference motor_reference;  ///< sent after command 10
-  double force_N = 0.0;                           ///< on the tool; FYD Link only, as the following
-  std::optional<Instant> acceleration_taken;      ///< nothing: at the tick
+  std::optional<Instant> acceleration_taken;      ///< FYD Link only; nothing: at the tick
 };
 
 /// What one datagram brought.

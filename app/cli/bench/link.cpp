@@ -63,7 +63,7 @@ LinkTouch touch() {
           .indentation_mm = 2.5};
 }
 LinkState state(std::size_t samples) {
-  LinkState out{.sequence = 9, .robot = {.stiffness_N_per_mm = 0.62, .position_mm = {1, 2, -3}}, .force_N = 1.5};
+  LinkState out{.sequence = 9, .robot = {.stiffness_N_per_mm = 0.62, .position_mm = {1, 2, -3}, .force_N = 1.5}};
   for (std::size_t i = 0; i < samples; ++i) {
     (void)out.accelerations.push({.age_s = 1e-3 * static_cast<double>(i), .acceleration_g = {0.4, -1.2, 0.03}});
   }

@@ -12,7 +12,8 @@ FYD = os.environ["FYD"]
 LATER = os.environ["LATER_PROGRAM"]
 GOLDEN = pathlib.Path(os.environ["FYD_SOURCE_DIR"]) / "tests" / "data" / "recordings"
 ADDED_SINCE = {"area_mm2", "stiffness_place_factor", "vibration_rms_percent", "vibration_dead_share", "vibration_clipped_share",
-               "felt_acceleration_g", "felt_level_dB", "felt_out_of_reach"}  # by this program, since the oldest was recorded
+               "felt_acceleration_g", "felt_level_dB", "felt_out_of_reach",
+               "robot_stiffness_N_per_mm", "robot_force_N", "finger_energy_mJ", "coupling_withheld_mJ", "force_N"}  # by this program, since the oldest was recorded
 COLUMNS = ["/camera/index inserted_mm2", "/inputs/finger inserted_mm2", "/inputs/steps inserted_K", "/inputs/steps inserted_row"]
 
 

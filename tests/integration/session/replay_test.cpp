@@ -60,6 +60,40 @@ TEST_F(Replay, IsIdenticalFromTheMiddleOfASession) {
   EXPECT_TRUE(result->identical) << result->first_difference_s << " s " << result->first_difference_field;
 }
 
+/// A robot that feels now this, now that, at several places and at none.
+pipeline::RobotState toldAt(double t_s) {
+  const double place = std::fmod(t_s, 3.0);
+  return {.stiffness_N_per_mm = place < 0.3   ? 0.0
+                                : place < 1.6 ? 0.52
+                                              : 0.70,
+          .position_mm = {4.0 * std::floor(place), 0.0, -2.0 - place},
+          .force_N = 2.0 + std::sin(5.0 * t_s)};
+}
+
+TEST_F(Replay, IsIdenticalFromTheMiddleOfASessionWithEachCoupling) {
+  for (std::size_t i = 0; i < teleop::kTouchpadCouplingNames.size(); ++i) {
+    SCOPED_TRACE(teleop::kTouchpadCouplingNames[i]);
+    steps = 0;
+    options.parameters.step.coupling = static_cast<teleop::TouchpadCouplingChoice>(i);
+    before_step = [this](pipeline::Inputs& in) {
+      in.robot.state = {};
+      in.robot.state.set(toldAt(1e-3 * static_cast<double>(steps / 10 * 10)), in.now);
+      in.robot.state.count = 1 + steps / 10;
+    };
+    samples.clear();
+    const auto recording = record(5.0, 4.0, 1.0);
+    ASSERT_TRUE(recording);
+    double withheld_mJ = 0.0;
+    for (const auto& sample : samples) withheld_mJ = std::max(withheld_mJ, std::abs(sample.coupling_withheld_mJ));
+    EXPECT_EQ(withheld_mJ > 0.01, i >= 2) << "tdpa and model had something to withhold";
+    const auto result = replay(*recording, {});
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_TRUE(result->identical) << result->first_difference_s << " s " << result->first_difference_field;
+    recorder.reset();
+    std::filesystem::remove(file("session.h5"));
+  }
+}
+
 TEST_F(Replay, LiveChangesAndATareBeforeTheStartAreInTheState) {
   pipeline::Parameters copy = options.parameters;
   const auto bound = bindParameters(copy);

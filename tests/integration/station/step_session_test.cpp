@@ -38,6 +38,77 @@ TEST(StepSession, ThePressedClothTakesTheRobotsStiffness) {
   EXPECT_LT(session->outputs().touch.position_mm.z, -4.0);
 }
 
+/// The robot feels another stiffness from now on, at a place.
+void feel(Lockstep& session, double stiffness_N_per_mm, double x_mm) {
+  session.spoil = [stiffness_N_per_mm, x_mm](pipeline::Inputs& in) {
+    in.robot.state.value.stiffness_N_per_mm = stiffness_N_per_mm;
+    in.robot.state.value.position_mm.x = x_mm;
+  };
+}
+
+TEST(StepSession, AClothThatIsPressedStiffensOnlyWhereTheRobotHasMovedOn) {
+  LockstepOptions options;
+  options.robot_stiffness_N_per_mm = 0.60;
+  auto session = activeSession(options);
+  session->run(1.0);
+  feel(*session, 0.70, 0.0);
+  session->run(1.5);
+  const auto& telemetry = session->outputs().telemetry;
+  EXPECT_EQ(telemetry.robot_stiffness_N_per_mm, 0.70);
+  EXPECT_EQ(telemetry.target_N_per_mm, 0.60);
+  EXPECT_NEAR(session->world().truth().stiffness_N_per_mm, 0.60, 0.02);
+  feel(*session, 0.70, 5.0);
+  session->run(1.5);
+  EXPECT_NEAR(session->world().truth().stiffness_N_per_mm, 0.70, 0.02);
+  feel(*session, 0.60, 5.0);
+  session->run(1.5);
+  EXPECT_NEAR(session->world().truth().stiffness_N_per_mm, 0.60, 0.02);
+}
+
+TEST(StepSession, TheOperatorsOwnTargetIsNotCoupled) {
+  LockstepOptions options;
+  options.robot_stiffness_N_per_mm = 0.60;
+  auto session = activeSession(options);
+  (void)session->next.commands.push({.action = OperatorAction::target_by_hand, .value = 0.70});
+  session->run(0.1);
+  EXPECT_EQ(session->outputs().telemetry.target_N_per_mm, 0.70);
+  feel(*session, 0.65, 0.0);
+  session->run(0.1);
+  (void)session->next.commands.push({.action = OperatorAction::target_from_robot});
+  session->run(0.1);
+  EXPECT_EQ(session->outputs().telemetry.target_N_per_mm, 0.65) << "what the robot feels when it is asked for";
+}
+
+TEST(StepSession, DirectFollowsTheRobotUnderTheFinger) {
+  LockstepOptions options;
+  options.parameters.step.coupling = teleop::TouchpadCouplingChoice::direct;
+  options.robot_stiffness_N_per_mm = 0.60;
+  auto session = activeSession(options);
+  feel(*session, 0.70, 0.0);
+  session->run(0.002);
+  EXPECT_EQ(session->outputs().telemetry.target_N_per_mm, 0.70);
+}
+
+TEST(StepSession, TheEnergyOfATouchIsThatOfTheSimulatedFinger) {
+  LockstepOptions options;
+  const auto at = [](double t, double depth) {
+    return sim::FingerPath::Knot{t, {.x_mm = 0, .y_mm = 0, .indentation_mm = depth, .lifted = depth <= 0}};
+  };
+  options.finger = sim::FingerPath::fromKnots({at(0, 0), at(1.5, 0), at(1.501, 0.01), at(2.0, 6), at(4.0, 6)});
+  options.draw_pictures = false;
+  auto session = activeSession(options);
+  double energy_mJ = 0.0, last_mm = 0.0, last_N = 0.0;
+  session->run(1.0, [&](const pipeline::Outputs&) {
+    const auto truth = session->world().truth();
+    const double depth_mm = truth.finger.lifted ? 0.0 : truth.finger.indentation_mm;
+    energy_mJ += 0.5 * (truth.force_N + last_N) * (depth_mm - last_mm);
+    last_mm = depth_mm;
+    last_N = truth.force_N;
+  });
+  EXPECT_GT(energy_mJ, 5.0);
+  EXPECT_NEAR(session->outputs().telemetry.finger_energy_mJ, energy_mJ, 0.25 * energy_mJ) << "as good as the depth is";
+}
+
 TEST(StepSession, ItStartsDisconnectedAndArmsOnlyWhenAsked) {
   Lockstep session{LockstepOptions{}};
   session.run(3.0, [](const pipeline::Outputs& outputs) {

@@ -133,7 +133,12 @@ class RandomScene {
     RobotInputs& robot = inputs_.robot;
     robot.phase = phase_;
     if (phase_ != LinkPhase::running) return;
-    if (step_ % 5 == 0) robot.state.set({.stiffness_N_per_mm = stiffness_ + normal(0.01)}, inputs_.now);
+    if (step_ % 5 == 0) {
+      robot.state.set({.stiffness_N_per_mm = chance(0.02) ? 0.0 : stiffness_ + normal(0.01),
+                       .position_mm = {x_mm_, y_mm_, normal(3.0) - depth_mm_},
+                       .force_N = batch_ % 2 == 0 ? kNaN : depth_mm_ * stiffness_},
+                      inputs_.now);
+    }
     if (moved_by_robot_) robot.motor_reference.set({uniform(500, 4000), -uniform(500, 4000)}, inputs_.now);
     if (step_ % batch_ == 0) {
       for (int i = batch_ - 1; i >= 0; --i) {

@@ -99,6 +99,7 @@ TEST(ClassicTouchpad, GivesWhatAStateSaysWithItsArrivalTime) {
   EXPECT_EQ(reception.command, RobotCommand::vibration_up);
   ASSERT_TRUE(reception.state && reception.accelerations.size() == 1);
   EXPECT_NEAR(reception.state->stiffness_N_per_mm, 0.6, 1e-12);
+  EXPECT_TRUE(std::isnan(reception.state->force_N)) << "it has no place for it";
   EXPECT_EQ(reception.accelerations[0].taken, pad.now);
   EXPECT_NEAR(reception.accelerations[0].acceleration_g.x, 0.5, 1.0 / 6553);
 }

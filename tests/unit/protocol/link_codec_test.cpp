@@ -129,7 +129,7 @@ LinkTouch sampleTouch() {
           .indentation_mm = 2.5};
 }
 LinkState sampleState() {
-  LinkState state{.sequence = 9, .robot = {.stiffness_N_per_mm = 0.62, .position_mm = {1, 2, -3}}, .force_N = 1.5};
+  LinkState state{.sequence = 9, .robot = {.stiffness_N_per_mm = 0.62, .position_mm = {1, 2, -3}, .force_N = 1.5}};
   EXPECT_TRUE(state.accelerations.push({.age_s = 2e-3, .acceleration_g = {0.5, -0.25, 1}}));
   EXPECT_TRUE(state.accelerations.push({.age_s = 1e-3, .acceleration_g = {-5, 5, 0}}));
   return state;
@@ -311,9 +311,9 @@ TEST(LinkCodec, TouchFieldsSaturateAtTheirLimits) {
 }
 
 TEST(LinkCodec, StateFieldsSaturateAtTheirLimits) {
-  LinkState state{.robot = {.stiffness_N_per_mm = kInf, .position_mm = {kNaN, 1e9, -1e9}, .button = true},
-                  .force_N = 1e9,
-                  .motor_reference = pipeline::RobotMotorReference{1e12, -kInf}};
+  LinkState state{
+      .robot = {.stiffness_N_per_mm = kInf, .position_mm = {kNaN, 1e9, -1e9}, .button = true, .force_N = 1e9},
+      .motor_reference = pipeline::RobotMotorReference{1e12, -kInf}};
   EXPECT_TRUE(state.accelerations.push({.age_s = kNaN, .acceleration_g = {kInf, -kInf, kNaN}}));
   Buffer buffer{};
   const std::size_t size = encodeLink(state, kRobotCode, kLastCounter, buffer);
@@ -323,7 +323,7 @@ TEST(LinkCodec, StateFieldsSaturateAtTheirLimits) {
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded.value.robot.stiffness_N_per_mm, 1e6);
   EXPECT_TRUE(decoded.value.robot.button);
-  EXPECT_NEAR(decoded.value.force_N, 65.535, 1e-9);
+  EXPECT_NEAR(decoded.value.robot.force_N, 65.535, 1e-9);
   EXPECT_EQ(decoded.value.motor_reference->first_ticks, 1e6);
   EXPECT_EQ(decoded.value.motor_reference->second_ticks, -1e6);
   const Vec3 a = decoded.value.accelerations[0].acceleration_g;

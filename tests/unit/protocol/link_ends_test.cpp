@@ -32,6 +32,8 @@ TEST(LinkEnds, ConnectDescribeThemselvesAndExchangeAtTheNegotiatedRates) {
   EXPECT_NEAR(pair.robot.touch()->position_mm.x, 10.0, 0.0101);
   EXPECT_TRUE(pair.robot.touch()->in_contact);
   EXPECT_NEAR(*pair.robot.touch()->indentation_mm, 2.5, 1e-3);
+  EXPECT_NEAR(pair.state.stiffness_N_per_mm, 0.62, 1e-6);
+  EXPECT_NEAR(pair.state.force_N, 1.5, 1e-3);
   EXPECT_EQ(pair.touchpad.counters().lost, 0U);
   EXPECT_EQ(pair.robot.counters().refused, 0U);
 }

@@ -73,7 +73,7 @@ class LinkPair {
     answer.touch = {.position_mm = {10, -5, -2.5}, .in_contact = true, .force_N = 1.0};
     answer.info = {.k_vib = 1.5, .reference_ticks = {4200, -4200}};
     answer.board_text = "board";
-    report.robot = {.stiffness_N_per_mm = 0.62, .position_mm = {1, 2, -3}};
+    report.robot = {.stiffness_N_per_mm = 0.62, .position_mm = {1, 2, -3}, .force_N = 1.5};
   }
 
   void step() {
@@ -126,6 +126,7 @@ class LinkPair {
   std::vector<pipeline::RobotCommand> commands;
   std::vector<pipeline::RobotMotorReference> references;
   std::uint64_t states = 0;
+  pipeline::RobotState state;  // the newest
   std::uint64_t touches = 0;
   std::uint64_t sessions = 0;
   std::uint64_t images = 0;
@@ -170,6 +171,7 @@ class LinkPair {
   }
   void see(const TouchpadReception& got) {
     states += got.state ? 1 : 0;
+    if (got.state) state = *got.state;
     sessions += got.session_started ? 1 : 0;
     if (got.command != pipeline::RobotCommand::none) commands.push_back(got.command);
     if (got.motor_reference) references.push_back(*got.motor_reference);
