@@ -40,7 +40,10 @@ struct SessionFigures {
   std::uint64_t samples = 0;
   std::uint64_t in_contact = 0;
   double pwm_abs_max = 0.0;
-  // while touched and Active
+  // while Active
+  double least_energy_mJ = pipeline::kNone;
+  double most_withheld_mJ = pipeline::kNone;
+  // and touched
   std::uint64_t felt_samples = 0;
   double felt_squares = 0.0;
   double duty_squares = 0.0;
@@ -51,7 +54,10 @@ struct SessionFigures {
     ++samples;
     in_contact += sample.contact ? 1 : 0;
     pwm_abs_max = std::max(pwm_abs_max, std::abs(sample.vibration_duty_percent));
-    if (!sample.contact || sample.state != pipeline::SafetyState::active) return;
+    if (sample.state != pipeline::SafetyState::active) return;
+    least_energy_mJ = std::fmin(least_energy_mJ, sample.finger_energy_mJ);
+    most_withheld_mJ = std::fmax(most_withheld_mJ, sample.coupling_withheld_mJ);
+    if (!sample.contact) return;
     ++felt_samples;
     felt_squares += sample.felt_acceleration_g * sample.felt_acceleration_g;
     duty_squares += sample.vibration_duty_percent * sample.vibration_duty_percent;
@@ -118,6 +124,11 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
   json["step_ns_p99"] = status.loop.step_ns_p99;
   json["stiffness_target_N_per_mm"] = jsonNumber(figures.last.target_N_per_mm);
   json["stiffness_measured_N_per_mm"] = jsonNumber(figures.last.stiffness_N_per_mm);
+  json["coupling"] =
+      teleop::kTouchpadCouplingNames[static_cast<std::size_t>(options.station.profile.step.step.coupling)];
+  json["robot_stiffness_N_per_mm"] = jsonNumber(figures.last.robot_stiffness_N_per_mm);
+  json["least_finger_energy_mJ"] = jsonNumber(figures.least_energy_mJ);
+  json["coupling_withheld_mJ"] = jsonNumber(figures.most_withheld_mJ);
   json["contact_fraction"] = contact;
   json["finger_error_mm_rms"] = jsonNumber(truth.finger_error_mm_rms);
   json["indentation_error_mm_rms"] = jsonNumber(truth.indentation_error_mm_rms);

@@ -39,6 +39,22 @@ class Sessions(fyd.Case):
         self.assertEqual(set(felt), {"plant", "felt_g_rms", "felt_level_dB", "felt_g_rms_simulated",
                                      "duty_rms_percent", "dead_share", "clipped_share"})
 
+    def test_the_energy_of_the_finger_and_what_the_robot_tells_stand_beside_the_target(self):
+        for coupling in ("direct", "model"):
+            out = self.path(coupling + ".csv")
+            result = self.json(*SESSION, "--duration", 6, "--telemetry", out, "--json", "--set", "pipeline.coupling=" + coupling)
+            self.assertEqual(result["coupling"], coupling)
+            with open(out, encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            told = [float(row["robot_stiffness_N_per_mm"]) for row in rows]
+            self.assertEqual(told[-1], result["robot_stiffness_N_per_mm"])
+            self.assertTrue(all(math.isnan(float(row["robot_force_N"])) for row in rows), "the classic protocol has no place for it")
+            pressed = [float(row["finger_energy_mJ"]) for row in rows if row["contact"] == "1" and row["state"] == "3"]
+            self.assertGreater(max(pressed), 1.0)
+            self.assertLessEqual(result["least_finger_energy_mJ"], min(pressed) + 1e-9)
+            # A robot whose material stays the same: nothing to withhold, by whichever coupling.
+            self.assertLess(abs(result["coupling_withheld_mJ"]), 0.5)
+
     def test_without_a_robot_the_target_is_set_by_hand(self):
         result = self.json(*SESSION, "--robot", "none", "--duration", 1, "--json", "--set", "pipeline.hand_target_N_per_mm=0.7")
         self.assertEqual(result["stiffness_target_N_per_mm"], 0.7)
