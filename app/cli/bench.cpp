@@ -56,7 +56,7 @@ void add_bench(CLI::App& app) {
   command->add_option("--runs", more.runs, "How many runs coupling draws")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  command->add_option("--seed", more.seed, "What coupling draws them by")->capture_default_str();
+  command->add_option("--seed", more.seed, "What coupling and touchpad_coupling draw by")->capture_default_str();
   command->add_option("--data", more.data, "Folder of recordings for predict; tests/data when left out");
   command->callback([options] {
     bench::benchOptions().out = options->out;
