@@ -146,14 +146,15 @@ void LinkPanel::setLink(const LinkView& view) {
   set(rows_[sent], any ? countText(view.sent) : kNoValue);
   set(rows_[times_lost], any ? countText(view.times_lost) : kNoValue);
   const bool told = !view.predictor.isEmpty();
-  set(rows_[predictor], view.predictor);
+  set(rows_[predictor], told ? view.predictor : tr("not told by this robot"));
   set(rows_[ahead], quantityText(view.ahead_ms, 0, tr("ms")));
   set(rows_[arrived], view.arrived);
   set(rows_[led], view.led);
   set(rows_[led_error], quantityText(view.led_error_mm, 2, QStringLiteral("mm")));
   for (const RowIndex index : {predictor, ahead, arrived, led, led_error}) {
-    rows_[index].label->setVisible(told);
-    rows_[index].value->setVisible(told);
+    const bool shown = told || (index == predictor && any);
+    rows_[index].label->setVisible(shown);
+    rows_[index].value->setVisible(shown);
   }
   const QString why = view.security == LinkView::Security::open ? tr("The classic protocol cannot tell.") : QString();
   for (const RowIndex index : {round_trip, loss}) rows_[index].value->setToolTip(why);

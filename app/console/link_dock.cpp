@@ -1,16 +1,21 @@
 #include "app/console/link_dock.h"
 
+#include <cmath>
+
 #include "core/teleop/predictor.h"
 
 namespace fyd::console {
 
 using pipeline::SafetyState;
 
-LinkDock::LinkDock(QWidget* parent) : LinkDock(new widgets::LinkPanel, new widgets::RobotForm, parent) {}
+LinkDock::LinkDock(widgets::TuningModel& model, QWidget* parent)
+    : LinkDock(new widgets::LinkPanel, new widgets::CouplingForm(model), new widgets::RobotForm, parent) {}
 
-LinkDock::LinkDock(widgets::LinkPanel* panel, widgets::RobotForm* form, QWidget* parent)
-    : SideDock(tr("Link"), QStringLiteral("link_close"), tr("Close the link's panel"), {panel, form}, parent),
+LinkDock::LinkDock(widgets::LinkPanel* panel, widgets::CouplingForm* coupling, widgets::RobotForm* form,
+                   QWidget* parent)
+    : SideDock(tr("Link"), QStringLiteral("link_close"), tr("Close the link's panel"), {panel, coupling, form}, parent),
       panel_(panel),
+      coupling_(coupling),
       form_(form) {
   QStringList predictors{QStringLiteral("default")};
   for (const std::string_view name : teleop::kPredictorNames) {
@@ -20,8 +25,13 @@ LinkDock::LinkDock(widgets::LinkPanel* panel, widgets::RobotForm* form, QWidget*
   form_->setPredictors(predictors << QStringLiteral("thesis"));
 }
 
-void LinkDock::showState(SafetyState state) {
-  can_move_ = state == SafetyState::active || state == SafetyState::held;
+void LinkDock::showSample(const pipeline::TelemetrySample& newest) {
+  using Force = widgets::CouplingForm::Force;
+  can_move_ = newest.state == SafetyState::active || newest.state == SafetyState::held;
+  coupling_->setForce(std::isnan(newest.robot_stiffness_N_per_mm) ? Force::unknown
+                      : std::isnan(newest.robot_force_N)          ? Force::not_told
+                                                                  : Force::told);
+  if (!newest.contact) coupling_->setEnergy(newest.finger_energy_mJ, newest.coupling_withheld_mJ);
   refresh();
 }
 

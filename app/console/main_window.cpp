@@ -29,7 +29,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       frame_(new Frame(context(), *commands_, this)),
       notices_(new widgets::NoticeStack(frame_->stack())),
       help_(new HelpDock(this)),
-      link_(new LinkDock(this)),
+      link_(new LinkDock(tuning_.model(), this)),
       robot_(new RobotChange(context(), *link_, this)),
       recording_(new RecordingControl(context(), memoryFile(profile_path), this)),
       trials_(new TrialRun(context(), this)),
@@ -213,7 +213,7 @@ void MainWindow::ask(pipeline::OperatorAction action) {
 void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples) {
   const pipeline::TelemetrySample& newest = samples.back();
   stateBar()->showState(newest.state, newest.lack);
-  link_->showState(newest.state);
+  link_->showSample(newest);
   if (arm_once_ && newest.state == pipeline::SafetyState::ready) {
     arm_once_ = false;
     ask(pipeline::OperatorAction::arm);

@@ -106,6 +106,7 @@ class LinkTest : public QObject {
     widgets::LinkPanel panel;
     station::StationStatus status = classicStatus();
     panel.setLink(console::toLink(status));
+    QCOMPARE(valueOf(panel, "Predictor"), QStringLiteral("not told by this robot"));
     QVERIFY(valueOf(panel, "Prediction error").isEmpty());
     status.link.led = station::LedArm{.predictor = "order1",
                                       .arrived_mm = {12.34, -4.0, -2.06},
@@ -118,6 +119,28 @@ class LinkTest : public QObject {
     QCOMPARE(valueOf(panel, "Arrived"), QString::fromUtf8("12.3, −4.0, −2.1 mm"));
     QCOMPARE(valueOf(panel, "Predicted"), QString::fromUtf8("14.0, −3.5, −2.0 mm"));
     QCOMPARE(valueOf(panel, "Prediction error"), QStringLiteral("0.97 mm"));
+  }
+
+  void theCouplingIsChosenWhereTheRobotIsAndSaysWhatItDoesWithIt() {
+    Fixture f;
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    widgets::CouplingForm* form = f.window->link()->coupling();
+    QVERIFY(form->isVisible());
+    QComboBox* choice = form->row()->choice();
+    QCOMPARE(choice->currentText(), QStringLiteral("model"));
+    QCOMPARE(choice->count(), 4);
+    QVERIFY(form->hint().contains(QStringLiteral("only softens")));
+    QTest::keyClick(choice, Qt::Key_Up);
+    QCOMPARE(choice->currentText(), QStringLiteral("tdpa"));
+    QCOMPARE(f.session->changes.back(), std::pair(std::string("pipeline.coupling"), 2.0));
+    QVERIFY(!form->hint().contains(QStringLiteral("tells no force")));
+    form->setForce(widgets::CouplingForm::Force::not_told);
+    QVERIFY(form->hint().contains(QStringLiteral("tells no force")));
+    form->setForce(widgets::CouplingForm::Force::told);
+    QVERIFY(!form->hint().contains(QStringLiteral("tells no force")));
+    QCOMPARE(form->energy(), QString::fromUtf8("Last touch: — put in, — withheld"));
+    form->setEnergy(3.26, 0.04);
+    QCOMPARE(form->energy(), QStringLiteral("Last touch: 3.3 mJ put in, 0.0 mJ withheld"));
   }
 
   void thePredictorOfTheSimulatedRobotIsChosen() {
