@@ -56,6 +56,13 @@ constexpr std::array<CurveQuantity, kNamedCurves> kNamed = {{
     {.field = "robot_age_ms", .word = QT_TRANSLATE_NOOP("Curves", "robot"), .decimals = 0},
     {.field = "missed_cycles", .word = "", .decimals = 0},
     {.field = "vibration_clipped", .word = "", .decimals = 0},
+    {.field = "robot_stiffness_N_per_mm", .word = "", .quantity = stiffness},
+    {.field = "robot_force_N", .word = "", .quantity = force},
+    {.field = "finger_energy_mJ", .word = QT_TRANSLATE_NOOP("Curves", "put in"), .decimals = 1},
+    {.field = "coupling_withheld_mJ",
+     .word = QT_TRANSLATE_NOOP("Curves", "withheld"),
+     .stroke = Stroke::dashed,
+     .decimals = 1},
 }};
 
 QString translated(const char* text) {
@@ -201,6 +208,18 @@ const std::vector<StripPlan>& stripPlans() {
        .title = QT_TRANSLATE_NOOP("Curves", "Steps clipped"),
        .least = {0, 10},
        .channels = {kClippedSteps}},
+      {.id = "robot_stiffness",
+       .title = QT_TRANSLATE_NOOP("Curves", "Stiffness the robot tells"),
+       .least = {0, 1},
+       .channels = {kRobotStiffness}},
+      {.id = "robot_force",
+       .title = QT_TRANSLATE_NOOP("Curves", "Force the robot tells"),
+       .least = {0, 2},
+       .channels = {kRobotForce}},
+      {.id = "energy",
+       .title = QT_TRANSLATE_NOOP("Curves", "Energy of the touch"),
+       .least = {-1, 5},
+       .channels = {kFingerEnergy, kWithheld}},
   });
   return kPlans;
 }

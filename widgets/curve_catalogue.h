@@ -59,6 +59,10 @@ enum CurveChannel : std::size_t {
   kRobotAge,
   kMissedCycles,
   kClippedSteps,
+  kRobotStiffness,
+  kRobotForce,
+  kFingerEnergy,
+  kWithheld,
   kNamedCurves
 };
 inline constexpr std::size_t kCurveChannels = [] {
