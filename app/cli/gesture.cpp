@@ -1,7 +1,6 @@
 // fyd gesture: cards of gestures, made of a recording's touches, trimmed and shown. They are played as the simulated
 // finger: `fyd station --simulate --finger CARD`.
 #include <cmath>
-#include <iostream>
 #include <limits>
 
 #include "app/cli/command.h"
@@ -48,11 +47,7 @@ nlohmann::ordered_json jsonOf(const sim::GestureCard& card) {
 }
 
 void print(const sim::GestureCard& card, bool as_json) {
-  const auto json = jsonOf(card);
-  if (as_json) return printJson(json);
-  for (const auto& [key, value] : json.items()) {
-    std::cout << fmt::format("{:<20} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
-  }
+  printValues(jsonOf(card), as_json);
 }
 
 void takeSettings(sim::GestureCard& card, const GestureOptions& options) {

@@ -3,7 +3,6 @@
 //                FILE] [--json]
 #include "app/cli/teleop_cli.h"
 
-#include <iostream>
 
 #include "app/cli/command.h"
 #include "app/cli/output_file.h"
@@ -91,11 +90,7 @@ void runRun(RunOptions options) {
                                     {"told_force_percent", jsonNumber(100.0 * f.told_force_share)},
                                     {"deadband_worst", jsonNumber(f.deadband_worst)},
                                     {"deadband_force_worst", jsonNumber(f.deadband_force_worst)}};
-  if (options.json) {
-    printJson(json);
-  } else {
-    for (const auto& [key, value] : json.items()) std::cout << fmt::format("{:<26}{}\n", key, value.dump());
-  }
+  printValues(json, options.json);
 }
 
 sim::DelayTrace recordedRoundTrips(const std::string& path) {
