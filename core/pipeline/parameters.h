@@ -70,14 +70,13 @@ struct StepParameters {
             .maximum = teleop::kMostTarget_N_per_mm,
             .help = sentence("Stiffness target while it is set by hand."),
             .live = true});
-    v.choice(
-        "pipeline.coupling", coupling, teleop::kTouchpadCouplingNames,
-        {.name = sentence("Coupling"),
-         .help = sentence("What the robot feels becomes the cloth's stiffness as it comes (direct), as its force "
-                          "over the indentation (spring), the same with the finger's energy watched (tdpa), or "
-                          "from an estimate kept here, which stiffens out of contact or at another place (model)."),
-         .live = true,
-         .before_it_was = static_cast<double>(teleop::TouchpadCouplingChoice::direct)});
+    v.choice("pipeline.coupling", coupling, teleop::kTouchpadCouplingNames,
+             {.name = sentence("Coupling"),
+              .help = sentence("How the cloth gets its target: direct takes the robot's stiffness as it comes, spring "
+                               "its force over the indentation, tdpa the same within the energy that the finger put "
+                               "in, model keeps an estimate that stiffens out of contact or at another place."),
+              .live = true,
+              .before_it_was = static_cast<double>(teleop::TouchpadCouplingChoice::direct)});
   }
 };
 

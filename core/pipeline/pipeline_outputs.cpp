@@ -24,17 +24,19 @@ double Pipeline::target() const {
 
 void Pipeline::stepCoupling(const Inputs& inputs) {
   const RobotState& robot = inputs.robot.state.value;
-  coupled_ = coupling_.step({.choice = parameters_.step.coupling,
-                             .elapsed_s = toSeconds(elapsed_),
-                             .led = rendering(inputs) && !target_by_hand_,
-                             .robot = {.stiffness_N_per_mm = robot.stiffness_N_per_mm,
-                                       .force_N = robot.force_N,
-                                       .position_mm = robot.position_mm},
-                             .robot_count = inputs.robot.state.count,
-                             .touched = indent_.touched,
-                             .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
-                             .force_N = force_N_.count > 0 ? force_N_.value : kNone,
-                             .least_indentation_mm = parameters_.sensing.stiffness.minimum_indentation_mm});
+  coupled_ = coupling_.step(
+      {.choice = parameters_.step.coupling,
+       .elapsed_s = toSeconds(elapsed_),
+       .led = rendering(inputs) && !target_by_hand_,
+       .robot = {.stiffness_N_per_mm = robot.stiffness_N_per_mm,
+                 .force_N = robot.force_N,
+                 .position_mm = robot.position_mm},
+       .robot_count = inputs.robot.state.count,
+       .touched = indent_.touched,
+       .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
+       .force_N = force_N_.count > 0 ? force_N_.value : kNone,
+       .cloth_N_per_mm = rollers_.valid ? controller_.law().stiffness_N_per_mm(rollers_.stretch_deg).value : kNone,
+       .least_indentation_mm = parameters_.sensing.stiffness.minimum_indentation_mm});
 }
 
 void Pipeline::stepControl(const Inputs& inputs) {

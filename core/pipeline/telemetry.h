@@ -106,11 +106,11 @@ struct TelemetrySample {
               &T::reachable_target_N_per_mm),
         Field("target_clamped", "1", "1: the target asked for is not reachable", &T::target_clamped),
         Field("finger_energy_mJ", "mJ",
-              "energy that the finger has put into the cloth during this touch, or the last one, less what came back",
+              "energy that the finger has put into the cloth, less what came back, during this touch or the last one",
               &T::finger_energy_mJ),
         Field("coupling_withheld_mJ", "mJ",
-              "energy that the cloth, had it been as stiff as the coupling was asked for, would have given this finger "
-              "more during this touch, or the last one",
+              "energy that a cloth as stiff as was asked for would have given this finger more, during this touch or "
+              "the last one",
               &T::coupling_withheld_mJ),
         Field("stretch_reference_deg", "°", "stretch of the cloth, as commanded", &T::stretch_reference_deg),
         Field("stretch_measured_deg", "°", "stretch of the cloth, from the encoders", &T::stretch_measured_deg),

@@ -8,7 +8,8 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr double kDeepest_mm = 100.0, kStrongest_N = 1000.0;  // beyond is no reading of a touchpad; nor NaN
+constexpr double kDeepest_mm = 100.0, kStrongest_N = 1000.0,
+                 kStiffest_N_per_mm = 1000.0;  // beyond is no reading of a touchpad; nor NaN
 constexpr double kFurthest_mm = 1e3 * kFurthest_m;
 constexpr double kReserve_mJ = 1e3 * PortEnergy::kReserve_J;
 constexpr double kBeyond_mm = 1e3 * SurfaceEstimator::kBeyond_m;
@@ -26,20 +27,25 @@ bool samePlace(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-TouchEnergy::Step TouchEnergy::observe(bool touched, double indentation_mm, double force_N) {
+TouchEnergy::Step TouchEnergy::observe(bool touched, double indentation_mm, double force_N, double cloth_N_per_mm) {
   began_ = touched && !touched_;
   touched_ = touched;
   if (began_) {
     known_ = true;
-    energy_mJ_ = depth_mm_ = force_N_ = 0.0;
+    energy_mJ_ = given_mJ_ = depth_mm_ = cloth_ = 0.0;
   }
   if (touched && !(std::abs(indentation_mm) <= kDeepest_mm && std::abs(force_N) <= kStrongest_N)) return {};
   const double depth = touched ? std::max(0.0, indentation_mm) : 0.0;
   const double force = touched ? std::max(0.0, force_N) : 0.0;  // a cloth does not pull
   const Step step{.mean_mm = 0.5 * (depth + depth_mm_), .grew_mm = depth - depth_mm_};
-  energy_mJ_ += 0.5 * (force + force_N_) * step.grew_mm;
   depth_mm_ = depth;
-  force_N_ = force;
+  const double held_mJ = 0.5 * force * depth;
+  if (touched && cloth_N_per_mm > 0.0 && cloth_N_per_mm <= kStiffest_N_per_mm) {
+    const double meanwhile_mJ = 0.5 * (held_mJ + energy_mJ_ + given_mJ_);
+    if (cloth_ > 0.0) given_mJ_ += meanwhile_mJ * 2.0 * (cloth_N_per_mm - cloth_) / (cloth_N_per_mm + cloth_);
+    cloth_ = cloth_N_per_mm;
+  }
+  energy_mJ_ = held_mJ - given_mJ_;
   return step;
 }
 
@@ -88,7 +94,8 @@ double TouchpadCoupling::reflected(const TouchpadCouplingInput& input) const {
 TouchpadCouplingOutput TouchpadCoupling::step(const TouchpadCouplingInput& input) {
   hear(input);
   follow(input);
-  const TouchEnergy::Step moved = energy_.observe(input.touched, input.indentation_mm, input.force_N);
+  const TouchEnergy::Step moved =
+      energy_.observe(input.touched, input.indentation_mm, input.force_N, input.cloth_N_per_mm);
   if (energy_.began()) withheld_mJ_ = 0.0;
 
   TouchpadCouplingOutput out;

@@ -47,9 +47,11 @@ struct TouchpadCouplingInput {
   RobotTold robot;                ///< the newest
   std::uint64_t robot_count = 0;  ///< changes with each that is told; 0: nothing told in this session
   bool touched = false;
-  double indentation_mm = 0.0;        ///< NaN: unknown
-  double force_N = 0.0;               ///< of the finger on the cloth; NaN: unknown
-  double least_indentation_mm = 1.0;  ///< nothing is divided by less
+  double indentation_mm = 0.0;  ///< NaN: unknown
+  double force_N = 0.0;         ///< of the finger on the cloth; NaN: unknown
+  double cloth_N_per_mm =
+      std::numeric_limits<double>::quiet_NaN();  ///< by the law, at the stretch of now; NaN: unknown
+  double least_indentation_mm = 1.0;             ///< nothing is divided by less
 };
 
 struct TouchpadCouplingOutput {
@@ -59,28 +61,36 @@ struct TouchpadCouplingOutput {
 };
 
 /// Energy of one touch: what the finger has put into the cloth less what came back. It begins anew with each touch and
-/// stays after it. Readings that are not known are passed over; the next ones close the gap with a straight line.
+/// stays after it.
+///
+///   E = ½·F·x − ∫ ½·F·x · d(ln k)     what the cloth holds now, less what its motors put in while it was pressed
+///
+/// That is ∫F dx of a cloth without losses, of which the finger pays more. Summing F dx itself would sum what the
+/// indentation wanders by (half of the energy of a press). k is what the stretch of now gives by the law; what is not
+/// known is passed over, and made up for with the next that is.
 class TouchEnergy {
  public:
   /// @return by how much the indentation grew, mm, and its mean meanwhile; 0 where that is not known
   struct Step {
     double mean_mm = 0.0, grew_mm = 0.0;
   };
-  Step observe(bool touched, double indentation_mm, double force_N);
+  Step observe(bool touched, double indentation_mm, double force_N, double cloth_N_per_mm);
   [[nodiscard]] bool known() const { return known_; }
   [[nodiscard]] double energy_mJ() const { return energy_mJ_; }
   [[nodiscard]] bool began() const { return began_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(known_, touched_, began_, depth_mm_, force_N_, energy_mJ_);
+    archive(known_, touched_, began_, depth_mm_, cloth_, given_mJ_, energy_mJ_);
   }
 
  private:
   bool known_ = false;
   bool touched_ = false;
   bool began_ = false;  // with this step
-  double depth_mm_ = 0.0, force_N_ = 0.0;
+  double depth_mm_ = 0.0;
+  double cloth_ = 0.0;     // k, N/mm; 0: not known yet
+  double given_mJ_ = 0.0;  // by the motors
   double energy_mJ_ = 0.0;
 };
 
@@ -94,7 +104,7 @@ class TouchpadCoupling {
   /// Estimates that differ by less are the same.
   static constexpr double kSame = 0.01;
   /// tdpa: so much more than was put in may be asked for, as a part of it.
-  static constexpr double kTolerance = 0.25;
+  static constexpr double kTolerance = 0.1;
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -1,4 +1,6 @@
 """fyd budget and fyd link; a session over FYD Link in two processes."""
+import csv
+import math
 import os
 import stat
 import unittest
@@ -37,13 +39,16 @@ class Keys(fyd.Case):
         self.json("link", "keygen", bad, "--json")
         port = fyd.free_port()
         station = fyd.Running(self, "station", "--simulate", "--robot", f"link:127.0.0.1:{port}", "--key", good,
-                              "--json")
+                              "--json", "--telemetry", self.path("telemetry.csv"))
         fyd.wait_for_udp("127.0.0.1", port)
         robot = ("sim", "robot", "--link", "--connect", f"127.0.0.1:{port}", "--bind", "127.0.0.2:0", "--json", "--duration")
         self.assertIn("no touchpad with this key", fyd.run(*robot, 1, "--key", bad).stderr)
         self.assertGreater(self.json(*robot, 3, "--key", good)["touches_received"], 50)
         session = station.stop()
         self.assertGreater(session["state_messages_received"], 50)
+        with open(self.path("telemetry.csv"), encoding="utf-8") as file:
+            told = [float(row["robot_force_N"]) for row in csv.DictReader(file)]
+        self.assertGreater(sum(math.isfinite(force) for force in told), 500, "over FYD Link a robot tells its force")
         with open(good, encoding="utf-8") as file:
             secret = max(file.read().split(), key=len)
         self.assertNotIn(secret, fyd.json.dumps(session) + station.log())

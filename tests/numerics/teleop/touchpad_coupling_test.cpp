@@ -89,6 +89,7 @@ std::vector<Row> play(const Scene& scene) {
       input.touched = seen.front();
       input.indentation_mm = std::max(0.0, depth_mm + 0.02 * normal(random));
       input.force_N = cloth * std::max(0.0, depth_mm) + 0.005 * normal(random);
+      input.cloth_N_per_mm = 1.1 * cloth;  // the law is 10 % off
     }
     const TouchpadCouplingOutput out = coupling.step(input);
     // The cloth follows in 50 ms, and can do more than the real one.

@@ -84,8 +84,9 @@ TEST(TouchpadCoupling, SpringIsTheForceOverTheIndentationWithinTheTargets) {
   EXPECT_EQ(session.run(), 0.7);
 }
 
-TEST(TouchpadCoupling, TheEnergyOfATouchIsForceTimesWay) {
+TEST(TouchpadCoupling, TheEnergyOfATouchIsWhatTheClothHoldsLessWhatTheMotorsPutIn) {
   Session session(Choice::tdpa);
+  session.next.cloth_N_per_mm = 0.5;
   session.tell(0.5, 0.0);
   session.run();
   EXPECT_TRUE(std::isnan(session.out.finger_energy_mJ));
@@ -94,16 +95,22 @@ TEST(TouchpadCoupling, TheEnergyOfATouchIsForceTimesWay) {
     session.run();
   }
   EXPECT_NEAR(session.out.finger_energy_mJ, 6.25, 1e-9);  // the triangle below 2.5 N and 5 mm
-  for (int i = 100; i >= 0; --i) {
-    session.press(0.05 * i, 0.3 * 0.05 * i);  // 1.5 N at 5 mm now: less comes back
-    if (i % 10 == 7) session.next.force_N = kNaN;
-    if (i % 10 == 3) session.next.indentation_mm = kNaN;
+  for (int i = 1; i <= 100; ++i) {  // stiffened to 0.8 while it is pressed: 0.3 · 25 / 2 = 3.75 mJ of the motors'
+    const double cloth = 0.5 + 0.003 * i;
+    session.next.cloth_N_per_mm = i % 10 == 5 ? kNaN : cloth;
+    session.press(i % 10 == 3 ? kNaN : 5.0, i % 10 == 7 ? kNaN : cloth * 5.0);
     session.run();
   }
-  EXPECT_NEAR(session.out.finger_energy_mJ, 6.25 - 3.75, 0.03);
+  EXPECT_NEAR(session.out.finger_energy_mJ, 6.25, 0.01);  // the finger has not moved
+  for (int i = 100; i >= 0; --i) {
+    session.press(0.05 * i, 0.8 * 0.05 * i);
+    session.run();
+  }
+  EXPECT_NEAR(session.out.finger_energy_mJ, -3.75, 0.01);
   session.lift();
+  session.next.cloth_N_per_mm = 0.5;  // the motors are free to move now
   session.run(0.1);
-  EXPECT_NEAR(session.out.finger_energy_mJ, 2.5, 0.03);  // it stays after the touch
+  EXPECT_NEAR(session.out.finger_energy_mJ, -3.75, 0.01);  // it stays after the touch
   session.press(2.0, 1.0);
   session.run();
   EXPECT_NEAR(session.out.finger_energy_mJ, 1.0, 1e-9);  // and begins anew with the next
@@ -226,6 +233,7 @@ TEST(TouchpadCoupling, WhateverComesInTheTargetIsANumberWithinTheTargets) {
       session.next.led = random() % 9 != 0;
       session.next.indentation_mm = any();
       session.next.force_N = any();
+      session.next.cloth_N_per_mm = any();
       session.next.elapsed_s = any();
       session.next.least_indentation_mm = 1.0;
       const double target = session.run();
