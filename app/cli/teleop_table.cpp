@@ -1,4 +1,4 @@
-// fyd teleop table [--data FOLDER] [--seconds S] [--seed I] [--out FOLDER] [--json]: the tele-gesture paper's Table 2
+// fyd teleop table [--data FOLDER] [--seconds S] [--seed I] [--out PICTURE.svg] [--json]: the tele-gesture paper's Table 2
 // in numbers.
 #include <algorithm>
 #include <cmath>

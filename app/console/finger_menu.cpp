@@ -33,7 +33,7 @@ FingerMenu::FingerMenu(Session& session, Tell tell, QWidget* parent)
   build();
   // What the session was started with is played already.
   if (const std::string file = session_.fingerFile(); !file.empty()) {
-    demonstrates_ = !take(QString::fromStdString(file));
+    if (const auto hand = read(QString::fromStdString(file))) take(*hand);
   }
   show();
 }
@@ -84,31 +84,36 @@ void FingerMenu::setSpeed(double speed) {
   }
 }
 
-bool FingerMenu::take(const QString& path) {
-  const QFileInfo file(path);
-  const auto finger = sim::readFingerFile(path.toStdString());
-  if (!finger) {
-    tell_(widgets::Severity::warning, widgets::coreText(finger.error().message));
-    return false;
+/// A card says how it is played; a recorded hand is played as it was, again and again.
+Result<FingerMenu::Hand> FingerMenu::read(const QString& path) {
+  const std::string file = path.toStdString();
+  const auto finger = sim::readFingerFile(file);
+  if (!finger) return tl::unexpected(finger.error());
+  if (const auto card = sim::readGestureFile(file)) {
+    return Hand{QString::fromStdString(card->name), sim::FingerPath::fromKnots(card->rows), card->speed, card->loop};
   }
-  folder_ = file.absolutePath();
-  // A card says how it is played; a recorded hand is played as it was, again and again.
-  if (const auto card = sim::readGestureFile(path.toStdString())) {
-    hand_ = {QString::fromStdString(card->name), sim::FingerPath::fromKnots(card->rows)};
-    setSpeed(card->speed);
-    again_->setChecked(card->loop);
-  } else {
-    hand_ = {file.fileName(), *finger};
-    setSpeed(1.0);
-    again_->setChecked(true);
-  }
-  return true;
+  return Hand{QFileInfo(path).fileName(), *finger};
+}
+
+void FingerMenu::take(const Hand& hand) {
+  hand_ = hand;
+  demonstrates_ = false;
+  setSpeed(hand.speed);
+  again_->setChecked(hand.again);
 }
 
 void FingerMenu::playFile(const QString& path) {
-  if (!take(path)) return;
-  demonstrates_ = false;
-  play();
+  folder_ = QFileInfo(path).absolutePath();
+  reading_.run([this, path](const std::stop_token&) -> Background::Finish {
+    return [this, hand = read(path)] {
+      if (!hand) {
+        tell_(widgets::Severity::warning, widgets::coreText(hand.error().message));
+        return;
+      }
+      take(*hand);
+      play();
+    };
+  });
 }
 
 void FingerMenu::playDemonstration() {

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <optional>
 
+#include "app/console/background.h"
 #include "app/console/session.h"
 #include "widgets/notice_stack.h"
 
@@ -19,7 +20,8 @@ class FingerMenu : public QToolButton {
   FingerMenu(Session& session, Tell tell, QWidget* parent = nullptr);
 
   void playDemonstration();
-  /// A card with its own speed and repetition. What is wrong with it is told, and the finger goes on as before.
+  /// A card with its own speed and repetition; read on a thread of its own. What is wrong with it is told, and the
+  /// finger goes on as before.
   void playFile(const QString& path);
   /// By dialog.
   void chooseFile();
@@ -31,9 +33,12 @@ class FingerMenu : public QToolButton {
   struct Hand {
     QString name;
     sim::FingerPath path;  ///< as recorded
+    double speed = 1.0;    ///< as the file says
+    bool again = true;
   };
 
-  bool take(const QString& path);
+  static Result<Hand> read(const QString& path);
+  void take(const Hand& hand);
   void build();
   void setSpeed(double speed);
   void play();
@@ -51,6 +56,7 @@ class FingerMenu : public QToolButton {
   QAction* demonstration_;
   QAction* recorded_;
   QAction* again_;
+  Background reading_;
 };
 
 }  // namespace fyd::console

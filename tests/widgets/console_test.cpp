@@ -244,7 +244,7 @@ class ConsoleTest : public QObject {
         "t_s,x_mm,y_mm,depth_mm\n0,-9,5,2\n3,9,5,2\n");
     file.close();
     menu->playFile(path);
-    QCOMPARE(f.session->played.size(), std::size_t{1});
+    WAIT_EQUAL(f.session->played.size(), std::size_t{1});
     QVERIFY(std::abs(f.session->played.back().at(0.5).x_mm) <
             1e-9);                                     // half of the way in half a second: three times as fast
     QVERIFY(f.session->played.back().at(1.2).lifted);  // once
@@ -274,7 +274,9 @@ class ConsoleTest : public QObject {
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write("format = \"FYD gesture 1\"\nname = \"far\"\n---\nt_s,x_mm,y_mm,depth_mm\n0,99,5,2\n3,9,5,2\n");
     file.close();
+    const int told = f.window->notices()->count();
     menu->playFile(path);
+    WAIT_EQUAL(f.window->notices()->count(), told + 1);
     QCOMPARE(f.session->played.size(), before);
     QVERIFY(menu->text().contains(QStringLiteral("a stroke")));
     QVERIFY(f.window->notices()->text(f.window->notices()->count() - 1).contains(QStringLiteral("x_mm is 99")));

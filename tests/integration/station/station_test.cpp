@@ -143,6 +143,18 @@ TEST(Station, AWholeSessionFromTheFingerToTheRobotAndBack) {
   EXPECT_EQ(link.states_received, link.touches_sent);
 }
 
+TEST(Station, TheSimulatedFingerTakesUpAnotherPathWhileTheSessionRuns) {
+  auto station = opened({});
+  station->start();
+  ASSERT_TRUE(waitForState(*station, SafetyState::ready));
+  for (const double x_mm : {-20.0, 15.0}) {
+    station->playSimulatedFinger(sim::FingerPath::constant(x_mm, 5.0, 4.0));
+    EXPECT_TRUE(waitFor(*station, "the finger where the path has it", [x_mm](const auto& s) {
+      return s.contact && std::abs(s.finger_x_mm - x_mm) < 1.0 && std::abs(s.finger_y_mm - 5.0) < 1.0;
+    }));
+  }
+}
+
 TEST(Station, StopIsHeardAndLatches) {
   auto station = opened({});
   station->start();
