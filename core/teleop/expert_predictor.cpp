@@ -76,15 +76,14 @@ void ExpertPredictor::chooseNodes() {
 
 void ExpertPredictor::keepFurthest(const Horizons::Steps& before, const Horizons::Steps& wanted) {
   const auto known_mm = furthest_mm_;
+  Horizons::Steps known = before;
   for (std::size_t node = 0; node < kNodes; ++node) {
-    furthest_mm_[node] = -1.0;
-    int nearest = 0;
-    for (std::size_t old = 0; old < kNodes; ++old) {
-      if (before[old] == 0 || known_mm[old] < 0.0) continue;
-      if (nearest != 0 && std::abs(before[old] - wanted[node]) >= std::abs(nearest - wanted[node])) continue;
-      nearest = before[old];
-      furthest_mm_[node] = known_mm[old] * std::max(1.0, static_cast<double>(wanted[node]) / nearest);
-    }
+    if (known_mm[node] < 0.0) known[node] = 0;
+  }
+  for (std::size_t node = 0; node < kNodes; ++node) {
+    const std::size_t old = LinearForecast::nearest(known, wanted[node]);
+    furthest_mm_[node] =
+        old == kNodes ? -1.0 : known_mm[old] * std::max(1.0, static_cast<double>(wanted[node]) / known[old]);
   }
 }
 
@@ -161,7 +160,7 @@ void ExpertPredictor::settle(const Anchor& then) {
       for (std::size_t a = 0; a < axes_; ++a) apart[a] = displacement[node][a] - apart[a];
       differences[node] = then.learned.inPlane(apart);
     }
-    personal_.learn(then.learned.hidden(), differences, 1);
+    personal_.learn(then.learned.hidden(), differences);
   }
   losses_ = losses_ * kLossMemory + 1.0;
   begin_losses_ *= kLossMemory;

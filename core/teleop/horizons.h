@@ -15,7 +15,8 @@ namespace fyd::teleop {
 class Horizons {
  public:
   static constexpr std::size_t kNodes = LinearForecast::kNodes;
-  using Steps = std::array<int, kNodes>;         ///< 0: none at this place
+  using Steps = LinearForecast::Steps;
+  static constexpr std::size_t kLongest = 1;     ///< the place of the longest, where there are any
   static constexpr double kLeastStep_s = 0.010;  ///< Δ of faster messages: a hand moves no faster than this shows
   static constexpr double kLonger = 1.5;         ///< spacings beyond this, in Δ, have lost messages between them
 

@@ -46,26 +46,29 @@ void LinearForecast::beginCovariance() {
   std::copy_n(inverse.data(), n * n, covariance_.begin());
 }
 
-void LinearForecast::setNodes(const std::array<int, kNodes>& steps) {
+std::size_t LinearForecast::nearest(const Steps& steps, int step) {
+  std::size_t found = kNodes;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    if (steps[i] > 0 && (found == kNodes || std::abs(steps[i] - step) < std::abs(steps[found] - step))) found = i;
+  }
+  return found;
+}
+
+void LinearForecast::setNodes(const Steps& steps) {
   const std::array<Features, kNodes> before = weights_;
   for (std::size_t node = 0; node < kNodes; ++node) {
     Features& weights = weights_[node];
     weights = {};
     if (steps[node] <= 0) continue;
-    std::size_t nearest = kNodes;
-    for (std::size_t old = 0; old < kNodes; ++old) {
-      if (steps_[old] <= 0) continue;
-      if (nearest == kNodes || std::abs(steps_[old] - steps[node]) < std::abs(steps_[nearest] - steps[node]))
-        nearest = old;
-    }
+    const std::size_t old = nearest(steps_, steps[node]);
     const double horizon_s = steps[node] * step_s_;
-    if (nearest == kNodes) {
+    if (old == kNodes) {
       const double far = std::max(1.0, horizon_s / kFar_s);
       const double memory_s = kVelocityMemory_s / (far * far);
       weights[0] = memory_s * (1.0 - math::exp(-horizon_s / memory_s)) / step_s_;
     } else {
-      weights = before[nearest];
-      for (double& each : weights) each *= static_cast<double>(steps[node]) / steps_[nearest];
+      weights = before[old];
+      for (double& each : weights) each *= static_cast<double>(steps[node]) / steps_[old];
     }
   }
   steps_ = steps;

@@ -39,9 +39,13 @@ class LinearForecast {
   /// @param step_s Δ
   void begin(const ForecastSettings& settings, double step_s);
 
-  /// Which horizons are of interest, in steps; 0: none at this place. A new one begins with the weights of the nearest,
-  /// stretched, or with the initial ones.
-  void setNodes(const std::array<int, kNodes>& steps);
+  using Steps = std::array<int, kNodes>;  ///< horizons, in Δ; 0: none at this place
+  /// The place of the one nearest to `step` among those that there are, the first of equals; kNodes: there is none.
+  [[nodiscard]] static std::size_t nearest(const Steps& steps, int step);
+
+  /// Which horizons are of interest. A new one begins with the weights of the nearest, stretched, or with the initial
+  /// ones.
+  void setNodes(const Steps& steps);
 
   /// The running RMS of the newest motion, for the learning that follows.
   void watch(double newest_d_mm);
@@ -60,7 +64,7 @@ class LinearForecast {
   double weight_ = 0.0;
   std::array<double, kMostOrder * kMostOrder> covariance_{};  ///< P, rows of `order`
   std::array<Features, kNodes> weights_{};
-  std::array<int, kNodes> steps_{};
+  Steps steps_{};
 };
 
 }  // namespace fyd::teleop

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace fyd::teleop {
 namespace {
@@ -28,17 +27,13 @@ void PersonalLayer::setNodes(const Horizons::Steps& before, const Horizons::Step
   const auto old_weights = weights_;
   for (std::size_t node = 0; node < steps.size(); ++node) {
     for (Differences& each : weights_) each[node] = {};
-    int nearest = 0;
-    for (std::size_t old = 0; old < before.size(); ++old) {
-      if (steps[node] == 0 || before[old] == 0) continue;
-      if (nearest != 0 && std::abs(before[old] - steps[node]) >= std::abs(nearest - steps[node])) continue;
-      nearest = before[old];
-      for (std::size_t i = 0; i < kInputs; ++i) weights_[i][node] = old_weights[i][old];
-    }
+    const std::size_t old = LinearForecast::nearest(before, steps[node]);
+    if (steps[node] == 0 || old == before.size()) continue;
+    for (std::size_t i = 0; i < kInputs; ++i) weights_[i][node] = old_weights[i][old];
   }
 }
 
-void PersonalLayer::learn(const Inputs& inputs, const Differences& differences, std::size_t longest_node) {
+void PersonalLayer::learn(const Inputs& inputs, const Differences& differences) {
   Inputs gain{};
   for (std::size_t k = 0; k < kInputs; ++k) {  // P is symmetric: its rows are its columns
     const float* row = covariance_.data() + k * kInputs;
@@ -46,7 +41,7 @@ void PersonalLayer::learn(const Inputs& inputs, const Differences& differences, 
   }
   float seen = 0.0F;
   for (std::size_t i = 0; i < kInputs; ++i) seen += inputs[i] * gain[i];
-  const InPlane& far = differences[longest_node];
+  const InPlane& far = differences[Horizons::kLongest];
   const float unusual = kUsualError + std::sqrt(far[0] * far[0] + far[1] * far[1]);
   const float per = 1.0F / (kForgetting * unusual + seen);
   if (!(seen >= 0.0F) || !std::isfinite(per) || !std::isfinite(unusual)) {

@@ -25,7 +25,7 @@ class PersonalLayer {
   /// A node that is new begins with the differences of the nearest one before.
   void setNodes(const Horizons::Steps& before, const Horizons::Steps& steps);
   /// What a motion that gave these inputs did otherwise over each node's horizon. What is not finite is passed over.
-  void learn(const Inputs& inputs, const Differences& differences, std::size_t longest_node);
+  void learn(const Inputs& inputs, const Differences& differences);
   [[nodiscard]] Differences operator()(const Inputs& inputs) const;
 
  private:

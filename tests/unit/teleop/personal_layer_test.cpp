@@ -29,7 +29,7 @@ TEST(PersonalLayer, LearnsWhatAHandDoesOtherwise) {
   PersonalLayer layer;
   for (int i = 0; i < 10000; ++i) {
     const auto in = drawn(random);
-    layer.learn(in, habit(in), 1);
+    layer.learn(in, habit(in));
   }
   for (int i = 0; i < 20; ++i) {
     const auto in = drawn(random);
@@ -52,7 +52,7 @@ TEST(PersonalLayer, WhatIsNotFiniteLeavesItAsItWasOrAnew) {
     auto differences = habit(in);
     if (i % 5 == 0) in[random() % in.size()] = std::array{kNaN, kInfinity, -kInfinity, 3e38F}[random() % 4];
     if (i % 7 == 0) differences[1][random() % 2] = std::array{kNaN, kInfinity, -kInfinity, 3e38F}[random() % 4];
-    layer.learn(in, differences, 1);
+    layer.learn(in, differences);
     for (const auto& node : layer(drawn(random))) {
       for (const float x : node) ASSERT_TRUE(std::isfinite(x)) << i;
     }
