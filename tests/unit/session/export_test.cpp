@@ -271,9 +271,9 @@ TEST(ExportWords, AParameterIsNamedWithItsUnitOrItsWord) {
     return describeEvent({.kind = pipeline::EventKind::parameter_changed, .index = index, .value = value});
   };
   EXPECT_EQ(changed(0, 40.0), "pipeline.finger_maximum_age_ms = 40 ms");
-  EXPECT_EQ(changed(9, 1.0), "sensing.finger_mode = thesis");
+  EXPECT_EQ(changed(10, 1.0), "sensing.finger_mode = thesis");
   EXPECT_EQ(changed(60'000, 1.5), "parameter 60000 = 1.5");
-  EXPECT_THAT(changed(9, pipeline::kNone), HasSubstr("nan"));
+  EXPECT_THAT(changed(10, pipeline::kNone), HasSubstr("nan"));
 }
 
 TEST(ExportWords, ANumberThatThisProgramDoesNotKnowIsShown) {
