@@ -630,6 +630,10 @@
         <translation>Arrivé</translation>
     </message>
     <message>
+        <source>As spring, but softer where the cloth would give back more than the finger put in.</source>
+        <translation>Comme spring, mais plus souple là où le tissu rendrait plus que le doigt n'a apporté.</translation>
+    </message>
+    <message>
         <source>Asked</source>
         <translation>Demandé</translation>
     </message>
@@ -1102,6 +1106,10 @@
         <translation>Limite de correction</translation>
     </message>
     <message>
+        <source>Coupling</source>
+        <translation>Couplage</translation>
+    </message>
+    <message>
         <source>Crossfade</source>
         <translation>Fondu</translation>
     </message>
@@ -1380,6 +1388,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Encoders: sign, zero, range</source>
         <translation>Codeurs : signe, zéro, plage</translation>
+    </message>
+    <message>
+        <source>Energy of the touch</source>
+        <translation>Énergie du contact</translation>
     </message>
     <message>
         <source>Enough points.</source>
@@ -1680,6 +1692,10 @@ N</translation>
         <translation>Sigma de tare de la force</translation>
     </message>
     <message>
+        <source>Force the robot tells</source>
+        <translation>Force que dit le robot</translation>
+    </message>
+    <message>
         <source>Force zero</source>
         <translation>Zéro de la force</translation>
     </message>
@@ -1910,6 +1926,10 @@ Robot : %2
     <message>
         <source>How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.</source>
         <translation>Avec quelle lenteur la raideur mesurée suit la vraie (constante de temps) ; le réglage automatique la mesure.</translation>
+    </message>
+    <message>
+        <source>How the cloth gets its target: direct takes the robot's stiffness as it comes, spring its force over the indentation, tdpa the same within the energy that the finger put in, model keeps an estimate that stiffens out of contact or at another place.</source>
+        <translation>Comment le tissu reçoit sa consigne : direct prend la raideur du robot comme elle vient, spring sa force divisée par l'indentation, tdpa de même dans l'énergie que le doigt a apportée, model garde une estimation qui durcit hors contact ou à un autre endroit.</translation>
     </message>
     <message>
         <source>How the robot's end says where the finger is now; "thesis" follows late and smoothly.</source>
@@ -2210,6 +2230,10 @@ Robot : %2
     <message>
         <source>Last picture</source>
         <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>Last touch: %1 given back beyond what was put in, %2 withheld</source>
+        <translation>Dernier contact : %1 rendus au-delà de ce qui fut apporté, %2 retenus</translation>
     </message>
     <message>
         <source>Lasting measurement error</source>
@@ -3908,6 +3932,10 @@ N/mm</translation>
         <translation>Raideur de consigne tant qu'elle est réglée à la main.</translation>
     </message>
     <message>
+        <source>Stiffness the robot tells</source>
+        <translation>Raideur que dit le robot</translation>
+    </message>
+    <message>
         <source>Stiffness, N/mm</source>
         <translation>Raideur, N/mm</translation>
     </message>
@@ -4100,6 +4128,14 @@ N/mm</translation>
         <translation>L'horloge a reculé de {:.3f} s ; ce pas n'a rien bougé.</translation>
     </message>
     <message>
+        <source>The cloth follows the robot's stiffness as it comes.</source>
+        <translation>Le tissu suit la raideur du robot comme elle vient.</translation>
+    </message>
+    <message>
+        <source>The cloth is as stiff as the robot's force over your indentation. A late force shakes.</source>
+        <translation>Le tissu est aussi raide que la force du robot divisée par votre indentation. Une force en retard fait trembler.</translation>
+    </message>
+    <message>
         <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
         <translation>Le tissu mesure {:.2f} fois la raideur de sa loi : la loi commande seule. Vérifiez lumière, capteurs et étalonnage.</translation>
     </message>
@@ -4226,6 +4262,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The robot's operator asks: {}.</source>
         <translation>L'opérateur du robot demande : {}.</translation>
+    </message>
+    <message>
+        <source>The robot's stiffness is kept here. Under a finger that rests, the cloth only softens; it stiffens when you lift or move on.</source>
+        <translation>La raideur du robot est gardée ici. Sous un doigt immobile, le tissu ne fait que s'assouplir ; il durcit quand vous levez le doigt ou le déplacez.</translation>
     </message>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
@@ -4370,6 +4410,10 @@ Pour commencer : %1</translation>
     <message>
         <source>This part's points are taken by themselves while the button is held.</source>
         <translation>Les points de cette partie se prennent tout seuls tant que le bouton est tenu.</translation>
+    </message>
+    <message>
+        <source>This robot tells no force: its stiffness is taken instead.</source>
+        <translation>Ce robot ne dit pas de force : sa raideur est prise à la place.</translation>
     </message>
     <message>
         <source>This session's</source>
@@ -6004,6 +6048,10 @@ Pour commencer : %1</translation>
         <translation>m/s²</translation>
     </message>
     <message>
+        <source>mJ</source>
+        <translation>mJ</translation>
+    </message>
+    <message>
         <source>mean</source>
         <translation>moyenne</translation>
     </message>
@@ -6344,6 +6392,10 @@ Pour commencer : %1</translation>
         <translation>pas prêt à s'allumer</translation>
     </message>
     <message>
+        <source>not told by this robot</source>
+        <translation>non dit par ce robot</translation>
+    </message>
+    <message>
         <source>note</source>
         <translation>note</translation>
     </message>
@@ -6622,6 +6674,10 @@ Pour commencer : %1</translation>
     <message>
         <source>proposed</source>
         <translation>proposé</translation>
+    </message>
+    <message>
+        <source>put in</source>
+        <translation>apportée</translation>
     </message>
     <message>
         <source>quick stop active</source>
@@ -7634,6 +7690,10 @@ Pour commencer : %1</translation>
     <message>
         <source>with the other edges %1</source>
         <translation>avec les autres bords %1</translation>
+    </message>
+    <message>
+        <source>withheld</source>
+        <translation>retenue</translation>
     </message>
     <message>
         <source>workspace {} x {} x {} mm at {} mm: more than {} points on an axis</source>

@@ -630,6 +630,10 @@
         <translation>Arrivato</translation>
     </message>
     <message>
+        <source>As spring, but softer where the cloth would give back more than the finger put in.</source>
+        <translation>Come spring, ma più cedevole dove il tessuto restituirebbe più di quanto il dito ha messo.</translation>
+    </message>
+    <message>
         <source>Asked</source>
         <translation>Chiesto</translation>
     </message>
@@ -1102,6 +1106,10 @@
         <translation>Limite di correzione</translation>
     </message>
     <message>
+        <source>Coupling</source>
+        <translation>Accoppiamento</translation>
+    </message>
+    <message>
         <source>Crossfade</source>
         <translation>Passaggio</translation>
     </message>
@@ -1380,6 +1388,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Encoders: sign, zero, range</source>
         <translation>Encoder: segno, zero, campo</translation>
+    </message>
+    <message>
+        <source>Energy of the touch</source>
+        <translation>Energia del tocco</translation>
     </message>
     <message>
         <source>Enough points.</source>
@@ -1680,6 +1692,10 @@ N</translation>
         <translation>Sigma tara della forza</translation>
     </message>
     <message>
+        <source>Force the robot tells</source>
+        <translation>Forza che il robot dice</translation>
+    </message>
+    <message>
         <source>Force zero</source>
         <translation>Zero della forza</translation>
     </message>
@@ -1910,6 +1926,10 @@ Robot: %2
     <message>
         <source>How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.</source>
         <translation>Quanto lentamente la rigidezza misurata segue la vera (costante di tempo); la taratura automatica la misura.</translation>
+    </message>
+    <message>
+        <source>How the cloth gets its target: direct takes the robot's stiffness as it comes, spring its force over the indentation, tdpa the same within the energy that the finger put in, model keeps an estimate that stiffens out of contact or at another place.</source>
+        <translation>Come il tessuto riceve il suo obiettivo: direct prende la rigidezza del robot come arriva, spring la sua forza divisa per l'indentazione, tdpa lo stesso entro l'energia che il dito ha messo, model tiene una stima che s'irrigidisce fuori dal contatto o in un altro luogo.</translation>
     </message>
     <message>
         <source>How the robot's end says where the finger is now; "thesis" follows late and smoothly.</source>
@@ -2210,6 +2230,10 @@ Robot: %2
     <message>
         <source>Last picture</source>
         <translation>Ultima immagine</translation>
+    </message>
+    <message>
+        <source>Last touch: %1 given back beyond what was put in, %2 withheld</source>
+        <translation>Ultimo tocco: %1 restituiti oltre a quanto messo, %2 trattenuti</translation>
     </message>
     <message>
         <source>Lasting measurement error</source>
@@ -3908,6 +3932,10 @@ N/mm</translation>
         <translation>Rigidezza desiderata mentre è impostata a mano.</translation>
     </message>
     <message>
+        <source>Stiffness the robot tells</source>
+        <translation>Rigidezza che il robot dice</translation>
+    </message>
+    <message>
         <source>Stiffness, N/mm</source>
         <translation>Rigidezza, N/mm</translation>
     </message>
@@ -4100,6 +4128,14 @@ N/mm</translation>
         <translation>L'orologio è tornato indietro di {:.3f} s; quel passo non ha mosso nulla.</translation>
     </message>
     <message>
+        <source>The cloth follows the robot's stiffness as it comes.</source>
+        <translation>Il tessuto segue la rigidezza del robot come arriva.</translation>
+    </message>
+    <message>
+        <source>The cloth is as stiff as the robot's force over your indentation. A late force shakes.</source>
+        <translation>Il tessuto è rigido quanto la forza del robot divisa per l'indentazione del dito. Una forza in ritardo fa tremare.</translation>
+    </message>
+    <message>
         <source>The cloth measures {:.2f} times as stiff as its law: the law drives alone. Check light, sensors and calibration.</source>
         <translation>Il tessuto misura {:.2f} volte la rigidezza della sua legge: guida solo la legge. Controllare luce, sensori e calibrazione.</translation>
     </message>
@@ -4226,6 +4262,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The robot's operator asks: {}.</source>
         <translation>L'operatore del robot chiede: {}.</translation>
+    </message>
+    <message>
+        <source>The robot's stiffness is kept here. Under a finger that rests, the cloth only softens; it stiffens when you lift or move on.</source>
+        <translation>La rigidezza del robot è tenuta qui. Sotto un dito fermo il tessuto cede soltanto; s'irrigidisce quando il dito si alza o si sposta.</translation>
     </message>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
@@ -4370,6 +4410,10 @@ Per cominciare: %1</translation>
     <message>
         <source>This part's points are taken by themselves while the button is held.</source>
         <translation>I punti di questa parte vengono presi da soli mentre si tiene il pulsante.</translation>
+    </message>
+    <message>
+        <source>This robot tells no force: its stiffness is taken instead.</source>
+        <translation>Questo robot non dice la forza: si prende la sua rigidezza.</translation>
     </message>
     <message>
         <source>This session's</source>
@@ -6004,6 +6048,10 @@ Per cominciare: %1</translation>
         <translation>m/s²</translation>
     </message>
     <message>
+        <source>mJ</source>
+        <translation>mJ</translation>
+    </message>
+    <message>
         <source>mean</source>
         <translation>media</translation>
     </message>
@@ -6344,6 +6392,10 @@ Per cominciare: %1</translation>
         <translation>non pronto ad accendersi</translation>
     </message>
     <message>
+        <source>not told by this robot</source>
+        <translation>non detto da questo robot</translation>
+    </message>
+    <message>
         <source>note</source>
         <translation>nota</translation>
     </message>
@@ -6622,6 +6674,10 @@ Per cominciare: %1</translation>
     <message>
         <source>proposed</source>
         <translation>proposto</translation>
+    </message>
+    <message>
+        <source>put in</source>
+        <translation>messa</translation>
     </message>
     <message>
         <source>quick stop active</source>
@@ -7634,6 +7690,10 @@ Per cominciare: %1</translation>
     <message>
         <source>with the other edges %1</source>
         <translation>con gli altri bordi %1</translation>
+    </message>
+    <message>
+        <source>withheld</source>
+        <translation>trattenuta</translation>
     </message>
     <message>
         <source>workspace {} x {} x {} mm at {} mm: more than {} points on an axis</source>
