@@ -64,8 +64,9 @@ void CouplingForm::setForce(Force force) {
 }
 
 void CouplingForm::setEnergy(double put_in_mJ, double withheld_mJ) {
-  energy_->setText(tr("Last touch: %1 put in, %2 withheld")
-                       .arg(quantityText(put_in_mJ, 1, tr("mJ")), quantityText(withheld_mJ, 1, tr("mJ"))));
+  const double beyond_mJ = put_in_mJ > 0.0 ? 0.0 : -put_in_mJ;  // NaN stays
+  energy_->setText(tr("Last touch: %1 given back beyond what was put in, %2 withheld")
+                       .arg(quantityText(beyond_mJ, 1, tr("mJ")), quantityText(withheld_mJ, 1, tr("mJ"))));
 }
 
 void CouplingForm::refresh() {

@@ -18,7 +18,7 @@ class CouplingForm : public QFrame {
   enum class Force { unknown, told, not_told };
   /// Whether the robot that is there tells its force; unknown: there is none.
   void setForce(Force force);
-  /// Of the present touch or the last one, mJ; NaN: none yet.
+  /// Of a touch that is over, mJ: put in less what came back, and what was withheld; NaN: none yet.
   void setEnergy(double put_in_mJ, double withheld_mJ);
 
   [[nodiscard]] TuningRow* row() const { return row_; }

@@ -2245,7 +2245,7 @@ Robot : %2
     </message>
     <message>
         <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of %1 s is over: at two stretches or more.</source>
-        <translation>Posez l&apos;accéléromètre du robot sur le tissu, le long de son mouvement, et un doigt à côté. Puis tenez le bouton jusqu&apos;à la fin du balayage de %1 s : à deux étirements ou plus.</translation>
+        <translation>Posez l'accéléromètre du robot sur le tissu, le long de son mouvement, et un doigt à côté. Puis tenez le bouton jusqu'à la fin du balayage de %1 s : à deux étirements ou plus.</translation>
     </message>
     <message>
         <source>Layouts</source>
@@ -4049,7 +4049,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Take your hands off the cloth and hold the button for %1 s: the duty of each motor grows until it turns.</source>
-        <translation>Ôtez les mains du tissu et tenez le bouton pendant %1 s : le rapport cyclique de chaque moteur croît jusqu&apos;à ce qu&apos;il tourne.</translation>
+        <translation>Ôtez les mains du tissu et tenez le bouton pendant %1 s : le rapport cyclique de chaque moteur croît jusqu'à ce qu'il tourne.</translation>
     </message>
     <message>
         <source>Take your hands off the cloth and hold the button for 16 s: both motors go to their zero at once, then by steps of %1° to %2° and back.</source>
@@ -5389,7 +5389,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>damaged: {} compressed bytes do not give the {} they should</source>
-        <translation>endommagé : {} octets compressés ne donnent pas les {} qu&apos;ils devraient</translation>
+        <translation>endommagé : {} octets compressés ne donnent pas les {} qu'ils devraient</translation>
     </message>
     <message>
         <source>dashed</source>

@@ -2245,7 +2245,7 @@ Robot: %2
     </message>
     <message>
         <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of %1 s is over: at two stretches or more.</source>
-        <translation>Posa l&apos;accelerometro del robot sul tessuto, lungo il suo moto, e un dito accanto. Poi tieni premuto il pulsante finché la scansione di %1 s è finita: a due stiramenti o più.</translation>
+        <translation>Posa l'accelerometro del robot sul tessuto, lungo il suo moto, e un dito accanto. Poi tieni premuto il pulsante finché la scansione di %1 s è finita: a due stiramenti o più.</translation>
     </message>
     <message>
         <source>Layouts</source>

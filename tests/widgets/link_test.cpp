@@ -138,9 +138,11 @@ class LinkTest : public QObject {
     QVERIFY(form->hint().contains(QStringLiteral("tells no force")));
     form->setForce(widgets::CouplingForm::Force::told);
     QVERIFY(!form->hint().contains(QStringLiteral("tells no force")));
-    QCOMPARE(form->energy(), QString::fromUtf8("Last touch: — put in, — withheld"));
-    form->setEnergy(3.26, 0.04);
-    QCOMPARE(form->energy(), QStringLiteral("Last touch: 3.3 mJ put in, 0.0 mJ withheld"));
+    QCOMPARE(form->energy(), QString::fromUtf8("Last touch: — given back beyond what was put in, — withheld"));
+    form->setEnergy(-3.26, 0.04);
+    QCOMPARE(form->energy(), QStringLiteral("Last touch: 3.3 mJ given back beyond what was put in, 0.0 mJ withheld"));
+    form->setEnergy(0.8, 1.25);
+    QVERIFY(form->energy().startsWith(QStringLiteral("Last touch: 0.0 mJ given back")));
   }
 
   void thePredictorOfTheSimulatedRobotIsChosen() {
