@@ -1,5 +1,6 @@
 """fyd station: whole sessions, and every bad input named."""
 import csv
+import math
 import os
 import re
 import unittest
