@@ -38,7 +38,7 @@ CouplingForm::CouplingForm(TuningModel& model, QWidget* parent)
   setProperty("surface", "panel");
   setAccessibleName(tr("Coupling"));
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(2 * kGrid, kGrid, kGrid, kGrid);
+  layout->setContentsMargins(kGrid, kGrid, kGrid / 2, kGrid);  // the row has its mark's room in front
   layout->setSpacing(kGrid / 2);
   if (const TunedParameter* coupling = model_.find(kCoupling)) {
     row_ = new TuningRow(model_, QString::fromLatin1(kCoupling.data(), static_cast<int>(kCoupling.size())),
@@ -49,6 +49,7 @@ CouplingForm::CouplingForm(TuningModel& model, QWidget* parent)
     label->setFont(textFont(TextSize::small));
     label->setProperty("role", "muted");
     label->setWordWrap(true);
+    label->setContentsMargins(kGrid, 0, kGrid / 2, 0);
     layout->addWidget(label);
   }
   connect(&model_, &TuningModel::changed, this, &CouplingForm::refresh);
