@@ -86,6 +86,7 @@ void TeleopEnd::receive(std::span<const std::uint8_t> datagram, double now_s) {
   const auto message = decodeDeviceMessage(datagram, code_);
   if (!message || phase_ == Phase::stopped) return;
   if (ended_ == message->session) return;  // overtaken by the farewell
+  if (message->date_s > now_s + kLost_s) return;  // no clock is so wrong: it would stay the newest for as long
   if (!message->running) {
     ended_ = message->session;
     if (phase_ == Phase::linked && message->session == other_session_) phase_ = Phase::waiting;

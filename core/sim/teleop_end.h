@@ -10,7 +10,7 @@
 // so: each period a position, as without a deadband. At most kRefresh_s pass between two messages, which repeat how the
 // device is turned too.
 //
-// Dates are of one clock at both ends.
+// Dates are of one clock at both ends; what is dated more than kLost_s ahead is passed over.
 #pragma once
 
 #include "core/sim/device_message.h"

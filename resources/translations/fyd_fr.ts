@@ -3759,7 +3759,7 @@ s</translation>
     </message>
     <message>
         <source>Simulated: press on the picture, %1 deep; the wheel changes it.</source>
-        <translation>Simulé : presser sur l'image, à %1 de profondeur ; la molette la change.</translation>
+        <translation>Simulé : presser l'image ; profondeur %1 (molette).</translation>
     </message>
     <message>
         <source>Slope

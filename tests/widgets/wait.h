@@ -4,6 +4,7 @@
 
 #include <QTimer>
 #include <QtTest>
+#include <memory>
 
 namespace fyd::tests {
 
@@ -20,9 +21,10 @@ namespace fyd::tests {
 /// For what must not happen: every timer of this thread that is due within `ms` from now has acted afterwards, even
 /// when the machine stood still for all of it. (A mere wait may be over before a single event was looked at.)
 inline void passTimers(int ms) {
-  bool passed = false;
-  QTimer::singleShot(ms, Qt::PreciseTimer, [&passed] { passed = true; });
-  WAIT_FOR(passed);
+  // Where the test has failed already the wait gives up at once, and the timer comes after it.
+  const auto passed = std::make_shared<bool>(false);
+  QTimer::singleShot(ms, Qt::PreciseTimer, [passed] { *passed = true; });
+  WAIT_FOR(*passed);
 }
 
 }  // namespace fyd::tests

@@ -232,6 +232,20 @@ TEST(TeleopEnd, WithADeadbandAHandAtRestIsRefreshedAndAMoveIsToldAtOnce) {
   EXPECT_NEAR(pair.far.end.told(pair.now_s - 0.1).value[0], 10.3, DesktopArm::kPrecision_mm);
 }
 
+TEST(TeleopEnd, AMessageDatedFarAheadIsPassedOver) {
+  Pair pair;
+  pair.hand.end.start(1);
+  pair.far.end.start(2);
+  pair.run(200);
+  TeleopEnd twin({.at_hand = true, .coupling_settings = {}});
+  twin.start(1);
+  static_cast<void>(twin.step({.position_mm = {-20.0, 0.0, 0.0}}, pair.now_s + 3600.0));
+  pair.far.end.receive(twin.datagram(pair.now_s + 3600.0), pair.now_s);
+  pair.hand.device.position_mm.x = 10.0;
+  pair.run(200);
+  EXPECT_NEAR(pair.far.end.other_mm()[0], 10.0, DesktopArm::kPrecision_mm);
+}
+
 TEST(TeleopEnd, NoiseFromAStrangerAndAnOvertakenFarewellChangeNothing) {
   Pair pair;
   pair.hand.end.start(1);
