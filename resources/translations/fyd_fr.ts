@@ -3161,7 +3161,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Prediction error</source>
-        <translation>Erreur de la prédiction</translation>
+        <translation>Écart constaté</translation>
     </message>
     <message>
         <source>Predictor</source>

@@ -3161,7 +3161,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>Prediction error</source>
-        <translation>Errore della previsione</translation>
+        <translation>Scarto constatato</translation>
     </message>
     <message>
         <source>Predictor</source>
