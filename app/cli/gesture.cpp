@@ -46,9 +46,7 @@ nlohmann::ordered_json jsonOf(const sim::GestureCard& card) {
           {"fastest_mm_per_s", jsonNumber(fastest_mm_s)}};
 }
 
-void print(const sim::GestureCard& card, bool as_json) {
-  printValues(jsonOf(card), as_json);
-}
+void print(const sim::GestureCard& card, bool as_json) { printValues(jsonOf(card), as_json); }
 
 void takeSettings(sim::GestureCard& card, const GestureOptions& options) {
   if (!options.name.empty()) card.name = options.name;

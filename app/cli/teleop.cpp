@@ -3,7 +3,6 @@
 //                FILE] [--json]
 #include "app/cli/teleop_cli.h"
 
-
 #include "app/cli/command.h"
 #include "app/cli/output_file.h"
 #include "app/cli/trace_file.h"

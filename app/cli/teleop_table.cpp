@@ -1,5 +1,5 @@
-// fyd teleop table [--data FOLDER] [--seconds S] [--seed I] [--out PICTURE.svg] [--json]: the tele-gesture paper's Table 2
-// in numbers.
+// fyd teleop table [--data FOLDER] [--seconds S] [--seed I] [--out PICTURE.svg] [--json]: the tele-gesture paper's
+// Table 2 in numbers.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

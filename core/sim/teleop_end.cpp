@@ -85,7 +85,7 @@ void TeleopEnd::link(const DeviceMessage& first, double now_s) {
 void TeleopEnd::receive(std::span<const std::uint8_t> datagram, double now_s) {
   const auto message = decodeDeviceMessage(datagram, code_);
   if (!message || phase_ == Phase::stopped) return;
-  if (ended_ == message->session) return;  // overtaken by the farewell
+  if (ended_ == message->session) return;         // overtaken by the farewell
   if (message->date_s > now_s + kLost_s) return;  // no clock is so wrong: it would stay the newest for as long
   if (!message->running) {
     ended_ = message->session;

@@ -168,7 +168,8 @@ Table bench_indentation() {
   }
   table.notes = {
       "63 places over the cloth as far as the finger keeps off the frame and within its table (±41.5 × ±27 mm; on a "
-      "solved cloth a capsule ±41.5 × ±18 mm, a disc ±38 × ±18 mm), depths 3, 6 and 10 mm (7.5 mm on a cloth that is not ideal), pressed in 0.2 s and held for 1.8 s with "
+      "solved cloth a capsule ±41.5 × ±18 mm, a disc ±38 × ±18 mm), depths 3, 6 and 10 mm (7.5 mm on a cloth that is "
+      "not ideal), pressed in 0.2 s and held for 1.8 s with "
       "±0.5 mm of slow wander; errors from 0.1 s after the touch, stiffness from 0.6 s. IR at 60 Hz and "
       "12 bit, camera at 30 Hz with 0.1 mm of noise, force at 122 Hz, 0.6 N/mm.",
       "Truth: membrane and rollers are cloths solved in finite strain, of which the estimators know nothing, pressed "

@@ -77,7 +77,9 @@ class BusySession : public Session {
             .loop = {},
             .link = {}};
   }
-  std::vector<station::ReadinessLine> readiness() const override { return {{.what = say("Motors answer"), .ok = true}}; }
+  std::vector<station::ReadinessLine> readiness() const override {
+    return {{.what = say("Motors answer"), .ok = true}};
+  }
   std::vector<device::DeviceReport> devices() const override { return {}; }
   Result<void> startDeviceTest(device::DeviceTest, double) override { return {}; }
   void keepDeviceTest() override {}
