@@ -11,10 +11,10 @@ import subprocess
 import sys
 import tempfile
 
-ROOMS = ("base", "signal", "sensing", "control", "texture", "teleop", "pipeline")
-# What a replay does not compute again: the finger's detection is an input of the step; test signals are for benches.
+ROOMS = ("base", "signal", "sensing", "control", "texture", "teleop", "scene", "pipeline")
+# What a replay does not compute again: the finger's detection and a file's mesh are inputs; test signals are for benches.
 OUTSIDE = {"finger_adaptive.cpp.o", "finger_detector.cpp.o", "finger_thesis.cpp.o", "blob_measure.cpp.o",
-           "test_signals.cpp.o"}
+           "test_signals.cpp.o", "mesh_text.cpp.o"}
 BY_PROCESSOR = {"exp", "exp2", "exp10", "expm1", "log", "log2", "log10", "log1p", "pow", "sin", "cos", "tan", "sincos",
                 "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "hypot", "cbrt",
                 "erf", "erfc", "tgamma", "lgamma", "fma", "cabs", "carg", "cexp", "clog", "cpow", "csqrt", "csin",

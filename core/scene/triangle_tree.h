@@ -1,0 +1,56 @@
+// The triangles of a mesh in a tree of thin discs, four to a node, for the point of the mesh that is nearest to a
+// probe. A disc lies along its patch of surface: for a probe within a body, boxes along the axes would nearly all be as
+// near as the nearest.
+//
+// Discs are floats around the mesh's middle, grown so that they hold what they stand for in spite of rounding, and are
+// left out only where they are farther than the nearest triangle by more than rounding can be; distances to triangles
+// are double. So the answer is that of looking at every triangle, to the last bit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/triangle_distance.h"
+
+namespace fyd::scene {
+
+class TriangleTree {
+ public:
+  explicit TriangleTree(const Mesh& mesh);
+
+  /// Of the whole mesh. NaN gives no triangle. @param hint a triangle that may be near
+  [[nodiscard]] Nearest nearest(const Vec3& probe_mm, std::uint32_t hint = kNoTriangle) const;
+
+  [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
+  [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
+
+ private:
+  static constexpr std::int32_t kNothing = INT32_MIN;
+
+  /// child ≥ 0: a node; < 0: ~triangle; kNothing: none.
+  struct alignas(16) Node {
+    float middle[3][4];
+    float normal[3][4];
+    float radius[4];  ///< across the normal
+    float height[4];  ///< to either side along it
+    std::int32_t child[4];
+  };
+  struct Box;
+  struct Builder;
+  struct Search;
+  struct Open;
+
+  [[nodiscard]] bool begin(const Vec3& probe_mm, std::uint32_t hint, Search& search) const;
+  [[nodiscard]] Nearest ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const;
+  /// A node's children that are near enough, to be looked into.
+  void look(Search& search, std::int32_t from, Open& open) const;
+  void empty(Search& search, Open& open) const;
+
+  const Mesh* mesh_;
+  Vec3 middle_mm_;
+  double size_mm_ = 0.0;  // half of the mesh's largest extent
+  std::vector<Node> nodes_;
+};
+
+}  // namespace fyd::scene
