@@ -99,23 +99,54 @@ std::size_t dropDuplicates(std::vector<Triangle>& triangles) {
   return dropped;
 }
 
-/// Vertices that no triangle has are forgotten.
-void compact(TriangleSoup& soup) {
-  std::vector<std::uint32_t> place(soup.vertices.size(), kNoTriangle);
-  for (const Triangle& triangle : soup.triangles) {
-    for (const std::uint32_t vertex : triangle) place[vertex] = 0;
+/// Bits of a number with two zeros between each two.
+std::uint64_t spread(std::uint64_t bits) {
+  bits &= 0x1fffff;
+  bits = (bits | bits << 32) & 0x1f00000000ffff;
+  bits = (bits | bits << 16) & 0x1f0000ff0000ff;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+  return (bits | bits << 2) & 0x1249249249249249;
+}
+
+/// Triangles that are near to each other come to stand near to each other in memory, and vertices in the order of their
+/// triangles (Morton's curve): a probe that moves little then reads little. Vertices that no triangle has are
+/// forgotten.
+void sortInSpace(TriangleSoup& soup) {
+  const std::vector<Vec3>& v = soup.vertices;
+  const auto middle = [&](const Triangle& t) { return v[t[0]] + v[t[1]] + v[t[2]]; };
+  Vec3 low = middle(soup.triangles.front()), high = low;
+  for (const Triangle& t : soup.triangles) {
+    const Vec3 m = middle(t);
+    low = {std::min(low.x, m.x), std::min(low.y, m.y), std::min(low.z, m.z)};
+    high = {std::max(high.x, m.x), std::max(high.y, m.y), std::max(high.z, m.z)};
   }
-  std::uint32_t kept = 0;
-  for (std::uint32_t v = 0; v < place.size(); ++v) {
-    if (place[v] == kNoTriangle) continue;
-    place[v] = kept;
-    soup.vertices[kept++] = soup.vertices[v];
+  const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double cells = size > 0.0 ? 0x1fffff / size : 0.0;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+  order.reserve(soup.triangles.size());
+  for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
+    const Vec3 m = cells * (middle(soup.triangles[t]) - low);
+    const auto cell = [](double at) { return spread(static_cast<std::uint64_t>(at)); };
+    order.emplace_back(cell(m.x) | cell(m.y) << 1 | cell(m.z) << 2, t);
   }
-  soup.vertices.resize(kept);
-  soup.vertices.shrink_to_fit();
-  for (Triangle& triangle : soup.triangles) {
-    for (std::uint32_t& vertex : triangle) vertex = place[vertex];
+  std::sort(order.begin(), order.end());
+  TriangleSoup sorted;
+  sorted.triangles.reserve(order.size());
+  std::vector<std::uint32_t> place(v.size(), kNoTriangle);
+  for (const auto& [key, t] : order) {
+    Triangle triangle = soup.triangles[t];
+    for (std::uint32_t& vertex : triangle) {
+      if (place[vertex] == kNoTriangle) {
+        place[vertex] = static_cast<std::uint32_t>(sorted.vertices.size());
+        sorted.vertices.push_back(v[vertex]);
+      }
+      vertex = place[vertex];
+    }
+    sorted.triangles.push_back(triangle);
   }
+  sorted.vertices.shrink_to_fit();
+  soup = std::move(sorted);
 }
 
 }  // namespace
@@ -131,12 +162,11 @@ Result<Mesh> Mesh::build(TriangleSoup soup) {
     return std::ranges::any_of(
         t, [&](std::uint32_t v) { return v >= soup.vertices.size() || !soup.vertices[v].finite(); });
   });
-  compact(soup);
   report.duplicate_vertices = mergeVertices(soup);
   report.degenerate_triangles = std::erase_if(soup.triangles, [&](const Triangle& t) { return degenerate(soup, t); });
   report.duplicate_triangles = dropDuplicates(soup.triangles);
-  compact(soup);
   if (soup.triangles.empty()) return fail("the mesh has no triangle that has an area");
+  sortInSpace(soup);
   mesh.vertices_ = std::move(soup.vertices);
   mesh.triangles_ = std::move(soup.triangles);
   mesh.findNeighbours();

@@ -28,7 +28,7 @@ struct TriangleSoup {
 struct MeshReport {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  std::size_t not_finite = 0;            ///< vertices that are no number; their triangles were left out
+  std::size_t not_finite = 0;  ///< vertices that are no number, or beyond kFarthest_mm; their triangles were left out
   std::size_t duplicate_vertices = 0;    ///< merged
   std::size_t degenerate_triangles = 0;  ///< without an area, left out
   std::size_t duplicate_triangles = 0;   ///< of the same three vertices, left out
@@ -45,6 +45,7 @@ struct MeshReport {
 };
 
 inline constexpr std::size_t kMostTriangles = 20'000'000;
+inline constexpr double kFarthest_mm = 1e15;  ///< beyond, floats have no squares
 inline constexpr std::uint32_t kNoTriangle = 0xffffffff;
 
 enum class Feature : std::uint8_t { vertex_0, vertex_1, vertex_2, edge_01, edge_12, edge_20, inside };

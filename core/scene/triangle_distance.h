@@ -1,6 +1,7 @@
 // The point of a triangle that is nearest to a point, in double (Ericson, Real-Time Collision Detection, §5.1.5).
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "core/scene/mesh.h"
@@ -15,6 +16,39 @@ struct Nearest {
   Vec3 point_mm;
   double at_1 = 0.0, at_2 = 0.0;  ///< the point's share of the vertices 1 and 2; the rest is of vertex 0
 };
+
+/// Of a needle, whose shares of its vertices are lost to rounding below: the distance to its plane, from its normal, if
+/// the foot is within it by its normal, and to its edges.
+[[nodiscard]] inline Nearest nearestOfNeedle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
+                                             std::uint32_t triangle) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a, normal = cross(ab, ac);
+  const double share = 1.0 / squared(normal), v = dot(cross(ap, ac), normal) * share,
+               w = dot(cross(ab, ap), normal) * share;
+  Nearest best;
+  if (v > 0.0 && w > 0.0 && v + w < 1.0) {
+    const double away = dot(normal, ap) * share;
+    best = {away * away * squared(normal), triangle, Feature::inside, p - away * normal, v, w};
+  }
+  const auto edge = [&](const Vec3& from, const Vec3& to, Feature feature, double& at) {
+    at = std::clamp(dot(p - from, to - from) / squared(to - from), 0.0, 1.0);
+    const Vec3 point = from + at * (to - from);
+    if (!(squared(p - point) < best.squared_mm2)) return false;
+    best = {squared(p - point), triangle, feature, point, 0.0, 0.0};
+    return true;
+  };
+  double at = 0.0;
+  if (edge(a, b, Feature::edge_01, at)) best.at_1 = at;
+  if (edge(b, c, Feature::edge_12, at)) best.at_1 = 1.0 - at, best.at_2 = at;
+  if (edge(c, a, Feature::edge_20, at)) best.at_2 = 1.0 - at;
+  if (best.feature == Feature::inside) return best;
+  if (best.at_1 == 0.0 && best.at_2 == 0.0) best.feature = Feature::vertex_0;
+  if (best.at_1 == 1.0) best.feature = Feature::vertex_1;
+  if (best.at_2 == 1.0) best.feature = Feature::vertex_2;
+  return best;
+}
+
+/// A triangle whose sine of an angle is less than the root of this is a needle.
+inline constexpr double kNeedle = 1e-4;
 
 [[nodiscard]] inline Nearest nearestOf(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
                                        std::uint32_t triangle) {
@@ -45,6 +79,7 @@ struct Nearest {
     const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
     return at(b + w * (c - b), Feature::edge_12, 1.0 - w, w);
   }
+  if (!(va + vb + vc > kNeedle * squared(ab) * squared(ac))) return nearestOfNeedle(p, a, b, c, triangle);
   const double share = 1.0 / (va + vb + vc);
   const double v = vb * share, w = vc * share;
   return at(a + v * ab + w * ac, Feature::inside, v, w);

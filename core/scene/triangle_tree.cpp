@@ -16,10 +16,9 @@ namespace {
 using Floats = float __attribute__((vector_size(16)));
 
 constexpr float kFar = std::numeric_limits<float>::max();
-constexpr double kFarthest_mm = 1e15;  // a probe's; beyond, floats have no squares
-constexpr int kDeepest = 40;           // levels; below, a range is halved: what is left to look at has a bound
-constexpr double kRounding = 1e-6;     // of a distance and of the mesh's size: more than floats lose
-constexpr float kLost = 1e-6F;         // of a square: more than cancels
+constexpr int kDeepest = 40;        // levels; below, a range is halved: what is left to look at has a bound
+constexpr double kRounding = 1e-6;  // of a distance and of the mesh's size: more than floats lose
+constexpr float kLost = 1e-6F;      // of a square: more than cancels
 constexpr int kBins = 16;
 
 Floats larger(Floats a, Floats b) { return a > b ? a : b; }

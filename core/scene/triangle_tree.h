@@ -23,6 +23,9 @@ class TriangleTree {
   [[nodiscard]] Nearest nearest(const Vec3& probe_mm, std::uint32_t hint = kNoTriangle) const;
 
   [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
+  /// Of balls that touch a triangle from its inside and its outside: up to which radius they hold nothing of the
+  /// triangles that share no vertex with it (nearest_point.h). Never too large.
+  [[nodiscard]] std::array<double, 2> emptyBalls_mm(std::uint32_t triangle, double largest_mm) const;
   [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
 
  private:
@@ -40,6 +43,7 @@ class TriangleTree {
   struct Builder;
   struct Search;
   struct Open;
+  struct Balls;
 
   [[nodiscard]] bool begin(const Vec3& probe_mm, std::uint32_t hint, Search& search) const;
   [[nodiscard]] Nearest ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const;

@@ -1,0 +1,285 @@
+#include "core/scene/nearest_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/base/portable_math.h"
+#include "core/scene/vector.h"
+
+namespace fyd::scene {
+namespace {
+
+constexpr double kMostEdges = 10.0;
+constexpr int kMostMoves = 64;  // of a walk; a probe that moved farther is looked for in the tree
+/// A foot this near to an edge (as a share of the triangle) is compared with what lies across it: rounding may put it
+/// on either side.
+constexpr double kAtEdge = 1e-6;
+
+}  // namespace
+
+WalkableMesh::WalkableMesh(const TriangleTree& tree, double deepest_mm) : tree_(&tree) {
+  const Mesh& mesh = tree.mesh();
+  const auto triangles = mesh.triangles();
+  first_.assign(mesh.vertices().size() + 1, 0);
+  for (const Triangle& t : triangles) {
+    for (const std::uint32_t v : t) ++first_[v + 1];
+  }
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  fan_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (const std::uint32_t v : triangles[t]) fan_[next[v]++] = t;
+  }
+  sides_.resize(triangles.size());
+  const double largest_mm = std::min(deepest_mm, kMostEdges * mesh.report().mean_edge_mm);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const auto empty = tree.emptyBalls_mm(t, largest_mm);
+    for (std::size_t side = 0; side < 2; ++side) {
+      sides_[t][side].empty_mm = std::nextafter(static_cast<float>(empty[side]), 0.0F);
+    }
+    lookAround(t);
+  }
+}
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+/// How far (times the ball's radius) from an edge a ball must touch a triangle T so as to hold nothing of a triangle U
+/// that shares one vertex with it. With the vertex in the origin, in T's plane: T's edges a, b and U's p, q, both
+/// turning counter-clockwise; `slope`: the largest rise of U over T's plane on its way from the vertex.
+///
+/// A point of U at the distance s from the vertex rises by s·slope at most. Seen from the line of a it is s·sin γ
+/// beyond it, the touching point f at least x before it: |f − q|² ≥ (x + s sin γ)², which is at least 2 r s·slope for
+/// every s if x ≥ r·slope / (2 sin γ).
+double besideVertex(double slope, double from, double to) {
+  if (from < 0.0 || to >= std::numbers::pi) return kUnknown;
+  const double sine = std::min(math::sin(from), math::sin(to));
+  return sine > 0.0 ? 0.5 * slope / sine : kUnknown;
+}
+
+}  // namespace
+
+void WalkableMesh::lookAround(std::uint32_t triangle) {
+  const auto v = mesh().vertices();
+  const Triangle& t = mesh().triangles()[triangle];
+  const Vec3 across = cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]);
+  const double twice_area = length(across);
+  const Vec3 normal = unit(across);
+  std::array<std::array<double, 3>, 2> inset{}, strip{}, disc{};  // times the radius, in mm
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const Vec3 at = v[t[corner]];
+    const std::size_t next = (corner + 1) % 3, previous = (corner + 2) % 3;  // edge `corner` goes to next
+    const Vec3 x = unit(v[t[next]] - at), y = cross(normal, x);
+    const auto angleOf = [&](const Vec3& way) {
+      const double a = math::atan2(dot(way, y), dot(way, x));
+      return a < 0.0 ? a + 2.0 * std::numbers::pi : a;
+    };
+    const double opening = angleOf(v[t[previous]] - at);
+    for (const std::uint32_t other : fan(t[corner])) {
+      if (other == triangle) continue;
+      const Triangle& o = mesh().triangles()[other];
+      const auto has = [&o](std::uint32_t w) { return o[0] == w || o[1] == w || o[2] == w; };
+      const std::size_t own = o[0] == t[corner] ? 0 : o[1] == t[corner] ? 1 : 2;
+      const Vec3 p = v[o[(own + 1) % 3]] - at, q = v[o[(own + 2) % 3]] - at;
+      const bool at_next = has(t[next]), at_previous = has(t[previous]);
+      const Vec3 its = cross(p, q);
+      const double lean = dot(its, normal);
+      for (std::size_t side = 0; side < 2; ++side) {
+        const double sign = side == 1 ? 1.0 : -1.0;
+        if (at_next || at_previous) {
+          if (at_next && at_previous) {  // on the same three vertices
+            inset[side][corner] = kUnknown;
+          } else if (at_next) {  // the edge to the previous corner is that corner's
+            std::uint32_t third = 0;
+            for (const std::uint32_t w : o) third = w != t[corner] && w != t[next] ? w : third;
+            const Vec3 way = v[third] - at;
+            const double high = sign * dot(way, normal), out = -dot(way, y);
+            if (high > 0.0) {  // tan of half the angle
+              const double half = out > 0.0 ? high / (std::sqrt(high * high + out * out) + out) : kUnknown;
+              inset[side][corner] = std::max(inset[side][corner], half);
+            } else if (!(out > 0.0)) {
+              inset[side][corner] = std::max(inset[side][corner], high < 0.0 ? 0.0 : kUnknown);
+            }
+          }
+          continue;
+        }
+        const double p_high = sign * dot(p, normal), q_high = sign * dot(q, normal);
+        if (p_high <= 0.0 && q_high <= 0.0) continue;
+        double by_next = kUnknown, by_previous = kUnknown, by_corner = kUnknown;
+        const double from = angleOf(p), to = angleOf(q);  // from the edge to next; T is between 0 and its opening
+        if (lean > 0.0 && from >= opening && to > from) {
+          const Vec3 p_flat = p - dot(p, normal) * normal, q_flat = q - dot(q, normal) * normal;
+          double slope = std::max(p_high / length(p_flat), q_high / length(q_flat));
+          const Vec3 steepest = (-sign) * (its - lean * normal);
+          if (dot(cross(p_flat, steepest), normal) > 0.0 && dot(cross(steepest, q_flat), normal) > 0.0) {
+            slope = std::max(slope, length(steepest) / lean);
+          }
+          by_previous = besideVertex(slope, from - opening, to - opening);
+          by_next = besideVertex(slope, 2.0 * std::numbers::pi - to, 2.0 * std::numbers::pi - from);
+          // |f − q|² ≥ x² + s² − 2 x s cos γ, with x from the vertex
+          const double apart = std::min(from - opening, 2.0 * std::numbers::pi - to);
+          const double cosine = apart < 0.5 * std::numbers::pi ? math::cos(apart) : 0.0;
+          if (cosine < 1.0) by_corner = slope / (1.0 - cosine);
+        }
+        disc[side][corner] = std::max(disc[side][corner], by_corner);
+        // One of the edges is enough: where it does not hold, what is at the corner is looked at.
+        const bool to_next = std::max(by_next, strip[side][corner]) <= std::max(by_previous, strip[side][previous]);
+        double& known = strip[side][to_next ? corner : previous];
+        known = std::max(known, to_next ? by_next : by_previous);
+      }
+    }
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    Side& to = sides_[triangle][side];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto height_mm = [&](std::size_t edge) { return twice_area / length(v[t[(edge + 1) % 3]] - v[t[edge]]); };
+      constexpr double kMore = 1.0 + 1e-6;
+      to.edge_per_mm[i] = static_cast<float>(inset[side][i] / height_mm(i) * kMore);
+      to.strip_per_mm[i] = static_cast<float>(strip[side][i] / height_mm(i) * kMore);
+      to.disc_per_mm[i] = static_cast<float>(disc[side][i] / height_mm((i + 1) % 3) * kMore);
+    }
+  }
+}
+
+std::size_t WalkableMesh::bytes() const {
+  return 4 * (first_.size() + fan_.size()) + sizeof(sides_[0]) * sides_.size();
+}
+
+Nearest NearestPoint::ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const {
+  const auto v = on_->mesh().vertices();
+  const Triangle& t = on_->mesh().triangles()[triangle];
+  return nearestOf(probe_mm, v[t[0]], v[t[1]], v[t[2]], triangle);
+}
+
+bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, Nearest& best) const {
+  bool found = false;
+  for (const std::uint32_t t : on_->fan(vertex)) {
+    if (t == best.triangle) continue;
+    const Nearest other = ofTriangle(probe_mm, t);
+    if (!nearer(other, best)) continue;
+    best = other;
+    found = true;
+  }
+  return found;
+}
+
+bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, const std::array<double, 3>& share,
+                                 const WalkableMesh::Side& side, double distance_mm, std::size_t on_edge,
+                                 Nearest& best) const {
+  constexpr std::array<std::size_t, 3> kNext = {1, 2, 0};
+  std::array<bool, 3> beyond, strip;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const double over = share[kNext[kNext[e]]];
+    beyond[e] = e != on_edge && !(over > distance_mm * side.edge_per_mm[e] && over > kAtEdge);
+    strip[e] = over < distance_mm * side.strip_per_mm[e];
+  }
+  const Triangle& t = on_->mesh().triangles()[triangle];
+  bool better = false;
+  for (std::size_t e = 0; e < 3; ++e) {  // corner e is between the edges e and the one before
+    if ((strip[e] || strip[kNext[kNext[e]]]) && 1.0 - share[e] < distance_mm * side.disc_per_mm[e]) {
+      better = improve(probe_mm, t[e], best) || better;
+    }
+    if (!beyond[e]) continue;
+    const std::uint32_t across = on_->mesh().neighbours(triangle)[e];
+    if (across == kNoTriangle) {
+      better = improve(probe_mm, t[e], best) || better;
+      better = improve(probe_mm, t[kNext[e]], best) || better;
+      continue;
+    }
+    const Nearest other = ofTriangle(probe_mm, across);
+    if (!nearer(other, best)) continue;
+    best = other;
+    better = true;
+  }
+  return better;
+}
+
+bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
+  const Mesh& mesh = on_->mesh();
+  for (int moves = 0; moves < kMostMoves; ++moves) {
+    const std::uint32_t triangle = best.triangle;
+    const Triangle& t = mesh.triangles()[triangle];
+    const auto feature = static_cast<std::size_t>(best.feature);
+    const double distance_mm = std::sqrt(best.squared_mm2);
+    const auto v = mesh.vertices();
+    const std::array<double, 3> share = {1.0 - best.at_1 - best.at_2, best.at_1, best.at_2};
+    if (best.feature == Feature::inside) {
+      const bool outside = dot(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]), probe_mm - best.point_mm) > 0.0;
+      const WalkableMesh::Side& side = on_->side(triangle, outside);
+      if (improveAround(probe_mm, triangle, share, side, distance_mm, 3, best)) continue;
+      return distance_mm < side.empty_mm;
+    }
+    if (feature < 3) {
+      if (improve(probe_mm, t[feature], best)) continue;
+      return false;
+    }
+    const std::size_t edge = feature - 3;
+    const std::uint32_t across = mesh.neighbours(triangle)[edge];
+    if (across == kNoTriangle) return false;
+    const Nearest other = ofTriangle(probe_mm, across);
+    if (nearer(other, best)) {
+      best = other;
+      continue;
+    }
+    const Triangle& o = mesh.triangles()[across];
+    const Vec3 one = cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]), two = cross(v[o[1]] - v[o[0]], v[o[2]] - v[o[0]]);
+    const Vec3 away = probe_mm - best.point_mm;
+    const bool outside = dot(one, away) > 0.0;
+    // The way must lie between both normals; the cosine of half their angle.
+    const double cosine = dot(one, two) / std::sqrt(squared(one) * squared(two));
+    if (!(cosine > 0.0) || (dot(two, away) > 0.0) != outside) return false;
+    const double ball_mm = distance_mm / std::sqrt(0.5 + 0.5 * cosine);
+    const WalkableMesh::Side &side = on_->side(triangle, outside), &beyond = on_->side(across, outside);
+    std::size_t its_edge = 0;
+    std::array<double, 3> its_share{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (o[i] == t[k]) its_share[i] = share[k];
+      }
+      if (mesh.neighbours(across)[i] == triangle) its_edge = i;
+    }
+    if (improveAround(probe_mm, triangle, share, side, ball_mm, edge, best)) continue;
+    if (improveAround(probe_mm, across, its_share, beyond, ball_mm, its_edge, best)) continue;
+    return ball_mm < std::min(side.empty_mm, beyond.empty_mm);
+  }
+  return false;
+}
+
+std::uint32_t NearestPoint::walk(const Vec3& probe_mm) const {
+  const auto v = on_->mesh().vertices();
+  std::uint32_t at = last_, before = kNoTriangle;
+  for (int moves = 0; moves < kMostMoves; ++moves) {
+    // On a large mesh most of a step is waiting for memory: what comes next is known here.
+    __builtin_prefetch(&on_->mesh().neighbours(at));
+    __builtin_prefetch(&on_->side(at, false));
+    const Triangle& t = on_->mesh().triangles()[at];
+    const Vec3 ab = v[t[1]] - v[t[0]], ac = v[t[2]] - v[t[0]], ap = probe_mm - v[t[0]];
+    const Vec3 across = cross(ab, ac);
+    const double at_1 = dot(cross(ap, ac), across), at_2 = dot(cross(ab, ap), across);
+    const double at_0 = squared(across) - at_1 - at_2;
+    const double least = std::min({at_0, at_1, at_2});
+    if (least >= 0.0) break;
+    const std::uint32_t next = on_->mesh().neighbours(at)[least == at_0 ? 1 : least == at_1 ? 2 : 0];
+    if (next == kNoTriangle || next == before) break;
+    before = at;
+    at = next;
+  }
+  return at;
+}
+
+Nearest NearestPoint::find(const Vec3& probe_mm) {
+  Nearest best;
+  if (last_ == kNoTriangle || !probe_mm.finite()) {
+    best = on_->tree().nearest(probe_mm);
+  } else {
+    best = ofTriangle(probe_mm, walk(probe_mm));
+    if (!isCertain(probe_mm, best)) best = on_->tree().nearest(probe_mm, best.triangle);
+  }
+  last_ = best.triangle;
+  return best;
+}
+
+}  // namespace fyd::scene

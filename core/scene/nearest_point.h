@@ -1,0 +1,89 @@
+// The point of a mesh that is nearest to a probe which moves little from step to step: a walk over the mesh from where
+// it was, and a certificate that says when the walk's answer is the whole mesh's. Where there is none, the tree is
+// asked.
+//
+// Certificate. Let f be the nearest point on triangle T, n the unit way from f to the probe, d the distance. Another
+// point q of the mesh is nearer exactly when it lies in the ball around the probe that touches T in f:
+// |q − f|² < 2 d n·(q − f). Within T, n is T's normal. So for each triangle and each of its sides the smallest
+// |q − f|² / (2 n·(q − f)) over all f in T and all q in triangles without a vertex of T is found once: the radius up to
+// which a ball that touches T from that side holds none of them. A probe whose foot lies within T, nearer than this
+// radius, and to which T is the nearest among the triangles that share a vertex with it, has its nearest point there.
+// If f lies on an edge, n is between the normals of both triangles: the radius is the smaller one of the two, times the
+// cosine of half their angle, and the triangles with a vertex of either are looked at.
+//
+// The answer is that of TriangleTree::nearest, whatever the history; forgetting (reset) costs time only.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/scene/triangle_distance.h"
+#include "core/scene/triangle_tree.h"
+
+namespace fyd::scene {
+
+/// What is known of a mesh for walks over it. Immutable; shared by any number of probes and threads.
+class WalkableMesh {
+ public:
+  /// The tree, and with it the mesh, must outlive this.
+  /// A probe farther than deepest_mm (> 0), or than ten mean edges of the mesh, asks the tree at each step: the time to
+  /// build this grows with the triangles within it.
+  WalkableMesh(const TriangleTree& tree, double deepest_mm);
+
+  [[nodiscard]] const TriangleTree& tree() const { return *tree_; }
+  [[nodiscard]] const Mesh& mesh() const { return tree_->mesh(); }
+  /// The triangles that have the vertex.
+  [[nodiscard]] std::span<const std::uint32_t> fan(std::uint32_t vertex) const {
+    return std::span(fan_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
+  }
+  /// What a triangle knows of one of its sides.
+  struct Side {
+    float empty_mm =
+        0.0F;  ///< a ball of this radius that touches it holds nothing of those that share no vertex with it
+    // A ball of radius r that touches the triangle in f holds nothing of …
+    std::array<float, 3>
+        edge_per_mm{};  ///< … what lies across the edge 01, 12, 20, if f is this · r away from the edge
+    std::array<float, 3> strip_per_mm{};  ///< … the others at its ends, likewise; or
+    std::array<float, 3> disc_per_mm{};   ///< … those at the corner 0, 1, 2, if f is this · r away from the corner.
+    // Away: as a share of the triangle's height over the edge; from a corner, of the height of that corner over the
+    // edge across. Infinite: nothing is known.
+  };
+  [[nodiscard]] const Side& side(std::uint32_t triangle, bool outside) const {
+    return sides_[triangle][outside ? 1 : 0];
+  }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  const TriangleTree* tree_;
+  std::vector<std::uint32_t> first_;  // of each vertex, in fan_
+  std::vector<std::uint32_t> fan_;
+  std::vector<std::array<Side, 2>> sides_;  // inside, outside
+
+  void lookAround(std::uint32_t triangle);
+};
+
+class NearestPoint {
+ public:
+  explicit NearestPoint(const WalkableMesh& on) : on_(&on) {}
+
+  /// NaN gives no triangle.
+  [[nodiscard]] Nearest find(const Vec3& probe_mm);
+  void reset() { last_ = kNoTriangle; }
+
+ private:
+  [[nodiscard]] Nearest ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const;
+  /// From the last triangle to one over or under which the probe is, or as near to that as a walk comes.
+  [[nodiscard]] std::uint32_t walk(const Vec3& probe_mm) const;
+  /// Takes what is nearer of the triangles at a vertex. @return whether one was
+  bool improve(const Vec3& probe_mm, std::uint32_t vertex, Nearest& best) const;
+  /// Takes what is nearer around a triangle of what its certificate for this distance does not cover.
+  bool improveAround(const Vec3& probe_mm, std::uint32_t triangle, const std::array<double, 3>& share,
+                     const WalkableMesh::Side& side, double distance_mm, std::size_t on_edge, Nearest& best) const;
+  [[nodiscard]] bool isCertain(const Vec3& probe_mm, Nearest& best) const;
+
+  const WalkableMesh* on_;
+  std::uint32_t last_ = kNoTriangle;
+};
+
+}  // namespace fyd::scene
