@@ -52,6 +52,11 @@ Result<TriangleSoup> parseMesh(std::string_view bytes, MeshFormat format, Length
   for (const Point& p : points) out.vertices.push_back({scale * p.x(), scale * p.y(), scale * p.z()});
   out.triangles.reserve(polygons.size());
   for (const auto& polygon : polygons) {
+    for (const std::size_t vertex : polygon) {
+      if (vertex >= points.size()) {
+        return fail("a polygon has vertex {}; expected one of the {} of this {} file", vertex + 1, points.size(), name);
+      }
+    }
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       const auto corner = [&](std::size_t k) { return static_cast<std::uint32_t>(polygon[k]); };
       out.triangles.push_back({corner(0), corner(i - 1), corner(i)});

@@ -168,7 +168,7 @@ bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, Nearest& 
 
 bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, const std::array<double, 3>& share,
                                  const WalkableMesh::Side& side, double distance_mm, std::size_t on_edge,
-                                 Nearest& best) const {
+                                 std::array<std::uint32_t, 2>& looked_at, Nearest& best) const {
   constexpr std::array<std::size_t, 3> kNext = {1, 2, 0};
   std::array<bool, 3> beyond, strip;
   for (std::size_t e = 0; e < 3; ++e) {
@@ -179,7 +179,9 @@ bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, c
   const Triangle& t = on_->mesh().triangles()[triangle];
   bool better = false;
   for (std::size_t e = 0; e < 3; ++e) {  // corner e is between the edges e and the one before
-    if ((strip[e] || strip[kNext[kNext[e]]]) && 1.0 - share[e] < distance_mm * side.disc_per_mm[e]) {
+    if ((strip[e] || strip[kNext[kNext[e]]]) && 1.0 - share[e] < distance_mm * side.disc_per_mm[e] &&
+        t[e] != looked_at[0] && t[e] != looked_at[1]) {
+      looked_at = {t[e], looked_at[0]};
       better = improve(probe_mm, t[e], best) || better;
     }
     if (!beyond[e]) continue;
@@ -200,6 +202,7 @@ bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, c
 bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
   const Mesh& mesh = on_->mesh();
   for (int moves = 0; moves < kMostMoves; ++moves) {
+    std::array<std::uint32_t, 2> looked_at = {kNoTriangle, kNoTriangle};  // vertices
     const std::uint32_t triangle = best.triangle;
     const Triangle& t = mesh.triangles()[triangle];
     const auto feature = static_cast<std::size_t>(best.feature);
@@ -209,7 +212,7 @@ bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
     if (best.feature == Feature::inside) {
       const bool outside = dot(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]), probe_mm - best.point_mm) > 0.0;
       const WalkableMesh::Side& side = on_->side(triangle, outside);
-      if (improveAround(probe_mm, triangle, share, side, distance_mm, 3, best)) continue;
+      if (improveAround(probe_mm, triangle, share, side, distance_mm, 3, looked_at, best)) continue;
       return distance_mm < side.empty_mm;
     }
     if (feature < 3) {
@@ -241,8 +244,8 @@ bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
       }
       if (mesh.neighbours(across)[i] == triangle) its_edge = i;
     }
-    if (improveAround(probe_mm, triangle, share, side, ball_mm, edge, best)) continue;
-    if (improveAround(probe_mm, across, its_share, beyond, ball_mm, its_edge, best)) continue;
+    if (improveAround(probe_mm, triangle, share, side, ball_mm, edge, looked_at, best)) continue;
+    if (improveAround(probe_mm, across, its_share, beyond, ball_mm, its_edge, looked_at, best)) continue;
     return ball_mm < std::min(side.empty_mm, beyond.empty_mm);
   }
   return false;

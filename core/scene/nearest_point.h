@@ -77,9 +77,11 @@ class NearestPoint {
   [[nodiscard]] std::uint32_t walk(const Vec3& probe_mm) const;
   /// Takes what is nearer of the triangles at a vertex. @return whether one was
   bool improve(const Vec3& probe_mm, std::uint32_t vertex, Nearest& best) const;
-  /// Takes what is nearer around a triangle of what its certificate for this distance does not cover.
+  /// Takes what is nearer around a triangle of what its certificate for this distance does not cover. @param looked_at
+  /// vertices that need not be looked at again
   bool improveAround(const Vec3& probe_mm, std::uint32_t triangle, const std::array<double, 3>& share,
-                     const WalkableMesh::Side& side, double distance_mm, std::size_t on_edge, Nearest& best) const;
+                     const WalkableMesh::Side& side, double distance_mm, std::size_t on_edge,
+                     std::array<std::uint32_t, 2>& looked_at, Nearest& best) const;
   [[nodiscard]] bool isCertain(const Vec3& probe_mm, Nearest& best) const;
 
   const WalkableMesh* on_;

@@ -25,6 +25,8 @@ add_library(asio INTERFACE IMPORTED)
 target_include_directories(asio INTERFACE "${ASIO_INCLUDE_DIR}")
 target_compile_definitions(asio INTERFACE ASIO_STANDALONE ASIO_NO_DEPRECATED)
 target_link_libraries(asio INTERFACE Threads::Threads)
+# The baseline of `fyd bench scene`.
+find_package(embree 3 REQUIRED)
 # Meshes: CGAL is headers only; its readers need neither GMP nor MPFR, which it looks for.
 find_path(CGAL_INCLUDE_DIR CGAL/IO/OBJ.h REQUIRED)
 # Recordings, their exports and the catalogue.

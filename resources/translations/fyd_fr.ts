@@ -8708,8 +8708,8 @@ Pour commencer : %1</translation>
         <translation>{} : clé inconnue '{}' dans {}</translation>
     </message>
     <message>
-        <source>{}: unknown parameter '{}'; 'fyd params' lists those there are</source>
-        <translation>{} : paramètre inconnu '{}' ; 'fyd params' donne la liste de ceux qui existent</translation>
+        <source>{}: unknown parameter '{}'; '{}' lists those there are</source>
+        <translation>{} : paramètre inconnu '{}' ; '{}' donne la liste de ceux qui existent</translation>
     </message>
     <message>
         <source>{}: was left behind by a crash; `fyd session recover` makes it whole first</source>

@@ -8708,8 +8708,8 @@ Per cominciare: %1</translation>
         <translation>{}: chiave sconosciuta '{}' in {}</translation>
     </message>
     <message>
-        <source>{}: unknown parameter '{}'; 'fyd params' lists those there are</source>
-        <translation>{}: parametro sconosciuto '{}'; 'fyd params' elenca quelli esistenti</translation>
+        <source>{}: unknown parameter '{}'; '{}' lists those there are</source>
+        <translation>{}: parametro sconosciuto '{}'; '{}' elenca quelli esistenti</translation>
     </message>
     <message>
         <source>{}: was left behind by a crash; `fyd session recover` makes it whole first</source>

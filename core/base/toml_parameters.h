@@ -1,0 +1,39 @@
+// Tables of a TOML text as parameters: strict, with file, line and what is allowed in every error. For the sources of
+// the readers only: whoever wants a profile or a scene includes those.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "core/base/error.h"
+#include "core/base/parameter.h"
+
+namespace fyd {
+
+/// @return an error with source name and line when it is not TOML
+[[nodiscard]] Result<toml::table> parseToml(std::string_view text, std::string_view source_name);
+
+/// "file:line", as every error of a reader begins.
+[[nodiscard]] std::string place(std::string_view source_name, const toml::node& node);
+
+/// A value that was read and checked, not yet stored.
+struct TomlAssignment {
+  const Parameter* parameter;
+  double value = 0.0;
+  ParameterList list;
+  std::string text;
+
+  void store() const;
+};
+
+/// Every key of the table as the parameter `room.key`, added to what was read. An unknown key, a wrong type, a value
+/// out of range or not finite is refused.
+[[nodiscard]] Result<void> readTable(const toml::table& table, std::string_view room, std::string_view source_name,
+                                     std::span<const Parameter> parameters, Ranges ranges, std::string_view listed_by,
+                                     std::vector<TomlAssignment>& read);
+
+}  // namespace fyd
