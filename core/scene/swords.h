@@ -19,6 +19,8 @@
 // the other. Blades of no radius that move in one and the same plane meet nothing.
 #pragma once
 
+#include <optional>
+
 #include "core/scene/gesture.h"
 
 namespace fyd::scene {
@@ -60,6 +62,7 @@ struct Blade {
 struct SwordState {
   bool known = false;  ///< whether there was one
   Blade local, distant;
+  bool touching = false;
   int side = 0;           ///< sign of the volume between the blades, when it was not 0
   bool crossed = false;   ///< each is on the other's wrong side
   Vec3 normal;            ///< from the distant blade to the side where the local one belongs
