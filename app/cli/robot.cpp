@@ -6,6 +6,7 @@
 #include "app/cli/process_options.h"
 #include "core/device/fri_robot.h"
 #include "core/sim/robot_arm.h"
+#include "core/sim/scene_arm.h"
 
 namespace fyd::cli {
 namespace {
@@ -16,6 +17,7 @@ struct RobotCliOptions {
   EndOptions end;
   MaterialOptions material;
   std::string arm = "simulated";
+  std::string scene;
   std::string axes = "-y,-x,z";
   std::string krc;
   bool no_probe = false;
@@ -80,6 +82,12 @@ void runRobot(const RobotCliOptions& given) {
   options.probe_material = !given.no_probe;
   options.known_stiffness_N_per_mm = given.known_stiffness;
 
+  if (!given.scene.empty()) {
+    const auto scene = valueOrFail(sim::openScene(given.scene));
+    options.probe_material = false;
+    runRobotEnd(given.end, options, std::make_unique<sim::SceneArm>(scene, options.rate_Hz), {});
+    return;
+  }
   if (given.arm == "simulated") {
     runRobotEnd(given.end, options, std::make_unique<sim::RobotArm>(simParameters(given.material)), {});
     return;
@@ -109,6 +117,7 @@ void add_robot(CLI::App& app) {
       ->add_option("--arm", options->arm,
                    "simulated, or kuka:HOST:PORT, the own address to which the LWR's controller sends (port 49938)")
       ->capture_default_str();
+  robot->add_option("--scene", options->scene, "Scene file that stands in the arm's place")->excludes("--arm");
   robot->add_option("--krc", options->krc, "Accept this host as the controller only");
   robot->add_option("--axes", options->axes, "Our axes along the LWR's base X, Y, Z")->capture_default_str();
   addMaterialOptions(*robot, options->material);

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "app/cli/scene_cli.h"
 #include "core/scene/nearest_point.h"
 #include "core/sim/scene_file.h"
 
@@ -95,6 +96,9 @@ void add_scene(CLI::App& app) {
       ->capture_default_str();
   check_command->add_flag("--json", options->json, "As JSON");
   check_command->callback([options] { check(*options); });
+  addSceneExplain(*command);
+  addSceneRun(*command);
+  addSceneKeys(*command);
 }
 
 }  // namespace fyd::cli

@@ -18,6 +18,8 @@ struct RobotReadings {
   Vec3 acceleration_g;   ///< as the sensor gives it, gravity included
   Instant taken{};
   std::optional<Vec3> commanded_mm = std::nullopt;  ///< where it is told to be, of an arm that yields to a force
+  /// Of what it touches now, as far as it knows; 0: it touches nothing. In place of what was probed before.
+  std::optional<double> stiffness_N_per_mm = std::nullopt;
 };
 
 /// Used by one thread at a time.

@@ -149,13 +149,14 @@ void RobotRunner::queueCommands(Instant now) {
 }
 
 void RobotRunner::sendDue(Instant now) {
-  const protocol::RobotReport report{.acceleration_g = now_.readings.acceleration_g - preparation_.restAcceleration_g(),
-                                     .robot = {.stiffness_N_per_mm = now_.probed_stiffness_N_per_mm,
-                                               .position_mm = now_.readings.position_mm,
-                                               .button = false,
-                                               .force_N = now_.readings.force_N},
-                                     .motor_reference = options_.motor_reference,
-                                     .acceleration_taken = now_.readings.taken};
+  const protocol::RobotReport report{
+      .acceleration_g = now_.readings.acceleration_g - preparation_.restAcceleration_g(),
+      .robot = {.stiffness_N_per_mm = now_.readings.stiffness_N_per_mm.value_or(now_.probed_stiffness_N_per_mm),
+                .position_mm = now_.readings.position_mm,
+                .button = false,
+                .force_N = now_.readings.force_N},
+      .motor_reference = options_.motor_reference,
+      .acceleration_taken = now_.readings.taken};
   for (const protocol::Datagram& datagram : end_->tick(now, report)) {
     if (socket_.send(datagram.bytes, datagram.to) != protocol::SendOutcome::sent) ++now_.send_failures;
   }

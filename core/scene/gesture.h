@@ -14,8 +14,6 @@ namespace fyd::scene {
 
 /// A longer step is a pause: nothing is computed over it.
 inline constexpr double kLongestStep_s = 1.0;
-/// No scene is larger; farther away nothing can be squared and summed without care.
-inline constexpr double kFarthest_mm = 1e9;
 
 /// Why a step moved nothing and gave no force.
 enum class Refusal : std::uint8_t { none, not_a_number, too_far, no_time };

@@ -45,7 +45,6 @@ struct MeshReport {
 };
 
 inline constexpr std::size_t kMostTriangles = 20'000'000;
-inline constexpr double kFarthest_mm = 1e15;  ///< beyond, floats have no squares
 inline constexpr std::uint32_t kNoTriangle = 0xffffffff;
 
 enum class Feature : std::uint8_t { vertex_0, vertex_1, vertex_2, edge_01, edge_12, edge_20, inside };

@@ -7,6 +7,9 @@
 
 namespace fyd::scene {
 
+/// No scene is larger; farther away nothing can be squared and summed without care.
+inline constexpr double kFarthest_mm = 1e9;
+
 [[nodiscard]] inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 [[nodiscard]] inline Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -2,7 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <map>
+#include <utility>
 
 #include "core/base/system_reason.h"
 
@@ -10,6 +11,7 @@ namespace fyd::sim {
 namespace {
 
 constexpr std::uintmax_t kLargestMesh_bytes = 4ULL << 30;
+constexpr std::uintmax_t kLargestScene_bytes = 1 << 20;
 
 Result<std::string> readFile(const std::string& path, std::uintmax_t largest_bytes) {
   std::error_code problem;
@@ -42,6 +44,51 @@ Result<scene::Mesh> openMesh(const std::string& path, scene::LengthUnit unit) {
   auto mesh = scene::Mesh::build(std::move(*soup));
   if (!mesh) return fail(about(path, mesh.error().message));
   return mesh;
+}
+
+Result<SceneFile> openScene(const std::string& path) {
+  const auto text = readFile(path, kLargestScene_bytes);
+  if (!text) return tl::unexpected(text.error());
+  auto description = scene::parseScene(*text, path);
+  if (!description) return tl::unexpected(description.error());
+  SceneFile out{.description = std::move(*description), .meshes = {}, .textures = {}};
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::map<std::pair<std::string, scene::LengthUnit>, std::shared_ptr<const scene::SearchedMesh>> known;
+  for (const scene::BodyDescription& body : out.description.bodies) {
+    const std::string file = (folder / body.mesh).string();
+    auto& mesh = known[{file, body.unit}];
+    if (!mesh) {
+      auto read = openMesh(file, body.unit);
+      if (!read) return fail(about(path, read.error().message));
+      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read));
+    }
+    out.meshes.push_back(mesh);
+    auto& texture = out.textures.emplace_back();
+    if (body.texture.empty()) continue;
+    const std::string stored = (folder / body.texture).string();
+    const auto surface = readFile(stored, kLargestScene_bytes);
+    if (!surface) return fail(about(path, surface.error().message));
+    auto model = texture::parseSurface(*surface, stored);
+    if (!model) return tl::unexpected(model.error());
+    texture = std::move(*model);
+  }
+  return out;
+}
+
+scene::Scene buildScene(const SceneFile& file) {
+  std::vector<scene::ContactModel> contacts;
+  for (const scene::BodyDescription& body : file.description.bodies) {
+    using scene::ContactChoice;
+    using scene::ContactModel;
+    switch (body.contact) {
+      case ContactChoice::nodes: contacts.push_back(ContactModel::nodes); break;
+      case ContactChoice::facet: contacts.push_back(ContactModel::facet); break;
+      case ContactChoice::automatic:
+      case ContactChoice::vicinity: contacts.push_back(ContactModel::vicinity); break;
+      case ContactChoice::proxy: contacts.push_back(ContactModel::proxy); break;
+    }
+  }
+  return {file.description, file.meshes, std::move(contacts)};
 }
 
 }  // namespace fyd::sim

@@ -1,15 +1,31 @@
 // Meshes and scenes from files: opened here, understood in core/scene.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
-#include "core/scene/mesh.h"
-#include "core/scene/mesh_text.h"
+#include "core/scene/scene.h"
+#include "core/texture/surface_model.h"
 
 namespace fyd::sim {
 
 /// @return an error that names the file: not there, no regular file, too large, no mesh
 [[nodiscard]] Result<scene::Mesh> openMesh(const std::string& path, scene::LengthUnit unit);
+
+/// A scene file with its meshes. Bodies of the same file and unit share one mesh.
+struct SceneFile {
+  scene::SceneDescription description;
+  std::vector<std::shared_ptr<const scene::SearchedMesh>> meshes;  ///< of each body
+  std::vector<std::optional<texture::SurfaceModel>> textures;      ///< of each body
+};
+
+/// @return an error that names the file, and the line or the mesh
+[[nodiscard]] Result<SceneFile> openScene(const std::string& path);
+
+/// Its contacts are those it names; where it leaves them open, vicinity.
+[[nodiscard]] scene::Scene buildScene(const SceneFile& file);
 
 }  // namespace fyd::sim

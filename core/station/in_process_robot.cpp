@@ -1,21 +1,31 @@
 #include "core/station/in_process_robot.h"
 
 #include "core/sim/robot_arm.h"
+#include "core/sim/scene_arm.h"
 #include "core/station/real_time.h"
 
 namespace fyd::station {
 
 Result<std::unique_ptr<InProcessRobot>> InProcessRobot::open(const protocol::Endpoint& touchpad,
                                                              const sim::SimParameters& parameters,
-                                                             std::string_view predictor) {
+                                                             const RobotChoice& choice) {
   auto any_port = protocol::parseEndpoint("127.0.0.1:0");
   sim::SimulatedRobotOptions options;
   options.touchpad = touchpad;
   options.bind = *any_port;
-  const auto following = device::followingNamed(predictor);
+  const auto following = device::followingNamed(choice.predictor);
   if (!following) return tl::unexpected(following.error());
   options.reference.predictor = *following;
-  auto robot = sim::SimulatedRobot::open(options, std::make_unique<sim::RobotArm>(parameters));
+  std::unique_ptr<device::Robot> arm;
+  if (choice.scene.empty()) {
+    arm = std::make_unique<sim::RobotArm>(parameters);
+  } else {
+    const auto scene = sim::openScene(choice.scene);
+    if (!scene) return tl::unexpected(scene.error());
+    arm = std::make_unique<sim::SceneArm>(*scene, options.rate_Hz);
+    options.probe_material = false;
+  }
+  auto robot = sim::SimulatedRobot::open(options, std::move(arm));
   if (!robot) return tl::unexpected(robot.error());
   return std::unique_ptr<InProcessRobot>(new InProcessRobot(std::move(*robot)));
 }

@@ -1,22 +1,23 @@
-// The simulated robot in a thread of this process, connected over real UDP on the loopback interface.
+// The simulated robot, or a scene in its place, in a thread of this process, connected over real UDP on the loopback
+// interface.
 #pragma once
 
 #include <memory>
-#include <string_view>
 #include <thread>
 
 #include "core/protocol/endpoint.h"
 #include "core/sim/sim_parameters.h"
 #include "core/sim/simulated_robot.h"
+#include "core/station/robot_choice.h"
 
 namespace fyd::station {
 
 class InProcessRobot {
  public:
-  /// Probes its material before it connects. @param predictor as device::followingNamed takes it
+  /// An arm probes its material before it connects; a scene knows what it is made of.
   [[nodiscard]] static Result<std::unique_ptr<InProcessRobot>> open(const protocol::Endpoint& touchpad,
                                                                     const sim::SimParameters& parameters,
-                                                                    std::string_view predictor);
+                                                                    const RobotChoice& choice);
   ~InProcessRobot() { shutDown(); }
   void start();
   void shutDown();

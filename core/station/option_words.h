@@ -13,7 +13,7 @@ inline constexpr const char* kCamera =
     "Device index, video file, folder of pictures, stream URL or recording:FILE; left out, the touchpad's own "
     "(simulated, recorded)";
 inline constexpr const char* kRobot =
-    "simulated (simulated:PREDICTOR), none, or link:HOST:PORT or classic:HOST:PORT to listen there";
+    "simulated (simulated:PREDICTOR), scene:FILE, none, or link:HOST:PORT or classic:HOST:PORT to listen there";
 inline constexpr const char* kKey = "Key file of FYD Link, for --robot link:HOST:PORT";
 inline constexpr const char* kSurface = "Stored surface to feel with --robot none (TOML)";
 inline constexpr const char* kRecord = "Record the session into this new file (.h5)";

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::string_view kSimulated = "simulated";
 constexpr std::string_view kSimulatedPrefix = "simulated:";
+constexpr std::string_view kScenePrefix = "scene:";
 constexpr std::string_view kClassicPrefix = "classic:";
 constexpr std::string_view kLinkPrefix = "link:";
 constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
@@ -15,17 +16,19 @@ constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
 }  // namespace
 
 Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& key_file) {
-  const bool in_process = robot == kSimulated || robot.starts_with(kSimulatedPrefix);
+  const bool scene = robot.starts_with(kScenePrefix);
+  const bool in_process = scene || robot == kSimulated || robot.starts_with(kSimulatedPrefix);
   const bool classic = robot.starts_with(kClassicPrefix);
   const bool secured = robot.starts_with(kLinkPrefix);
   if (!in_process && !classic && !secured && robot != "none") {
-    return fail("robot '{}': expected simulated, none, link:HOST:PORT or classic:HOST:PORT", robot);
+    return fail("robot '{}': expected simulated, scene:FILE, none, link:HOST:PORT or classic:HOST:PORT", robot);
   }
   if (secured != !key_file.empty()) {
     return secured ? fail("robot '{}': FYD Link needs a key file; fyd link keygen makes one", robot)
                    : fail("robot '{}': takes no key file; only link:HOST:PORT does", robot);
   }
   RobotChoice choice{.in_process = in_process};
+  if (scene) choice.scene = robot.substr(kScenePrefix.size());
   if (robot.starts_with(kSimulatedPrefix)) choice.predictor = robot.substr(kSimulatedPrefix.size());
   if (auto known = device::followingNamed(choice.predictor); !known) return tl::unexpected(known.error());
   if (robot == "none") return choice;

@@ -138,7 +138,7 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
         {.action = pipeline::OperatorAction::target_by_hand, .value = options.profile.step.step.hand_target_N_per_mm});
   }
   if (choice->in_process) {
-    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim, choice->predictor);
+    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim, *choice);
     if (!robot) return tl::unexpected(robot.error());
     impl->robot = std::move(*robot);
     impl->predictor = choice->predictor;

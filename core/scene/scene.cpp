@@ -1,0 +1,150 @@
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/portable_math.h"
+#include "core/scene/vector.h"
+
+namespace fyd::scene {
+namespace {
+
+constexpr double kMargin = 0.1;  // of the mean reach of a body: how far a haptic point moves between two looks around
+
+Vec3 three(const ParameterList& list) { return list.size() == 3 ? Vec3{list[0], list[1], list[2]} : Vec3{}; }
+
+double fromSegment(const Vec3& p, const Vec3& from, const Vec3& to) {
+  const Vec3 way = to - from;
+  const double all = squared(way);
+  const double at = all > 0.0 ? std::clamp(dot(p - from, way) / all, 0.0, 1.0) : 0.0;
+  return length(p - (from + at * way));
+}
+
+}  // namespace
+
+Placement::Placement(const BodyDescription& body)
+    : position_mm(three(body.position_mm)), velocity_mm_per_s(three(body.velocity_mm_per_s)) {
+  const Vec3 by = (std::numbers::pi / 180.0) * three(body.turned_deg);
+  const double cx = math::cos(by.x), sx = math::sin(by.x), cy = math::cos(by.y), sy = math::sin(by.y),
+               cz = math::cos(by.z), sz = math::sin(by.z);
+  rows_ = {Vec3{cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx},
+           Vec3{sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx}, Vec3{-sy, cy * sx, cy * cx}};
+}
+
+Vec3 Placement::turned(const Vec3& way) const { return {dot(rows_[0], way), dot(rows_[1], way), dot(rows_[2], way)}; }
+
+Vec3 Placement::turnedBack(const Vec3& way) const { return way.x * rows_[0] + way.y * rows_[1] + way.z * rows_[2]; }
+
+Scene::Body::Body(const BodyDescription& from, std::shared_ptr<const SearchedMesh> with, ContactModel model)
+    : placement(from),
+      mesh(std::move(with)),
+      contact(mesh->tree,
+              Surface{.stiffness_N_per_mm = from.stiffness_N_per_mm,
+                      .damping_Ns_per_mm = from.damping_Ns_per_mm,
+                      .static_friction = from.static_friction,
+                      .kinetic_friction = from.kinetic_friction,
+                      .texture = from.texture},
+              ContactSettings{.model = model, .radius_mm = from.radius_mm, .reach_mm = from.depth_mm}),
+      walkable(std::make_unique<WalkableMesh>(mesh->tree, contact.settings().reach_mm)),
+      nearest(*walkable) {
+  const MeshReport& r = mesh->mesh.report();
+  middle_mm = 0.5 * (r.lowest_mm + r.highest_mm);
+  // Within a body, or as deep under an open mesh as it acts, or as far away as the finger is thick.
+  reach_mm = 0.5 * length(r.highest_mm - r.lowest_mm) + contact.settings().reach_mm + contact.settings().radius_mm;
+}
+
+Scene::Scene(const SceneDescription& description, std::vector<std::shared_ptr<const SearchedMesh>> meshes,
+             std::vector<ContactModel> contacts)
+    : palpation_(description.palpation) {
+  bodies_.reserve(description.bodies.size());
+  double reaches_mm = 0.0;
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    bodies_.emplace_back(description.bodies[i], std::move(meshes[i]), contacts[i]);
+    reaches_mm += bodies_.back().reach_mm;
+    fastest_mm_per_s_ = std::max(fastest_mm_per_s_, length(bodies_.back().placement.velocity_mm_per_s));
+  }
+  if (!bodies_.empty()) margin_mm_ = kMargin * reaches_mm / static_cast<double>(bodies_.size());
+  awake_.reserve(bodies_.size());
+}
+
+void Scene::wake(const Vec3& from_mm, const Vec3& to_mm) {
+  awake_.clear();
+  const double beyond_mm = margin_mm_ + fastest_mm_per_s_ * (time_s_ - anchor_s_);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body& body = bodies_[i];
+    if (fromSegment(body.placement.toScene(body.middle_mm, time_s_), from_mm, to_mm) <= body.reach_mm + beyond_mm) {
+      awake_.push_back(i);
+    } else {
+      body.contact.restore({});
+      body.nearest.reset();
+    }
+  }
+  anchor_mm_ = to_mm;
+  anchor_s_ = time_s_;
+}
+
+SceneTouch Scene::step(const Vec3& probe_mm, double time_s) {
+  SceneTouch out;
+  if (!probe_mm.finite() || !std::isfinite(time_s)) {
+    out.proxy_mm = last_mm_;
+    return out;
+  }
+  out.proxy_mm = probe_mm;
+  if (!known_) first_s_ = time_s;
+  const double dt_s = time_s - first_s_ - time_s_;
+  if (known_ && !(dt_s > 0.0)) return last_;
+  time_s_ = time_s - first_s_;
+  const Vec3 from_mm = known_ ? last_mm_ : probe_mm;
+  const Vec3 velocity = known_ ? (1.0 / dt_s) * (probe_mm - from_mm) : Vec3{};
+  if (!known_ || length(probe_mm - anchor_mm_) + fastest_mm_per_s_ * (time_s_ - anchor_s_) > margin_mm_) {
+    wake(from_mm, probe_mm);
+  }
+  known_ = true;
+  last_mm_ = probe_mm;
+  double largest_N = -1.0;
+  int touched = 0;
+  std::array<Vec3, 3> together{};  // Σ k n nᵀ
+  for (const std::size_t i : awake_) {
+    Body& body = bodies_[i];
+    const Placement& at = body.placement;
+    const Vec3 local_mm = at.toBody(probe_mm, time_s_);
+    const Contact contact =
+        body.contact.touch(local_mm, at.turnedBack(velocity - at.velocity_mm_per_s), body.nearest.find(local_mm));
+    if (!contact.touching) continue;
+    ++touched;
+    out.force_N = out.force_N + at.turned(contact.force_N);
+    const Vec3 normal = at.turned(contact.normal);
+    together[0] = together[0] + (contact.stiffness_N_per_mm * normal.x) * normal;
+    together[1] = together[1] + (contact.stiffness_N_per_mm * normal.y) * normal;
+    together[2] = together[2] + (contact.stiffness_N_per_mm * normal.z) * normal;
+    const double force_N = length(contact.force_N);
+    if (!(force_N > largest_N)) continue;
+    largest_N = force_N;
+    out.body = i;
+    out.normal = normal;
+    out.proxy_mm = at.toScene(contact.proxy_mm, time_s_);
+    out.depth_mm = contact.depth_mm;
+    out.stiffness_N_per_mm = contact.stiffness_N_per_mm;
+  }
+  out.touching = touched > 0;
+  if (touched > 1) {
+    const Vec3 along = unit(out.force_N);
+    out.stiffness_N_per_mm = dot(along, {dot(together[0], along), dot(together[1], along), dot(together[2], along)});
+  }
+  last_ = out;
+  return out;
+}
+
+std::size_t Scene::bytes(std::size_t body) const {
+  const Body& b = bodies_[body];
+  return sizeof(Body) + b.mesh->mesh.bytes() + b.mesh->tree.bytes() + b.walkable->bytes() + b.contact.bytes();
+}
+
+std::size_t Scene::bytes() const {
+  std::size_t sum = sizeof(Scene);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) sum += bytes(i);
+  return sum;
+}
+
+}  // namespace fyd::scene

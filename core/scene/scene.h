@@ -1,0 +1,117 @@
+// A haptic scene as it is stepped: the bodies that its description names and a haptic point among them.
+//
+// What is not named is not there: a scene of one body holds one mesh and one contact. A body that the haptic point is
+// not near sleeps: it is looked at again only after the point, or the body itself, may have come near.
+//
+// Forces of several bodies add up. The stiffness felt is that along the force: Σ k (n·f)². The contact that is reported
+// is the one with the largest force; of two equal ones the body that stands first.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/scene/contact.h"
+#include "core/scene/nearest_point.h"
+#include "core/scene/palpation.h"
+#include "core/scene/scene_description.h"
+
+namespace fyd::scene {
+
+/// A body's mesh with its tree. Immutable, and where it is: trees point to their mesh.
+struct SearchedMesh {
+  explicit SearchedMesh(Mesh from) : mesh(std::move(from)), tree(mesh) {}
+  SearchedMesh(const SearchedMesh&) = delete;
+  SearchedMesh& operator=(const SearchedMesh&) = delete;
+  Mesh mesh;
+  TriangleTree tree;
+};
+
+/// How a mesh stands in the scene: turned about x, then y, then z, then moved.
+class Placement {
+ public:
+  Placement() = default;
+  explicit Placement(const BodyDescription& body);
+  [[nodiscard]] Vec3 toBody(const Vec3& point_mm, double time_s) const {
+    return turnedBack(point_mm - position_mm - time_s * velocity_mm_per_s);
+  }
+  [[nodiscard]] Vec3 toScene(const Vec3& point_mm, double time_s) const {
+    return turned(point_mm) + position_mm + time_s * velocity_mm_per_s;
+  }
+  [[nodiscard]] Vec3 turned(const Vec3& way) const;
+  [[nodiscard]] Vec3 turnedBack(const Vec3& way) const;
+
+  Vec3 position_mm, velocity_mm_per_s;
+
+ private:
+  std::array<Vec3, 3> rows_{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+};
+
+inline constexpr std::size_t kNoBody = static_cast<std::size_t>(-1);
+
+struct SceneTouch {
+  bool touching = false;
+  Vec3 force_N;   ///< on the haptic point
+  Vec3 proxy_mm;  ///< of the body that pushes most; the haptic point if nothing is touched
+  Vec3 normal;
+  double depth_mm = 0.0;
+  double stiffness_N_per_mm = 0.0;  ///< along the force; 0 if nothing is touched
+  std::size_t body = kNoBody;       ///< that pushes most
+};
+
+class Scene {
+ public:
+  /// @param meshes one for each body of the description
+  /// @param contacts of the bodies, chosen where the description leaves it open; one for each body
+  Scene(const SceneDescription& description, std::vector<std::shared_ptr<const SearchedMesh>> meshes,
+        std::vector<ContactModel> contacts);
+
+  /// One step; allocates nothing. A haptic point or a time that is no number touches nothing and moves nothing; where
+  /// time stands still or goes back, the last touch is given again.
+  /// @param time_s of the caller's clock; bodies fly from where they are at the first step
+  SceneTouch step(const Vec3& probe_mm, double time_s);
+
+  [[nodiscard]] std::size_t bodies() const { return bodies_.size(); }
+  [[nodiscard]] std::size_t awake() const { return awake_.size(); }
+  [[nodiscard]] const Mesh& mesh(std::size_t body) const { return bodies_[body].mesh->mesh; }
+  [[nodiscard]] const Placement& placement(std::size_t body) const { return bodies_[body].placement; }
+  [[nodiscard]] const ContactSettings& contact(std::size_t body) const { return bodies_[body].contact.settings(); }
+  /// Of memory, with meshes and trees.
+  [[nodiscard]] std::size_t bytes() const;
+  /// Of one body.
+  [[nodiscard]] std::size_t bytes(std::size_t body) const;
+
+ private:
+  struct Body {
+    Body(const BodyDescription& from, std::shared_ptr<const SearchedMesh> with, ContactModel model);
+    Placement placement;
+    std::shared_ptr<const SearchedMesh> mesh;
+    BodyContact contact;
+    std::unique_ptr<WalkableMesh> walkable;
+    NearestPoint nearest;
+    Vec3 middle_mm;         // of the mesh
+    double reach_mm = 0.0;  // from it, beyond which nothing is felt
+  };
+
+  /// Which bodies may be touched before the haptic point has moved `margin_mm_`.
+  void wake(const Vec3& from_mm, const Vec3& to_mm);
+
+  std::vector<Body> bodies_;
+  std::vector<std::size_t> awake_;
+  double margin_mm_ = 0.0;
+  double fastest_mm_per_s_ = 0.0;  // of the bodies
+  bool known_ = false;
+  double first_s_ = 0.0;
+  double time_s_ = 0.0;  // since then
+  Vec3 last_mm_;
+  SceneTouch last_;
+  Vec3 anchor_mm_;
+  double anchor_s_ = 0.0;
+  std::optional<PalpationParameters> palpation_;
+  PalpationState palpating_;
+};
+
+}  // namespace fyd::scene

@@ -1,0 +1,105 @@
+// What a scene file says: bodies and gestures. What it does not name is not there.
+//
+// TOML: [scene], any number of [[body]], and at most one each of [swords], [ball] and [palpation]. Each table is a list
+// of parameters (core/base/parameter.h), so that the reader, `fyd scene keys` and the manual's table are the same list.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/parameter.h"
+#include "core/scene/ball.h"
+#include "core/scene/mesh_text.h"
+#include "core/scene/palpation.h"
+#include "core/scene/swords.h"
+
+namespace fyd::scene {
+
+/// How a body is touched. automatic: the cheapest that meets the scene's accuracy on this mesh; vicinity without one.
+enum class ContactChoice : std::uint8_t { automatic, nodes, facet, vicinity, proxy };
+inline constexpr std::array<std::string_view, 5> kContactChoices = {"automatic", "nodes", "facet", "vicinity", "proxy"};
+
+struct SceneSettings {
+  std::string name;
+  std::string accuracy;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.text("scene.name", name, {.help = "For people."});
+    v.text("scene.accuracy", accuracy,
+           {.help = "How far a force may be off, such as \"1%\": of bodies that name no contact model, the cheapest "
+                    "that meets it on their mesh is taken."});
+  }
+};
+
+struct BodyDescription {
+  std::string name;
+  std::string mesh;
+  LengthUnit unit = LengthUnit::mm;
+  ParameterList position_mm;
+  ParameterList turned_deg;
+  ParameterList velocity_mm_per_s;
+  ContactChoice contact = ContactChoice::automatic;
+  double stiffness_N_per_mm = 0.5;
+  double damping_Ns_per_mm = 0.0;
+  double static_friction = 0.0;
+  double kinetic_friction = 0.0;
+  double radius_mm = 0.0;
+  double depth_mm = 0.0;
+  std::string texture;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.text("body.name", name, {.help = "For people; the mesh's when left out."});
+    v.text("body.mesh", mesh, {.help = "OBJ, STL or PLY file, relative to the scene's."});
+    v.choice("body.unit", unit, kLengthUnits, {.help = "Of the mesh's coordinates."});
+    v.list("body.position_mm", position_mm, {.unit = "mm", .help = "Where the mesh's origin is: x, y, z."});
+    v.list("body.turned_deg", turned_deg,
+           {.unit = "°", .help = "How the mesh is turned: about x, then y, then z, which stand still."});
+    v.list("body.velocity_mm_per_s", velocity_mm_per_s,
+           {.unit = "mm/s", .help = "How the body flies from the beginning: x, y, z."});
+    v.choice("body.contact", contact, kContactChoices,
+             {.help = "How it is touched; automatic: the cheapest that meets scene.accuracy, vicinity without one."});
+    v.real("body.stiffness_N_per_mm", stiffness_N_per_mm,
+           {.unit = "N/mm", .minimum = 1e-6, .maximum = 1e4, .help = "Force by depth."});
+    v.real("body.damping_Ns_per_mm", damping_Ns_per_mm,
+           {.unit = "N·s/mm", .minimum = 0, .maximum = 10, .help = "Force by speed along the normal; never a pull."});
+    v.real("body.static_friction", static_friction,
+           {.minimum = 0, .maximum = 5, .help = "Up to which share of the normal force a proxy sticks."});
+    v.real("body.kinetic_friction", kinetic_friction,
+           {.minimum = 0, .maximum = 5, .help = "Share of the normal force with which a sliding proxy is held."});
+    v.real("body.radius_mm", radius_mm,
+           {.unit = "mm",
+            .minimum = 0,
+            .maximum = 1000,
+            .help = "Of the fingertip: of a proxy, 0 is a point; of nodes, 0 is three mean edges."});
+    v.real(
+        "body.depth_mm", depth_mm,
+        {.unit = "mm",
+         .minimum = 0,
+         .maximum = 1e6,
+         .help = "How deep facet and vicinity act; 0: half of the mesh's diagonal, more than any point within has."});
+    v.text("body.texture", texture,
+           {.help = "Stored surface that shakes a finger sliding over it: a file, relative to the scene's."});
+  }
+};
+
+struct SceneDescription {
+  SceneSettings settings;
+  std::optional<double> accuracy;  ///< a share, of settings.accuracy
+  std::vector<BodyDescription> bodies;
+  std::optional<SwordParameters> swords;
+  std::optional<BallParameters> ball;
+  std::optional<PalpationParameters> palpation;
+};
+
+/// @param source_name stands before the line number in messages
+/// @return an error with source name and line: not TOML, an unknown table or key, a wrong type, a value out of range, a
+/// scene without anything to touch
+[[nodiscard]] Result<SceneDescription> parseScene(std::string_view text, std::string_view source_name);
+
+}  // namespace fyd::scene

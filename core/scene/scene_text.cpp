@@ -1,0 +1,108 @@
+#include <charconv>
+#include <cmath>
+
+#include "core/base/toml_parameters.h"
+#include "core/scene/scene_description.h"
+
+namespace fyd::scene {
+namespace {
+
+constexpr std::string_view kListedBy = "fyd scene keys";
+constexpr std::size_t kMostBodies = 1000;
+
+template <class Parameters>
+Result<void> readInto(Parameters& to, const toml::node& node, std::string_view room, std::string_view source_name) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return fail("{}: '{}': expected a table [{}]", place(source_name, node), room, room);
+  const std::vector<Parameter> parameters = bindParameters(to);
+  std::vector<TomlAssignment> read;
+  if (auto done = readTable(*table, room, source_name, parameters, Ranges::bind, kListedBy, read); !done) return done;
+  for (const TomlAssignment& assignment : read) assignment.store();
+  return {};
+}
+
+Result<void> checkBody(const BodyDescription& body, const std::string& where) {
+  if (body.mesh.empty()) return fail("{}: body.mesh: expected an OBJ, STL or PLY file", where);
+  const auto three = [](const ParameterList& list) { return list.size() == 0 || list.size() == 3; };
+  if (!three(body.position_mm)) return fail("{}: body.position_mm: expected three numbers", where);
+  if (!three(body.turned_deg)) return fail("{}: body.turned_deg: expected three numbers", where);
+  if (!three(body.velocity_mm_per_s)) return fail("{}: body.velocity_mm_per_s: expected three numbers", where);
+  if (body.kinetic_friction > body.static_friction) {
+    return fail("{}: body.kinetic_friction {}: expected at most body.static_friction, {}", where, body.kinetic_friction,
+                body.static_friction);
+  }
+  return {};
+}
+
+/// "1%" or "0.01". @return nothing when it is none of them
+std::optional<double> shareOf(std::string_view text) {
+  const bool percent = text.ends_with('%');
+  if (percent) text.remove_suffix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  value *= percent ? 0.01 : 1.0;
+  return value > 0.0 && value <= 1.0 ? std::optional(value) : std::nullopt;
+}
+
+template <class Parameters>
+Result<void> readOne(std::optional<Parameters>& to, const toml::node& node, std::string_view room,
+                     std::string_view source_name) {
+  return readInto(to.emplace(), node, room, source_name);
+}
+
+Result<void> readBodies(SceneDescription& scene, const toml::node& node, std::string_view source_name) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return fail("{}: 'body': expected tables [[body]]", place(source_name, node));
+  if (array->size() > kMostBodies) {
+    return fail("{}: {} bodies; at most {}", place(source_name, node), array->size(), kMostBodies);
+  }
+  for (const toml::node& item : *array) {
+    BodyDescription& body = scene.bodies.emplace_back();
+    if (auto read = readInto(body, item, "body", source_name); !read) return read;
+    if (auto good = checkBody(body, place(source_name, item)); !good) return good;
+    if (body.name.empty()) body.name = body.mesh.substr(body.mesh.rfind('/') + 1);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<SceneDescription> parseScene(std::string_view text, std::string_view source_name) {
+  const auto root = parseToml(text, source_name);
+  if (!root) return tl::unexpected(root.error());
+  SceneDescription scene;
+  for (const auto& [key, node] : *root) {
+    const std::string_view room = key.str();
+    Result<void> read;
+    if (room == "scene") {
+      read = readInto(scene.settings, node, room, source_name);
+    } else if (room == "body") {
+      read = readBodies(scene, node, source_name);
+    } else if (room == "swords") {
+      read = readOne(scene.swords, node, room, source_name);
+    } else if (room == "ball") {
+      read = readOne(scene.ball, node, room, source_name);
+    } else if (room == "palpation") {
+      read = readOne(scene.palpation, node, room, source_name);
+    } else {
+      read =
+          fail("{}: '{}': expected [scene], [[body]], [swords], [ball] or [palpation]", place(source_name, node), room);
+    }
+    if (!read) return tl::unexpected(read.error());
+  }
+  if (!scene.settings.accuracy.empty()) {
+    scene.accuracy = shareOf(scene.settings.accuracy);
+    if (!scene.accuracy) {
+      return fail("{}: scene.accuracy \"{}\": expected a share such as \"1%\", above 0 and up to 100%", source_name,
+                  scene.settings.accuracy);
+    }
+  }
+  if (scene.bodies.empty() && !scene.swords && !scene.ball && !scene.palpation) {
+    return fail("{}: nothing to touch; expected a [[body]], [swords], [ball] or [palpation]", source_name);
+  }
+  return scene;
+}
+
+}  // namespace fyd::scene
