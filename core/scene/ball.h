@@ -19,11 +19,9 @@
 #include <optional>
 
 #include "core/scene/gesture.h"
+#include "core/scene/racket.h"
 
 namespace fyd::scene {
-
-enum class RacketShape : std::uint8_t { disc, rectangle };
-inline constexpr std::array<std::string_view, 2> kRacketShapes = {"disc", "rectangle"};
 
 struct BallParameters {
   double radius_mm = 33.0;
@@ -96,13 +94,6 @@ struct BallState {
   Vec3 spin_rad_per_s;
 };
 
-/// Unit vectors, at right angles: they are made so.
-struct RacketPose {
-  Vec3 centre_mm;
-  Vec3 normal{0.0, 0.0, 1.0};
-  Vec3 along{1.0, 0.0, 0.0};  ///< its width
-};
-
 enum class BallRest : std::uint8_t { flies, on_racket, on_court };
 
 /// What a step knows of the one before.
@@ -111,8 +102,7 @@ struct BallGameState {
   bool racket_known = false;
   RacketPose racket;
   BallRest rest = BallRest::flies;
-  double face = 1.0;  ///< of the racket on which it rests: 1 that of its normal, −1 the other
-  Vec3 owed_Ns;       ///< impulse on the racket not felt yet
+  Vec3 owed_Ns;  ///< impulse on the racket not felt yet
 };
 
 struct BallImpact {
