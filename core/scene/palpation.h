@@ -10,7 +10,9 @@
 //
 // The hand's speed is the slope of its positions, smoothed over `speed_time_constant_s` against the steps of encoders,
 // exactly for any time step. Smoothing delays, and a delayed brake can push: what the tangential force has taken from
-// the hand is counted, and it never gives more than that.
+// the hand is counted, and where it would push it gives no more than that back. A hand that turns round within a step,
+// and noise that is nothing but turning round, get some energy before the step ends: with 2 mJ of it the force is gone,
+// and comes back as that is forgotten, in about a second.
 #pragma once
 
 #include <optional>
@@ -82,7 +84,7 @@ struct PalpationState {
   double depth_mm = 0.0;
   Vec3 velocity_mm_per_s;  ///< smoothed
   Vec3 tangential_N;
-  double taken_mJ = 0.0;  ///< by the tangential force, from the hand; never below 0 by more than one step's worth
+  double taken_mJ = 0.0;  ///< by the tangential force, from the hand
 };
 
 struct PalpationForce {
