@@ -1,0 +1,307 @@
+#include "core/scene/fitted_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/base/portable_math.h"
+
+namespace fyd::scene {
+namespace {
+
+constexpr std::size_t kMostAround = 128;  // vertices that are fitted; a fan of a million must not take hours
+constexpr double kSteepest = 0.5;  // cosine: a fitted normal that leans more against the mean one is not believed
+constexpr double kMostBent = 1.0;  // curvature times the distance of the vertices around
+
+/// Symmetric: xx xy xz yy yz zz.
+using Tensor = std::array<double, 6>;
+
+Vec3 operator*(const Tensor& k, const Vec3& v) {
+  return {k[0] * v.x + k[1] * v.y + k[2] * v.z, k[1] * v.x + k[3] * v.y + k[4] * v.z,
+          k[2] * v.x + k[4] * v.y + k[5] * v.z};
+}
+
+/// Solves the normal equations of `order` unknowns in place (Cholesky). @return false if they have no solution
+bool solve(std::array<std::array<double, 10>, 9>& m, std::size_t n) {
+  for (std::size_t j = 0; j < n; ++j) {
+    const double whole = m[j][j];
+    for (std::size_t k = 0; k < j; ++k) m[j][j] -= m[j][k] * m[j][k];
+    if (!(m[j][j] > 1e-10 * whole)) return false;
+    m[j][j] = std::sqrt(m[j][j]);
+    for (std::size_t i = j + 1; i < n; ++i) {
+      for (std::size_t k = 0; k < j; ++k) m[i][j] -= m[i][k] * m[j][k];
+      m[i][j] /= m[j][j];
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) m[i][9] -= m[i][k] * m[k][9];
+    m[i][9] /= m[i][i];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) m[i][9] -= m[k][i] * m[k][9];
+    m[i][9] /= m[i][i];
+  }
+  return true;
+}
+
+struct Frame {
+  Vec3 x, y, normal;
+  explicit Frame(const Vec3& n) : normal(n) {
+    const Vec3 away = std::abs(n.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+    x = unit(cross(away, n));
+    y = cross(n, x);
+  }
+};
+
+/// z = a x + b y + (c x² + 2 d xy + e y²)/2 + …
+struct Shape {
+  double a, b, c, d, e;
+};
+
+/// @param size lengths are measured in it
+std::optional<Shape> fitShape(const Vec3& middle, const std::vector<Vec3>& around, const Frame& frame, double size,
+                              std::size_t unknowns) {
+  if (around.size() < unknowns + (unknowns == 9 ? 3 : 0)) return std::nullopt;
+  std::array<std::array<double, 10>, 9> m{};
+  for (const Vec3& p : around) {
+    const Vec3 from = (1.0 / size) * (p - middle);
+    const double x = dot(from, frame.x), y = dot(from, frame.y), z = dot(from, frame.normal);
+    const double weight = 1.0 / (x * x + y * y + 1e-3);
+    const std::array<double, 9> term = {x,         y,         0.5 * x * x, x * y,    0.5 * y * y,
+                                        x * x * x, x * x * y, x * y * y,   y * y * y};
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      for (std::size_t k = 0; k <= i; ++k) m[i][k] += weight * term[i] * term[k];
+      m[i][9] += weight * term[i] * z;
+    }
+  }
+  if (!solve(m, unknowns)) return std::nullopt;
+  return Shape{m[0][9], m[1][9], m[2][9] / size, m[3][9] / size, m[4][9] / size};
+}
+
+}  // namespace
+
+struct FittedSurface::Fitter {
+  FittedSurface& surface;
+  const Mesh& mesh;
+  std::vector<Vec3> normals;              // of the triangles
+  std::vector<std::uint32_t> begin, fan;  // for each vertex, its triangles: fan[begin[v]] … fan[begin[v + 1] − 1]
+  std::vector<std::uint32_t> triangle_seen, vertex_seen;
+  std::uint32_t now = 0;
+  std::vector<std::uint32_t> reached;
+  std::vector<Vec3> around;
+
+  explicit Fitter(FittedSurface& s, const Mesh& m) : surface(s), mesh(m) {
+    const auto triangles = mesh.triangles();
+    normals.reserve(triangles.size());
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) normals.push_back(mesh.triangleNormal(t));
+    begin.assign(mesh.vertices().size() + 1, 0);
+    for (const Triangle& t : triangles) {
+      for (const std::uint32_t v : t) ++begin[v + 1];
+    }
+    for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
+    fan.resize(3 * triangles.size());
+    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      for (const std::uint32_t v : triangles[t]) fan[next[v]++] = t;
+    }
+    triangle_seen.assign(triangles.size(), 0);
+    vertex_seen.assign(mesh.vertices().size(), 0);
+  }
+
+  [[nodiscard]] std::uint32_t across(std::uint32_t t, std::size_t side) const {
+    return (surface.crease_[t] >> side & 1) != 0 ? kNoTriangle : mesh.neighbours(t)[side];
+  }
+
+  void markCreases() {
+    for (std::uint32_t t = 0; t < normals.size(); ++t) {
+      for (std::size_t side = 0; side < 3; ++side) {
+        const std::uint32_t other = mesh.neighbours(t)[side];
+        if (other == kNoTriangle || dot(normals[t], normals[other]) >= kCreaseCosine) continue;
+        surface.crease_[t] |= static_cast<std::uint8_t>(1U << side);
+      }
+    }
+    std::vector<bool> creased(mesh.vertices().size());
+    for (std::uint32_t t = 0; t < normals.size(); ++t) {
+      const Triangle& v = mesh.triangles()[t];
+      for (std::size_t side = 0; side < 3; ++side) {
+        if ((surface.crease_[t] >> side & 1) != 0) creased[v[side]] = creased[v[(side + 1) % 3]] = true;
+      }
+    }
+    for (std::uint32_t t = 0; t < normals.size(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (creased[mesh.triangles()[t][i]]) surface.crease_[t] |= static_cast<std::uint8_t>(8U << i);
+      }
+    }
+  }
+
+  void fitAll() {
+    for (std::uint32_t v = 0; v + 1 < begin.size(); ++v) {
+      for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
+        const Triangle& corners = mesh.triangles()[fan[i]];
+        const auto at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+        if (surface.triangles_[fan[i]][at] == kNoTriangle) fitSide(v, fan[i]);
+      }
+    }
+  }
+
+  /// Of a vertex, the side that a triangle is on.
+  void fitSide(std::uint32_t vertex, std::uint32_t first) {
+    const auto index = static_cast<std::uint32_t>(surface.corners_.size());
+    const auto vertices = mesh.vertices();
+    const auto triangles = mesh.triangles();
+    const Vec3 middle = vertices[vertex];
+    ++now;
+    reached.assign(1, first);
+    triangle_seen[first] = now;
+    Vec3 mean;
+    std::size_t side_end = 0;
+    // First the triangles at the vertex, then those at their other vertices.
+    const auto spread = [&](auto&& wanted) {
+      for (std::size_t i = 0; i < reached.size() && around.size() < kMostAround; ++i) {
+        for (std::size_t side = 0; side < 3; ++side) {
+          const std::uint32_t other = across(reached[i], side);
+          if (other == kNoTriangle || triangle_seen[other] == now || !wanted(triangles[other])) continue;
+          triangle_seen[other] = now;
+          reached.push_back(other);
+        }
+      }
+    };
+    around.clear();
+    spread([&](const Triangle& t) { return std::find(t.begin(), t.end(), vertex) != t.end(); });
+    side_end = reached.size();
+    vertex_seen[vertex] = now;
+    const auto collect = [&](std::size_t from) {
+      for (std::size_t i = from; i < reached.size(); ++i) {
+        for (const std::uint32_t v : triangles[reached[i]]) {
+          if (vertex_seen[v] == now || around.size() >= kMostAround) continue;
+          vertex_seen[v] = now;
+          around.push_back(vertices[v]);
+        }
+      }
+    };
+    for (std::size_t i = 0; i < side_end; ++i) {
+      const Triangle& t = triangles[reached[i]];
+      const auto at = static_cast<std::size_t>(std::find(t.begin(), t.end(), vertex) - t.begin());
+      surface.triangles_[reached[i]][at] = index;
+      const Vec3 a = vertices[t[(at + 1) % 3]] - middle, b = vertices[t[(at + 2) % 3]] - middle;
+      mean = mean + math::atan2(length(cross(a, b)), dot(a, b)) * normals[reached[i]];
+    }
+    collect(0);
+    const std::size_t first_ring = around.size();
+    const std::uint32_t ring = now;
+    spread([&](const Triangle& t) {
+      return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return vertex_seen[v] == ring; });
+    });
+    collect(side_end);
+    mean = unit(mean);
+    if (squared(mean) == 0.0) mean = normals[first];
+    surface.corners_.push_back(fit(middle, mean, first_ring));
+  }
+
+  Corner fit(const Vec3& middle, const Vec3& mean, std::size_t first_ring) {
+    Corner corner{middle, {}, {}};
+    Vec3 normal = mean;
+    Tensor curvature{};
+    double size = 0.0;
+    for (std::size_t i = 0; i < first_ring; ++i) size += length(around[i] - middle);
+    size /= static_cast<double>(first_ring);
+    std::size_t order = 0;
+    for (const std::size_t unknowns : {std::size_t{9}, std::size_t{5}}) {
+      Frame frame(mean);
+      std::optional<Shape> shape;
+      for (int pass = 0; pass < 2; ++pass) {
+        shape = fitShape(middle, around, frame, size, unknowns);
+        if (!shape) break;
+        const Vec3 leaning = unit(frame.normal - shape->a * frame.x - shape->b * frame.y);
+        if (!(dot(leaning, mean) > kSteepest)) {
+          shape.reset();
+          break;
+        }
+        if (pass == 0) frame = Frame(leaning);
+        normal = leaning;
+      }
+      if (shape && std::max({std::abs(shape->c), std::abs(shape->d), std::abs(shape->e)}) * size < kMostBent) {
+        const Vec3 x = frame.x, y = frame.y;
+        const auto of = [&](double xa, double xb, double ya, double yb) {
+          return shape->c * xa * xb + shape->d * (xa * yb + xb * ya) + shape->e * ya * yb;
+        };
+        curvature = {of(x.x, x.x, y.x, y.x), of(x.x, x.y, y.x, y.y), of(x.x, x.z, y.x, y.z),
+                     of(x.y, x.y, y.y, y.y), of(x.y, x.z, y.y, y.z), of(x.z, x.z, y.z, y.z)};
+        break;
+      }
+      normal = mean;
+      ++order;
+    }
+    ++surface.fitted_[order];
+    corner.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+    for (std::size_t i = 0; i < 6; ++i) corner.curvature_per_mm[i] = static_cast<float>(curvature[i]);
+    return corner;
+  }
+};
+
+FittedSurface::FittedSurface(const Mesh& mesh) : mesh_(&mesh) {
+  triangles_.assign(mesh.triangles().size(), {kNoTriangle, kNoTriangle, kNoTriangle});
+  crease_.assign(mesh.triangles().size(), 0);
+  corners_.reserve(mesh.vertices().size());
+  Fitter fitter(*this, mesh);
+  fitter.markCreases();
+  fitter.fitAll();
+  corners_.shrink_to_fit();
+}
+
+bool FittedSurface::onCrease(const Nearest& nearest) const {
+  if (nearest.feature == Feature::inside) return false;
+  const auto which = static_cast<std::size_t>(nearest.feature);
+  return (crease_[nearest.triangle] >> (which < 3 ? which + 3 : which - 3) & 1) != 0;
+}
+
+Foot FittedSurface::foot(const Vec3& probe_mm, const Nearest& nearest) const {
+  const Triangle& t = triangles_[nearest.triangle];
+  const std::array<double, 3> share = {1.0 - nearest.at_1 - nearest.at_2, nearest.at_1, nearest.at_2};
+  double height_mm = 0.0;  // of the nearest point above the surface
+  Vec3 gradient;
+  Tensor k{};
+  double longest_mm2 = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner& corner = corners_[t[i]];
+    const Vec3 e = nearest.point_mm - corner.point_mm;
+    const Vec3 n = {corner.normal[0], corner.normal[1], corner.normal[2]};
+    Tensor own;
+    for (std::size_t j = 0; j < 6; ++j) own[j] = corner.curvature_per_mm[j];
+    const Vec3 bent = own * e;
+    height_mm += share[i] * (2.0 / 3.0 * dot(n, e) - 1.0 / 6.0 * dot(e, bent));
+    gradient = gradient + share[i] * (n - 0.5 * bent);
+    for (std::size_t j = 0; j < 6; ++j) k[j] += share[i] * own[j];
+    longest_mm2 = std::max(longest_mm2, squared(e));
+  }
+  const Vec3 normal = unit(gradient);
+  const Vec3 surface_mm = nearest.point_mm - height_mm * normal;
+  const Vec3 to_probe = probe_mm - surface_mm;
+  if (onCrease(nearest)) {
+    const double distance_mm = length(to_probe);
+    const bool above = dot(probe_mm - nearest.point_mm, mesh_->normalOf(nearest.triangle, nearest.feature)) >= 0.0;
+    if (!(distance_mm > 0.0)) return {surface_mm, normal, 0.0};
+    return {surface_mm, (above ? 1.0 : -1.0) / distance_mm * to_probe, above ? distance_mm : -distance_mm};
+  }
+  const double z = dot(to_probe, normal);
+  const Vec3 e = to_probe - z * normal;
+  // (I − z K) u = e
+  const Vec3 r0 = {1.0 - z * k[0], -z * k[1], -z * k[2]}, r1 = {-z * k[1], 1.0 - z * k[3], -z * k[4]},
+             r2 = {-z * k[2], -z * k[4], 1.0 - z * k[5]};
+  const Vec3 c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
+  const double determinant = dot(r0, c0);
+  Vec3 u = e;
+  if (determinant > 0.05) u = 1.0 / determinant * (e.x * c0 + e.y * c1 + e.z * c2);
+  u = u - dot(u, normal) * normal;
+  if (const double far = squared(u); far > longest_mm2) u = std::sqrt(longest_mm2 / far) * u;
+  const Vec3 bent = k * u;
+  const Vec3 point_mm = surface_mm + u + 0.5 * dot(u, bent) * normal;
+  const Vec3 out = unit(normal - bent);
+  return {point_mm, out, dot(probe_mm - point_mm, out)};
+}
+
+std::size_t FittedSurface::bytes() const {
+  return corners_.size() * sizeof(Corner) + triangles_.size() * (sizeof(Triangle) + sizeof(crease_[0]));
+}
+
+}  // namespace fyd::scene

@@ -1,0 +1,67 @@
+// A smooth surface through the vertices of a mesh: at each vertex a normal and a curvature, fitted to the vertices
+// around it; between vertices, what they say is blended.
+//
+// Fit: in the frame of the mean normal the heights of the vertices up to two edges away are fitted by a polynomial of
+// third order through the vertex (second order or none where there are too few), twice, the second time in the frame
+// of the first. An edge at which two triangles meet at more than 40° is a crease: nothing is fitted across it, a vertex
+// on it has one normal for each side. So a cube keeps its faces.
+//
+// Blend: with φ the signed distance to the surface, a vertex i knows φ = 0, ∇φ = n_i, ∇∇φ = −K_i. At a point q of a
+// triangle, with the shares b_i and e_i = q − v_i, by Taylor terms made smaller so that the blend gains an order
+// (Guessab, Nouisser, Schmeisser 2006):
+//   φ(q) = Σ b_i (2/3 n_i·e_i − 1/6 e_i·K_i e_i),   ∇φ(q) = Σ b_i (n_i − 1/2 K_i e_i),   K(q) = Σ b_i K_i
+// Both are continuous across edges that are no crease.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/triangle_distance.h"
+
+namespace fyd::scene {
+
+/// The point of the fitted surface that is nearest to a probe.
+struct Foot {
+  Vec3 point_mm;
+  Vec3 normal;             ///< of unit length, outwards
+  double height_mm = 0.0;  ///< of the probe above it; negative within the body
+};
+
+class FittedSurface {
+ public:
+  /// cos 40°
+  static constexpr double kCreaseCosine = 0.766044443118978;
+
+  explicit FittedSurface(const Mesh& mesh);
+
+  /// @param nearest the point of the mesh that is nearest to the probe. The foot is that of the surface's quadratic
+  /// there, at most the triangle's size away. At a crease it stays on the crease; the normal then points along the
+  /// way to the probe, on the side where it is.
+  [[nodiscard]] Foot foot(const Vec3& probe_mm, const Nearest& nearest) const;
+
+  [[nodiscard]] std::size_t bytes() const;
+  /// Vertices by what was fitted there: third order, second, none (the mean normal). A vertex on a crease counts for
+  /// each of its sides.
+  [[nodiscard]] const std::array<std::size_t, 3>& fitted() const { return fitted_; }
+
+ private:
+  /// A vertex on one side of its creases.
+  struct alignas(64) Corner {
+    Vec3 point_mm;
+    std::array<float, 3> normal;
+    std::array<float, 6> curvature_per_mm;  // xx xy xz yy yz zz
+  };
+  struct Fitter;
+
+  [[nodiscard]] bool onCrease(const Nearest& nearest) const;
+
+  const Mesh* mesh_;
+  std::vector<Corner> corners_;
+  std::vector<Triangle> triangles_;  // of corners
+  std::vector<std::uint8_t>
+      crease_;  // for each triangle, bits 0…2: the edge 01, 12, 20 is one; 3…5: its vertex is on one
+  std::array<std::size_t, 3> fitted_{};
+};
+
+}  // namespace fyd::scene
