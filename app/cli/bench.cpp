@@ -40,6 +40,7 @@ void add_bench(CLI::App& app) {
     std::string name;
     std::string out;
     std::string cloth;
+    bool json = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("bench", "Measure speed beside error, against a baseline in the same run");
@@ -58,7 +59,13 @@ void add_bench(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--seed", more.seed, "What coupling and touchpad_coupling draw by")->capture_default_str();
   command->add_option("--data", more.data, "Folder of recordings for predict; tests/data when left out");
+  auto* mesh = command->add_option("--mesh", more.mesh, "OBJ, STL or PLY file in mm, for scene");
+  auto* path = command->add_option("--path", more.path, "CSV with t_s, x_mm, y_mm and z_mm over that mesh, for scene");
+  mesh->needs(path);
+  path->needs(mesh);
+  command->add_flag("--json", options->json, "As JSON: an array of tables");
   command->callback([options] {
+    nlohmann::ordered_json tables = nlohmann::ordered_json::array();
     bench::benchOptions().out = options->out;
     if (!options->cloth.empty()) bench::benchCloths() = {bench::clothOf(options->cloth)};
     for (const Subject& subject : subjects()) {
@@ -66,7 +73,11 @@ void add_bench(CLI::App& app) {
         continue;  // NAME_… are further tables of the subject NAME
       }
       const bench::Table table = subject.run();
-      std::cout << bench::toMarkdown(table) << '\n' << std::flush;
+      if (options->json) {
+        tables.push_back(bench::toJson(table));
+      } else {
+        std::cout << bench::toMarkdown(table) << '\n' << std::flush;
+      }
       if (options->out.empty()) continue;
       std::error_code problem;
       std::filesystem::create_directories(options->out, problem);
@@ -74,6 +85,7 @@ void add_bench(CLI::App& app) {
       writeTextFile(std::filesystem::path(options->out) / (table.subject + ".md"), bench::toMarkdown(table));
       writeTextFile(std::filesystem::path(options->out) / (table.subject + ".csv"), bench::toCsv(table));
     }
+    if (options->json) printJson(tables);
   });
 }
 

@@ -5,8 +5,8 @@
 #include "app/cli/bench/table.h"
 #include "app/cli/command.h"
 #include "app/cli/output_file.h"
+#include "app/cli/probe_path.h"
 #include "app/cli/scene_cli.h"
-#include "core/base/csv.h"
 #include "core/sim/scene_file.h"
 
 namespace fyd::cli {
@@ -33,27 +33,6 @@ std::array<double, kColumns.size()> valuesOf(const Row& row) {
   const scene::SceneTouch& at = row.touch;
   return {row.t_s,       row.probe_mm.x, row.probe_mm.y, row.probe_mm.z, at.proxy_mm.x,        at.proxy_mm.y,
           at.proxy_mm.z, at.force_N.x,   at.force_N.y,   at.force_N.z,   at.stiffness_N_per_mm};
-}
-
-struct Path {
-  std::vector<double> time_s;
-  std::vector<Vec3> probe_mm;
-};
-
-Path readPath(const std::string& file) {
-  const CsvTable table = valueOrFail(readCsv(file, {"t_s", "x_mm", "y_mm", "z_mm"}));
-  Path path;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double t_s = table.values[0][row];
-    const Vec3 at = {table.values[1][row], table.values[2][row], table.values[3][row]};
-    if (!std::isfinite(t_s) || (row > 0 && !(t_s > path.time_s.back()))) {
-      throw Failure(say("{}:{}: t_s {}: expected a time after the row before", file, table.lines[row], t_s));
-    }
-    if (!at.finite()) throw Failure(say("{}:{}: expected three finite numbers in mm", file, table.lines[row]));
-    path.time_s.push_back(t_s);
-    path.probe_mm.push_back(at);
-  }
-  return path;
 }
 
 std::string csvOf(const std::vector<Row>& rows) {
@@ -89,7 +68,7 @@ nlohmann::ordered_json summaryOf(const std::vector<Row>& rows, std::vector<doubl
 
 void run(const RunOptions& options) {
   const sim::SceneFile file = valueOrFail(sim::openScene(options.scene));
-  const Path path = readPath(options.path);
+  const ProbePath path = readProbePath(options.path);
   scene::Scene scene = sim::buildScene(file);
   std::vector<Row> rows;
   std::vector<double> ns;

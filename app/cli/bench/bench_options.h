@@ -11,6 +11,8 @@ struct BenchOptions {
   std::uint64_t seed = 1;
   std::string out;   ///< folder for what a subject writes beside its table; empty: nothing
   std::string data;  ///< folder of recordings; empty: tests/data
+  std::string mesh;  ///< of scene, in mm; empty: a bumpy plane of three sizes
+  std::string path;  ///< of scene, over that mesh: CSV of t_s, x_mm, y_mm, z_mm
 };
 
 [[nodiscard]] inline BenchOptions& benchOptions() {

@@ -8,8 +8,11 @@
 #include "app/cli/bench/bench_options.h"
 #include "app/cli/bench/bumpy_plane.h"
 #include "app/cli/bench/table.h"
+#include "app/cli/command.h"
+#include "app/cli/probe_path.h"
 #include "core/scene/nearest_point.h"
 #include "core/scene/vector.h"
+#include "core/sim/scene_file.h"
 
 namespace fyd::bench {
 namespace scene_rows {
@@ -128,12 +131,64 @@ Quantiles measure(const std::vector<Vec3>& path, bool disturb, Find&& find) {
 }
 
 struct Way {
-  const char* name;
-  double speed_mm_s;
-  bool disturbed;
+  std::string name;
+  std::vector<Vec3> probe_mm;
+  bool disturbed = false;
 };
-constexpr std::array<Way, 3> kWays = {
-    {{"110 mm/s", 110.0, false}, {"110 mm/s, 4 MB between", 110.0, true}, {"500 mm/s", 500.0, false}}};
+
+void measureOn(Table& table, const Mesh& mesh, const std::vector<Way>& ways) {
+  const auto start = std::chrono::steady_clock::now();
+  const TriangleTree tree(mesh);
+  const WalkableMesh walkable(tree, 5.0);
+  const double built_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Embree embree(mesh);
+  for (const Way& way : ways) {
+    const std::vector<Vec3>& path = way.probe_mm;
+    std::vector<double> truth;
+    for (const Vec3& at : path) truth.push_back(std::sqrt(tree.nearest(at).squared_mm2));
+    const Quantiles clock = measure(path, way.disturbed, [](const Vec3&) {});
+    const auto without = [&clock](Quantiles q) {
+      q.p50 -= clock.p50;
+      q.p99 -= clock.p50;
+      return q;
+    };
+    double worst_mm = 0.0, last_mm = 0.0;
+    std::size_t i = 0;
+    Vec3 before;
+    const auto compare = [&](double distance_mm) { worst_mm = std::max(worst_mm, std::abs(distance_mm - truth[i++])); };
+    const auto bounded = [&](const Vec3& at) {
+      const double radius_mm = i == 0 ? 1e30 : (last_mm + length(at - before)) * 1.00001 + 1e-5;
+      before = at;
+      last_mm = embree.ask(at, radius_mm);
+      compare(last_mm);
+    };
+    const Quantiles base = without(measure(path, way.disturbed, bounded));
+    const auto row = [&](const char* engine, const Quantiles& q, const std::string& built, const std::string& memory) {
+      table.rows.push_back({std::to_string(mesh.triangles().size()), way.name, engine, number(q.p50), number(q.p99),
+                            number(base.p50 / q.p50), number(base.p99 / q.p99), number(worst_mm, 2), built, memory});
+      worst_mm = 0.0;
+      i = 0;
+    };
+    row("Embree 3, radius = last distance + motion (baseline)", base, "—", "—");
+    row("Embree 3, infinite radius",
+        without(measure(path, way.disturbed, [&](const Vec3& at) { compare(embree.ask(at, 1e30)); })), "—", "—");
+    row("tree alone",
+        without(
+            measure(path, way.disturbed, [&](const Vec3& at) { compare(std::sqrt(tree.nearest(at).squared_mm2)); })),
+        "—", number(static_cast<double>(tree.bytes()) / 1e6));
+    NearestPoint probe(walkable);
+    row("walk with certificate",
+        without(measure(path, way.disturbed, [&](const Vec3& at) { compare(std::sqrt(probe.find(at).squared_mm2)); })),
+        number(built_s), number(static_cast<double>(tree.bytes() + walkable.bytes()) / 1e6));
+  }
+}
+
+std::vector<Way> bumpyWays() {
+  constexpr double kSlow_mm_s = 110.0, kFast_mm_s = 500.0;
+  return {{"110 mm/s", underBumpyPlane(kSteps, kSlow_mm_s, kDepth_mm)},
+          {"110 mm/s, 4 MB between", underBumpyPlane(kSteps / 10, kSlow_mm_s, kDepth_mm), true},
+          {"500 mm/s", underBumpyPlane(kSteps, kFast_mm_s, kDepth_mm)}};
+}
 
 }  // namespace
 }  // namespace scene_rows
@@ -147,62 +202,23 @@ Table bench_scene() {
                   "p99 against it", "largest difference from the whole search, mm", "built in, s", "memory, MB"},
       .rows = {},
       .notes = {}};
-  for (const int n : {71, 224, 707}) {
-    const Mesh mesh = *Mesh::build(bumpyPlane(n));
-    const auto start = std::chrono::steady_clock::now();
-    const TriangleTree tree(mesh);
-    const WalkableMesh walkable(tree, 5.0);
-    const double built_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    Embree embree(mesh);
-    for (const Way& way : kWays) {
-      const std::vector<Vec3> path = underBumpyPlane(way.disturbed ? kSteps / 10 : kSteps, way.speed_mm_s, kDepth_mm);
-      std::vector<double> truth;
-      for (const Vec3& at : path) truth.push_back(std::sqrt(tree.nearest(at).squared_mm2));
-      const Quantiles clock = measure(path, way.disturbed, [](const Vec3&) {});
-      const auto without = [&clock](Quantiles q) {
-        q.p50 -= clock.p50;
-        q.p99 -= clock.p50;
-        return q;
-      };
-      double worst_mm = 0.0, last_mm = 0.0;
-      std::size_t i = 0;
-      Vec3 before;
-      const auto compare = [&](double distance_mm) {
-        worst_mm = std::max(worst_mm, std::abs(distance_mm - truth[i++]));
-      };
-      const auto bounded = [&](const Vec3& at) {
-        const double radius_mm = i == 0 ? 1e30 : (last_mm + length(at - before)) * 1.00001 + 1e-5;
-        before = at;
-        last_mm = embree.ask(at, radius_mm);
-        compare(last_mm);
-      };
-      const Quantiles base = without(measure(path, way.disturbed, bounded));
-      const auto row = [&](const char* engine, const Quantiles& q, const std::string& built,
-                           const std::string& memory) {
-        table.rows.push_back({std::to_string(mesh.triangles().size()), way.name, engine, number(q.p50), number(q.p99),
-                              number(base.p50 / q.p50), number(base.p99 / q.p99), number(worst_mm, 2), built, memory});
-        worst_mm = 0.0;
-        i = 0;
-      };
-      row("Embree 3, radius = last distance + motion (baseline)", base, "—", "—");
-      row("Embree 3, infinite radius",
-          without(measure(path, way.disturbed, [&](const Vec3& at) { compare(embree.ask(at, 1e30)); })), "—", "—");
-      row("tree alone",
-          without(
-              measure(path, way.disturbed, [&](const Vec3& at) { compare(std::sqrt(tree.nearest(at).squared_mm2)); })),
-          "—", number(static_cast<double>(tree.bytes()) / 1e6));
-      NearestPoint probe(walkable);
-      row("walk with certificate",
-          without(
-              measure(path, way.disturbed, [&](const Vec3& at) { compare(std::sqrt(probe.find(at).squared_mm2)); })),
-          number(built_s), number(static_cast<double>(tree.bytes() + walkable.bytes()) / 1e6));
-    }
+  const std::string differences =
+      "Differences of Embree are those of floats. The walk's are against the tree, which is compared with every single "
+      "triangle in the tests.";
+  if (const BenchOptions& given = benchOptions(); !given.mesh.empty()) {
+    const Mesh mesh = cli::valueOrFail(sim::openMesh(given.mesh, LengthUnit::mm));
+    const std::vector<Vec3> path = cli::readProbePath(given.path).probe_mm;
+    const std::vector<Vec3> part(path.begin(), path.begin() + static_cast<std::ptrdiff_t>((path.size() + 9) / 10));
+    measureOn(table, mesh, {{"as given", path}, {"its first tenth, 4 MB between", part, true}});
+    table.title = "Nearest point of " + given.mesh + ", path " + given.path;
+    table.notes = {differences};
+    return table;
   }
+  for (const int n : {71, 224, 707}) measureOn(table, *Mesh::build(bumpyPlane(n)), bumpyWays());
   table.notes = {
       "z = 2 mm · sin(2πx/20 mm) · sin(2πy/20 mm), 100 × 100 mm; " + std::to_string(kSteps) +
           " steps of 1 ms (a tenth with 4 MB written between them), one thread, the clock's own time taken off.",
-      "Differences of Embree are those of floats. The walk's are against the tree, which is compared with "
-      "every single triangle in the tests."};
+      differences};
   return table;
 }
 

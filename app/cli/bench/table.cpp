@@ -1,11 +1,17 @@
 #include "app/cli/bench/table.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace fyd::bench {
+namespace {
+
+constexpr std::string_view kNothing = "—";
+
+}  // namespace
 
 std::string toMarkdown(const Table& table) {
   std::string out = fmt::format("# {}\n\n| {} |\n|", table.title, fmt::join(table.columns, " | "));
@@ -30,8 +36,29 @@ std::string toCsv(const Table& table) {
   return out;
 }
 
+nlohmann::ordered_json toJson(const Table& table) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const auto& row : table.rows) {
+    nlohmann::ordered_json object;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      double value = 0.0;
+      const auto [end, problem] = std::from_chars(row[i].data(), row[i].data() + row[i].size(), value);
+      const bool whole = problem == std::errc() && end == row[i].data() + row[i].size();
+      if (whole) {
+        object[table.columns[i]] = value;
+      } else if (row[i] == kNothing) {
+        object[table.columns[i]] = nullptr;
+      } else {
+        object[table.columns[i]] = row[i];
+      }
+    }
+    rows.push_back(std::move(object));
+  }
+  return {{"subject", table.subject}, {"title", table.title}, {"rows", std::move(rows)}, {"notes", table.notes}};
+}
+
 std::string number(double value, int digits) {
-  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "—";
+  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : std::string(kNothing);
 }
 
 Quantiles quantiles(std::vector<double>& samples) {

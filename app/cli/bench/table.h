@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 namespace fyd::bench {
 
 struct Table {
@@ -17,6 +19,7 @@ struct Table {
 
 [[nodiscard]] std::string toMarkdown(const Table& table);
 [[nodiscard]] std::string toCsv(const Table& table);
+[[nodiscard]] nlohmann::ordered_json toJson(const Table& table);
 
 /// "0.123": `digits` significant digits, "—" when not finite.
 [[nodiscard]] std::string number(double value, int digits = 3);
