@@ -13,6 +13,17 @@ constexpr std::size_t kMostAround = 128;  // vertices that are fitted; a fan of 
 constexpr double kSteepest = 0.5;  // cosine: a fitted normal that leans more against the mean one is not believed
 constexpr double kMostBent = 1.0;  // curvature times the distance of the vertices around
 
+constexpr double kLeastDeterminant = 0.05;
+
+using Floats = float __attribute__((vector_size(16)));
+using Places = std::int32_t __attribute__((vector_size(16)));
+
+Floats load(const float* four) {
+  Floats out;
+  __builtin_memcpy(&out, four, sizeof out);
+  return out;
+}
+
 /// Symmetric: xx xy xz yy yz zz.
 using Tensor = std::array<double, 6>;
 
@@ -109,29 +120,7 @@ struct FittedSurface::Fitter {
   }
 
   [[nodiscard]] std::uint32_t across(std::uint32_t t, std::size_t side) const {
-    return (surface.crease_[t] >> side & 1) != 0 ? kNoTriangle : mesh.neighbours(t)[side];
-  }
-
-  void markCreases() {
-    for (std::uint32_t t = 0; t < normals.size(); ++t) {
-      for (std::size_t side = 0; side < 3; ++side) {
-        const std::uint32_t other = mesh.neighbours(t)[side];
-        if (other == kNoTriangle || dot(normals[t], normals[other]) >= kCreaseCosine) continue;
-        surface.crease_[t] |= static_cast<std::uint8_t>(1U << side);
-      }
-    }
-    std::vector<bool> creased(mesh.vertices().size());
-    for (std::uint32_t t = 0; t < normals.size(); ++t) {
-      const Triangle& v = mesh.triangles()[t];
-      for (std::size_t side = 0; side < 3; ++side) {
-        if ((surface.crease_[t] >> side & 1) != 0) creased[v[side]] = creased[v[(side + 1) % 3]] = true;
-      }
-    }
-    for (std::uint32_t t = 0; t < normals.size(); ++t) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (creased[mesh.triangles()[t][i]]) surface.crease_[t] |= static_cast<std::uint8_t>(8U << i);
-      }
-    }
+    return surface.edges_.creaseEdge(t, side) ? kNoTriangle : mesh.neighbours(t)[side];
   }
 
   void fitAll() {
@@ -199,7 +188,7 @@ struct FittedSurface::Fitter {
   }
 
   Corner fit(const Vec3& middle, const Vec3& mean, std::size_t first_ring) {
-    Corner corner{middle, {}, {}};
+    Corner corner{middle, {}};
     Vec3 normal = mean;
     Tensor curvature{};
     double size = 0.0;
@@ -233,75 +222,77 @@ struct FittedSurface::Fitter {
       ++order;
     }
     ++surface.fitted_[order];
-    corner.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
-    for (std::size_t i = 0; i < 6; ++i) corner.curvature_per_mm[i] = static_cast<float>(curvature[i]);
+    corner.fit = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+    for (std::size_t i = 0; i < 6; ++i) corner.fit[3 + i] = static_cast<float>(curvature[i]);
     return corner;
   }
 };
 
-FittedSurface::FittedSurface(const Mesh& mesh) : mesh_(&mesh) {
+FittedSurface::FittedSurface(const Mesh& mesh) : mesh_(&mesh), edges_(mesh) {
   triangles_.assign(mesh.triangles().size(), {kNoTriangle, kNoTriangle, kNoTriangle});
-  crease_.assign(mesh.triangles().size(), 0);
   corners_.reserve(mesh.vertices().size());
   Fitter fitter(*this, mesh);
-  fitter.markCreases();
   fitter.fitAll();
   corners_.shrink_to_fit();
-}
-
-bool FittedSurface::onCrease(const Nearest& nearest) const {
-  if (nearest.feature == Feature::inside) return false;
-  const auto which = static_cast<std::size_t>(nearest.feature);
-  return (crease_[nearest.triangle] >> (which < 3 ? which + 3 : which - 3) & 1) != 0;
 }
 
 Foot FittedSurface::foot(const Vec3& probe_mm, const Nearest& nearest) const {
   const Triangle& t = triangles_[nearest.triangle];
   const std::array<double, 3> share = {1.0 - nearest.at_1 - nearest.at_2, nearest.at_1, nearest.at_2};
-  double height_mm = 0.0;  // of the nearest point above the surface
-  Vec3 gradient;
-  Tensor k{};
-  double longest_mm2 = 0.0;
+  Floats heights{}, gradient{}, k0{}, k1{};  // k: xx xy xz | yy yz zz
+  float longest_mm2 = 0.0F;
   for (std::size_t i = 0; i < 3; ++i) {
     const Corner& corner = corners_[t[i]];
-    const Vec3 e = nearest.point_mm - corner.point_mm;
-    const Vec3 n = {corner.normal[0], corner.normal[1], corner.normal[2]};
-    Tensor own;
-    for (std::size_t j = 0; j < 6; ++j) own[j] = corner.curvature_per_mm[j];
-    const Vec3 bent = own * e;
-    height_mm += share[i] * (2.0 / 3.0 * dot(n, e) - 1.0 / 6.0 * dot(e, bent));
-    gradient = gradient + share[i] * (n - 0.5 * bent);
-    for (std::size_t j = 0; j < 6; ++j) k[j] += share[i] * own[j];
-    longest_mm2 = std::max(longest_mm2, squared(e));
+    const Vec3 from = nearest.point_mm - corner.point_mm;
+    const Floats e = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0.0F};
+    const Floats n = load(&corner.fit[0]), c0 = load(&corner.fit[3]), c1 = load(&corner.fit[6]);
+    const Floats bent = c0 * e[0] + __builtin_shuffle(c0, c1, Places{1, 4, 5, 3}) * e[1] +
+                        __builtin_shuffle(c0, c1, Places{2, 5, 6, 3}) * e[2];
+    const auto b = static_cast<float>(share[i]);
+    heights += b * e * (2.0F / 3.0F * n - 1.0F / 6.0F * bent);
+    gradient += b * (n - 0.5F * bent);
+    k0 += b * c0;
+    k1 += b * c1;
+    const Floats square = e * e;
+    longest_mm2 = std::max(longest_mm2, square[0] + square[1] + square[2]);
   }
-  const Vec3 normal = unit(gradient);
-  const Vec3 surface_mm = nearest.point_mm - height_mm * normal;
-  const Vec3 to_probe = probe_mm - surface_mm;
-  if (onCrease(nearest)) {
-    const double distance_mm = length(to_probe);
-    const bool above = dot(probe_mm - nearest.point_mm, mesh_->normalOf(nearest.triangle, nearest.feature)) >= 0.0;
-    if (!(distance_mm > 0.0)) return {surface_mm, normal, 0.0};
-    return {surface_mm, (above ? 1.0 : -1.0) / distance_mm * to_probe, above ? distance_mm : -distance_mm};
-  }
+  const Vec3 normal = unit({gradient[0], gradient[1], gradient[2]});
+  const double height_mm = heights[0] + heights[1] + heights[2];  // of the nearest point
+  const Vec3 to_probe = probe_mm - nearest.point_mm + height_mm * normal;
+  if (edges_.crease(nearest)) return creaseFoot(probe_mm, nearest, to_probe, normal);
+  // u = (I − z K)⁻¹ e in the tangent plane, by the trace and the determinant of K there
+  const Tensor k = {k0[0], k0[1], k0[2], k1[0], k1[1], k1[2]};
+  const double trace = k[0] + k[3] + k[5];
+  const double squares = k[0] * k[0] + k[3] * k[3] + k[5] * k[5] + 2.0 * (k[1] * k[1] + k[2] * k[2] + k[4] * k[4]);
+  const double product = 0.5 * (trace * trace - squares);
   const double z = dot(to_probe, normal);
   const Vec3 e = to_probe - z * normal;
-  // (I − z K) u = e
-  const Vec3 r0 = {1.0 - z * k[0], -z * k[1], -z * k[2]}, r1 = {-z * k[1], 1.0 - z * k[3], -z * k[4]},
-             r2 = {-z * k[2], -z * k[4], 1.0 - z * k[5]};
-  const Vec3 c0 = cross(r1, r2), c1 = cross(r2, r0), c2 = cross(r0, r1);
-  const double determinant = dot(r0, c0);
-  Vec3 u = e;
-  if (determinant > 0.05) u = 1.0 / determinant * (e.x * c0 + e.y * c1 + e.z * c2);
-  u = u - dot(u, normal) * normal;
-  if (const double far = squared(u); far > longest_mm2) u = std::sqrt(longest_mm2 / far) * u;
-  const Vec3 bent = k * u;
-  const Vec3 point_mm = surface_mm + u + 0.5 * dot(u, bent) * normal;
+  const Vec3 ke = k * e;
+  const double determinant = 1.0 - z * trace + z * z * product;
+  // Beyond the middle of curvature no point is the nearest.
+  const double share_of = determinant > kLeastDeterminant ? 1.0 / determinant : 0.0;
+  Vec3 u = share_of * ((1.0 - z * trace) * e + z * ke), bent = share_of * (ke - (z * product) * e);
+  if (const double far = squared(u); far > longest_mm2) {
+    const double shorter = std::sqrt(longest_mm2 / far);
+    u = shorter * u;
+    bent = shorter * bent;
+  }
   const Vec3 out = unit(normal - bent);
-  return {point_mm, out, dot(probe_mm - point_mm, out)};
+  const Vec3 above = to_probe - u - (0.5 * dot(u, bent)) * normal;
+  return {probe_mm - above, out, dot(above, out)};
+}
+
+Foot FittedSurface::creaseFoot(const Vec3& probe_mm, const Nearest& nearest, const Vec3& to_probe,
+                               const Vec3& normal) const {
+  const double distance_mm = length(to_probe);
+  if (!(distance_mm > 0.0)) return {probe_mm, normal, 0.0};
+  const bool above = dot(probe_mm - nearest.point_mm, mesh_->normalOf(nearest.triangle, nearest.feature)) >= 0.0;
+  const double way = above ? 1.0 : -1.0;
+  return {probe_mm - to_probe, way / distance_mm * to_probe, way * distance_mm};
 }
 
 std::size_t FittedSurface::bytes() const {
-  return corners_.size() * sizeof(Corner) + triangles_.size() * (sizeof(Triangle) + sizeof(crease_[0]));
+  return corners_.size() * sizeof(Corner) + triangles_.size() * sizeof(Triangle) + edges_.bytes();
 }
 
 }  // namespace fyd::scene

@@ -332,4 +332,47 @@ Nearest TriangleTree::nearest(const Vec3& probe_mm, std::uint32_t hint) const {
   return search.best;
 }
 
+void TriangleTree::visitNear(const Vec3& from_mm, const Vec3& to_mm, double distance_mm,
+                             void (*visit)(void*, std::uint32_t), void* with) const {
+  const Vec3 a = from_mm - middle_mm_, b = to_mm - middle_mm_, half = 0.5 * (b - a);
+  const double reach_mm = std::sqrt(half.x * half.x + half.y * half.y + half.z * half.z);
+  const double far_mm = length(a) + length(b);
+  if (!(far_mm + distance_mm < kFarthest_mm)) return;
+  const double lost_mm = 2.0 * kRounding * (far_mm + size_mm_ + distance_mm);
+  const auto floats = [](const Vec3& v) {
+    return std::array<float, 3>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  };
+  const std::array<float, 3> middle = floats(a + half), ways = floats(half);
+  const auto bound = static_cast<float>((distance_mm + reach_mm + lost_mm) * (1.0 + kRounding));
+  const auto beside = static_cast<float>((distance_mm + lost_mm) * (1.0 + kRounding));
+  const auto way_squared = static_cast<float>(squared(half));
+  const float by_way = way_squared > 0.0F ? 1.0F / way_squared : 0.0F;
+  std::array<std::int32_t, 256> open;  // as Open's
+  std::size_t count = 0;
+  open[count++] = 0;
+  while (count > 0) {
+    const std::int32_t child = open[--count];
+    if (child < 0) {
+      visit(with, static_cast<std::uint32_t>(~child));
+      continue;
+    }
+    const Node& node = nodes_[static_cast<std::size_t>(child)];
+    const Floats discs = squaredDistances(node, middle);
+    // Of the discs' spheres from the segment.
+    const Floats x = load(node.middle[0]) - middle[0], y = load(node.middle[1]) - middle[1],
+                 z = load(node.middle[2]) - middle[2];
+    Floats along = (x * ways[0] + y * ways[1] + z * ways[2]) * by_way;
+    along = larger(along, Floats{} - 1.0F);
+    along = -larger(-along, Floats{} - 1.0F);
+    const Floats dx = x - along * ways[0], dy = y - along * ways[1], dz = z - along * ways[2];
+    const Floats radius = load(node.radius), height = load(node.height);
+    const Floats sphere = root(radius * radius + height * height) + beside;
+    const Floats from_way = dx * dx + dy * dy + dz * dz;
+    for (std::size_t i = 0; i < 4; ++i) {
+      open[count] = node.child[i];
+      count += node.child[i] != kNothing && discs[i] <= bound * bound && from_way[i] <= sphere[i] * sphere[i] ? 1 : 0;
+    }
+  }
+}
+
 }  // namespace fyd::scene

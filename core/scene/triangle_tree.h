@@ -22,6 +22,13 @@ class TriangleTree {
   /// Of the whole mesh. NaN gives no triangle. @param hint a triangle that may be near
   [[nodiscard]] Nearest nearest(const Vec3& probe_mm, std::uint32_t hint = kNoTriangle) const;
 
+  /// Calls each(triangle) for every triangle that is as near to a segment, and for some that are not.
+  template <class Each>
+  void forEachNear(const Vec3& from_mm, const Vec3& to_mm, double distance_mm, Each&& each) const {
+    visitNear(
+        from_mm, to_mm, distance_mm, [](void* with, std::uint32_t t) { (*static_cast<Each*>(with))(t); }, &each);
+  }
+
   [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
   /// Of balls that touch a triangle from its inside and its outside: up to which radius they hold nothing of the
   /// triangles that share no vertex with it (nearest_point.h). Never too large.
@@ -50,6 +57,8 @@ class TriangleTree {
   /// A node's children that are near enough, to be looked into.
   void look(Search& search, std::int32_t from, Open& open) const;
   void empty(Search& search, Open& open) const;
+  void visitNear(const Vec3& from_mm, const Vec3& to_mm, double distance_mm, void (*visit)(void*, std::uint32_t),
+                 void* with) const;
 
   const Mesh* mesh_;
   Vec3 middle_mm_;
