@@ -38,10 +38,22 @@ bench::Quantiles costOf(scene::Scene& scene, std::size_t body) {
   return bench::quantiles(ns);
 }
 
+nlohmann::ordered_json jsonOf(const scene::ContactChoiceReport& choice) {
+  nlohmann::ordered_json json = {
+      {"accuracy_met", choice.met}, {"depth_mm", choice.depth_mm}, {"places", choice.places}};
+  for (const scene::ModelTrial& trial : choice.trials) {
+    const std::string model(scene::kContactModels[static_cast<std::size_t>(trial.model)]);
+    json[model + "_error_percent"] = 100.0 * trial.mean_error;
+    json[model + "_through_percent"] = 100.0 * trial.pushes_through;
+  }
+  return json;
+}
+
 void explain(const ExplainOptions& options) {
   const sim::SceneFile file = valueOrFail(sim::openScene(options.scene));
   const auto start = std::chrono::steady_clock::now();
-  scene::Scene scene = sim::buildScene(file);
+  const std::vector<sim::BodyChoice> choices = sim::chooseContacts(file);
+  scene::Scene scene = sim::buildScene(file, choices);
   nlohmann::ordered_json json = {
       {"scene", file.description.settings.name.empty() ? options.scene : file.description.settings.name},
       {"built_in_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
@@ -61,6 +73,7 @@ void explain(const ExplainOptions& options) {
                               {"memory_bytes", scene.bytes(i)},
                               {"step_median_ns", cost.p50},
                               {"step_p99_ns", cost.p99}});
+    if (choices[i].choice) json["bodies"].back()["choice"] = jsonOf(*choices[i].choice);
   }
   json["gestures"] = nlohmann::ordered_json::array();
   if (file.description.swords) json["gestures"].push_back("swords");

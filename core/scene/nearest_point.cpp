@@ -12,6 +12,8 @@ namespace fyd::scene {
 namespace {
 
 constexpr double kMostEdges = 10.0;
+/// A triangle at a vertex of more has no certificate: looking at a fan of a million would be slower than the tree.
+constexpr std::size_t kLargestFan = 64;
 constexpr int kMostMoves = 64;  // of a walk; a probe that moved farther is looked for in the tree
 /// A foot this near to an edge (as a share of the triangle) is compared with what lies across it: rounding may put it
 /// on either side.
@@ -19,22 +21,17 @@ constexpr double kAtEdge = 1e-6;
 
 }  // namespace
 
-WalkableMesh::WalkableMesh(const TriangleTree& tree, double deepest_mm) : tree_(&tree) {
+WalkableMesh::WalkableMesh(const TriangleTree& tree, double deepest_mm) : tree_(&tree), fans_(tree.mesh()) {
   const Mesh& mesh = tree.mesh();
   const auto triangles = mesh.triangles();
-  first_.assign(mesh.vertices().size() + 1, 0);
-  for (const Triangle& t : triangles) {
-    for (const std::uint32_t v : t) ++first_[v + 1];
-  }
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  fan_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (const std::uint32_t v : triangles[t]) fan_[next[v]++] = t;
-  }
   sides_.resize(triangles.size());
   const double largest_mm = std::min(deepest_mm, kMostEdges * mesh.report().mean_edge_mm);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const Triangle& corners = triangles[t];
+    if (std::any_of(corners.begin(), corners.end(),
+                    [this](std::uint32_t v) { return fans_[v].size() > kLargestFan; })) {
+      continue;
+    }
     const auto empty = tree.emptyBalls_mm(t, largest_mm);
     for (std::size_t side = 0; side < 2; ++side) {
       sides_[t][side].empty_mm = std::nextafter(static_cast<float>(empty[side]), 0.0F);
@@ -78,7 +75,7 @@ void WalkableMesh::lookAround(std::uint32_t triangle) {
       return a < 0.0 ? a + 2.0 * std::numbers::pi : a;
     };
     const double opening = angleOf(v[t[previous]] - at);
-    for (const std::uint32_t other : fan(t[corner])) {
+    for (const std::uint32_t other : fans_[t[corner]]) {
       if (other == triangle) continue;
       const Triangle& o = mesh().triangles()[other];
       const auto has = [&o](std::uint32_t w) { return o[0] == w || o[1] == w || o[2] == w; };
@@ -144,9 +141,7 @@ void WalkableMesh::lookAround(std::uint32_t triangle) {
   }
 }
 
-std::size_t WalkableMesh::bytes() const {
-  return 4 * (first_.size() + fan_.size()) + sizeof(sides_[0]) * sides_.size();
-}
+std::size_t WalkableMesh::bytes() const { return fans_.bytes() + sizeof(sides_[0]) * sides_.size(); }
 
 Nearest NearestPoint::ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const {
   const auto v = on_->mesh().vertices();
@@ -156,7 +151,9 @@ Nearest NearestPoint::ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) c
 
 bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, Nearest& best) const {
   bool found = false;
-  for (const std::uint32_t t : on_->fan(vertex)) {
+  const auto fan = on_->fans()[vertex];
+  if (fan.size() > kLargestFan) return false;
+  for (const std::uint32_t t : fan) {
     if (t == best.triangle) continue;
     const Nearest other = ofTriangle(probe_mm, t);
     if (!nearer(other, best)) continue;

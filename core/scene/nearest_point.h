@@ -15,11 +15,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/scene/triangle_distance.h"
 #include "core/scene/triangle_tree.h"
+#include "core/scene/vertex_fans.h"
 
 namespace fyd::scene {
 
@@ -33,10 +33,7 @@ class WalkableMesh {
 
   [[nodiscard]] const TriangleTree& tree() const { return *tree_; }
   [[nodiscard]] const Mesh& mesh() const { return tree_->mesh(); }
-  /// The triangles that have the vertex.
-  [[nodiscard]] std::span<const std::uint32_t> fan(std::uint32_t vertex) const {
-    return std::span(fan_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
-  }
+  [[nodiscard]] const VertexFans& fans() const { return fans_; }
   /// What a triangle knows of one of its sides.
   struct Side {
     float empty_mm =
@@ -56,8 +53,7 @@ class WalkableMesh {
 
  private:
   const TriangleTree* tree_;
-  std::vector<std::uint32_t> first_;  // of each vertex, in fan_
-  std::vector<std::uint32_t> fan_;
+  VertexFans fans_;
   std::vector<std::array<Side, 2>> sides_;  // inside, outside
 
   void lookAround(std::uint32_t triangle);

@@ -5,7 +5,7 @@
 namespace fyd::sim {
 
 SceneArm::SceneArm(const SceneFile& file, double rate_Hz)
-    : name_(file.description.settings.name), scene_(buildScene(file)) {
+    : name_(file.description.settings.name), scene_(buildScene(file, chooseContacts(file))) {
   for (const auto& texture : file.textures) {
     auto& to = textures_.emplace_back();
     if (texture) to.emplace(*texture, rate_Hz);

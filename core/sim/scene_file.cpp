@@ -75,20 +75,27 @@ Result<SceneFile> openScene(const std::string& path) {
   return out;
 }
 
-scene::Scene buildScene(const SceneFile& file) {
-  std::vector<scene::ContactModel> contacts;
-  for (const scene::BodyDescription& body : file.description.bodies) {
-    using scene::ContactChoice;
-    using scene::ContactModel;
-    switch (body.contact) {
-      case ContactChoice::nodes: contacts.push_back(ContactModel::nodes); break;
-      case ContactChoice::facet: contacts.push_back(ContactModel::facet); break;
-      case ContactChoice::automatic:
-      case ContactChoice::vicinity: contacts.push_back(ContactModel::vicinity); break;
-      case ContactChoice::proxy: contacts.push_back(ContactModel::proxy); break;
+std::vector<BodyChoice> chooseContacts(const SceneFile& file) {
+  using scene::ContactChoice;
+  std::vector<BodyChoice> out;
+  for (std::size_t i = 0; i < file.meshes.size(); ++i) {
+    const scene::BodyDescription& body = file.description.bodies[i];
+    BodyChoice& to = out.emplace_back();
+    if (body.contact != ContactChoice::automatic) {  // stands before the models
+      to.model = static_cast<scene::ContactModel>(static_cast<int>(body.contact) - 1);
+    } else if (file.description.accuracy) {
+      to.choice = chooseContact(file.meshes[i]->tree, {.stiffness_N_per_mm = body.stiffness_N_per_mm, .texture = {}},
+                                {.radius_mm = body.radius_mm, .reach_mm = body.depth_mm}, *file.description.accuracy);
+      to.model = to.choice->chosen;
     }
   }
-  return {file.description, file.meshes, std::move(contacts)};
+  return out;
+}
+
+scene::Scene buildScene(const SceneFile& file, const std::vector<BodyChoice>& contacts) {
+  std::vector<scene::ContactModel> models;
+  for (const BodyChoice& each : contacts) models.push_back(each.model);
+  return {file.description, file.meshes, std::move(models)};
 }
 
 }  // namespace fyd::sim

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/scene/contact_choice.h"
 #include "core/scene/scene.h"
 #include "core/texture/surface_model.h"
 
@@ -25,7 +26,14 @@ struct SceneFile {
 /// @return an error that names the file, and the line or the mesh
 [[nodiscard]] Result<SceneFile> openScene(const std::string& path);
 
-/// Its contacts are those it names; where it leaves them open, vicinity.
-[[nodiscard]] scene::Scene buildScene(const SceneFile& file);
+/// The contact of each body: as named; where it is left open, as measured for the scene's accuracy (`choice`), or
+/// vicinity without one.
+struct BodyChoice {
+  scene::ContactModel model = scene::ContactModel::vicinity;
+  std::optional<scene::ContactChoiceReport> choice;
+};
+[[nodiscard]] std::vector<BodyChoice> chooseContacts(const SceneFile& file);
+
+[[nodiscard]] scene::Scene buildScene(const SceneFile& file, const std::vector<BodyChoice>& contacts);
 
 }  // namespace fyd::sim
