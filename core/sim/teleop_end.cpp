@@ -132,7 +132,7 @@ void TeleopEnd::hear(const DeviceMessage& message) {
 
 Vec3 TeleopEnd::step(const DeviceState& device, double now_s) {
   if (isMeasurement(device)) device_ = device;
-  if (phase_ == Phase::linked && now_s - heard_s_ > kLost_s) phase_ = Phase::lost;
+  if (phase_ == Phase::linked && now_s - heard_s_ > settings_.lost_s.value_or(kLost_s)) phase_ = Phase::lost;
   if (!isMeasurement(device)) return {};
   const Vec3& v = device.velocity_mm_per_s;
   if (phase_ != Phase::linked) {

@@ -27,6 +27,7 @@ struct TeleopEndSettings {
   teleop::PredictorChoice predictor = teleop::PredictorChoice::experts;
   std::optional<double> smooth_s;  ///< of corrections; none: usualSmoothing_s of the period and the first message's age
   double period_s = 0.010;         ///< of messages; with a deadband the least time between two
+  std::optional<double> lost_s;    ///< without a message; none: TeleopEnd::kLost_s
   double deadband = 0.0;           ///< share by which what can be felt differs, 0 … 1; 0: a message each period
 };
 
@@ -40,7 +41,7 @@ struct DeviceState {
 class TeleopEnd {
  public:
   enum class Phase : std::uint8_t { stopped, waiting, linked, lost };
-  static constexpr double kLost_s = 0.5;  ///< without a message
+  static constexpr double kLost_s = 0.5;  ///< without a message, unless the settings say another time
   static constexpr int kFarewells = 3;
   /// With a deadband: smaller differences are never sent; ten messages in a row are lost before the other end is.
   static constexpr double kPlaceFloor_mm = 0.1, kForceFloor_N = 0.1, kRefresh_s = 0.1 * kLost_s;

@@ -1,0 +1,64 @@
+// One player of the tele-gesture paper's game of swords: the sword in the own hand, the other player's as it is
+// believed to be now, and the force of both on the own hand, at 1 kHz.
+//
+// What passes between the players is the two linked devices' session (teleop_end.h): each sends where its device is and
+// how it is turned, x, y, z, α, β, γ and a date; what arrives is predicted to now and smoothed, place and direction
+// alike. The device's coupling exerts nothing here: swords touch, hands do not.
+//
+// Each sees itself at the origin with the other `apart_mm` away along x, facing it: the other's x and y are reversed.
+// A sword's grip is `scale` times where the device is, its blade along the device's own x.
+#pragma once
+
+#include "core/scene/swords.h"
+#include "core/sim/teleop_end.h"
+
+namespace fyd::sim {
+
+struct FencingSettings {
+  scene::SwordParameters swords;
+  double apart_mm = 1300.0;
+  double scale = 5.0;                                                   ///< of the device's workspace to the players'
+  teleop::PredictorChoice predictor = teleop::PredictorChoice::order1;  ///< the paper's
+  std::optional<double> smooth_s;                                       ///< as of TeleopEndSettings
+  double period_s = 0.010;                                              ///< of messages
+};
+
+/// Where a player's sword is, in the player's own frame and in the other's.
+[[nodiscard]] scene::Blade swordOf(const FencingSettings& settings, const Vec3& device_mm,
+                                   const teleop::Orientation& turned);
+[[nodiscard]] scene::Blade asTheOtherSees(const FencingSettings& settings, const scene::Blade& blade);
+[[nodiscard]] Vec3 asTheOtherSees(const Vec3& force_N);
+
+class FencingEnd {
+ public:
+  /// @param settings whose swords checkParameters accepts
+  explicit FencingEnd(const FencingSettings& settings);
+
+  /// As of TeleopEnd.
+  void start(std::uint16_t session) { link_.start(session); }
+  void stop() { link_.stop(); }
+  void receive(std::span<const std::uint8_t> datagram, double now_s);
+  [[nodiscard]] std::span<const std::uint8_t> datagram(double now_s) { return link_.datagram(now_s); }
+  [[nodiscard]] TeleopEnd::Phase phase() const { return link_.phase(); }
+
+  /// A millisecond. Nothing is touched while the players are not linked, or the device measures nothing.
+  /// @param device its force is what was felt last; it is not used
+  [[nodiscard]] scene::SwordTouch step(const DeviceState& device, double now_s);
+
+  /// As of the last step.
+  [[nodiscard]] const scene::Blade& own() const { return state_.local; }
+  [[nodiscard]] const scene::Blade& other() const { return state_.distant; }
+
+ private:
+  [[nodiscard]] scene::Blade believed(double now_s);
+
+  FencingSettings settings_;
+  TeleopEnd link_;
+  scene::SwordState state_;
+  bool corrected_ = true;  ///< a message has come since the last step
+  std::optional<double> stepped_s_;
+  teleop::SmoothOutput smooth_{0.0};
+  teleop::Position along_mm_{}, along_mm_per_s_{};  ///< the other blade, as predicted
+};
+
+}  // namespace fyd::sim
