@@ -87,6 +87,24 @@ struct BallParameters {
   }
 };
 
+/// Where the game begins, and begins again.
+struct ServeParameters {
+  double x_mm = 0.0, y_mm = 0.0, z_mm = 500.0;
+  double x_mm_per_s = 0.0, y_mm_per_s = 0.0, z_mm_per_s = 0.0;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    const ParameterInfo place{.unit = "mm", .minimum = -1e6, .maximum = 1e6, .help = "Where the ball is served."};
+    const ParameterInfo speed{.unit = "mm/s", .minimum = -1e6, .maximum = 1e6, .help = "How fast it is then."};
+    v.real("serve.x_mm", x_mm, place);
+    v.real("serve.y_mm", y_mm, place);
+    v.real("serve.z_mm", z_mm, place);
+    v.real("serve.x_mm_per_s", x_mm_per_s, speed);
+    v.real("serve.y_mm_per_s", y_mm_per_s, speed);
+    v.real("serve.z_mm_per_s", z_mm_per_s, speed);
+  }
+};
+
 /// A ball at one moment: what a message says after a stroke.
 struct BallState {
   Vec3 position_mm;  ///< of its centre

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -11,6 +12,10 @@
 #include "core/scene/vector.h"
 
 namespace fyd::scene {
+
+/// What a scene file names as `gesture`; each reads the tables of its own parameters and no other.
+enum class Gesture : std::uint8_t { swords, ball, palpation };
+inline constexpr std::array<std::string_view, 3> kGestures = {"swords", "ball", "palpation"};
 
 /// A longer step is a pause: nothing is computed over it.
 inline constexpr double kLongestStep_s = 1.0;

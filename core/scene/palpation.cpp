@@ -26,9 +26,10 @@ double bent(double too_fast_mm_per_s, double steepness_Ns_per_mm, double most_N)
 
 }  // namespace
 
-SoftTouch touchPlane(const PalpationParameters& parameters, const Vec3& point_mm, const Vec3& normal,
-                     const Vec3& probe_mm) {
-  return {normal, -dot(unit(normal), probe_mm - point_mm), parameters.stiffness_N_per_mm};
+SoftTouch touchPlane(const PalpationParameters& parameters, const PlaneParameters& plane, const Vec3& probe_mm) {
+  const Vec3 normal{plane.normal_x, plane.normal_y, plane.normal_z};
+  const Vec3 from = probe_mm - Vec3{plane.x_mm, plane.y_mm, plane.z_mm};
+  return {normal, -dot(unit(normal), from), parameters.stiffness_N_per_mm};
 }
 
 PalpationForce stepPalpation(const PalpationParameters& p, PalpationState& state, const PalpationInputs& inputs,

@@ -62,13 +62,31 @@ struct PalpationParameters {
   }
 };
 
+/// The abdomen of a scene without a body of its own.
+struct PlaneParameters {
+  double x_mm = 0.0, y_mm = 0.0, z_mm = 0.0;
+  double normal_x = 0.0, normal_y = 0.0, normal_z = 1.0;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    const ParameterInfo place{.unit = "mm", .minimum = -1e6, .maximum = 1e6, .help = "A point of the plane."};
+    const ParameterInfo normal{.minimum = -1, .maximum = 1, .help = "Outwards; of any length but 0."};
+    v.real("plane.x_mm", x_mm, place);
+    v.real("plane.y_mm", y_mm, place);
+    v.real("plane.z_mm", z_mm, place);
+    v.real("plane.normal_x", normal_x, normal);
+    v.real("plane.normal_y", normal_y, normal);
+    v.real("plane.normal_z", normal_z, normal);
+  }
+};
+
 /// What the probe touches, from whichever contact model; of a plane: `touchPlane`.
 struct SoftTouch {
   Vec3 normal{0.0, 0.0, 1.0};  ///< outwards, of any length but 0
   double depth_mm = 0.0;       ///< ≤ 0: nothing is touched
   double stiffness_N_per_mm = 0.0;
 };
-[[nodiscard]] SoftTouch touchPlane(const PalpationParameters& parameters, const Vec3& point_mm, const Vec3& normal,
+[[nodiscard]] SoftTouch touchPlane(const PalpationParameters& parameters, const PlaneParameters& plane,
                                    const Vec3& probe_mm);
 
 struct PalpationInputs {

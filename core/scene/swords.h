@@ -54,6 +54,26 @@ struct SwordParameters {
   }
 };
 
+/// Two players who face each other, each with a device.
+struct FencingParameters {
+  double apart_mm = 1300.0;
+  double scale = 5.0;
+  double period_s = 0.010;
+
+  template <class Visitor>
+  void describe(Visitor& v) {
+    v.real("fencing.apart_mm", apart_mm,
+           {.unit = "mm", .minimum = 0, .maximum = 1e5, .help = "Between the middles of both players' workspaces."});
+    v.real("fencing.scale", scale,
+           {.minimum = 0.01, .maximum = 100, .help = "Way of a sword's grip by the way of the device."});
+    v.real("fencing.period_s", period_s,
+           {.unit = "s",
+            .minimum = 0.001,
+            .maximum = 10,
+            .help = "From message to message; the paper's 10, 100, 250, 500 ms."});
+  }
+};
+
 struct Blade {
   Vec3 grip_mm, tip_mm;
 };

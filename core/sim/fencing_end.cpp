@@ -12,8 +12,8 @@ TeleopEndSettings linkOf(const FencingSettings& settings) {
   out.coupling = teleop::CouplingChoice::spring;
   out.predictor = settings.predictor;
   out.smooth_s = settings.smooth_s;
-  out.period_s = settings.period_s;
-  out.lost_s = std::max(TeleopEnd::kLost_s, kPeriodsUntilLost * settings.period_s);
+  out.period_s = settings.players.period_s;
+  out.lost_s = std::max(TeleopEnd::kLost_s, kPeriodsUntilLost * settings.players.period_s);
   return out;
 }
 
@@ -25,14 +25,14 @@ Vec3 forward(const teleop::Orientation& q) {
 }  // namespace
 
 scene::Blade swordOf(const FencingSettings& settings, const Vec3& device_mm, const teleop::Orientation& turned) {
-  const Vec3 grip = settings.scale * device_mm;
+  const Vec3 grip = settings.players.scale * device_mm;
   return {grip, grip + settings.swords.length_mm * forward(turned)};
 }
 
 Vec3 asTheOtherSees(const Vec3& force_N) { return {-force_N.x, -force_N.y, force_N.z}; }
 
 scene::Blade asTheOtherSees(const FencingSettings& settings, const scene::Blade& blade) {
-  const auto seen = [&](const Vec3& p) { return Vec3{settings.apart_mm - p.x, -p.y, p.z}; };
+  const auto seen = [&](const Vec3& p) { return Vec3{settings.players.apart_mm - p.x, -p.y, p.z}; };
   return {seen(blade.grip_mm), seen(blade.tip_mm)};
 }
 
@@ -58,7 +58,7 @@ scene::Blade FencingEnd::believed(double now_s) {
   const teleop::Position smoothed = smooth_.step(now_s, predicted, along_mm_per_s_);
   const Vec3 direction = scene::unit({smoothed[0], smoothed[1], smoothed[2]});
   const teleop::Position& at = link_.other_mm();
-  const Vec3 grip = settings_.scale * Vec3{at[0], at[1], at[2]};
+  const Vec3 grip = settings_.players.scale * Vec3{at[0], at[1], at[2]};
   return asTheOtherSees(settings_, {grip, grip + length_mm * direction});
 }
 
@@ -70,7 +70,8 @@ scene::SwordTouch FencingEnd::step(const DeviceState& device, double now_s) {
     return {};
   }
   if (!stepped_s_) {
-    smooth_ = teleop::SmoothOutput(settings_.smooth_s.value_or(teleop::usualSmoothing_s(settings_.period_s, 0.0)));
+    smooth_ =
+        teleop::SmoothOutput(settings_.smooth_s.value_or(teleop::usualSmoothing_s(settings_.players.period_s, 0.0)));
     along_mm_per_s_ = {};
     corrected_ = true;
   }

@@ -5,8 +5,8 @@
 // how it is turned, x, y, z, α, β, γ and a date; what arrives is predicted to now and smoothed, place and direction
 // alike. The device's coupling exerts nothing here: swords touch, hands do not.
 //
-// Each sees itself at the origin with the other `apart_mm` away along x, facing it: the other's x and y are reversed.
-// A sword's grip is `scale` times where the device is, its blade along the device's own x.
+// Each sees itself at the origin with the other `players.apart_mm` away along x, facing it: the other's x and y are
+// reversed. A sword's grip is `players.scale` times where the device is, its blade along the device's own x.
 #pragma once
 
 #include "core/scene/swords.h"
@@ -16,11 +16,9 @@ namespace fyd::sim {
 
 struct FencingSettings {
   scene::SwordParameters swords;
-  double apart_mm = 1300.0;
-  double scale = 5.0;                                                   ///< of the device's workspace to the players'
-  teleop::PredictorChoice predictor = teleop::PredictorChoice::order1;  ///< the paper's
-  std::optional<double> smooth_s;                                       ///< as of TeleopEndSettings
-  double period_s = 0.010;                                              ///< of messages
+  scene::FencingParameters players;
+  teleop::PredictorChoice predictor = teleop::PredictorChoice::experts;  ///< the paper's is order1
+  std::optional<double> smooth_s;                                        ///< as of TeleopEndSettings
 };
 
 /// Where a player's sword is, in the player's own frame and in the other's.
@@ -31,7 +29,7 @@ struct FencingSettings {
 
 class FencingEnd {
  public:
-  /// @param settings whose swords checkParameters accepts
+  /// @param settings whose parameters checkParameters accepts
   explicit FencingEnd(const FencingSettings& settings);
 
   /// As of TeleopEnd.

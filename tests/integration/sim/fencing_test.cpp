@@ -248,9 +248,9 @@ TEST(Fencing, EachEndFindsTheContactsThatAreThereWithoutANetwork) {
   for (const double rate_Hz : {0.3, 1.0, 0.0}) {
     for (const auto predictor : {order0, order1, experts}) {
       for (const int period_ms : {10, 100, 250, 500}) {
-        Game game{.settings = {.swords = {}}, .rate_Hz = rate_Hz};
+        Game game{.settings = {}, .rate_Hz = rate_Hz};
         game.settings.predictor = predictor;
-        game.settings.period_s = 1e-3 * period_ms;
+        game.settings.players.period_s = 1e-3 * period_ms;
         const Figures f = play(game, 45.0);
         std::printf("%-8s  %-9s  %3d ms  %8d  %5d  %8d  %11.1f (%3.0f)  %7.2f  %7.2f  %.2f\n",
                     rate_Hz == 0.0   ? "recorded"
@@ -297,10 +297,10 @@ struct PressingHand {
 TEST(Fencing, TwoHandsThatPressFeelEachOtherAsLongAsThePlayersAreLinked) {
   for (const auto predictor : {teleop::PredictorChoice::order1, teleop::PredictorChoice::experts}) {
     for (const int period_ms : {10, 100}) {
-      FencingSettings settings{.swords = {}};
-      settings.scale = 1.0;
+      FencingSettings settings;
+      settings.players.scale = 1.0;
       settings.predictor = predictor;
-      settings.period_s = 1e-3 * period_ms;
+      settings.players.period_s = 1e-3 * period_ms;
       const NetworkSettings network{.delay_ms = 30.0, .loss_percent = 20.0};
       Player one(settings, network, 11), other(settings, network, 12);
       one.end.start(1);
@@ -335,7 +335,7 @@ TEST(Fencing, TwoHandsThatPressFeelEachOtherAsLongAsThePlayersAreLinked) {
 }
 
 TEST(Fencing, WhoIsNotLinkedOrMeasuresNothingFeelsNothing) {
-  const FencingSettings settings{.swords = {}};
+  const FencingSettings settings;
   Player one(settings, {}, 1), other(settings, {}, 2);
   PressingHand a{.y_mm = -4.0}, b{.y_mm = -4.0};
   double now_s = 1000.0;
@@ -386,7 +386,7 @@ TEST(Fencing, WhoIsNotLinkedOrMeasuresNothingFeelsNothing) {
 
 /// Real time, two threads and a relay between them, each with a clock of its own beat.
 TEST(Fencing, TwoThreadsFenceThroughABadNetwork) {
-  FencingSettings settings{.swords = {}};
+  FencingSettings settings;
   NetworkSettings bad{.delay_ms = 30.0, .loss_percent = 20.0};
   Player one(settings, {}, 1), other(settings, {}, 2);
   auto relay = NetworkRelay::open({.listen = protocol::parseEndpoint("127.0.0.1:0").value(),

@@ -17,7 +17,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 static_assert(std::is_trivially_copyable_v<PalpationState>);
 
 PalpationInputs onPlane(const PalpationParameters& parameters, const Vec3& probe) {
-  return {.probe_mm = probe, .touch = touchPlane(parameters, {}, {0.0, 0.0, 2.0}, probe), .measured_N = {}};
+  return {.probe_mm = probe, .touch = touchPlane(parameters, {.normal_z = 0.5}, probe), .measured_N = {}};
 }
 
 /// At this speed across for a second, 5 mm deep.
