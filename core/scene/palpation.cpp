@@ -7,7 +7,6 @@
 namespace fyd::scene {
 namespace {
 
-constexpr double kStepToCome_s = 0.005;
 constexpr double kDebt_mJ = 2.0, kForgiven_s = 1.0;
 
 Refusal refusalOfInputs(const PalpationInputs& inputs, double dt_s) {
@@ -58,15 +57,11 @@ PalpationForce stepPalpation(const PalpationParameters& p, PalpationState& state
   const Vec3 across = state.velocity_mm_per_s - dot(state.velocity_mm_per_s, n) * n;
   out.speed_mm_per_s = length(across);
   out.too_fast_mm_per_s = std::max(0.0, out.speed_mm_per_s - p.speed_limit_mm_per_s);
+  // The hand turns back before the smoothed speed does.
   const double trusted = std::clamp(1.0 + state.taken_mJ / kDebt_mJ, 0.0, 1.0);
   const double against = trusted * std::min(1.0, engaged_mm / p.engage_mm) *
                          bent(out.too_fast_mm_per_s, p.steepness_Ns_per_mm, p.most_tangential_N);
   if (against > 0.0) out.tangential_N = (-against / out.speed_mm_per_s) * across;
-  // The hand turns back before the smoothed speed does: no more is given than was taken, in the longest step to come.
-  const double gives_mJ = dot(out.tangential_N, moved) * std::max(1.0, kStepToCome_s / dt_s);
-  if (gives_mJ > std::max(0.0, state.taken_mJ)) {
-    out.tangential_N = (std::max(0.0, state.taken_mJ) / gives_mJ) * out.tangential_N;
-  }
   out.touching = depth > 0.0 || normal_N > 0.0;
   out.force_N = out.normal_N + out.tangential_N;
   out.segment = forceSegment(inputs.probe_mm, out.force_N, p.segment_mm_per_N);

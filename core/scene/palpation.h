@@ -9,10 +9,9 @@
 //                        is without a jolt.
 //
 // The hand's speed is the slope of its positions, smoothed over `speed_time_constant_s` against the steps of encoders,
-// exactly for any time step. Smoothing delays, and a delayed brake can push: what the tangential force has taken from
-// the hand is counted, and where it would push it gives no more than that back. A hand that turns round within a step,
-// and noise that is nothing but turning round, get some energy before the step ends: with 2 mJ of it the force is gone,
-// and comes back as that is forgotten, in about a second.
+// exactly for any time step. Smoothing delays, and a delayed brake pushes a hand that has turned back: what the force
+// has taken from the hand is counted, and as it comes to have given more, it fades, to nothing at 2 mJ; that is
+// forgotten in about a second.
 #pragma once
 
 #include <optional>
@@ -102,7 +101,7 @@ struct PalpationState {
   double depth_mm = 0.0;
   Vec3 velocity_mm_per_s;  ///< smoothed
   Vec3 tangential_N;
-  double taken_mJ = 0.0;  ///< by the tangential force, from the hand
+  double taken_mJ = 0.0;  ///< by the tangential force, from the hand; below 0: given
 };
 
 struct PalpationForce {

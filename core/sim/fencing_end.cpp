@@ -39,10 +39,8 @@ scene::Blade asTheOtherSees(const FencingSettings& settings, const scene::Blade&
 FencingEnd::FencingEnd(const FencingSettings& settings) : settings_(settings), link_(linkOf(settings)) {}
 
 void FencingEnd::receive(std::span<const std::uint8_t> datagram, double now_s) {
-  const auto before = link_.phase();
   link_.receive(datagram, now_s);
   corrected_ = true;
-  if (before != TeleopEnd::Phase::linked && link_.phase() == TeleopEnd::Phase::linked) state_ = {};
 }
 
 scene::Blade FencingEnd::believed(double now_s) {

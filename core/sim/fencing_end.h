@@ -33,7 +33,11 @@ class FencingEnd {
   explicit FencingEnd(const FencingSettings& settings);
 
   /// As of TeleopEnd.
-  void start(std::uint16_t session) { link_.start(session); }
+  void start(std::uint16_t session) {
+    link_.start(session);
+    stepped_s_.reset();
+    state_ = {};
+  }
   void stop() { link_.stop(); }
   void receive(std::span<const std::uint8_t> datagram, double now_s);
   [[nodiscard]] std::span<const std::uint8_t> datagram(double now_s) { return link_.datagram(now_s); }
