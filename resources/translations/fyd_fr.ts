@@ -7360,6 +7360,14 @@ Pour commencer : %1</translation>
         <translation>le mot d'état 0x{:04X} ne désigne aucun état</translation>
     </message>
     <message>
+        <source>the step's input is farther away than 1e9 mm</source>
+        <translation>une entrée du pas est à plus de 1e9 mm</translation>
+    </message>
+    <message>
+        <source>the step's input is not a number</source>
+        <translation>une entrée du pas n'est pas un nombre</translation>
+    </message>
+    <message>
         <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
         <translation>la raideur ne change pas avec l'angle : vérifier que les moteurs étirent le tissu</translation>
     </message>
@@ -7382,6 +7390,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the three axes differ in length</source>
         <translation>les trois axes n'ont pas la même longueur</translation>
+    </message>
+    <message>
+        <source>the time step is not above 0 s and at most 1 s</source>
+        <translation>la durée du pas n'est pas au-dessus de 0 s et d'au plus 1 s</translation>
     </message>
     <message>
         <source>the touchpad answers, but its clock or its count of value sets stands still: switch it off and on</source>

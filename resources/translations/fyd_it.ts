@@ -7360,6 +7360,14 @@ Per cominciare: %1</translation>
         <translation>la parola di stato 0x{:04X} non indica uno stato</translation>
     </message>
     <message>
+        <source>the step's input is farther away than 1e9 mm</source>
+        <translation>un dato del passo è più lontano di 1e9 mm</translation>
+    </message>
+    <message>
+        <source>the step's input is not a number</source>
+        <translation>un dato del passo non è un numero</translation>
+    </message>
+    <message>
         <source>the stiffness does not change with the angle: check that the motors stretch the cloth</source>
         <translation>la rigidezza non cambia con l'angolo: controllare che i motori tendano il tessuto</translation>
     </message>
@@ -7382,6 +7390,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the three axes differ in length</source>
         <translation>i tre assi hanno lunghezza diversa</translation>
+    </message>
+    <message>
+        <source>the time step is not above 0 s and at most 1 s</source>
+        <translation>la durata del passo non è sopra 0 s e al massimo 1 s</translation>
     </message>
     <message>
         <source>the touchpad answers, but its clock or its count of value sets stands still: switch it off and on</source>
