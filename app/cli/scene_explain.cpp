@@ -123,8 +123,11 @@ void addSceneKeys(CLI::App& scene) {
     printKeys<scene::SceneSettings>("scene");
     printKeys<scene::BodyDescription>("[body]");
     printKeys<scene::SwordParameters>("swords");
+    printKeys<scene::FencingParameters>("fencing");
     printKeys<scene::BallParameters>("ball");
+    printKeys<scene::ServeParameters>("serve");
     printKeys<scene::PalpationParameters>("palpation");
+    printKeys<scene::PlaneParameters>("plane");
   });
 }
 

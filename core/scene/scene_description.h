@@ -1,6 +1,7 @@
 // What a scene file says: bodies and gestures. What it does not name is not there.
 //
-// TOML: [scene], any number of [[body]], and at most one each of [swords], [ball] and [palpation]. Each table is a list
+// TOML: [scene], any number of [[body]], and the gestures: [swords] with [fencing], [ball] with [serve], [palpation] with
+// [plane]. A gesture is there if its first table is. Each table is a list
 // of parameters (core/base/parameter.h), so that the reader, `fyd scene keys` and the manual's table are the same list.
 #pragma once
 
@@ -93,8 +94,11 @@ struct SceneDescription {
   std::optional<double> accuracy;  ///< a share, of settings.accuracy
   std::vector<BodyDescription> bodies;
   std::optional<SwordParameters> swords;
+  FencingParameters fencing;
   std::optional<BallParameters> ball;
+  ServeParameters serve;
   std::optional<PalpationParameters> palpation;
+  PlaneParameters plane;  ///< felt by a probe of a scene without a body
 };
 
 /// @param source_name stands before the line number in messages

@@ -3,12 +3,14 @@
 
 #include "core/base/toml_parameters.h"
 #include "core/scene/scene_description.h"
+#include "core/scene/vector.h"
 
 namespace fyd::scene {
 namespace {
 
 constexpr std::string_view kListedBy = "fyd scene keys";
 constexpr std::size_t kMostBodies = 1000;
+constexpr std::string_view kTables = "[scene], [[body]], [swords], [fencing], [ball], [serve], [palpation] and [plane]";
 
 template <class Parameters>
 Result<void> readInto(Parameters& to, const toml::node& node, std::string_view room, std::string_view source_name) {
@@ -46,12 +48,6 @@ std::optional<double> shareOf(std::string_view text) {
   return value > 0.0 && value <= 1.0 ? std::optional(value) : std::nullopt;
 }
 
-template <class Parameters>
-Result<void> readOne(std::optional<Parameters>& to, const toml::node& node, std::string_view room,
-                     std::string_view source_name) {
-  return readInto(to.emplace(), node, room, source_name);
-}
-
 Result<void> readBodies(SceneDescription& scene, const toml::node& node, std::string_view source_name) {
   const toml::array* array = node.as_array();
   if (array == nullptr) return fail("{}: 'body': expected tables [[body]]", place(source_name, node));
@@ -75,21 +71,17 @@ Result<SceneDescription> parseScene(std::string_view text, std::string_view sour
   SceneDescription scene;
   for (const auto& [key, node] : *root) {
     const std::string_view room = key.str();
-    Result<void> read;
-    if (room == "scene") {
-      read = readInto(scene.settings, node, room, source_name);
-    } else if (room == "body") {
-      read = readBodies(scene, node, source_name);
-    } else if (room == "swords") {
-      read = readOne(scene.swords, node, room, source_name);
-    } else if (room == "ball") {
-      read = readOne(scene.ball, node, room, source_name);
-    } else if (room == "palpation") {
-      read = readOne(scene.palpation, node, room, source_name);
-    } else {
-      read =
-          fail("{}: '{}': expected [scene], [[body]], [swords], [ball] or [palpation]", place(source_name, node), room);
-    }
+    const auto into = [&](auto& parameters) { return readInto(parameters, node, room, source_name); };
+    const Result<void> read = room == "scene"       ? into(scene.settings)
+                              : room == "body"      ? readBodies(scene, node, source_name)
+                              : room == "swords"    ? into(scene.swords.emplace())
+                              : room == "fencing"   ? into(scene.fencing)
+                              : room == "ball"      ? into(scene.ball.emplace())
+                              : room == "serve"     ? into(scene.serve)
+                              : room == "palpation" ? into(scene.palpation.emplace())
+                              : room == "plane"
+                                  ? into(scene.plane)
+                                  : fail("{}: '{}': expected one of {}", place(source_name, node), room, kTables);
     if (!read) return tl::unexpected(read.error());
   }
   if (!scene.settings.accuracy.empty()) {
@@ -98,6 +90,16 @@ Result<SceneDescription> parseScene(std::string_view text, std::string_view sour
       return fail("{}: scene.accuracy \"{}\": expected a share such as \"1%\", above 0 and up to 100%", source_name,
                   scene.settings.accuracy);
     }
+  }
+  const auto alone = [&](std::string_view second, bool first, std::string_view of) -> Result<void> {
+    if (first || !root->contains(second)) return {};
+    return fail("{}: [{}] without [{}]", source_name, second, of);
+  };
+  if (auto good = alone("fencing", scene.swords.has_value(), "swords"); !good) return tl::unexpected(good.error());
+  if (auto good = alone("serve", scene.ball.has_value(), "ball"); !good) return tl::unexpected(good.error());
+  if (auto good = alone("plane", scene.palpation.has_value(), "palpation"); !good) return tl::unexpected(good.error());
+  if (scene.palpation && squared({scene.plane.normal_x, scene.plane.normal_y, scene.plane.normal_z}) == 0.0) {
+    return fail("{}: plane.normal_x, normal_y and normal_z are 0: expected a direction", source_name);
   }
   if (scene.bodies.empty() && !scene.swords && !scene.ball && !scene.palpation) {
     return fail("{}: nothing to touch; expected a [[body]], [swords], [ball] or [palpation]", source_name);

@@ -48,7 +48,13 @@ TEST(SceneText, EveryErrorNamesItsLineAndWhatWasExpected) {
             "s.toml:1: body.position_mm: expected three numbers");
   EXPECT_EQ(errorOf("[[body]]\nmesh = \"a.obj\"\nkinetic_friction = 0.5\n"),
             "s.toml:1: body.kinetic_friction 0.5: expected at most body.static_friction, 0");
-  EXPECT_EQ(errorOf("[room]\n"), "s.toml:1: 'room': expected [scene], [[body]], [swords], [ball] or [palpation]");
+  EXPECT_EQ(
+      errorOf("[room]\n"),
+      "s.toml:1: 'room': expected one of [scene], [[body]], [swords], [fencing], [ball], [serve], [palpation] and "
+      "[plane]");
+  EXPECT_EQ(errorOf("[serve]\nz_mm = 1\n"), "s.toml: [serve] without [ball]");
+  EXPECT_EQ(errorOf("[palpation]\n[plane]\nnormal_z = 0\n"),
+            "s.toml: plane.normal_x, normal_y and normal_z are 0: expected a direction");
   EXPECT_NE(
       errorOf("[[body]]\nmesh = \"a.obj\"\ncontact = \"soft\"\n").find("s.toml:3: body.contact = \"soft\": expected"),
       std::string::npos);
