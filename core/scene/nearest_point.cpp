@@ -21,11 +21,11 @@ constexpr double kAtEdge = 1e-6;
 
 }  // namespace
 
-WalkableMesh::WalkableMesh(const TriangleTree& tree, double deepest_mm) : tree_(&tree), fans_(tree.mesh()) {
+WalkableMesh::WalkableMesh(const TriangleTree& tree) : tree_(&tree), fans_(tree.mesh()) {
   const Mesh& mesh = tree.mesh();
   const auto triangles = mesh.triangles();
   sides_.resize(triangles.size());
-  const double largest_mm = std::min(deepest_mm, kMostEdges * mesh.report().mean_edge_mm);
+  const double largest_mm = kMostEdges * mesh.report().mean_edge_mm;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const Triangle& corners = triangles[t];
     if (std::any_of(corners.begin(), corners.end(),

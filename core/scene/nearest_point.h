@@ -26,10 +26,9 @@ namespace fyd::scene {
 /// What is known of a mesh for walks over it. Immutable; shared by any number of probes and threads.
 class WalkableMesh {
  public:
-  /// The tree, and with it the mesh, must outlive this.
-  /// A probe farther than deepest_mm (> 0), or than ten mean edges of the mesh, asks the tree at each step: the time to
-  /// build this grows with the triangles within it.
-  WalkableMesh(const TriangleTree& tree, double deepest_mm);
+  /// The tree, and with it the mesh, must outlive this. Ten mean edges away from the mesh, a probe asks the tree at
+  /// each step: the time to build this grows with the triangles within a ball.
+  explicit WalkableMesh(const TriangleTree& tree);
 
   [[nodiscard]] const TriangleTree& tree() const { return *tree_; }
   [[nodiscard]] const Mesh& mesh() const { return tree_->mesh(); }

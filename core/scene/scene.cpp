@@ -46,8 +46,7 @@ Scene::Body::Body(const BodyDescription& from, std::shared_ptr<const SearchedMes
                       .kinetic_friction = from.kinetic_friction,
                       .texture = from.texture},
               ContactSettings{.model = model, .radius_mm = from.radius_mm, .reach_mm = from.depth_mm}),
-      walkable(std::make_unique<WalkableMesh>(mesh->tree, contact.settings().reach_mm)),
-      nearest(*walkable) {
+      nearest(mesh->walkable) {
   const MeshReport& r = mesh->mesh.report();
   middle_mm = 0.5 * (r.lowest_mm + r.highest_mm);
   // Within a body, or as deep under an open mesh as it acts, or as far away as the finger is thick.
@@ -68,17 +67,22 @@ Scene::Scene(const SceneDescription& description, std::vector<std::shared_ptr<co
   awake_.reserve(bodies_.size());
 }
 
-void Scene::wake(const Vec3& from_mm, const Vec3& to_mm) {
+void Scene::wake(const Vec3& from_mm, double from_s, const Vec3& to_mm) {
   awake_.clear();
   const double beyond_mm = margin_mm_ + fastest_mm_per_s_ * (time_s_ - anchor_s_);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = bodies_[i];
-    if (fromSegment(body.placement.toScene(body.middle_mm, time_s_), from_mm, to_mm) <= body.reach_mm + beyond_mm) {
-      awake_.push_back(i);
-    } else {
-      body.contact.restore({});
-      body.nearest.reset();
-    }
+    const bool asleep = !body.awake;
+    const Vec3 middle_mm = body.placement.toScene(body.middle_mm, time_s_);
+    body.awake = fromSegment(middle_mm, from_mm, to_mm) <= body.reach_mm + beyond_mm;
+    if (!body.awake) continue;
+    awake_.push_back(i);
+    if (!asleep) continue;
+    // A proxy must know from which side the haptic point comes.
+    const Vec3 before_mm = body.placement.toBody(from_mm, from_s);
+    body.contact.restore({});
+    body.nearest.reset();
+    static_cast<void>(body.contact.touch(before_mm, {}, body.nearest.find(before_mm)));
   }
   anchor_mm_ = to_mm;
   anchor_s_ = time_s_;
@@ -94,11 +98,12 @@ SceneTouch Scene::step(const Vec3& probe_mm, double time_s) {
   if (!known_) first_s_ = time_s;
   const double dt_s = time_s - first_s_ - time_s_;
   if (known_ && !(dt_s > 0.0)) return last_;
+  const double from_s = time_s_;
   time_s_ = time_s - first_s_;
   const Vec3 from_mm = known_ ? last_mm_ : probe_mm;
   const Vec3 velocity = known_ ? (1.0 / dt_s) * (probe_mm - from_mm) : Vec3{};
   if (!known_ || length(probe_mm - anchor_mm_) + fastest_mm_per_s_ * (time_s_ - anchor_s_) > margin_mm_) {
-    wake(from_mm, probe_mm);
+    wake(from_mm, from_s, probe_mm);
   }
   known_ = true;
   last_mm_ = probe_mm;
@@ -138,12 +143,15 @@ SceneTouch Scene::step(const Vec3& probe_mm, double time_s) {
 
 std::size_t Scene::bytes(std::size_t body) const {
   const Body& b = bodies_[body];
-  return sizeof(Body) + b.mesh->mesh.bytes() + b.mesh->tree.bytes() + b.walkable->bytes() + b.contact.bytes();
+  return sizeof(Body) + b.mesh->bytes() + b.contact.bytes();
 }
 
 std::size_t Scene::bytes() const {
   std::size_t sum = sizeof(Scene);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) sum += bytes(i);
+  for (auto body = bodies_.begin(); body != bodies_.end(); ++body) {
+    const bool shared = std::any_of(bodies_.begin(), body, [&](const Body& b) { return b.mesh == body->mesh; });
+    sum += sizeof(Body) + body->contact.bytes() + (shared ? 0 : body->mesh->bytes());
+  }
   return sum;
 }
 

@@ -21,13 +21,16 @@
 
 namespace fyd::scene {
 
-/// A body's mesh with its tree. Immutable, and where it is: trees point to their mesh.
+/// A body's mesh with what its searches need. Immutable, shared by any number of bodies, and where it is: trees point
+/// to their mesh.
 struct SearchedMesh {
-  explicit SearchedMesh(Mesh from) : mesh(std::move(from)), tree(mesh) {}
+  explicit SearchedMesh(Mesh from) : mesh(std::move(from)), tree(mesh), walkable(tree) {}
   SearchedMesh(const SearchedMesh&) = delete;
   SearchedMesh& operator=(const SearchedMesh&) = delete;
+  [[nodiscard]] std::size_t bytes() const { return mesh.bytes() + tree.bytes() + walkable.bytes(); }
   Mesh mesh;
   TriangleTree tree;
+  WalkableMesh walkable;
 };
 
 /// How a mesh stands in the scene: turned about x, then y, then z, then moved.
@@ -79,9 +82,9 @@ class Scene {
   [[nodiscard]] const Mesh& mesh(std::size_t body) const { return bodies_[body].mesh->mesh; }
   [[nodiscard]] const Placement& placement(std::size_t body) const { return bodies_[body].placement; }
   [[nodiscard]] const ContactSettings& contact(std::size_t body) const { return bodies_[body].contact.settings(); }
-  /// Of memory, with meshes and trees.
+  /// Of memory, with meshes and trees; what several bodies share is counted once.
   [[nodiscard]] std::size_t bytes() const;
-  /// Of one body.
+  /// Of one body, with what it shares.
   [[nodiscard]] std::size_t bytes(std::size_t body) const;
 
  private:
@@ -90,14 +93,14 @@ class Scene {
     Placement placement;
     std::shared_ptr<const SearchedMesh> mesh;
     BodyContact contact;
-    std::unique_ptr<WalkableMesh> walkable;
     NearestPoint nearest;
     Vec3 middle_mm;         // of the mesh
     double reach_mm = 0.0;  // from it, beyond which nothing is felt
+    bool awake = false;
   };
 
   /// Which bodies may be touched before the haptic point has moved `margin_mm_`.
-  void wake(const Vec3& from_mm, const Vec3& to_mm);
+  void wake(const Vec3& from_mm, double from_s, const Vec3& to_mm);
 
   std::vector<Body> bodies_;
   std::vector<std::size_t> awake_;

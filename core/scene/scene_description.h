@@ -1,8 +1,8 @@
 // What a scene file says: bodies and gestures. What it does not name is not there.
 //
-// TOML: [scene], any number of [[body]], and the gestures: [swords] with [fencing], [ball] with [serve], [palpation] with
-// [plane]. A gesture is there if its first table is. Each table is a list
-// of parameters (core/base/parameter.h), so that the reader, `fyd scene keys` and the manual's table are the same list.
+// TOML: [scene], any number of [[body]], and the gestures: [swords] with [fencing], [ball] with [serve], [palpation]
+// with [plane]. A gesture is there if its first table is. Each table is a list of parameters (core/base/parameter.h),
+// so that the reader, `fyd scene keys` and the manual's table are the same list.
 #pragma once
 
 #include <array>

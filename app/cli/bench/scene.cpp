@@ -139,7 +139,7 @@ struct Way {
 void measureOn(Table& table, const Mesh& mesh, const std::vector<Way>& ways) {
   const auto start = std::chrono::steady_clock::now();
   const TriangleTree tree(mesh);
-  const WalkableMesh walkable(tree, 5.0);
+  const WalkableMesh walkable(tree);
   const double built_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Embree embree(mesh);
   for (const Way& way : ways) {

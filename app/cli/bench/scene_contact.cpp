@@ -117,7 +117,7 @@ const std::array<Model, 5> kModels = {
 void measure(Table& table, const char* surface, const TriangleSoup& soup, const Gesture& gesture) {
   const Mesh mesh = *Mesh::build(soup);
   const TriangleTree tree(mesh);
-  const WalkableMesh walkable(tree, 2.0 * kDepth_mm);
+  const WalkableMesh walkable(tree);
   const double true_step_N = largestStep(gesture.force_N), true_rattle_N = rattle(gesture.force_N);
   for (const Model& model : kModels) {
     BodyContact contact(tree, {.stiffness_N_per_mm = kStiffness_N_per_mm}, model.settings);

@@ -130,8 +130,7 @@ void wander(const Mesh& mesh, int steps, unsigned seed, Each each) {
 }
 
 struct Searched {
-  explicit Searched(TriangleSoup soup, double deepest_mm = 2.0)
-      : mesh(*Mesh::build(std::move(soup))), tree(mesh), walkable(tree, deepest_mm) {}
+  explicit Searched(TriangleSoup soup) : mesh(*Mesh::build(std::move(soup))), tree(mesh), walkable(tree) {}
   Mesh mesh;
   TriangleTree tree;
   WalkableMesh walkable;
@@ -183,8 +182,8 @@ TEST(NearestPoint, AsNearAsTheNearestOfAllTriangles) {
 
 TEST(NearestPoint, OfAnyScale) {
   for (const double scale : {1e-6, 1e-3, 1e3, 1e6}) {
-    expectWholeSearch(Searched(scaled(bumps(40), scale), 2.0 * scale), 50'000, 8);
-    expectEveryTriangle(Searched(scaled(crumpled(9), scale), 2.0 * scale), 2'000, 9);
+    expectWholeSearch(Searched(scaled(bumps(40), scale)), 50'000, 8);
+    expectEveryTriangle(Searched(scaled(crumpled(9), scale)), 2'000, 9);
   }
 }
 
@@ -238,7 +237,7 @@ TEST(NearestPoint, BallsBesideATriangleAreEmpty) {
       }
     }
   }
-  EXPECT_GT(sum_mm / 600.0, 1.9) << "of 2 mm: the surface's least radius of curvature is 2.5 mm";
+  EXPECT_GT(sum_mm / 600.0, 2.0) << "the surface's least radius of curvature is 2.5 mm";
 }
 
 }  // namespace
