@@ -11,9 +11,9 @@ constexpr double kRounding = 1e-14;  // of where it is
 constexpr double kLeaves = 1e-9;     // of the speed at which it rests: with it it leaves what it struck at rest
 constexpr double kCounted = 1e-6;    // of the same: a slower touch is no impact
 constexpr double kLostTouch = 1e-6;  // of the radius: it was put elsewhere
-constexpr int kMostParts = 10'000;   // of a step: flights, impacts and rests
+constexpr int kMostParts = 2000;     // of a step: flights, impacts and rests; only a ball that is crushed has more
 constexpr int kMostImpacts = 100;    // then it moves along with what it struck last
-constexpr double kLongest_s = 60.0;
+constexpr double kInstant_s = 1e-12, kLongest_s = 60.0;
 constexpr double kNewton = 1e-3;  // kg·mm/s² in N
 
 Vec3 tangential(const Vec3& v, const Vec3& normal) { return v - dot(v, normal) * normal; }
@@ -272,8 +272,9 @@ BallStep stepBall(const BallParameters& parameters, BallGameState& state, const 
 BallState flyBall(const BallParameters& parameters, const BallState& ball, double seconds) {
   if (refused(ball) || !(seconds > 0.0 && seconds <= kLongest_s)) return ball;
   BallGameState state{.ball = ball, .racket = {}, .owed_Ns = {}};
-  for (double left_s = seconds; left_s > 0.0; left_s -= kLongestStep_s) {
-    static_cast<void>(stepBall(parameters, state, std::nullopt, std::min(left_s, kLongestStep_s)));
+  for (double left_s = seconds; left_s > kInstant_s; left_s -= kLongestStep_s) {
+    BallStep step;
+    static_cast<void>(Step(parameters, state, nullptr, std::min(left_s, kLongestStep_s), step).run());
   }
   return state.ball;
 }

@@ -17,8 +17,8 @@ namespace fyd::scene {
 enum class Gesture : std::uint8_t { swords, ball, palpation };
 inline constexpr std::array<std::string_view, 3> kGestures = {"swords", "ball", "palpation"};
 
-/// A longer step is a pause: nothing is computed over it.
-inline constexpr double kLongestStep_s = 1.0;
+/// A longer step is a pause, and a shorter one none: nothing is computed over it.
+inline constexpr double kShortestStep_s = 1e-6, kLongestStep_s = 1.0;
 
 /// Why a step moved nothing and gave no force.
 enum class Refusal : std::uint8_t { none, not_a_number, too_far, no_time };
@@ -27,7 +27,7 @@ enum class Refusal : std::uint8_t { none, not_a_number, too_far, no_time };
     case Refusal::none: return "";
     case Refusal::not_a_number: return sentence("the step's input is not a number");
     case Refusal::too_far: return sentence("the step's input is farther away than 1e9 mm");
-    case Refusal::no_time: return sentence("the time step is not above 0 s and at most 1 s");
+    case Refusal::no_time: return sentence("the time step is not between 1e-6 s and 1 s");
   }
   return "";
 }
@@ -37,7 +37,7 @@ enum class Refusal : std::uint8_t { none, not_a_number, too_far, no_time };
   return near ? Refusal::none : Refusal::too_far;
 }
 [[nodiscard]] inline Refusal refusalOf(double dt_s) {
-  return dt_s > 0.0 && dt_s <= kLongestStep_s ? Refusal::none : Refusal::no_time;
+  return dt_s >= kShortestStep_s && dt_s <= kLongestStep_s ? Refusal::none : Refusal::no_time;
 }
 /// The first of them that is one.
 template <class... Inputs>

@@ -7392,8 +7392,8 @@ Pour commencer : %1</translation>
         <translation>les trois axes n'ont pas la même longueur</translation>
     </message>
     <message>
-        <source>the time step is not above 0 s and at most 1 s</source>
-        <translation>la durée du pas n'est pas au-dessus de 0 s et d'au plus 1 s</translation>
+        <source>the time step is not between 1e-6 s and 1 s</source>
+        <translation>la durée du pas n'est pas entre 1e-6 s et 1 s</translation>
     </message>
     <message>
         <source>the touchpad answers, but its clock or its count of value sets stands still: switch it off and on</source>

@@ -7392,8 +7392,8 @@ Per cominciare: %1</translation>
         <translation>i tre assi hanno lunghezza diversa</translation>
     </message>
     <message>
-        <source>the time step is not above 0 s and at most 1 s</source>
-        <translation>la durata del passo non è sopra 0 s e al massimo 1 s</translation>
+        <source>the time step is not between 1e-6 s and 1 s</source>
+        <translation>la durata del passo non è tra 1e-6 s e 1 s</translation>
     </message>
     <message>
         <source>the touchpad answers, but its clock or its count of value sets stands still: switch it off and on</source>
