@@ -167,7 +167,7 @@ TEST(BallTruth, StrokesOfAWavedRacketAreThoseOfAReferenceAThousandTimesFiner) {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   int strokes = 0, none = 0, multiple = 0;
   std::vector<double> differences_mm;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 90; ++i) {
     BallParameters parameters;
     parameters.court = false;
     const double dt_s = i % 3 == 0 ? 0.001 : i % 3 == 1 ? 0.005 : 0.0005;
@@ -212,9 +212,9 @@ TEST(BallTruth, StrokesOfAWavedRacketAreThoseOfAReferenceAThousandTimesFiner) {
   std::ranges::sort(differences_mm);
   const double middle_mm = differences_mm[differences_mm.size() / 2];
   EXPECT_LT(middle_mm, 0.1);
-  EXPECT_GT(strokes, 40);
+  EXPECT_GT(strokes, 30);
   EXPECT_GT(none, 10);
-  EXPECT_GT(multiple, 5);
+  EXPECT_GT(multiple, 2);
   std::printf("%d with strokes (%d with several), %d without: after 0.4 s %.3f mm apart at most, %.4f in the middle\n",
               strokes, multiple, none, differences_mm.back(), middle_mm);
 }
