@@ -1,8 +1,7 @@
 // The force of a rigid body on a haptic point.
 //
 // Four models. With k the stiffness, p the probe and d its depth:
-//   nodes     each vertex that the probe has passed and that is within a sphere of radius R around it pushes along its
-//             normal (contact_nodes.h)
+//   nodes     the vertices that a sphere of radius R around the probe has met on its way in push back (contact_nodes.h)
 //   facet     k·d along the normal of the nearest triangle, F = −K·X (contact_facet.h)
 //   vicinity  k·d along the normal, both of a smooth surface fitted to the vertices around (contact_vicinity.h)
 //   proxy     a sphere that stays outside, pulled by the probe with k; static and kinetic friction (contact_proxy.h)
@@ -47,6 +46,7 @@ struct Contact {
 /// All that a model remembers from step to step.
 struct ContactState {
   Vec3 proxy_mm;
+  Vec3 free_mm;            ///< where the proxy would be without friction
   double radius_mm = 0.0;  ///< as much of the finger's radius as had room
   bool placed = false;     ///< proxy_mm has a value
   bool touching = false;

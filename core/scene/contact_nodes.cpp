@@ -7,10 +7,17 @@
 #include "core/scene/vector.h"
 
 namespace fyd::scene {
+namespace {
+
+constexpr double kDeepest = 2.0;  // radii
+constexpr double kShare = 0.05;   // so few nodes do not count in full
+
+}  // namespace
 
 ContactNodes::ContactNodes(const Mesh& mesh, double radius_mm)
     : radius_mm_(radius_mm),
-      per_mm2_(static_cast<double>(mesh.vertices().size()) / mesh.report().area_mm2),
+      share_(kShare * static_cast<double>(mesh.vertices().size()) / mesh.report().area_mm2 * std::numbers::pi / 3.0 *
+             radius_mm * radius_mm),
       lowest_mm_(mesh.report().lowest_mm) {
   const Vec3 extent = mesh.report().highest_mm - lowest_mm_;
   const double longest_mm = std::max({extent.x, extent.y, extent.z});
@@ -46,11 +53,14 @@ std::array<std::int64_t, 3> ContactNodes::cellOf(const Vec3& point_mm) const {
 }
 
 Push ContactNodes::push(const Vec3& probe_mm, const Nearest& nearest) const {
-  const double squared_mm2 = radius_mm_ * radius_mm_;
-  if (!(nearest.squared_mm2 < squared_mm2)) return {};
-  const Vec3 all = {radius_mm_, radius_mm_, radius_mm_};
+  const double squared_mm2 = radius_mm_ * radius_mm_, deepest_mm2 = kDeepest * kDeepest * squared_mm2;
+  if (!(nearest.squared_mm2 < deepest_mm2)) return {};
+  // No node that is farther counts.
+  const double reach_mm = std::sqrt(squared_mm2 + deepest_mm2);
+  const Vec3 all = {reach_mm, reach_mm, reach_mm};
   const auto low = cellOf(probe_mm - all), high = cellOf(probe_mm + all);
-  Vec3 sum;
+  double weights = 0.0, depths = 0.0;
+  Vec3 weights_by, depths_by;  // derivatives by the probe's place
   for (std::int64_t z = low[2]; z <= high[2]; ++z) {
     for (std::int64_t y = low[1]; y <= high[1]; ++y) {
       const std::int64_t row = (z * cells_[1] + y) * cells_[0];
@@ -58,17 +68,27 @@ Push ContactNodes::push(const Vec3& probe_mm, const Nearest& nearest) const {
       for (std::uint32_t i = begin_[static_cast<std::size_t>(row + low[0])]; i < to; ++i) {
         const Node& node = nodes_[i];
         const Vec3 to_node = node.point_mm - probe_mm;
-        const double passed = dot(to_node, node.normal);
-        if (passed > 0.0 && squared(to_node) < squared_mm2) sum = sum + passed * node.normal;
+        const double h = dot(to_node, node.normal);
+        const Vec3 beside = to_node - h * node.normal;
+        const double a = 1.0 - squared(beside) / squared_mm2, b = 1.0 - h * h / deepest_mm2;
+        if (!(a > 0.0) || !(b > 0.0)) continue;
+        const double weight = a * a * b * b;
+        const Vec3 weight_by =
+            (4.0 * a * b * b / squared_mm2) * beside + (4.0 * a * a * b * h / deepest_mm2) * node.normal;
+        weights += weight;
+        weights_by = weights_by + weight_by;
+        if (!(h > 0.0)) continue;
+        depths += weight * h;
+        depths_by = depths_by + h * weight_by - weight * node.normal;
       }
     }
   }
-  // The last tenth of the disc is not divided by: few nodes, much chance.
-  const double disc_mm2 = std::numbers::pi * std::max(squared_mm2 - nearest.squared_mm2, 0.1 * squared_mm2);
-  const Vec3 way_mm = (1.0 / std::max(1.0, per_mm2_ * disc_mm2)) * sum;
-  const double depth_mm = length(way_mm);
+  const double whole = weights + share_;
+  const double depth_mm = (1.0 + kShare) * depths / whole;
   if (!(depth_mm > 0.0)) return {};
-  return {way_mm, probe_mm + way_mm, (1.0 / depth_mm) * way_mm, depth_mm};
+  const Vec3 depth_by = (1.0 / whole) * ((1.0 + kShare) * depths_by - depth_mm * weights_by);
+  const Vec3 way_mm = -depth_mm * depth_by;
+  return {way_mm, probe_mm + way_mm, unit(way_mm), depth_mm};
 }
 
 std::size_t ContactNodes::bytes() const {

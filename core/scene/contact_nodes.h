@@ -1,8 +1,11 @@
-// Contact with the vertices of a mesh: each one that the probe has passed and that is within a sphere of radius R
-// around it pushes along its normal, as far as the probe has passed it.
+// Contact with the vertices of a mesh: a sphere of radius R around the haptic point pushes at the nodes that it meets
+// on its way into the body.
 //
-// F = k Σ h_i n_i / N,  N = (vertices per area of the mesh)·π (R² − d²): as many as the sphere would hold on a plane at
-// the depth d of the probe. So on a plane F is k·d in the mean, and the number of touched nodes is felt.
+// A node at v with the normal n is h = (v − p)·n behind the probe p, and ℓ beside its way: ℓ² = |v − p|² − h². It
+// counts by w = (1 − ℓ²/R²)² (1 − h²/4R²)², nothing for ℓ > R or |h| > 2R. The force is that of the potential ½ k D²
+// with the depth D = 1.05 Σ w max(h, 0) / (Σ w + 0.05 W): W is Σ w on a plane with as many nodes per area as the mesh
+// has in the mean. So on a plane the force is k·d in the mean, no closed way gives work, and deeper than 2R there is
+// nothing.
 #pragma once
 
 #include <array>
@@ -27,7 +30,7 @@ class ContactNodes {
   [[nodiscard]] std::array<std::int64_t, 3> cellOf(const Vec3& point_mm) const;
 
   double radius_mm_;
-  double per_mm2_;  // vertices
+  double share_;  // 0.05 W
   Vec3 lowest_mm_;
   double cell_mm_ = 0.0;
   std::array<std::int64_t, 3> cells_{};

@@ -11,14 +11,20 @@ namespace fyd::scene {
 namespace {
 
 constexpr std::size_t kMostWalls = 12;  // that hold the sphere at one place
-constexpr int kMostTurns = 40;          // in a step; the rest of the way is for the next
+constexpr int kMostTurns = 32;          // in a step; the rest of the way is for the next
 constexpr int kMostNewton = 60;
 constexpr double kSame = 1e-7;     // radians between two walls that are one
 constexpr double kLongest = 1e6;   // radii, of a way along walls: what kSame leaves open is less than the radius
 constexpr double kBehind = -1e-9;  // cosine; a triangle that is seen from behind holds nothing
 constexpr double kTilted = 5e-8;   // cosine; a shared edge that is touched as its neighbour's face would be
 constexpr int kMostAround = 256;   // triangles around a vertex that are looked at
-constexpr double kArrived = 1e-9;  // of the distance to the probe
+constexpr double kArrived = 1e-7;  // of the distance to the probe
+
+Nearest nearestOn(const Mesh& mesh, const Vec3& point_mm, std::uint32_t t) {
+  const Triangle& corners = mesh.triangles()[t];
+  const auto v = mesh.vertices();
+  return nearestOf(point_mm, v[corners[0]], v[corners[1]], v[corners[2]], t);
+}
 
 struct Wall {
   Vec3 normal;         // from the wall to the sphere's middle
@@ -107,6 +113,53 @@ Vec3 towardsNearer(const Mesh& mesh, const Nearest& q, const Vec3& from) {
 
 }  // namespace
 
+/// The triangles that a sphere can meet before its middle is farther than reach_mm from where it was: looked up once,
+/// for all turns of its way there. Nearest first, so that a look ends where the others are too far away.
+struct ContactProxy::Around {
+  struct Near {
+    double gap_mm;  // between the sphere and the triangle, when they were looked up
+    std::uint32_t triangle;
+  };
+  Vec3 middle_mm;
+  double reach_mm = -1.0;
+  std::array<Near, 256> near;
+  std::size_t count = 0;
+
+  void gather(const TriangleTree& tree, const Vec3& at_mm, double within_mm, double radius_mm) {
+    middle_mm = at_mm;
+    reach_mm = within_mm;
+    count = 0;
+    const Mesh& mesh = tree.mesh();
+    bool all = true;
+    tree.forEachNear(at_mm, at_mm, radius_mm + within_mm, [&](std::uint32_t t) {
+      const double gap_mm = std::sqrt(nearestOn(mesh, at_mm, t).squared_mm2) - radius_mm;
+      if (gap_mm > within_mm) return;
+      all = all && count < near.size();
+      if (all) near[count++] = {gap_mm, t};
+    });
+    if (!all) reach_mm = -1.0;
+    std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), [](const Near& a, const Near& b) {
+      return a.gap_mm < b.gap_mm || (a.gap_mm == b.gap_mm && a.triangle < b.triangle);
+    });
+  }
+  [[nodiscard]] bool holds(const Vec3& at_mm) const {
+    return reach_mm > 0.0 && squared(at_mm - middle_mm) < reach_mm * reach_mm;
+  }
+  /// @param each takes a triangle; @return how far from from_mm the sphere will go at most
+  template <class Each>
+  void forEachNear(const TriangleTree& tree, const Vec3& from_mm, const Vec3& to_mm, double distance_mm, double lost_mm,
+                   Each each) const {
+    if (!holds(from_mm) || !holds(to_mm)) {
+      return tree.forEachNear(from_mm, to_mm, distance_mm, [&](std::uint32_t t) { each(t); });
+    }
+    const double moved_mm = length(from_mm - middle_mm) + lost_mm;
+    double ahead_mm = length(to_mm - from_mm);
+    for (std::size_t i = 0; i < count && near[i].gap_mm <= moved_mm + ahead_mm; ++i) {
+      ahead_mm = std::min(ahead_mm, each(near[i].triangle));
+    }
+  }
+};
+
 struct ContactProxy::Walls {
   std::array<Wall, kMostWalls> wall;
   std::size_t count = 0;
@@ -134,28 +187,31 @@ ContactProxy::ContactProxy(const TriangleTree& tree, double radius_mm) : tree_(&
   radius_mm_ = std::max(radius_mm, least_mm_);
   middle_mm_ = 0.5 * (r.lowest_mm + r.highest_mm);
   far_mm_ = 4.0 * (size_mm + radius_mm_);
-  piece_mm_ = 2.0 * (radius_mm_ + r.mean_edge_mm);
+  around_mm_ = 0.5 * r.mean_edge_mm;
 }
 
-ContactProxy::Walls ContactProxy::wallsAt(const Vec3& middle_mm, double radius_mm) const {
+ContactProxy::Walls ContactProxy::wallsAt(const Around& around, const Vec3& middle_mm, double radius_mm) const {
   Walls walls;
   const Mesh& mesh = tree_->mesh();
   const double touching_mm = radius_mm + lost_mm_;
-  tree_->forEachNear(middle_mm, middle_mm, touching_mm, [&](std::uint32_t t) {
-    const Triangle& corners = mesh.triangles()[t];
-    const auto v = mesh.vertices();
-    const Nearest q = nearestOf(middle_mm, v[corners[0]], v[corners[1]], v[corners[2]], t);
+  const auto look = [&](std::uint32_t t) {
+    const Nearest q = nearestOn(mesh, middle_mm, t);
     if (!(q.squared_mm2 <= touching_mm * touching_mm)) return;
     const Vec3 from = middle_mm - q.point_mm, normal = mesh.triangleNormal(t);
     const double distance_mm = std::sqrt(q.squared_mm2);
     if (dot(from, normal) < kBehind * distance_mm || squared(towardsNearer(mesh, q, from)) > 0.0) return;
     walls.add({distance_mm > 0.0 ? (1.0 / distance_mm) * from : normal, std::max(0.0, radius_mm - distance_mm)});
     walls.triangle = std::min(walls.triangle, t);
+  };
+  around.forEachNear(*tree_, middle_mm, middle_mm, touching_mm, 2.0 * lost_mm_, [&](std::uint32_t t) {
+    look(t);
+    return 0.0;
   });
   return walls;
 }
 
-ContactProxy::Hit ContactProxy::sweep(const Vec3& from_mm, const Vec3& way_mm, double radius_mm) const {
+ContactProxy::Hit ContactProxy::sweep(const Around& around, const Vec3& from_mm, const Vec3& way_mm,
+                                      double radius_mm) const {
   const Mesh& mesh = tree_->mesh();
   const double whole_mm = length(way_mm);
   Hit hit;
@@ -165,12 +221,10 @@ ContactProxy::Hit ContactProxy::sweep(const Vec3& from_mm, const Vec3& way_mm, d
   // The distance to a triangle along a straight way is a convex function: Newton's steps from before the hit do not go
   // past it.
   const auto meet = [&](std::uint32_t t) {
-    const Triangle& corners = mesh.triangles()[t];
-    const auto v = mesh.vertices();
     double at_mm = 0.0;
     for (int i = 0; i < kMostNewton; ++i) {
       const Vec3 middle_mm = from_mm + at_mm * ahead;
-      const Nearest q = nearestOf(middle_mm, v[corners[0]], v[corners[1]], v[corners[2]], t);
+      const Nearest q = nearestOn(mesh, middle_mm, t);
       const double distance_mm = std::sqrt(q.squared_mm2), gap_mm = distance_mm - radius_mm;
       const Vec3 from = middle_mm - q.point_mm;
       const double nearing = -dot(from, ahead);  // times the distance
@@ -194,13 +248,16 @@ ContactProxy::Hit ContactProxy::sweep(const Vec3& from_mm, const Vec3& way_mm, d
     first_mm = at_mm;
     hit = {at_mm / whole_mm, t};
   };
-  double done_mm = 0.0, piece_mm = piece_mm_;
+  double done_mm = 0.0, piece_mm = 0.9 * around_mm_;  // of a long way, more and more
   while (hit.triangle == kNoTriangle && done_mm < whole_mm) {
     const double next_mm = std::min(whole_mm, done_mm + piece_mm);
-    tree_->forEachNear(from_mm + done_mm * ahead, from_mm + next_mm * ahead, radius_mm + lost_mm_,
-                       [&](std::uint32_t t) { meet(t); });
+    around.forEachNear(*tree_, from_mm + done_mm * ahead, from_mm + next_mm * ahead, radius_mm + lost_mm_,
+                       2.0 * lost_mm_, [&](std::uint32_t t) {
+                         meet(t);
+                         return first_mm - done_mm;
+                       });
     done_mm = next_mm;
-    piece_mm *= 2.0;
+    piece_mm *= 4.0;
   }
   return hit;
 }
@@ -217,11 +274,15 @@ Vec3 ContactProxy::nearTheMesh(const Vec3& from_mm, const Vec3& goal_mm) const {
 
 ContactProxy::Place ContactProxy::go(const Vec3& from_mm, const Vec3& goal_mm, double radius_mm) const {
   Place place{nearTheMesh(from_mm, goal_mm)};
+  Around around;
   for (int turn = 0; turn < kMostTurns; ++turn) {
+    if (!around.holds(place.middle_mm + 2.0 * (place.middle_mm - around.middle_mm))) {
+      around.gather(*tree_, place.middle_mm, around_mm_, radius_mm + lost_mm_);
+    }
     Vec3 wanted = goal_mm - place.middle_mm;
     double left_mm = length(wanted);
     if (!(left_mm > 0.0)) break;
-    const Walls walls = wallsAt(place.middle_mm, radius_mm);
+    const Walls walls = wallsAt(around, place.middle_mm, radius_mm);
     // So far at a time that rounding stays less than what is allowed for it.
     if (walls.count > 0 && left_mm > far_mm_) {
       wanted = (far_mm_ / left_mm) * wanted;
@@ -235,7 +296,7 @@ ContactProxy::Place ContactProxy::go(const Vec3& from_mm, const Vec3& goal_mm, d
     place.held = !straight;
     place.triangle = straight ? kNoTriangle : walls.triangle;
     if (!(length(way) > kArrived * left_mm + lost_mm_)) break;
-    const Hit hit = sweep(place.middle_mm, way, radius_mm);
+    const Hit hit = sweep(around, place.middle_mm, way, radius_mm);
     if (hit.triangle == kNoTriangle) {
       place.middle_mm = way == goal_mm - place.middle_mm ? goal_mm : place.middle_mm + way;
     } else {
@@ -250,16 +311,16 @@ ContactProxy::Place ContactProxy::go(const Vec3& from_mm, const Vec3& goal_mm, d
 std::optional<Contact> ContactProxy::step(const Vec3& probe_mm, const Nearest& nearest, const Surface& surface,
                                           ContactState& state) const {
   const Mesh& mesh = tree_->mesh();
-  if (!state.placed) state = {probe_mm, 0.0, true, false, false};
+  if (!state.placed) state = {probe_mm, probe_mm, 0.0, true, false, false};
   const double radius_mm = std::max(state.radius_mm, least_mm_);
-  const Place free = go(state.proxy_mm, probe_mm, radius_mm);
+  const Place free = go(state.free_mm, probe_mm, radius_mm);
   const Vec3 pull_mm = free.middle_mm - probe_mm;
   const double depth_mm = length(pull_mm);
   if (!free.held || !(depth_mm > lost_mm_)) {
     const bool outside = nearest.triangle != kNoTriangle &&
                          dot(probe_mm - nearest.point_mm, mesh.normalOf(nearest.triangle, nearest.feature)) > 0.0;
     const double room_mm = outside ? std::min(std::sqrt(nearest.squared_mm2), radius_mm_) : 0.0;
-    state = {free.middle_mm, free.held ? state.radius_mm : room_mm, true, false, false};
+    state = {free.middle_mm, free.middle_mm, free.held ? state.radius_mm : room_mm, true, false, false};
     return std::nullopt;
   }
   const Vec3 normal = (1.0 / depth_mm) * pull_mm;
@@ -278,6 +339,7 @@ std::optional<Contact> ContactProxy::step(const Vec3& probe_mm, const Nearest& n
     }
   }
   state.proxy_mm = place.middle_mm;
+  state.free_mm = free.middle_mm;
   state.touching = true;
   Contact contact;
   contact.touching = true;

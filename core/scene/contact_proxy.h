@@ -33,6 +33,7 @@ class ContactProxy {
                                             ContactState& state) const;
 
  private:
+  struct Around;
   struct Walls;
   struct Hit {
     double share = 1.0;
@@ -43,16 +44,16 @@ class ContactProxy {
   [[nodiscard]] Place go(const Vec3& from_mm, const Vec3& goal_mm, double radius_mm) const;
   /// Farther along a way that comes from far away, so far as no wall can be.
   [[nodiscard]] Vec3 nearTheMesh(const Vec3& from_mm, const Vec3& goal_mm) const;
-  [[nodiscard]] Walls wallsAt(const Vec3& middle_mm, double radius_mm) const;
-  [[nodiscard]] Hit sweep(const Vec3& from_mm, const Vec3& way_mm, double radius_mm) const;
+  [[nodiscard]] Walls wallsAt(const Around& around, const Vec3& middle_mm, double radius_mm) const;
+  [[nodiscard]] Hit sweep(const Around& around, const Vec3& from_mm, const Vec3& way_mm, double radius_mm) const;
 
   const TriangleTree* tree_;
   Vec3 middle_mm_;  // of the mesh
   double radius_mm_;
-  double least_mm_;  // a radius of zero has this one: far more than rounding
-  double lost_mm_;   // more than rounding
-  double far_mm_;    // from the mesh's middle: nothing is there, not even with the radius
-  double piece_mm_;  // a long way is swept in pieces, the first as long as this
+  double least_mm_;   // a radius of zero has this one: far more than rounding
+  double lost_mm_;    // more than rounding
+  double far_mm_;     // from the mesh's middle: nothing is there, not even with the radius
+  double around_mm_;  // triangles are looked up as far around the sphere
 };
 
 }  // namespace fyd::scene

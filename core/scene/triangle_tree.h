@@ -24,7 +24,7 @@ class TriangleTree {
 
   /// Calls each(triangle) for every triangle that is as near to a segment, and for some that are not.
   template <class Each>
-  void forEachNear(const Vec3& from_mm, const Vec3& to_mm, double distance_mm, Each&& each) const {
+  void forEachNear(const Vec3& from_mm, const Vec3& to_mm, double distance_mm, Each each) const {
     visitNear(
         from_mm, to_mm, distance_mm, [](void* with, std::uint32_t t) { (*static_cast<Each*>(with))(t); }, &each);
   }

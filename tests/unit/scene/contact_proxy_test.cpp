@@ -122,7 +122,7 @@ TEST_P(ProxyRadius, NoRandomWayGetsThroughABumpyPlane) {
     const Nearest q = body.tree.nearest(proxy);
     const double held = body.contact.state().radius_mm;
     ASSERT_GT(dot(proxy - q.point_mm, body.mesh.normalOf(q.triangle, q.feature)), 0.0) << i;
-    ASSERT_GT(std::sqrt(q.squared_mm2), held - 1e-8) << i;
+    ASSERT_GT(std::sqrt(q.squared_mm2), held - 1e-6) << i;
     ASSERT_TRUE(c.force_N.finite());
   }
 }
