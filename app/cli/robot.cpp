@@ -83,9 +83,8 @@ void runRobot(const RobotCliOptions& given) {
   options.known_stiffness_N_per_mm = given.known_stiffness;
 
   if (!given.scene.empty()) {
-    const auto scene = valueOrFail(sim::openScene(given.scene));
     options.probe_material = false;
-    runRobotEnd(given.end, options, std::make_unique<sim::SceneArm>(scene, options.rate_Hz), {});
+    runRobotEnd(given.end, options, valueOrFail(sim::SceneArm::open(given.scene, options.rate_Hz)), {});
     return;
   }
   if (given.arm == "simulated") {

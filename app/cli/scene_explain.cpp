@@ -49,11 +49,20 @@ nlohmann::ordered_json jsonOf(const scene::ContactChoiceReport& choice) {
   return json;
 }
 
+nlohmann::ordered_json jsonOf(const scene::SoftChoiceReport& choice) {
+  nlohmann::ordered_json json = {{"accuracy_met", choice.met}, {"depth_mm", choice.depth_mm}};
+  for (const scene::SoftTrial& trial : choice.trials) {
+    json[fmt::format("border_{}_error_percent", trial.border)] = 100.0 * trial.mean_error;
+    json[fmt::format("border_{}_awake", trial.border)] = trial.awake;
+  }
+  return json;
+}
+
 void explain(const ExplainOptions& options) {
   const sim::SceneFile file = valueOrFail(sim::openScene(options.scene));
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<sim::BodyChoice> choices = sim::chooseContacts(file);
-  scene::Scene scene = sim::buildScene(file, choices);
+  const std::vector<sim::BodyChoice> choices = valueOrFail(sim::chooseModels(file));
+  scene::Scene scene = valueOrFail(sim::buildScene(file, choices));
   nlohmann::ordered_json json = {
       {"scene", file.description.settings.name.empty() ? options.scene : file.description.settings.name},
       {"built_in_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
@@ -61,19 +70,26 @@ void explain(const ExplainOptions& options) {
       {"bodies", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < scene.bodies(); ++i) {
     const scene::BodyDescription& body = file.description.bodies[i];
-    const scene::ContactSettings& contact = scene.contact(i);
     const bench::Quantiles cost = costOf(scene, i);
-    json["bodies"].push_back({{"name", body.name},
-                              {"triangles", scene.mesh(i).triangles().size()},
-                              {"vertices", scene.mesh(i).vertices().size()},
-                              {"contact", scene::kContactModels[static_cast<std::size_t>(contact.model)]},
-                              {"stiffness_N_per_mm", body.stiffness_N_per_mm},
-                              {"radius_mm", contact.radius_mm},
-                              {"reach_mm", contact.reach_mm},
-                              {"memory_bytes", scene.bytes(i)},
-                              {"step_median_ns", cost.p50},
-                              {"step_p99_ns", cost.p99}});
-    if (choices[i].choice) json["bodies"].back()["choice"] = jsonOf(*choices[i].choice);
+    nlohmann::ordered_json to = {{"name", body.name},
+                                 {"triangles", scene.mesh(i).triangles().size()},
+                                 {"vertices", scene.mesh(i).vertices().size()}};
+    if (const scene::BodyContact* rigid = scene.contact(i)) {
+      to["contact"] = scene::kContactModels[static_cast<std::size_t>(rigid->settings().model)];
+      to["radius_mm"] = rigid->settings().radius_mm;
+      to["reach_mm"] = rigid->settings().reach_mm;
+    } else {
+      to["contact"] = "soft";
+      to["finger_mm"] = scene.soft(i)->finger_mm();
+      to["border"] = choices[i].model.resolution.border;
+    }
+    to["stiffness_N_per_mm"] = body.stiffness_N_per_mm;
+    to["memory_bytes"] = scene.bytes(i);
+    to["step_median_ns"] = cost.p50;
+    to["step_p99_ns"] = cost.p99;
+    if (choices[i].contact) to["choice"] = jsonOf(*choices[i].contact);
+    if (choices[i].soft) to["choice"] = jsonOf(*choices[i].soft);
+    json["bodies"].push_back(std::move(to));
   }
   json["gestures"] = nlohmann::ordered_json::array();
   if (file.description.swords) json["gestures"].push_back("swords");

@@ -69,7 +69,7 @@ nlohmann::ordered_json summaryOf(const std::vector<Row>& rows, std::vector<doubl
 void run(const RunOptions& options) {
   const sim::SceneFile file = valueOrFail(sim::openScene(options.scene));
   const ProbePath path = readProbePath(options.path);
-  scene::Scene scene = sim::buildScene(file, sim::chooseContacts(file));
+  scene::Scene scene = valueOrFail(sim::buildScene(file, valueOrFail(sim::chooseModels(file))));
   std::vector<Row> rows;
   std::vector<double> ns;
   rows.reserve(path.time_s.size());

@@ -128,8 +128,8 @@ ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surfa
   for (const Place& place : places)
     reference.push_back(vicinity.touch(place.probe_mm, {}, tree.nearest(place.probe_mm)));
   const double fit = errorOfTheFit(tree, vicinity, out.depth_mm);
-  constexpr std::array<ContactModel, 4> kByCost = {ContactModel::facet, ContactModel::vicinity, ContactModel::nodes,
-                                                   ContactModel::proxy};
+  constexpr std::array<ContactModel, 4> kByCost = {ContactModel::facet, ContactModel::vicinity, ContactModel::proxy,
+                                                   ContactModel::nodes};
   for (std::size_t m = 0; m < kByCost.size(); ++m) {
     ModelTrial& trial = out.trials[m];
     trial.model = kByCost[m];

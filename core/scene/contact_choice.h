@@ -34,7 +34,7 @@ struct ContactChoiceReport {
   std::array<ModelTrial, 4> trials;  ///< the cheapest first
 };
 
-/// Deterministic: the same mesh gives the same choice on every machine. Cost is by rank, facet, vicinity, nodes, proxy,
+/// Deterministic: the same mesh gives the same choice on every machine. Cost is by rank, facet, vicinity, proxy, nodes,
 /// as it is on meshes of every size (`fyd bench scene_contact`).
 /// @param accuracy largest mean error of the force, as a share
 [[nodiscard]] ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surface,

@@ -13,10 +13,6 @@
 
 namespace fyd::scene {
 
-/// What a scene file names as `gesture`; each reads the tables of its own parameters and no other.
-enum class Gesture : std::uint8_t { swords, ball, palpation };
-inline constexpr std::array<std::string_view, 3> kGestures = {"swords", "ball", "palpation"};
-
 /// A longer step is a pause, and a shorter one none: nothing is computed over it.
 inline constexpr double kShortestStep_s = 1e-6, kLongestStep_s = 1.0;
 

@@ -25,7 +25,7 @@ double bent(double too_fast_mm_per_s, double steepness_Ns_per_mm, double most_N)
 
 }  // namespace
 
-SoftTouch touchPlane(const PalpationParameters& parameters, const PlaneParameters& plane, const Vec3& probe_mm) {
+PalpatedSurface touchPlane(const PalpationParameters& parameters, const PlaneParameters& plane, const Vec3& probe_mm) {
   const Vec3 normal{plane.normal_x, plane.normal_y, plane.normal_z};
   const Vec3 from = probe_mm - Vec3{plane.x_mm, plane.y_mm, plane.z_mm};
   return {normal, -dot(unit(normal), from), parameters.stiffness_N_per_mm};
@@ -36,7 +36,7 @@ PalpationForce stepPalpation(const PalpationParameters& p, PalpationState& state
   PalpationForce out;
   out.refusal = refusalOfInputs(inputs, dt_s);
   if (out.refusal != Refusal::none) return out;
-  const SoftTouch& touch = inputs.touch;
+  const PalpatedSurface& touch = inputs.touch;
   const Vec3 n = unit(touch.normal);
   const double depth = std::max(0.0, touch.depth_mm), stiffness = std::max(0.0, touch.stiffness_N_per_mm);
   if (!state.known) state = {.known = true, .probe_mm = inputs.probe_mm, .depth_mm = depth};

@@ -80,17 +80,17 @@ struct PlaneParameters {
 };
 
 /// What the probe touches, from whichever contact model; of a plane: `touchPlane`.
-struct SoftTouch {
+struct PalpatedSurface {
   Vec3 normal{0.0, 0.0, 1.0};  ///< outwards, of any length but 0
   double depth_mm = 0.0;       ///< ≤ 0: nothing is touched
   double stiffness_N_per_mm = 0.0;
 };
-[[nodiscard]] SoftTouch touchPlane(const PalpationParameters& parameters, const PlaneParameters& plane,
-                                   const Vec3& probe_mm);
+[[nodiscard]] PalpatedSurface touchPlane(const PalpationParameters& parameters, const PlaneParameters& plane,
+                                         const Vec3& probe_mm);
 
 struct PalpationInputs {
   Vec3 probe_mm;
-  SoftTouch touch;
+  PalpatedSurface touch;
   std::optional<double> measured_N;  ///< along the normal, by the remote robot's sensor; held to 0 … most_force_N
 };
 

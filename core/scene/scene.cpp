@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/portable_math.h"
 #include "core/scene/vector.h"
@@ -36,35 +37,65 @@ Vec3 Placement::turned(const Vec3& way) const { return {dot(rows_[0], way), dot(
 
 Vec3 Placement::turnedBack(const Vec3& way) const { return way.x * rows_[0] + way.y * rows_[1] + way.z * rows_[2]; }
 
-Scene::Body::Body(const BodyDescription& from, std::shared_ptr<const SearchedMesh> with, ContactModel model)
-    : placement(from),
-      mesh(std::move(with)),
-      contact(mesh->tree,
-              Surface{.stiffness_N_per_mm = from.stiffness_N_per_mm,
-                      .damping_Ns_per_mm = from.damping_Ns_per_mm,
-                      .static_friction = from.static_friction,
-                      .kinetic_friction = from.kinetic_friction,
-                      .texture = from.texture},
-              ContactSettings{.model = model, .radius_mm = from.radius_mm, .reach_mm = from.depth_mm}),
-      nearest(mesh->walkable) {
-  const MeshReport& r = mesh->mesh.report();
-  middle_mm = 0.5 * (r.lowest_mm + r.highest_mm);
-  // Within a body, or as deep under an open mesh as it acts, or as far away as the finger is thick.
-  reach_mm = 0.5 * length(r.highest_mm - r.lowest_mm) + contact.settings().reach_mm + contact.settings().radius_mm;
+Contact Scene::Body::touch(const Vec3& probe_mm, const Vec3& velocity_mm_per_s, double dt_s) {
+  if (auto* rigid = std::get_if<BodyContact>(&touched)) {
+    return rigid->touch(probe_mm, velocity_mm_per_s, nearest->find(probe_mm));
+  }
+  Contact out;
+  out.proxy_mm = probe_mm;
+  const SoftContact& soft = std::get<SoftBody>(touched).step(dt_s, probe_mm);
+  if (!(dt_s > 0.0) || !soft.touching) return out;
+  return {.touching = true,
+          .force_N = soft.force_N,
+          .proxy_mm = soft.surface_mm,
+          .normal = soft.normal,
+          .depth_mm = soft.depth_mm,
+          .stiffness_N_per_mm = soft.stiffness_N_per_mm,
+          .triangle = soft.triangle};
 }
 
-Scene::Scene(const SceneDescription& description, std::vector<std::shared_ptr<const SearchedMesh>> meshes,
-             std::vector<ContactModel> contacts)
-    : palpation_(description.palpation) {
-  bodies_.reserve(description.bodies.size());
+Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<const SearchedMesh> with,
+                                  const BodyModel& model) {
+  const MeshReport& r = with->mesh.report();
+  const Vec3 middle_mm = 0.5 * (r.lowest_mm + r.highest_mm);
+  const double around_mm = 0.5 * length(r.highest_mm - r.lowest_mm);
+  if (from.soft) {
+    SoftResolution resolution = model.resolution;
+    if (from.depth_mm > 0.0) resolution.reach_mm = from.depth_mm;
+    auto soft = SoftBody::build(with->tree, materialOf(from), resolution);
+    if (!soft) return fail(about(from.name, soft.error().message));
+    const double reach_mm = 2.0 * around_mm + soft->finger_mm();
+    return Body{Placement(from), std::move(with), std::move(*soft), std::nullopt, middle_mm, reach_mm};
+  }
+  BodyContact contact(with->tree,
+                      Surface{.stiffness_N_per_mm = from.stiffness_N_per_mm,
+                              .damping_Ns_per_mm = from.damping_Ns_per_mm,
+                              .static_friction = from.static_friction,
+                              .kinetic_friction = from.kinetic_friction,
+                              .texture = from.texture},
+                      ContactSettings{.model = model.contact, .radius_mm = from.radius_mm, .reach_mm = from.depth_mm});
+  // Within a body, or as deep under an open mesh as it acts, or as far away as the finger is thick.
+  const double reach_mm = around_mm + contact.settings().reach_mm + contact.settings().radius_mm;
+  const NearestPoint nearest(*with->walkable);
+  return Body{Placement(from), std::move(with), std::move(contact), nearest, middle_mm, reach_mm};
+}
+
+Result<Scene> Scene::build(const SceneDescription& description, std::vector<std::shared_ptr<const SearchedMesh>> meshes,
+                           const std::vector<BodyModel>& models) {
+  Scene out;
+  out.gestures_ = SceneGestures(description);
+  out.bodies_.reserve(description.bodies.size());
   double reaches_mm = 0.0;
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    bodies_.emplace_back(description.bodies[i], std::move(meshes[i]), contacts[i]);
-    reaches_mm += bodies_.back().reach_mm;
-    fastest_mm_per_s_ = std::max(fastest_mm_per_s_, length(bodies_.back().placement.velocity_mm_per_s));
+    auto body = bodyOf(description.bodies[i], std::move(meshes[i]), models[i]);
+    if (!body) return tl::unexpected(body.error());
+    reaches_mm += body->reach_mm;
+    out.fastest_mm_per_s_ = std::max(out.fastest_mm_per_s_, length(body->placement.velocity_mm_per_s));
+    out.bodies_.push_back(std::move(*body));
   }
-  if (!bodies_.empty()) margin_mm_ = kMargin * reaches_mm / static_cast<double>(bodies_.size());
-  awake_.reserve(bodies_.size());
+  if (!out.bodies_.empty()) out.margin_mm_ = kMargin * reaches_mm / static_cast<double>(out.bodies_.size());
+  out.awake_.reserve(out.bodies_.size());
+  return out;
 }
 
 void Scene::wake(const Vec3& from_mm, double from_s, const Vec3& to_mm) {
@@ -74,15 +105,17 @@ void Scene::wake(const Vec3& from_mm, double from_s, const Vec3& to_mm) {
     Body& body = bodies_[i];
     const bool asleep = !body.awake;
     const Vec3 middle_mm = body.placement.toScene(body.middle_mm, time_s_);
-    body.awake = fromSegment(middle_mm, from_mm, to_mm) <= body.reach_mm + beyond_mm;
+    const auto* soft = std::get_if<SoftBody>(&body.touched);
+    body.awake = fromSegment(middle_mm, from_mm, to_mm) <= body.reach_mm + beyond_mm ||
+                 (soft != nullptr && !soft->awake().empty());  // still moves
     if (!body.awake) continue;
     awake_.push_back(i);
-    if (!asleep) continue;
+    if (!asleep || soft != nullptr) continue;
     // A proxy must know from which side the haptic point comes.
     const Vec3 before_mm = body.placement.toBody(from_mm, from_s);
-    body.contact.restore({});
-    body.nearest.reset();
-    static_cast<void>(body.contact.touch(before_mm, {}, body.nearest.find(before_mm)));
+    std::get<BodyContact>(body.touched).restore({});
+    body.nearest->reset();
+    static_cast<void>(body.touch(before_mm, {}, 0.0));
   }
   anchor_mm_ = to_mm;
   anchor_s_ = time_s_;
@@ -105,7 +138,7 @@ SceneTouch Scene::step(const Vec3& probe_mm, double time_s) {
   if (!known_ || length(probe_mm - anchor_mm_) + fastest_mm_per_s_ * (time_s_ - anchor_s_) > margin_mm_) {
     wake(from_mm, from_s, probe_mm);
   }
-  known_ = true;
+  const bool known = std::exchange(known_, true);
   last_mm_ = probe_mm;
   double largest_N = -1.0;
   int touched = 0;
@@ -114,8 +147,7 @@ SceneTouch Scene::step(const Vec3& probe_mm, double time_s) {
     Body& body = bodies_[i];
     const Placement& at = body.placement;
     const Vec3 local_mm = at.toBody(probe_mm, time_s_);
-    const Contact contact =
-        body.contact.touch(local_mm, at.turnedBack(velocity - at.velocity_mm_per_s), body.nearest.find(local_mm));
+    const Contact contact = body.touch(local_mm, at.turnedBack(velocity - at.velocity_mm_per_s), known ? dt_s : 0.0);
     if (!contact.touching) continue;
     ++touched;
     out.force_N = out.force_N + at.turned(contact.force_N);
@@ -137,20 +169,23 @@ SceneTouch Scene::step(const Vec3& probe_mm, double time_s) {
     const Vec3 along = unit(out.force_N);
     out.stiffness_N_per_mm = dot(along, {dot(together[0], along), dot(together[1], along), dot(together[2], along)});
   }
+  if (known) gestures_.step(probe_mm, dt_s, !bodies_.empty(), out);
   last_ = out;
   return out;
 }
 
 std::size_t Scene::bytes(std::size_t body) const {
   const Body& b = bodies_[body];
-  return sizeof(Body) + b.mesh->bytes() + b.contact.bytes();
+  return sizeof(Body) + std::visit([](const auto& touched) { return touched.bytes(); }, b.touched) + b.mesh->bytes();
 }
 
 std::size_t Scene::bytes() const {
   std::size_t sum = sizeof(Scene);
-  for (auto body = bodies_.begin(); body != bodies_.end(); ++body) {
-    const bool shared = std::any_of(bodies_.begin(), body, [&](const Body& b) { return b.mesh == body->mesh; });
-    sum += sizeof(Body) + body->contact.bytes() + (shared ? 0 : body->mesh->bytes());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const auto& mesh = bodies_[i].mesh;
+    const auto here = bodies_.begin() + static_cast<std::ptrdiff_t>(i);
+    const bool shared = std::any_of(bodies_.begin(), here, [&mesh](const Body& b) { return b.mesh == mesh; });
+    sum += bytes(i) - (shared ? mesh->bytes() : 0);
   }
   return sum;
 }

@@ -11,26 +11,31 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/scene/contact.h"
 #include "core/scene/nearest_point.h"
-#include "core/scene/palpation.h"
 #include "core/scene/scene_description.h"
+#include "core/scene/scene_gestures.h"
+#include "core/scene/soft_body.h"
 
 namespace fyd::scene {
 
 /// A body's mesh with what its searches need. Immutable, shared by any number of bodies, and where it is: trees point
 /// to their mesh.
 struct SearchedMesh {
-  explicit SearchedMesh(Mesh from) : mesh(std::move(from)), tree(mesh), walkable(tree) {}
+  /// @param walks whether a rigid body is among them
+  explicit SearchedMesh(Mesh from, bool walks = true) : mesh(std::move(from)), tree(mesh) {
+    if (walks) walkable.emplace(tree);
+  }
   SearchedMesh(const SearchedMesh&) = delete;
   SearchedMesh& operator=(const SearchedMesh&) = delete;
-  [[nodiscard]] std::size_t bytes() const { return mesh.bytes() + tree.bytes() + walkable.bytes(); }
+  [[nodiscard]] std::size_t bytes() const { return mesh.bytes() + tree.bytes() + (walkable ? walkable->bytes() : 0); }
   Mesh mesh;
   TriangleTree tree;
-  WalkableMesh walkable;
+  std::optional<WalkableMesh> walkable;
 };
 
 /// How a mesh stands in the scene: turned about x, then y, then z, then moved.
@@ -53,24 +58,19 @@ class Placement {
   std::array<Vec3, 3> rows_{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 };
 
-inline constexpr std::size_t kNoBody = static_cast<std::size_t>(-1);
-
-struct SceneTouch {
-  bool touching = false;
-  Vec3 force_N;   ///< on the haptic point
-  Vec3 proxy_mm;  ///< of the body that pushes most; the haptic point if nothing is touched
-  Vec3 normal;
-  double depth_mm = 0.0;
-  double stiffness_N_per_mm = 0.0;  ///< along the force; 0 if nothing is touched
-  std::size_t body = kNoBody;       ///< that pushes most
+/// What the description of a body may leave open.
+struct BodyModel {
+  ContactModel contact = ContactModel::vicinity;  ///< of a rigid body
+  SoftResolution resolution = {};                 ///< of a soft one
 };
 
 class Scene {
  public:
-  /// @param meshes one for each body of the description
-  /// @param contacts of the bodies, chosen where the description leaves it open; one for each body
-  Scene(const SceneDescription& description, std::vector<std::shared_ptr<const SearchedMesh>> meshes,
-        std::vector<ContactModel> contacts);
+  /// @param meshes, models one for each body of the description; the mesh of a rigid one walks
+  /// @return an error that names the body and what of its material is out of range
+  [[nodiscard]] static Result<Scene> build(const SceneDescription& description,
+                                           std::vector<std::shared_ptr<const SearchedMesh>> meshes,
+                                           const std::vector<BodyModel>& models);
 
   /// One step; allocates nothing. A haptic point or a time that is no number touches nothing and moves nothing; where
   /// time stands still or goes back, the last touch is given again.
@@ -81,7 +81,14 @@ class Scene {
   [[nodiscard]] std::size_t awake() const { return awake_.size(); }
   [[nodiscard]] const Mesh& mesh(std::size_t body) const { return bodies_[body].mesh->mesh; }
   [[nodiscard]] const Placement& placement(std::size_t body) const { return bodies_[body].placement; }
-  [[nodiscard]] const ContactSettings& contact(std::size_t body) const { return bodies_[body].contact.settings(); }
+  /// Of a rigid body.
+  [[nodiscard]] const BodyContact* contact(std::size_t body) const {
+    return std::get_if<BodyContact>(&bodies_[body].touched);
+  }
+  /// Of a soft body.
+  [[nodiscard]] const SoftBody* soft(std::size_t body) const { return std::get_if<SoftBody>(&bodies_[body].touched); }
+  /// For a picture.
+  [[nodiscard]] const SceneGestures& gestures() const { return gestures_; }
   /// Of memory, with meshes and trees; what several bodies share is counted once.
   [[nodiscard]] std::size_t bytes() const;
   /// Of one body, with what it shares.
@@ -89,16 +96,21 @@ class Scene {
 
  private:
   struct Body {
-    Body(const BodyDescription& from, std::shared_ptr<const SearchedMesh> with, ContactModel model);
     Placement placement;
     std::shared_ptr<const SearchedMesh> mesh;
-    BodyContact contact;
-    NearestPoint nearest;
-    Vec3 middle_mm;         // of the mesh
-    double reach_mm = 0.0;  // from it, beyond which nothing is felt
+    std::variant<BodyContact, SoftBody> touched;
+    std::optional<NearestPoint> nearest;  // of a rigid body
+    Vec3 middle_mm;                       // of the mesh
+    double reach_mm = 0.0;                // from it, beyond which nothing is felt
     bool awake = false;
+
+    /// @param dt_s 0 at the first step: a soft body then stands still
+    [[nodiscard]] Contact touch(const Vec3& probe_mm, const Vec3& velocity_mm_per_s, double dt_s);
   };
 
+  Scene() = default;
+  [[nodiscard]] static Result<Body> bodyOf(const BodyDescription& from, std::shared_ptr<const SearchedMesh> with,
+                                           const BodyModel& model);
   /// Which bodies may be touched before the haptic point has moved `margin_mm_`.
   void wake(const Vec3& from_mm, double from_s, const Vec3& to_mm);
 
@@ -111,10 +123,9 @@ class Scene {
   double time_s_ = 0.0;  // since then
   Vec3 last_mm_;
   SceneTouch last_;
+  SceneGestures gestures_;
   Vec3 anchor_mm_;
   double anchor_s_ = 0.0;
-  std::optional<PalpationParameters> palpation_;
-  PalpationState palpating_;
 };
 
 }  // namespace fyd::scene

@@ -16,6 +16,7 @@
 #include "core/scene/ball.h"
 #include "core/scene/mesh_text.h"
 #include "core/scene/palpation.h"
+#include "core/scene/soft_material.h"
 #include "core/scene/swords.h"
 
 namespace fyd::scene {
@@ -52,6 +53,11 @@ struct BodyDescription {
   double radius_mm = 0.0;
   double depth_mm = 0.0;
   std::string texture;
+  bool soft = false;
+  double mass_kg = 0.01;
+  double viscosity_Ns_per_mm = 0.0;
+  double spread_mm = 3.0;
+  double finger_mm = 2.0;
 
   template <class Visitor>
   void describe(Visitor& v) {
@@ -86,6 +92,26 @@ struct BodyDescription {
          .help = "How deep facet and vicinity act; 0: half of the mesh's diagonal, more than any point within has."});
     v.text("body.texture", texture,
            {.help = "Stored surface that shakes a finger sliding over it: a file, relative to the scene's."});
+    v.boolean("body.soft", soft,
+              {.help = "Whether it is deformed: its vertices are material points, stiffness_N_per_mm is that of a slow "
+                       "press on a wide flat piece, and contact, friction and damping are its own."});
+    v.real("body.mass_kg", mass_kg,
+           {.unit = "kg", .minimum = 0, .maximum = 1e6, .help = "Of a soft body's whole surface, spread evenly."});
+    v.real("body.viscosity_Ns_per_mm", viscosity_Ns_per_mm,
+           {.unit = "N·s/mm",
+            .minimum = 0,
+            .maximum = 1e6,
+            .help = "Of a soft body: force by speed that is added while a press moves."});
+    v.real("body.spread_mm", spread_mm,
+           {.unit = "mm",
+            .minimum = 0,
+            .maximum = 1e6,
+            .help = "Of a soft body: beyond the finger, displacement falls to a third in about this length."});
+    v.real("body.finger_mm", finger_mm,
+           {.unit = "mm",
+            .minimum = 1e-6,
+            .maximum = 1e6,
+            .help = "Radius of the patch with which a soft body is pressed; at least two mean edges."});
   }
 };
 
@@ -100,6 +126,15 @@ struct SceneDescription {
   std::optional<PalpationParameters> palpation;
   PlaneParameters plane;  ///< felt by a probe of a scene without a body
 };
+
+/// Of a soft body.
+[[nodiscard]] inline SoftMaterial materialOf(const BodyDescription& body) {
+  return {.mass_kg = body.mass_kg,
+          .rigidity_N_per_mm = body.stiffness_N_per_mm,
+          .viscosity_Ns_per_mm = body.viscosity_Ns_per_mm,
+          .spread_mm = body.spread_mm,
+          .finger_mm = body.finger_mm};
+}
 
 /// @param source_name stands before the line number in messages
 /// @return an error with source name and line: not TOML, an unknown table or key, a wrong type, a value out of range, a

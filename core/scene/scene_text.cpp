@@ -29,6 +29,9 @@ Result<void> checkBody(const BodyDescription& body, const std::string& where) {
   if (!three(body.position_mm)) return fail("{}: body.position_mm: expected three numbers", where);
   if (!three(body.turned_deg)) return fail("{}: body.turned_deg: expected three numbers", where);
   if (!three(body.velocity_mm_per_s)) return fail("{}: body.velocity_mm_per_s: expected three numbers", where);
+  if (body.soft && body.contact != ContactChoice::automatic) {
+    return fail("{}: body.contact: a soft body has its own; expected none beside body.soft", where);
+  }
   if (body.kinetic_friction > body.static_friction) {
     return fail("{}: body.kinetic_friction {}: expected at most body.static_friction, {}", where, body.kinetic_friction,
                 body.static_friction);

@@ -78,6 +78,12 @@ struct Blade {
   Vec3 grip_mm, tip_mm;
 };
 
+/// The players face each other: where one of them has a blade, as the other one sees it.
+[[nodiscard]] inline Blade seenByTheOther(const FencingParameters& players, const Blade& blade) {
+  const auto seen = [&](const Vec3& p) { return Vec3{players.apart_mm - p.x, -p.y, p.z}; };
+  return {seen(blade.grip_mm), seen(blade.tip_mm)};
+}
+
 /// What a step knows of the one before.
 struct SwordState {
   bool known = false;  ///< whether there was one

@@ -32,8 +32,7 @@ scene::Blade swordOf(const FencingSettings& settings, const Vec3& device_mm, con
 Vec3 asTheOtherSees(const Vec3& force_N) { return {-force_N.x, -force_N.y, force_N.z}; }
 
 scene::Blade asTheOtherSees(const FencingSettings& settings, const scene::Blade& blade) {
-  const auto seen = [&](const Vec3& p) { return Vec3{settings.players.apart_mm - p.x, -p.y, p.z}; };
-  return {seen(blade.grip_mm), seen(blade.tip_mm)};
+  return scene::seenByTheOther(settings.players, blade);
 }
 
 FencingEnd::FencingEnd(const FencingSettings& settings) : settings_(settings), link_(linkOf(settings)) {}

@@ -4,8 +4,18 @@
 
 namespace fyd::sim {
 
-SceneArm::SceneArm(const SceneFile& file, double rate_Hz)
-    : name_(file.description.settings.name), scene_(buildScene(file, chooseContacts(file))) {
+Result<std::unique_ptr<SceneArm>> SceneArm::open(const std::string& file, double rate_Hz) {
+  const auto read = openScene(file);
+  if (!read) return tl::unexpected(read.error());
+  const auto choices = chooseModels(*read);
+  if (!choices) return fail(about(file, choices.error().message));
+  auto scene = buildScene(*read, *choices);
+  if (!scene) return fail(about(file, scene.error().message));
+  return std::unique_ptr<SceneArm>(new SceneArm(*read, std::move(*scene), rate_Hz));
+}
+
+SceneArm::SceneArm(const SceneFile& file, scene::Scene scene, double rate_Hz)
+    : name_(file.description.settings.name), scene_(std::move(scene)) {
   for (const auto& texture : file.textures) {
     auto& to = textures_.emplace_back();
     if (texture) to.emplace(*texture, rate_Hz);
@@ -36,7 +46,7 @@ Result<device::RobotReadings> SceneArm::exchange(const Vec3& target_mm, Instant 
 }
 
 Vec3 SceneArm::shaken(double dt_s) {
-  if (!touch_.touching || !textures_[touch_.body] || !(dt_s > 0.0)) return {};
+  if (!touch_.touching || touch_.body == scene::kNoBody || !textures_[touch_.body] || !(dt_s > 0.0)) return {};
   const Vec3 way = at_mm_ - before_mm_;
   const Vec3 along = way - scene::dot(way, touch_.normal) * touch_.normal;
   return textures_[touch_.body]->step(scene::length(along) / dt_s, scene::length(touch_.force_N)) * touch_.normal;

@@ -14,7 +14,7 @@ namespace fyd::sim {
 class SceneArm final : public device::Robot {
  public:
   /// @param rate_Hz of the exchanges
-  SceneArm(const SceneFile& file, double rate_Hz);
+  [[nodiscard]] static Result<std::unique_ptr<SceneArm>> open(const std::string& file, double rate_Hz);
 
   [[nodiscard]] Message description() const override;
   [[nodiscard]] bool inVirtualTime() const override { return true; }
@@ -28,6 +28,7 @@ class SceneArm final : public device::Robot {
   [[nodiscard]] const scene::SceneTouch& touch() const { return touch_; }
 
  private:
+  SceneArm(const SceneFile& file, scene::Scene scene, double rate_Hz);
   [[nodiscard]] Vec3 shaken(double dt_s);
 
   std::string name_;

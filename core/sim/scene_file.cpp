@@ -1,5 +1,6 @@
 #include "core/sim/scene_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -54,13 +55,18 @@ Result<SceneFile> openScene(const std::string& path) {
   SceneFile out{.description = std::move(*description), .meshes = {}, .textures = {}};
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::map<std::pair<std::string, scene::LengthUnit>, std::shared_ptr<const scene::SearchedMesh>> known;
+  const auto walks = [&](const scene::BodyDescription& of) {
+    return std::ranges::any_of(out.description.bodies, [&of](const scene::BodyDescription& body) {
+      return !body.soft && body.mesh == of.mesh && body.unit == of.unit;
+    });
+  };
   for (const scene::BodyDescription& body : out.description.bodies) {
     const std::string file = (folder / body.mesh).string();
     auto& mesh = known[{file, body.unit}];
     if (!mesh) {
       auto read = openMesh(file, body.unit);
       if (!read) return fail(about(path, read.error().message));
-      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read));
+      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read), walks(body));
     }
     out.meshes.push_back(mesh);
     auto& texture = out.textures.emplace_back();
@@ -75,27 +81,33 @@ Result<SceneFile> openScene(const std::string& path) {
   return out;
 }
 
-std::vector<BodyChoice> chooseContacts(const SceneFile& file) {
+Result<std::vector<BodyChoice>> chooseModels(const SceneFile& file) {
   using scene::ContactChoice;
   std::vector<BodyChoice> out;
   for (std::size_t i = 0; i < file.meshes.size(); ++i) {
     const scene::BodyDescription& body = file.description.bodies[i];
+    const scene::TriangleTree& tree = file.meshes[i]->tree;
     BodyChoice& to = out.emplace_back();
-    if (body.contact != ContactChoice::automatic) {  // stands before the models
-      to.model = static_cast<scene::ContactModel>(static_cast<int>(body.contact) - 1);
+    if (!body.soft && body.contact != ContactChoice::automatic) {  // stands before the models
+      to.model.contact = static_cast<scene::ContactModel>(static_cast<int>(body.contact) - 1);
+    } else if (file.description.accuracy && body.soft) {
+      auto chosen = scene::chooseSoft(tree, scene::materialOf(body), *file.description.accuracy);
+      if (!chosen) return fail(about(body.name, chosen.error().message));
+      to.model.resolution = chosen->chosen;
+      to.soft = std::move(*chosen);
     } else if (file.description.accuracy) {
-      to.choice = chooseContact(file.meshes[i]->tree, {.stiffness_N_per_mm = body.stiffness_N_per_mm, .texture = {}},
-                                {.radius_mm = body.radius_mm, .reach_mm = body.depth_mm}, *file.description.accuracy);
-      to.model = to.choice->chosen;
+      to.contact = chooseContact(tree, {.stiffness_N_per_mm = body.stiffness_N_per_mm, .texture = {}},
+                                 {.radius_mm = body.radius_mm, .reach_mm = body.depth_mm}, *file.description.accuracy);
+      to.model.contact = to.contact->chosen;
     }
   }
   return out;
 }
 
-scene::Scene buildScene(const SceneFile& file, const std::vector<BodyChoice>& contacts) {
-  std::vector<scene::ContactModel> models;
-  for (const BodyChoice& each : contacts) models.push_back(each.model);
-  return {file.description, file.meshes, std::move(models)};
+Result<scene::Scene> buildScene(const SceneFile& file, const std::vector<BodyChoice>& choices) {
+  std::vector<scene::BodyModel> models;
+  for (const BodyChoice& each : choices) models.push_back(each.model);
+  return scene::Scene::build(file.description, file.meshes, models);
 }
 
 }  // namespace fyd::sim

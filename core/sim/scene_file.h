@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/scene/contact_choice.h"
 #include "core/scene/scene.h"
+#include "core/scene/soft_choice.h"
 #include "core/texture/surface_model.h"
 
 namespace fyd::sim {
@@ -26,14 +27,14 @@ struct SceneFile {
 /// @return an error that names the file, and the line or the mesh
 [[nodiscard]] Result<SceneFile> openScene(const std::string& path);
 
-/// The contact of each body: as named; where it is left open, as measured for the scene's accuracy (`choice`), or
-/// vicinity without one.
+/// What the description leaves open: as measured for the scene's accuracy, or vicinity and a hundredth without one.
 struct BodyChoice {
-  scene::ContactModel model = scene::ContactModel::vicinity;
-  std::optional<scene::ContactChoiceReport> choice;
+  scene::BodyModel model;
+  std::optional<scene::ContactChoiceReport> contact;  ///< of a rigid body, where it was chosen
+  std::optional<scene::SoftChoiceReport> soft;        ///< of a soft body, likewise
 };
-[[nodiscard]] std::vector<BodyChoice> chooseContacts(const SceneFile& file);
+[[nodiscard]] Result<std::vector<BodyChoice>> chooseModels(const SceneFile& file);
 
-[[nodiscard]] scene::Scene buildScene(const SceneFile& file, const std::vector<BodyChoice>& contacts);
+[[nodiscard]] Result<scene::Scene> buildScene(const SceneFile& file, const std::vector<BodyChoice>& choices);
 
 }  // namespace fyd::sim

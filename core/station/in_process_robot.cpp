@@ -20,9 +20,9 @@ Result<std::unique_ptr<InProcessRobot>> InProcessRobot::open(const protocol::End
   if (choice.scene.empty()) {
     arm = std::make_unique<sim::RobotArm>(parameters);
   } else {
-    const auto scene = sim::openScene(choice.scene);
+    auto scene = sim::SceneArm::open(choice.scene, options.rate_Hz);
     if (!scene) return tl::unexpected(scene.error());
-    arm = std::make_unique<sim::SceneArm>(*scene, options.rate_Hz);
+    arm = std::move(*scene);
     options.probe_material = false;
   }
   auto robot = sim::SimulatedRobot::open(options, std::move(arm));

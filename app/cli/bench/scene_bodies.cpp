@@ -31,9 +31,10 @@ Counted withBodies(std::size_t bodies, const std::shared_ptr<const SearchedMesh>
       static_cast<void>(body.position_mm.push(at));
     }
   }
-  return {bodies,
-          std::make_unique<Scene>(description, std::vector(bodies, mesh), std::vector(bodies, ContactModel::vicinity)),
-          {}};
+  return {
+      bodies,
+      std::make_unique<Scene>(*Scene::build(description, std::vector(bodies, mesh), std::vector(bodies, BodyModel{}))),
+      {}};
 }
 
 }  // namespace

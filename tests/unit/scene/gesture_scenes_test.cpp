@@ -2,56 +2,45 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/base/profile_text.h"
-#include "core/scene/ball.h"
-#include "core/scene/palpation.h"
-#include "core/scene/swords.h"
+#include "core/scene/scene_description.h"
 
 namespace fyd::scene {
 namespace {
 
-template <class... Parts>
-void reads(const std::string& name, std::string_view gesture, Parts&... parts) {
+std::string textOf(const std::string& name) {
   std::ifstream file(std::string(FYD_SOURCE_DIR "/resources/scenes/") + name);
-  ASSERT_TRUE(file) << name;
   std::ostringstream whole;
   whole << file.rdbuf();
-  std::string text = whole.str();
-  // The gesture's name stands above all tables.
-  const std::string line = "gesture = \"" + std::string(gesture) + "\"\n";
-  const auto at = text.find(line);
-  ASSERT_NE(at, std::string::npos) << name;
-  text.replace(at, line.size(), "\n");
-  std::vector<Parameter> all;
-  const auto add = [&](auto& part) {
-    const auto bound = bindParameters(part);
-    all.insert(all.end(), bound.begin(), bound.end());
-  };
-  (add(parts), ...);
-  const auto read = parseProfile(text, name, all);
-  EXPECT_TRUE(read.has_value()) << read.error().text();
-  for (const Parameter& each : all) {
-    const std::string key = std::string(each.id.substr(each.id.find('.') + 1)) + " = ";
-    EXPECT_NE(text.find("\n" + key), std::string::npos) << name << ": " << each.id;
-    EXPECT_FALSE(each.info.help.empty()) << each.id;
-  }
+  return whole.str();
 }
 
-TEST(GestureScenes, AreReadByTheDescriptionsOfTheirParameters) {
-  SwordParameters swords;
-  FencingParameters fencing;
-  reads("fencing.toml", kGestures[static_cast<std::size_t>(Gesture::swords)], swords, fencing);
-  BallParameters ball;
-  ServeParameters serve;
-  reads("tennis.toml", kGestures[static_cast<std::size_t>(Gesture::ball)], ball, serve);
-  EXPECT_EQ(ball.drag_per_m, 0.02);
-  PalpationParameters palpation;
-  PlaneParameters plane;
-  reads("echography.toml", kGestures[static_cast<std::size_t>(Gesture::palpation)], palpation, plane);
+template <class... Parts>
+void namesAll(const std::string& name, Parts... parts) {
+  const std::string text = textOf(name);
+  const auto look = [&](auto& part) {
+    for (const Parameter& each : bindParameters(part)) {
+      const std::string key = std::string(each.id.substr(each.id.find('.') + 1)) + " = ";
+      EXPECT_NE(text.find("\n" + key), std::string::npos) << name << ": " << each.id;
+    }
+  };
+  (look(parts), ...);
+}
+
+TEST(GestureScenes, AreReadAndNameAllTheirParameters) {
+  const auto fencing = parseScene(textOf("fencing.toml"), "fencing.toml");
+  ASSERT_TRUE(fencing.has_value()) << fencing.error().text();
+  namesAll("fencing.toml", fencing->swords.value(), fencing->fencing);
+  const auto tennis = parseScene(textOf("tennis.toml"), "tennis.toml");
+  ASSERT_TRUE(tennis.has_value()) << tennis.error().text();
+  EXPECT_EQ(tennis->ball.value().drag_per_m, 0.02);
+  EXPECT_EQ(tennis->serve.z_mm_per_s, 1000.0);
+  namesAll("tennis.toml", *tennis->ball, tennis->serve);
+  const auto echography = parseScene(textOf("echography.toml"), "echography.toml");
+  ASSERT_TRUE(echography.has_value()) << echography.error().text();
+  namesAll("echography.toml", echography->palpation.value(), echography->plane);
 }
 
 }  // namespace

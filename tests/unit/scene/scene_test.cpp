@@ -38,7 +38,8 @@ Scene sceneOf(std::vector<BodyDescription> bodies, ContactModel model = ContactM
   SceneDescription description;
   description.bodies = std::move(bodies);
   const std::size_t count = description.bodies.size();
-  return {description, std::vector(count, cube()), std::vector(count, model)};
+  return std::move(
+      *Scene::build(description, std::vector(count, cube()), std::vector(count, BodyModel{.contact = model})));
 }
 
 TEST(Scene, ABodyIsTouchedWhereItStands) {
