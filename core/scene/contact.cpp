@@ -54,30 +54,29 @@ BodyContact& BodyContact::operator=(BodyContact&&) noexcept = default;
 BodyContact::~BodyContact() = default;
 
 Contact BodyContact::touch(const Vec3& probe_mm, const Vec3& velocity_mm_s, const Nearest& nearest) {
-  Contact none;
-  none.proxy_mm = probe_mm;
-  if (!probe_mm.finite() || nearest.triangle == kNoTriangle) return none;
-  if (settings_.model == ContactModel::proxy) {
-    std::optional<Contact> contact = prepared_->proxy->step(probe_mm, nearest, surface_, state_);
-    if (!contact) return none;
-    contact->force_N = damped(contact->force_N, contact->normal, surface_, velocity_mm_s);
-    return *contact;
-  }
-  Push push;
-  switch (settings_.model) {
-    case ContactModel::nodes: push = prepared_->nodes->push(probe_mm, nearest); break;
-    case ContactModel::facet: push = facetPush(tree_->mesh(), *prepared_->edges, probe_mm, nearest); break;
-    default: push = vicinityPush(*prepared_->fitted, probe_mm, nearest);
-  }
-  if (!(push.depth_mm > 0.0) || push.depth_mm > settings_.reach_mm) return none;
   Contact contact;
-  contact.touching = true;
-  contact.normal = push.normal;
-  contact.force_N = damped(surface_.stiffness_N_per_mm * push.way_mm, push.normal, surface_, velocity_mm_s);
-  contact.proxy_mm = push.point_mm;
-  contact.depth_mm = push.depth_mm;
-  contact.stiffness_N_per_mm = surface_.stiffness_N_per_mm;
-  contact.triangle = nearest.triangle;
+  contact.proxy_mm = probe_mm;
+  if (!probe_mm.finite() || nearest.triangle == kNoTriangle) return contact;
+  const auto take = [&](const Push& push) {
+    if (!(push.depth_mm > 0.0) || push.depth_mm > settings_.reach_mm) return;
+    contact.touching = true;
+    contact.force_N = damped(surface_.stiffness_N_per_mm * push.way_mm, push.normal, surface_, velocity_mm_s);
+    contact.proxy_mm = push.point_mm;
+    contact.normal = push.normal;
+    contact.depth_mm = push.depth_mm;
+    contact.stiffness_N_per_mm = surface_.stiffness_N_per_mm;
+    contact.triangle = nearest.triangle;
+  };
+  switch (settings_.model) {
+    case ContactModel::nodes: take(prepared_->nodes->push(probe_mm, nearest)); break;
+    case ContactModel::facet: take(facetPush(tree_->mesh(), *prepared_->edges, probe_mm, nearest)); break;
+    case ContactModel::vicinity: take(vicinityPush(*prepared_->fitted, probe_mm, nearest)); break;
+    case ContactModel::proxy:
+      if (std::optional<Contact> held = prepared_->proxy->step(probe_mm, nearest, surface_, state_)) {
+        contact = *held;
+        contact.force_N = damped(contact.force_N, contact.normal, surface_, velocity_mm_s);
+      }
+  }
   return contact;
 }
 

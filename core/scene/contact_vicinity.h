@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scene/contact_push.h"
-#include "core/scene/fitted_surface.h"
+#include "core/scene/fitted_foot.h"
 
 namespace fyd::scene {
 

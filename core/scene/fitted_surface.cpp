@@ -13,24 +13,7 @@ constexpr std::size_t kMostAround = 128;  // vertices that are fitted; a fan of 
 constexpr double kSteepest = 0.5;  // cosine: a fitted normal that leans more against the mean one is not believed
 constexpr double kMostBent = 1.0;  // curvature times the distance of the vertices around
 
-constexpr double kLeastDeterminant = 0.05;
-
-using Floats = float __attribute__((vector_size(16)));
-using Places = std::int32_t __attribute__((vector_size(16)));
-
-Floats load(const float* four) {
-  Floats out;
-  __builtin_memcpy(&out, four, sizeof out);
-  return out;
-}
-
-/// Symmetric: xx xy xz yy yz zz.
-using Tensor = std::array<double, 6>;
-
-Vec3 operator*(const Tensor& k, const Vec3& v) {
-  return {k[0] * v.x + k[1] * v.y + k[2] * v.z, k[1] * v.x + k[3] * v.y + k[4] * v.z,
-          k[2] * v.x + k[4] * v.y + k[5] * v.z};
-}
+using Tensor = std::array<double, 6>;  // xx xy xz yy yz zz
 
 /// Solves the normal equations of `order` unknowns in place (Cholesky). @return false if they have no solution
 bool solve(std::array<std::array<double, 10>, 9>& m, std::size_t n) {
@@ -234,61 +217,6 @@ FittedSurface::FittedSurface(const Mesh& mesh) : mesh_(&mesh), edges_(mesh) {
   Fitter fitter(*this, mesh);
   fitter.fitAll();
   corners_.shrink_to_fit();
-}
-
-Foot FittedSurface::foot(const Vec3& probe_mm, const Nearest& nearest) const {
-  const Triangle& t = triangles_[nearest.triangle];
-  const std::array<double, 3> share = {1.0 - nearest.at_1 - nearest.at_2, nearest.at_1, nearest.at_2};
-  Floats heights{}, gradient{}, k0{}, k1{};  // k: xx xy xz | yy yz zz
-  float longest_mm2 = 0.0F;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Corner& corner = corners_[t[i]];
-    const Vec3 from = nearest.point_mm - corner.point_mm;
-    const Floats e = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0.0F};
-    const Floats n = load(&corner.fit[0]), c0 = load(&corner.fit[3]), c1 = load(&corner.fit[6]);
-    const Floats bent = c0 * e[0] + __builtin_shuffle(c0, c1, Places{1, 4, 5, 3}) * e[1] +
-                        __builtin_shuffle(c0, c1, Places{2, 5, 6, 3}) * e[2];
-    const auto b = static_cast<float>(share[i]);
-    heights += b * e * (2.0F / 3.0F * n - 1.0F / 6.0F * bent);
-    gradient += b * (n - 0.5F * bent);
-    k0 += b * c0;
-    k1 += b * c1;
-    const Floats square = e * e;
-    longest_mm2 = std::max(longest_mm2, square[0] + square[1] + square[2]);
-  }
-  const Vec3 normal = unit({gradient[0], gradient[1], gradient[2]});
-  const double height_mm = heights[0] + heights[1] + heights[2];  // of the nearest point
-  const Vec3 to_probe = probe_mm - nearest.point_mm + height_mm * normal;
-  if (edges_.crease(nearest)) return creaseFoot(probe_mm, nearest, to_probe, normal);
-  // u = (I − z K)⁻¹ e in the tangent plane, by the trace and the determinant of K there
-  const Tensor k = {k0[0], k0[1], k0[2], k1[0], k1[1], k1[2]};
-  const double trace = k[0] + k[3] + k[5];
-  const double squares = k[0] * k[0] + k[3] * k[3] + k[5] * k[5] + 2.0 * (k[1] * k[1] + k[2] * k[2] + k[4] * k[4]);
-  const double product = 0.5 * (trace * trace - squares);
-  const double z = dot(to_probe, normal);
-  const Vec3 e = to_probe - z * normal;
-  const Vec3 ke = k * e;
-  const double determinant = 1.0 - z * trace + z * z * product;
-  // Beyond the middle of curvature no point is the nearest.
-  const double share_of = determinant > kLeastDeterminant ? 1.0 / determinant : 0.0;
-  Vec3 u = share_of * ((1.0 - z * trace) * e + z * ke), bent = share_of * (ke - (z * product) * e);
-  if (const double far = squared(u); far > longest_mm2) {
-    const double shorter = std::sqrt(longest_mm2 / far);
-    u = shorter * u;
-    bent = shorter * bent;
-  }
-  const Vec3 out = unit(normal - bent);
-  const Vec3 above = to_probe - u - (0.5 * dot(u, bent)) * normal;
-  return {probe_mm - above, out, dot(above, out)};
-}
-
-Foot FittedSurface::creaseFoot(const Vec3& probe_mm, const Nearest& nearest, const Vec3& to_probe,
-                               const Vec3& normal) const {
-  const double distance_mm = length(to_probe);
-  if (!(distance_mm > 0.0)) return {probe_mm, normal, 0.0};
-  const bool above = dot(probe_mm - nearest.point_mm, mesh_->normalOf(nearest.triangle, nearest.feature)) >= 0.0;
-  const double way = above ? 1.0 : -1.0;
-  return {probe_mm - to_probe, way / distance_mm * to_probe, way * distance_mm};
 }
 
 std::size_t FittedSurface::bytes() const {
