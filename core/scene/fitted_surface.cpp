@@ -128,8 +128,8 @@ struct FittedSurface::Fitter {
     Vec3 mean;
     std::size_t side_end = 0;
     // First the triangles at the vertex, then those at their other vertices.
-    const auto spread = [&](auto&& wanted) {
-      for (std::size_t i = 0; i < reached.size() && around.size() < kMostAround; ++i) {
+    const auto spread = [&](std::size_t most, auto&& wanted) {
+      for (std::size_t i = 0; i < reached.size() && reached.size() < most; ++i) {
         for (std::size_t side = 0; side < 3; ++side) {
           const std::uint32_t other = across(reached[i], side);
           if (other == kNoTriangle || triangle_seen[other] == now || !wanted(triangles[other])) continue;
@@ -139,11 +139,12 @@ struct FittedSurface::Fitter {
       }
     };
     around.clear();
-    spread([&](const Triangle& t) { return std::find(t.begin(), t.end(), vertex) != t.end(); });
+    spread(triangles.size() + 1, [&](const Triangle& t) { return std::find(t.begin(), t.end(), vertex) != t.end(); });
     side_end = reached.size();
     vertex_seen[vertex] = now;
     const auto collect = [&](std::size_t from) {
-      for (std::size_t i = from; i < reached.size(); ++i) {
+      const std::size_t every = 1 + (reached.size() - from) / (2 * kMostAround);
+      for (std::size_t i = from; i < reached.size(); i += every) {
         for (const std::uint32_t v : triangles[reached[i]]) {
           if (vertex_seen[v] == now || around.size() >= kMostAround) continue;
           vertex_seen[v] = now;
@@ -161,7 +162,7 @@ struct FittedSurface::Fitter {
     collect(0);
     const std::size_t first_ring = around.size();
     const std::uint32_t ring = now;
-    spread([&](const Triangle& t) {
+    spread(side_end + 2 * kMostAround, [&](const Triangle& t) {
       return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return vertex_seen[v] == ring; });
     });
     collect(side_end);

@@ -117,6 +117,21 @@ TEST(ContactTruth, OverAConcaveEdgeTheWayOutLeadsToIt) {
   }
 }
 
+TEST(ContactTruth, AFanOf100000TrianglesIsFittedAtOnceAndIsFlat) {
+  TriangleSoup soup;
+  soup.vertices.push_back({0, 0, 0});
+  constexpr unsigned kMany = 100'000;
+  for (unsigned i = 0; i < kMany; ++i) {
+    const double a = 2.0 * std::numbers::pi * i / kMany;
+    soup.vertices.push_back({10.0 * std::cos(a), 10.0 * std::sin(a), 0.0});
+    soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % kMany});
+  }
+  TouchedBody body(std::move(soup), ContactModel::vicinity, 0.0, {1.0, 0.0, 0.0, 0.0, ""});  // in 10¹⁰ steps, if badly
+  for (const Vec3 probe : {Vec3{0, 0, -1}, {3, 2, -1}, {-8, 1, -0.5}}) {
+    EXPECT_NEAR(length(body.at(probe).force_N - Vec3{0, 0, -probe.z}), 0.0, 1e-6);
+  }
+}
+
 /// Force along a closed way in the plane, and around it; the work that the body gives.
 template <class Body, class Way>
 double work(Body& body, Way way, int steps) {
