@@ -12,7 +12,7 @@ namespace {
 /// energy.
 constexpr double kSteepest = 100.0;
 /// A finger spans at least this many mean edges, so that its weights change smoothly from vertex to vertex.
-constexpr double kFewestEdges = 2.0;
+constexpr double kFewestEdges = 3.0;
 /// A hand that is farther from a sleeping body than so many fingers is not looked at until it moved by the rest.
 constexpr double kNearFingers = 5.0;
 

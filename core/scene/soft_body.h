@@ -27,7 +27,7 @@ struct SoftResolution {
   std::size_t most_points = SIZE_MAX;  ///< awake at a time; those nearest to the press first
   double border = 0.01;                ///< a neighbour is woken above this share of the largest displacement
   double longest_step_s = 0.001;       ///< a longer step is made of equal ones no longer than this
-  double tolerance = 1e-6;             ///< of the linear equations
+  double tolerance = 1e-4;             ///< of the linear equations
   double reach_mm = 1e3;               ///< a point deeper below the deformed surface touches nothing
 };
 
@@ -62,7 +62,7 @@ class SoftBody {
   /// What the press worked on it since it woke.
   [[nodiscard]] double work_mJ() const { return work_mJ_; }
   [[nodiscard]] const SoftSurface& surface() const { return surface_; }
-  /// The finger's radius in use: at least twice the mesh's mean edge.
+  /// The finger's radius in use: at least three times the mesh's mean edge.
   [[nodiscard]] double finger_mm() const { return finger_mm_; }
   [[nodiscard]] int iterations() const { return iterations_; }  ///< of the last step
   [[nodiscard]] std::size_t bytes() const;
