@@ -151,26 +151,27 @@ TEST(SoftBody, TwoOfThemAgreeToTheLastBit) {
 TEST(SoftBody, AStepAllocatesNothing) {
   SoftSheet s(40, 40.0, {.mass_kg = 0.02, .viscosity_Ns_per_mm = 0.01});
   SoftTouchForce force;
+  double felt = 0.0;
   const bench::AllocationCount counted;
   for (int i = 0; i < 1000; ++i) {
     const Vec3 hand{0.02 * i - 10.0, 0.0, -2.0 * std::sin(0.01 * i)};
     s.body.step(1e-3, hand);
-    static_cast<void>(force.step(hand, s.body.touch(1e-3 * i)));
+    felt = std::max(felt, force.step(hand, s.body.touch(1e-3 * i)).norm());
   }
   EXPECT_EQ(counted.count(), 0U);
-  EXPECT_GT(s.body.work_mJ(), 0.0);
+  EXPECT_GT(felt, 0.1);
 }
 
 TEST(SoftBody, HeldItDoesNotDriftAndNobodyNearItDoesNotMove) {
   SoftSheet s(10, 10.0, {.mass_kg = 0.01, .viscosity_Ns_per_mm = 0.01});
   for (int i = 0; i < 2000; ++i) s.body.step(1e-3, {0.1, 0.2, -1.0});
-  const double first = s.body.contact().force_N.z;
-  for (int i = 0; i < 20'000; ++i) s.body.step(1e-3, {0.1, 0.2, -1.0});
+  // It wanders within the tolerance of the equations, and no farther the longer it is held.
   const double force = s.body.contact().force_N.z, energy = s.body.energy_mJ();
-  EXPECT_NEAR(force, first, 1e-4 * force);  // the tolerance of the equations
-  for (int i = 0; i < 40'000; ++i) s.body.step(1e-3, {0.1, 0.2, -1.0});
-  EXPECT_NEAR(s.body.contact().force_N.z, force, 1e-9 * force);
-  EXPECT_NEAR(s.body.energy_mJ(), energy, 1e-9 * energy);
+  for (int i = 0; i < 60'000; ++i) {
+    s.body.step(1e-3, {0.1, 0.2, -1.0});
+    ASSERT_NEAR(s.body.contact().force_N.z, force, 5e-5 * force) << i;
+    ASSERT_NEAR(s.body.energy_mJ(), energy, 5e-5 * energy) << i;
+  }
   SoftSheet rest(10, 10.0, {});
   for (int i = 0; i < 1'000'000; ++i) rest.body.step(1e-3, {0.0, 0.0, 0.5});
   EXPECT_TRUE(rest.body.awake().empty());
