@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
                     fyd::tests::makeLinkTest, fyd::tests::makeConsoleTest, fyd::tests::makeFrameTest,
                     fyd::tests::makeRecordingTest, fyd::tests::makeCalibrateTest, fyd::tests::makeCalibrateFieldsTest,
                     fyd::tests::makeCalibrateMotionTest, fyd::tests::makeReviewTest, fyd::tests::makeReviewWorkTest,
-                    fyd::tests::makeMannersTest, fyd::tests::makeJourneyTest}) {
+                    fyd::tests::makeMannersTest, fyd::tests::makeJourneyTest, fyd::tests::makeSceneViewTest}) {
     const auto suite = make();
     // While working on one: its name, or a part of it.
     if (argc > 1 && !QByteArray(suite->metaObject()->className()).contains(argv[1])) continue;

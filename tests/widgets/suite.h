@@ -23,5 +23,6 @@ std::unique_ptr<QObject> makeReviewTest();
 std::unique_ptr<QObject> makeReviewWorkTest();
 std::unique_ptr<QObject> makeMannersTest();
 std::unique_ptr<QObject> makeJourneyTest();
+std::unique_ptr<QObject> makeSceneViewTest();
 
 }  // namespace fyd::tests

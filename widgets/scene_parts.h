@@ -1,0 +1,79 @@
+// What a view of a haptic scene shows: bodies, given once, and what moves, given again for each picture.
+//
+// Millimetres and newtons. A value that is no number is not drawn; nothing here needs to be right to be safe.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/scene/mesh.h"
+
+namespace fyd::widgets {
+
+/// How a part looks. `own` is what this end moves, `other` what the far end moves: a distant sword is banded too.
+enum class SceneRole : std::uint8_t { rigid, soft, own, other };
+inline constexpr std::size_t kSceneRoles = 4;
+
+/// Views of a body's own coordinates; copied by the widget. Outside is where vertices turn counter-clockwise.
+struct SceneBody {
+  QString name;
+  std::span<const Vec3> vertices_mm;
+  std::span<const scene::Triangle> triangles;
+  SceneRole role = SceneRole::rigid;
+};
+
+/// Where a body's own coordinates stand in the scene. The axes are of unit length and at right angles.
+struct ScenePlacement {
+  Vec3 origin_mm;
+  Vec3 x_axis{1.0, 0.0, 0.0}, y_axis{0.0, 1.0, 0.0}, z_axis{0.0, 0.0, 1.0};
+  friend bool operator==(const ScenePlacement&, const ScenePlacement&) = default;
+};
+
+/// A sword: a line with round ends, never thinner than three pixels.
+struct SceneStick {
+  Vec3 from_mm, to_mm;
+  double radius_mm = 0.0;
+  SceneRole role = SceneRole::own;
+  friend bool operator==(const SceneStick&, const SceneStick&) = default;
+};
+
+struct SceneBall {
+  Vec3 centre_mm;
+  double radius_mm = 1.0;
+  SceneRole role = SceneRole::rigid;
+  friend bool operator==(const SceneBall&, const SceneBall&) = default;
+};
+
+/// A racket: flat and round, seen from both sides.
+struct SceneDisc {
+  Vec3 centre_mm;
+  Vec3 normal{0.0, 0.0, 1.0};
+  double radius_mm = 1.0;
+  SceneRole role = SceneRole::own;
+  friend bool operator==(const SceneDisc&, const SceneDisc&) = default;
+};
+
+inline constexpr std::size_t kMostSceneParts = 1024;  ///< sticks, balls and discs of each kind; more are not drawn
+
+inline constexpr double kSceneNone = std::numeric_limits<double>::quiet_NaN();
+inline constexpr Vec3 kNowhere{kSceneNone, kSceneNone, kSceneNone};
+
+struct SceneParts {
+  std::vector<ScenePlacement> placements;  ///< of the bodies, in their order; left out: at the origin
+  std::vector<SceneStick> sticks;
+  std::vector<SceneBall> balls;
+  std::vector<SceneDisc> discs;
+};
+
+struct SceneState {
+  Vec3 point_mm = kNowhere;  ///< haptic point
+  Vec3 proxy_mm = kNowhere;
+  Vec3 force_N = kNowhere;  ///< on the finger
+  double radius_mm = 0.0;   ///< of the haptic point
+  SceneParts parts;
+};
+
+}  // namespace fyd::widgets
