@@ -32,6 +32,8 @@ struct Settings {
 [[nodiscard]] std::vector<Row> naiveFrameRows(const Settings& settings);
 /// Moving about in a curve of ten million samples, and the same done by QCustomPlot alone.
 [[nodiscard]] std::vector<Row> zoomRows(const Settings& settings);
+/// The view of a scene of 1 k to 1 M triangles.
+[[nodiscard]] std::vector<Row> sceneRows(const Settings& settings);
 /// From the start of the process to the first curve of a simulated session on the screen.
 [[nodiscard]] std::vector<Row> startRows(const Settings& settings);
 /// Hours of samples through the live curves.

@@ -36,11 +36,9 @@ struct Part {
 };
 
 const std::vector<Part>& parts() {
-  static const std::vector<Part> kParts = {{"frame", frameRows, {"1", "2"}},
-                                           {"naive", naiveFrameRows, {"1", "2"}},
-                                           {"zoom", zoomRows, {"1", "2"}},
-                                           {"start", startRows, {"1"}},
-                                           {"soak", soakRows, {"1"}}};
+  static const std::vector<Part> kParts = {{"frame", frameRows, {"1", "2"}}, {"naive", naiveFrameRows, {"1", "2"}},
+                                           {"zoom", zoomRows, {"1", "2"}},   {"scene", sceneRows, {"1", "2"}},
+                                           {"start", startRows, {"1"}},      {"soak", soakRows, {"1"}}};
   return kParts;
 }
 
