@@ -69,8 +69,8 @@ struct ScenePicture {
   QImage image;                 ///< RGB32
   std::vector<float> depth_mm;  ///< of each pixel as SceneCamera::depth_mm; infinity: nothing there
   SceneFineness fineness;       ///< of what was cast last
-  double took_ms = 0.0;
-  std::size_t rays = 0;  ///< cast for it
+  double took_ms = 0.0;         ///< of a processor
+  std::size_t rays = 0;         ///< cast for it
   [[nodiscard]] double depthAt(QPointF device_px) const;
 };
 

@@ -144,8 +144,8 @@ SceneColours sceneColours() {
   };
   set(SceneRole::rigid, body);
   set(SceneRole::soft, mix(body, t.indentation, 0.35));
-  set(SceneRole::own, t.text);
-  set(SceneRole::other, t.accent);
+  set(SceneRole::own, t.dark ? t.text : mix(t.text, t.muted, 0.6));  // black shows no shade
+  set(SceneRole::other, t.dark ? t.accent : mix(t.accent, t.muted, 0.6));
   return out;
 }
 

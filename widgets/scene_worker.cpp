@@ -3,25 +3,38 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <QElapsedTimer>
-#include <cmath>
+#include <algorithm>
+#include <ctime>
 
 namespace fyd::widgets {
 namespace {
 
-constexpr double kRest = 0.15;       // of the time that a picture took
-constexpr double kStay = 1.1;        // of the aim: as fine as the last picture up to here, so that it does not flicker
-constexpr double kLearn = 0.3;       // of a new measurement, in the mean
-constexpr double kForget = 0.999;    // a picture: what was once too slow is tried again after some seconds of motion
-constexpr double kGuess_ns = 30.0;   // a ray, before the first picture
-constexpr double kFinerCosts = 2.0;  // times as much, until it was measured: too little, so that it is tried
-constexpr double kLearnFrom = 0.3;   // of the picture's pixels: the cost of fewer is mostly another
+constexpr double kRest = 0.15;        // of the time that a picture took
+constexpr double kStay = 1.1;         // of the aim: as fine as the last picture up to here, so that it does not flicker
+constexpr double kLearn = 0.2;        // of a measurement that is above what was known
+constexpr double kForget = 0.999;     // a picture: what was once too slow is tried again after some seconds of motion
+constexpr double kCoarsest_px = 4.0;  // a side of a block, of the widget's pixels: beyond it nobody sees what it is
+constexpr double kFill_ns = 3.0;      // a pixel
+constexpr double kRay_ns = 18.0;
+constexpr double kLearnFrom = 0.3;  // of the picture's pixels: the cost of fewer is mostly another
 
-double raysPerPixel(SceneFineness f) { return static_cast<double>(f.samples) / (f.block * f.block); }
+/// Of this thread. The clock on the wall would make pictures coarse because of what other programs do, and that would
+/// not help them.
+double processor_ms() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
+}
+
+/// Of a pixel: too little, so that each level is tried.
+double guess_ns(SceneFineness f) { return kFill_ns + kRay_ns * f.samples / (f.block * f.block); }
 
 }  // namespace
 
-SceneWorker::SceneWorker() { setObjectName(QStringLiteral("scene")); }
+SceneWorker::SceneWorker() {
+  setObjectName(QStringLiteral("scene"));
+  forget();
+}
 
 SceneWorker::~SceneWorker() {
   end_ = true;
@@ -53,47 +66,44 @@ void SceneWorker::run() {
   }
 }
 
-double SceneWorker::expected_ns(std::size_t level) const {
-  if (pixel_ns_[level] > 0.0) return pixel_ns_[level];
-  for (std::size_t coarser = level + 1; coarser < kLevels.size(); ++coarser) {
-    if (pixel_ns_[coarser] > 0.0) {
-      return pixel_ns_[coarser] * std::pow(kFinerCosts, static_cast<double>(coarser - level));
-    }
-  }
-  return kGuess_ns * raysPerPixel(kLevels[level]);
-}
-
 std::size_t SceneWorker::choose(const SceneRequest& request) const {
   if (request.finest) return 0;
+  std::size_t coarsest = 0;
   for (std::size_t level = 0; level < kLevels.size(); ++level) {
+    if (kLevels[level].block > kCoarsest_px * request.shot.pixel_ratio) break;
+    coarsest = level;
     const double expected_ms =
-        1e-6 * expected_ns(level) * static_cast<double>(caster_.pixelsToCast(request.shot, kLevels[level]));
+        1e-6 * pixel_ns_[level] * static_cast<double>(caster_.pixelsToCast(request.shot, kLevels[level]));
     if (expected_ms <= (level == level_ ? kStay : 1.0) * kAim_ms) return level;
   }
-  return kLevels.size() - 1;
+  return coarsest;
+}
+
+void SceneWorker::forget() {
+  for (std::size_t level = 0; level < kLevels.size(); ++level) pixel_ns_[level] = guess_ns(kLevels[level]);
 }
 
 void SceneWorker::learn(std::size_t level, std::size_t pixels, double took_ms) {
-  for (double& each : pixel_ns_) each *= kForget;
+  for (std::size_t each = 0; each < kLevels.size(); ++each) {
+    pixel_ns_[each] = std::max(guess_ns(kLevels[each]), kForget * pixel_ns_[each]);
+  }
   const QSize size = caster_.picture().shot.size_px;
   if (static_cast<double>(pixels) < kLearnFrom * size.width() * size.height()) return;
   const double measured_ns = 1e6 * took_ms / static_cast<double>(pixels);
   double& known_ns = pixel_ns_[level];
-  known_ns = known_ns > 0.0 ? known_ns + kLearn * (measured_ns - known_ns) : measured_ns;
+  known_ns = std::min(measured_ns, known_ns + kLearn * (measured_ns - known_ns));  // one slow picture says little
 }
 
 void SceneWorker::serve(const SceneRequest& request) {
-  QElapsedTimer clock;
-  clock.start();
   if (request.meshes && request.meshes != caster_.meshes() && request.meshes != failed_) {
     const SceneMeshes* mine = request.meshes.get();
     if (!caster_.build(request.meshes, [this, mine] { return !end_ && wanted_ == mine; })) {
       if (end_ || wanted_ != mine) return;
       failed_ = request.meshes;
     }
-    pixel_ns_ = {};
+    forget();
   }
-  const auto begun_ns = clock.nsecsElapsed();
+  const double begun_ms = processor_ms();
   caster_.move(request.parts, request.shapes, request.shot);
   level_ = choose(request);
   const std::size_t pixels = caster_.pixelsToCast(request.shot, kLevels[level_]);
@@ -101,7 +111,7 @@ void SceneWorker::serve(const SceneRequest& request) {
   const bool done = caster_.cast(request.shot, kLevels[level_],
                                  [&] { return !end_ && !(request.finest && asked_.load() != nullptr); });
   if (!done && caster_.problem().isEmpty()) return;
-  const double took_ms = 1e-6 * static_cast<double>(clock.nsecsElapsed() - begun_ns);
+  const double took_ms = processor_ms() - begun_ms;
   auto answer = std::make_unique<SceneAnswer>();
   answer->picture = caster_.picture();
   answer->picture.took_ms = took_ms;

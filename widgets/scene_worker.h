@@ -53,7 +53,7 @@ class SceneWorker : public QThread {
  private:
   void serve(const SceneRequest& request);
   [[nodiscard]] std::size_t choose(const SceneRequest& request) const;
-  [[nodiscard]] double expected_ns(std::size_t level) const;
+  void forget();
   void learn(std::size_t level, std::size_t pixels, double took_ms);
 
   SceneCaster caster_;
@@ -64,7 +64,7 @@ class SceneWorker : public QThread {
   std::atomic<bool> end_ = false;
   std::counting_semaphore<> wake_{0};
   std::shared_ptr<const SceneMeshes> failed_;      ///< could not be built: not tried again
-  std::array<double, kLevels.size()> pixel_ns_{};  ///< what a pixel of the picture costs; 0: not measured yet
+  std::array<double, kLevels.size()> pixel_ns_{};  ///< what a pixel of the picture costs the processor
   std::size_t level_ = 1;                          ///< of the last picture
 };
 

@@ -45,6 +45,7 @@ class Painted : public QObject {
   bool turning = false;
   std::vector<double> between_ms;
   std::vector<double> blocks;
+  std::vector<double> processor_ms;  ///< of the thread that casts
 
   bool eventFilter(QObject*, QEvent* event) override {
     const widgets::ScenePicture* picture = view_.picture();
@@ -55,11 +56,13 @@ class Painted : public QObject {
     if (last_ms_ > 0.0) between_ms.push_back(now - last_ms_);
     last_ms_ = now;
     blocks.push_back(picture->fineness.block);
+    processor_ms.push_back(picture->took_ms);
     return false;
   }
   void forget() {
     between_ms.clear();
     blocks.clear();
+    processor_ms.clear();
     last_ms_ = 0.0;
   }
 
@@ -153,6 +156,10 @@ std::vector<Row> rowsOf(std::size_t triangles, double seconds) {
     Row row{.what = name + what, .scale = scaleWord(), .unit = "ms between pictures", .aim = "p50 ≤ 16.7"};
     row.error = rateWord(1e-3 * took_ms, painted);
     rows.push_back(summarise(row, painted.between_ms));
+    if (painted.turning) {
+      Row cost{.what = name + what + ": casting, processor time alone", .scale = scaleWord(), .aim = "", .error = ""};
+      rows.push_back(summarise(cost, painted.processor_ms));
+    }
     const double own = (threadCpu_ms() - own_ms) / took_ms, all = (processCpu_ms() - cpu_ms) / took_ms;
     const double none = std::nan("");
     rows.push_back({.what = name + what + ": share of a core, all threads",
