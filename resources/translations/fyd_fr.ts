@@ -210,16 +210,36 @@
         <translation>%1 toucher %2</translation>
     </message>
     <message>
+        <source>%1 triangles · %2 pictures/s</source>
+        <translation>%1 triangles · %2 images/s</translation>
+    </message>
+    <message>
+        <source>%1 triangles · nothing moves</source>
+        <translation>%1 triangles · rien ne bouge</translation>
+    </message>
+    <message>
         <source>%1 was cancelled; no file is left.</source>
         <translation>%1 a été annulé ; il ne reste aucun fichier.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 left out</source>
+        <translation>%1 · %2 écartés</translation>
     </message>
     <message>
         <source>%1 · %2 min left</source>
         <translation>%1 · encore %2 min</translation>
     </message>
     <message>
+        <source>%1 · coarser while it moves</source>
+        <translation>%1 · moins fin en mouvement</translation>
+    </message>
+    <message>
         <source>%1 · less than 1 min left</source>
         <translation>%1 · moins de 1 min</translation>
+    </message>
+    <message>
+        <source>%1 · too large: %2</source>
+        <translation>%1 · trop grand : %2</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -1354,6 +1374,10 @@ Ctrl and wheel to stretch this curve, double-click or F to follow again.</source
 Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouveau.</translation>
     </message>
     <message>
+        <source>Drag: turn · Shift: move · wheel: zoom</source>
+        <translation>Glisser : tourner · Maj : déplacer · molette : zoomer</translation>
+    </message>
+    <message>
         <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
         <translation>Tracée en clair. Choisir un toucher de chacune pour les superposer.</translation>
     </message>
@@ -1684,6 +1708,10 @@ N</source>
 N</translation>
     </message>
     <message>
+        <source>Force %1</source>
+        <translation>Force %1</translation>
+    </message>
+    <message>
         <source>Force noise</source>
         <translation>Bruit de la force</translation>
     </message>
@@ -1730,6 +1758,10 @@ N</translation>
     <message>
         <source>From the simulated touchpad, 12 s of virtual time</source>
         <translation>Du touchpad simulé, 12 s de temps virtuel</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
     </message>
     <message>
         <source>Full scale</source>
@@ -1802,6 +1834,14 @@ N</translation>
     <message>
         <source>Hand target</source>
         <translation>Consigne à la main</translation>
+    </message>
+    <message>
+        <source>Haptic point</source>
+        <translation>Point haptique</translation>
+    </message>
+    <message>
+        <source>Haptic point %1, proxy %2, force %3; %4.</source>
+        <translation>Point haptique %1, proxy %2, force %3 ; %4.</translation>
     </message>
     <message>
         <source>Heat limit</source>
@@ -1898,6 +1938,10 @@ Robot : %2
     <message>
         <source>Hold to re-arm</source>
         <translation>Maintenir : réarmer</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Départ</translation>
     </message>
     <message>
         <source>Hop</source>
@@ -2748,6 +2792,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>pas de route vers l'hôte</translation>
     </message>
     <message>
+        <source>No scene yet.</source>
+        <translation>Pas encore de scène.</translation>
+    </message>
+    <message>
         <source>No sensor of the touchpad answers.</source>
         <translation>Aucun capteur du touchpad ne répond.</translation>
     </message>
@@ -3236,6 +3284,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Protocole</translation>
     </message>
     <message>
+        <source>Proxy</source>
+        <translation>Proxy</translation>
+    </message>
+    <message>
         <source>Put the cursor somewhere and press [ for A, elsewhere and press ] for B.</source>
         <translation>Placer le curseur quelque part et appuyer sur [ pour A, ailleurs et sur ] pour B.</translation>
     </message>
@@ -3484,6 +3536,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Relecture</translation>
     </message>
     <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
         <source>Rise time</source>
         <translation>Temps de montée</translation>
     </message>
@@ -3582,6 +3638,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Scale of the spectrum</source>
         <translation>Échelle du spectre</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -3728,6 +3788,10 @@ s</translation>
     <message>
         <source>Show the link</source>
         <translation>Montrer la liaison</translation>
+    </message>
+    <message>
+        <source>Show the whole scene from this side (%1)</source>
+        <translation>Montrer toute la scène de ce côté (%1)</translation>
     </message>
     <message>
         <source>Show the whole session</source>
@@ -4270,6 +4334,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
         <translation>On sent les valeurs enregistrées (A). Revenir à B pour changer quelque chose.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be drawn (%1). Haptic point %2, force %3.</source>
+        <translation>La scène ne peut pas être dessinée (%1). Point haptique %2, force %3.</translation>
     </message>
     <message>
         <source>The search was cancelled. Open the session again to look for touches.</source>
@@ -6650,6 +6718,10 @@ Pour commencer : %1</translation>
     <message>
         <source>predictor "{}": expected one of {}, {}</source>
         <translation>prédicteur "{}" : attendu un de {}, {}</translation>
+    </message>
+    <message>
+        <source>preparing %1 triangles…</source>
+        <translation>préparation de %1 triangles…</translation>
     </message>
     <message>
         <source>preset %1</source>

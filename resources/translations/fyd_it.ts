@@ -210,16 +210,36 @@
         <translation>%1 tocco %2</translation>
     </message>
     <message>
+        <source>%1 triangles · %2 pictures/s</source>
+        <translation>%1 triangoli · %2 immagini/s</translation>
+    </message>
+    <message>
+        <source>%1 triangles · nothing moves</source>
+        <translation>%1 triangoli · tutto fermo</translation>
+    </message>
+    <message>
         <source>%1 was cancelled; no file is left.</source>
         <translation>%1 è stato annullato; non resta alcun file.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 left out</source>
+        <translation>%1 · %2 tralasciati</translation>
     </message>
     <message>
         <source>%1 · %2 min left</source>
         <translation>%1 · ancora %2 min</translation>
     </message>
     <message>
+        <source>%1 · coarser while it moves</source>
+        <translation>%1 · meno fine mentre si muove</translation>
+    </message>
+    <message>
         <source>%1 · less than 1 min left</source>
         <translation>%1 · meno di 1 min</translation>
+    </message>
+    <message>
+        <source>%1 · too large: %2</source>
+        <translation>%1 · troppo grande: %2</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -1354,6 +1374,10 @@ Ctrl and wheel to stretch this curve, double-click or F to follow again.</source
 Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.</translation>
     </message>
     <message>
+        <source>Drag: turn · Shift: move · wheel: zoom</source>
+        <translation>Trascinare: girare · Maiusc: spostare · rotella: ingrandire</translation>
+    </message>
+    <message>
         <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
         <translation>Disegnata tenue. Scegliere un tocco di ciascuna per sovrapporli.</translation>
     </message>
@@ -1684,6 +1708,10 @@ N</source>
 N</translation>
     </message>
     <message>
+        <source>Force %1</source>
+        <translation>Forza %1</translation>
+    </message>
+    <message>
         <source>Force noise</source>
         <translation>Rumore della forza</translation>
     </message>
@@ -1730,6 +1758,10 @@ N</translation>
     <message>
         <source>From the simulated touchpad, 12 s of virtual time</source>
         <translation>Dal touchpad simulato, 12 s di tempo virtuale</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Davanti</translation>
     </message>
     <message>
         <source>Full scale</source>
@@ -1802,6 +1834,14 @@ N</translation>
     <message>
         <source>Hand target</source>
         <translation>Obiettivo a mano</translation>
+    </message>
+    <message>
+        <source>Haptic point</source>
+        <translation>Punto aptico</translation>
+    </message>
+    <message>
+        <source>Haptic point %1, proxy %2, force %3; %4.</source>
+        <translation>Punto aptico %1, proxy %2, forza %3; %4.</translation>
     </message>
     <message>
         <source>Heat limit</source>
@@ -1898,6 +1938,10 @@ Robot: %2
     <message>
         <source>Hold to re-arm</source>
         <translation>Tenere: riarma</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Iniziale</translation>
     </message>
     <message>
         <source>Hop</source>
@@ -2748,6 +2792,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>nessun percorso verso l'host</translation>
     </message>
     <message>
+        <source>No scene yet.</source>
+        <translation>Ancora nessuna scena.</translation>
+    </message>
+    <message>
         <source>No sensor of the touchpad answers.</source>
         <translation>Nessun sensore del touchpad risponde.</translation>
     </message>
@@ -3236,6 +3284,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Protocollo</translation>
     </message>
     <message>
+        <source>Proxy</source>
+        <translation>Proxy</translation>
+    </message>
+    <message>
         <source>Put the cursor somewhere and press [ for A, elsewhere and press ] for B.</source>
         <translation>Mettere il cursore da qualche parte e premere [ per A, altrove e premere ] per B.</translation>
     </message>
@@ -3484,6 +3536,10 @@ Premere per leggere perché</translation>
         <translation>Revisione</translation>
     </message>
     <message>
+        <source>Right</source>
+        <translation>Destra</translation>
+    </message>
+    <message>
         <source>Rise time</source>
         <translation>Tempo di salita</translation>
     </message>
@@ -3582,6 +3638,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Scale of the spectrum</source>
         <translation>Scala dello spettro</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scena</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -3728,6 +3788,10 @@ s</translation>
     <message>
         <source>Show the link</source>
         <translation>Mostra il collegamento</translation>
+    </message>
+    <message>
+        <source>Show the whole scene from this side (%1)</source>
+        <translation>Mostra tutta la scena da questo lato (%1)</translation>
     </message>
     <message>
         <source>Show the whole session</source>
@@ -4270,6 +4334,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>
         <translation>Si sentono i valori salvati (A). Tornare a B per cambiare qualcosa.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be drawn (%1). Haptic point %2, force %3.</source>
+        <translation>La scena non può essere disegnata (%1). Punto aptico %2, forza %3.</translation>
     </message>
     <message>
         <source>The search was cancelled. Open the session again to look for touches.</source>
@@ -6650,6 +6718,10 @@ Per cominciare: %1</translation>
     <message>
         <source>predictor "{}": expected one of {}, {}</source>
         <translation>predittore "{}": atteso uno di {}, {}</translation>
+    </message>
+    <message>
+        <source>preparing %1 triangles…</source>
+        <translation>preparazione di %1 triangoli…</translation>
     </message>
     <message>
         <source>preset %1</source>
