@@ -145,7 +145,7 @@ SceneColours sceneColours() {
   set(SceneRole::rigid, body);
   set(SceneRole::soft, mix(body, t.indentation, 0.35));
   set(SceneRole::own, t.dark ? t.text : mix(t.text, t.muted, 0.6));  // black shows no shade
-  set(SceneRole::other, t.dark ? t.accent : mix(t.accent, t.muted, 0.6));
+  set(SceneRole::other, t.dark ? t.accent : mix(t.muted, t.window, 0.25));
   return out;
 }
 
