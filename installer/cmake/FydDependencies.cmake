@@ -25,16 +25,10 @@ add_library(asio INTERFACE IMPORTED)
 target_include_directories(asio INTERFACE "${ASIO_INCLUDE_DIR}")
 target_compile_definitions(asio INTERFACE ASIO_STANDALONE ASIO_NO_DEPRECATED)
 target_link_libraries(asio INTERFACE Threads::Threads)
-# The baseline of `fyd bench scene`.
+# Rays of the window's view of a scene, and the baseline of `fyd bench scene`.
 find_package(embree 3 REQUIRED)
 # Meshes: CGAL is headers only; its readers need neither GMP nor MPFR, which it looks for.
 find_path(CGAL_INCLUDE_DIR CGAL/IO/OBJ.h REQUIRED)
-# Rays: the picture of a scene.
-find_path(EMBREE_INCLUDE_DIR embree3/rtcore.h REQUIRED)
-find_library(EMBREE_LIBRARY embree3 REQUIRED)
-add_library(embree INTERFACE IMPORTED)
-target_include_directories(embree INTERFACE "${EMBREE_INCLUDE_DIR}")
-target_link_libraries(embree INTERFACE "${EMBREE_LIBRARY}")
 # Recordings, their exports and the catalogue.
 find_package(cereal REQUIRED)
 pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5)
