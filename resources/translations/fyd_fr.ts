@@ -4840,6 +4840,10 @@ Pour commencer : %1</translation>
         <translation>une image de {} x {} pixels : trop grande</translation>
     </message>
     <message>
+        <source>a polygon has vertex {}; expected one of the {} of this {} file</source>
+        <translation>un polygone a le sommet {} ; attendu l&apos;un des {} de ce fichier {}</translation>
+    </message>
+    <message>
         <source>a prediction of {} ms at most: expected 0 to 1000</source>
         <translation>une prédiction de {} ms au plus : attendu 0 à 1000</translation>
     </message>
@@ -5118,6 +5122,10 @@ Pour commencer : %1</translation>
     <message>
         <source>bookmark</source>
         <translation>signet</translation>
+    </message>
+    <message>
+        <source>border of a soft body is {}; expected between 0 and 1</source>
+        <translation>border d&apos;un corps mou est {} ; attendu entre 0 et 1</translation>
     </message>
     <message>
         <source>breakaway</source>
@@ -5768,6 +5776,10 @@ Pour commencer : %1</translation>
         <translation>doigt à {:.0f}, tissu à {:.0f}, seuil {}</translation>
     </message>
     <message>
+        <source>finger_mm of a soft body is {}; expected more than 0</source>
+        <translation>finger_mm d&apos;un corps mou est {} ; attendu plus de 0</translation>
+    </message>
+    <message>
         <source>finished</source>
         <translation>terminé</translation>
     </message>
@@ -6100,6 +6112,10 @@ Pour commencer : %1</translation>
         <translation>l'aller et le retour diffèrent de {:.3f} N : chercher un frottement entre la cellule et son plateau</translation>
     </message>
     <message>
+        <source>longest_step_s of a soft body is {}; expected more than 0</source>
+        <translation>longest_step_s d&apos;un corps mou est {} ; attendu plus de 0</translation>
+    </message>
+    <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>regarder les courbes des capteurs de distance et le câble de la cellule de charge</translation>
     </message>
@@ -6118,6 +6134,10 @@ Pour commencer : %1</translation>
     <message>
         <source>mJ</source>
         <translation>mJ</translation>
+    </message>
+    <message>
+        <source>mass_kg of a soft body is {}; expected 0 or more</source>
+        <translation>mass_kg d&apos;un corps mou est {} ; attendu 0 ou plus</translation>
     </message>
     <message>
         <source>mean</source>
@@ -6174,6 +6194,10 @@ Pour commencer : %1</translation>
     <message>
         <source>more than 5 % of the haptic cycles of one second were missed</source>
         <translation>plus de 5 % des cycles haptiques d'une seconde ont été manqués</translation>
+    </message>
+    <message>
+        <source>most_points of a soft body is {}; expected 3 or more</source>
+        <translation>most_points d&apos;un corps mou est {} ; attendu 3 ou plus</translation>
     </message>
     <message>
         <source>motor 1</source>
@@ -6760,6 +6784,10 @@ Pour commencer : %1</translation>
         <translation>part du rayon %1 ± %2</translation>
     </message>
     <message>
+        <source>reach_mm of a soft body is {}; expected more than 0</source>
+        <translation>reach_mm d&apos;un corps mou est {} ; attendu plus de 0</translation>
+    </message>
+    <message>
         <source>reachable</source>
         <translation>atteignable</translation>
     </message>
@@ -6864,6 +6892,10 @@ Pour commencer : %1</translation>
         <translation>reprendre</translation>
     </message>
     <message>
+        <source>rigidity_N_per_mm of a soft body is {}; expected more than 0</source>
+        <translation>rigidity_N_per_mm d&apos;un corps mou est {} ; attendu plus de 0</translation>
+    </message>
+    <message>
         <source>robot</source>
         <translation>robot</translation>
     </message>
@@ -6872,8 +6904,8 @@ Pour commencer : %1</translation>
         <translation>robot '{}' : FYD Link a besoin d'un fichier de clé ; fyd link keygen en fait un</translation>
     </message>
     <message>
-        <source>robot '{}': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
-        <translation>robot '{}' : attendu simulated, none, link:HOST:PORT ou classic:HOST:PORT</translation>
+        <source>robot '{}': expected simulated, scene:FILE, none, link:HOST:PORT or classic:HOST:PORT</source>
+        <translation>robot &apos;{}&apos; : attendu simulated, scene:FILE, none, link:HOST:PORT ou classic:HOST:PORT</translation>
     </message>
     <message>
         <source>robot '{}': takes no key file; only link:HOST:PORT does</source>
@@ -6942,6 +6974,10 @@ Pour commencer : %1</translation>
     <message>
         <source>saving of preset %1</source>
         <translation>enregistrement du préréglage %1</translation>
+    </message>
+    <message>
+        <source>scene {}</source>
+        <translation>scène {}</translation>
     </message>
     <message>
         <source>search text: {}</source>
@@ -7074,6 +7110,10 @@ Pour commencer : %1</translation>
     <message>
         <source>spread x %1, y %2, z %3</source>
         <translation>dispersion x %1, y %2, z %3</translation>
+    </message>
+    <message>
+        <source>spread_mm of a soft body is {}; expected 0 or more</source>
+        <translation>spread_mm d&apos;un corps mou est {} ; attendu 0 ou plus</translation>
     </message>
     <message>
         <source>stale</source>
@@ -7328,6 +7368,10 @@ Pour commencer : %1</translation>
         <translation>la valeur de la cellule de charge est hors de sa plage</translation>
     </message>
     <message>
+        <source>the mesh has no triangle that has an area</source>
+        <translation>le maillage n&apos;a aucun triangle qui ait une aire</translation>
+    </message>
+    <message>
         <source>the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm</source>
         <translation>les millimètres sont sur une droite alors que les pixels n'y sont pas : vérifier les colonnes x_mm et y_mm</translation>
     </message>
@@ -7520,8 +7564,16 @@ Pour commencer : %1</translation>
         <translation>la fenêtre n'a pas répondu pendant une demi-seconde</translation>
     </message>
     <message>
+        <source>the {} bytes are no whole {} file</source>
+        <translation>les {} octets ne sont pas un fichier {} entier</translation>
+    </message>
+    <message>
         <source>there is no picture: look under Devices whether the camera answers</source>
         <translation>il n'y a pas d'image : voir dans Appareils si la caméra répond</translation>
+    </message>
+    <message>
+        <source>there is no triangle in the {} bytes of this {} file</source>
+        <translation>il n&apos;y a aucun triangle dans les {} octets de ce fichier {}</translation>
     </message>
     <message>
         <source>these {} bytes are not a state of arithmetic 1</source>
@@ -7566,6 +7618,10 @@ Pour commencer : %1</translation>
     <message>
         <source>to</source>
         <translation>à</translation>
+    </message>
+    <message>
+        <source>tolerance of a soft body is {}; expected between 0 and 1</source>
+        <translation>tolerance d&apos;un corps mou est {} ; attendu entre 0 et 1</translation>
     </message>
     <message>
         <source>too far behind</source>
@@ -7738,6 +7794,10 @@ Pour commencer : %1</translation>
     <message>
         <source>video file '{}'</source>
         <translation>fichier vidéo '{}'</translation>
+    </message>
+    <message>
+        <source>viscosity_Ns_per_mm of a soft body is {}; expected 0 or more</source>
+        <translation>viscosity_Ns_per_mm d&apos;un corps mou est {} ; attendu 0 ou plus</translation>
     </message>
     <message>
         <source>wait until it is done</source>
@@ -8076,12 +8136,20 @@ Pour commencer : %1</translation>
         <translation>{} pas ont été perdus</translation>
     </message>
     <message>
+        <source>{} triangles; at most {} can be touched</source>
+        <translation>{} triangles ; on peut en toucher au plus {}</translation>
+    </message>
+    <message>
         <source>{} values and {} forces; expected as many of each</source>
         <translation>{} valeurs et {} forces ; attendu autant de chaque</translation>
     </message>
     <message>
         <source>{} values and {} weights for {} points</source>
         <translation>{} valeurs et {} poids pour {} points</translation>
+    </message>
+    <message>
+        <source>{} vertices; at most {} can be counted</source>
+        <translation>{} sommets ; on peut en compter au plus {}</translation>
     </message>
     <message>
         <source>{} was {} when the state was saved, here it is {}; expected the same</source>
@@ -8120,6 +8188,10 @@ Pour commencer : %1</translation>
         <translation>{}. Ce qui a été écrit jusqu'à {:.1f} s est en sûreté dans {}.partial ; le rendre entier par : fyd session recover</translation>
     </message>
     <message>
+        <source>{}: 'body': expected tables [[body]]</source>
+        <translation>{} : &apos;body&apos; : attendu des tables [[body]]</translation>
+    </message>
+    <message>
         <source>{}: '{}' is not a number; expected {}</source>
         <translation>{} : « {} » n'est pas un nombre ; attendu : {}</translation>
     </message>
@@ -8128,8 +8200,20 @@ Pour commencer : %1</translation>
         <translation>{} : '{}' est hors d'une table ; attendu une table comme [control]</translation>
     </message>
     <message>
+        <source>{}: '{}': expected a table [{}]</source>
+        <translation>{} : &apos;{}&apos; : attendu une table [{}]</translation>
+    </message>
+    <message>
+        <source>{}: '{}': expected one of {}</source>
+        <translation>{} : &apos;{}&apos; : attendu l&apos;un de {}</translation>
+    </message>
+    <message>
         <source>{}: [[band]]: expected either wavelength_mm or frequency_Hz</source>
         <translation>{} : [[band]] : attendu soit wavelength_mm, soit frequency_Hz</translation>
+    </message>
+    <message>
+        <source>{}: [{}] without [{}]</source>
+        <translation>{} : [{}] sans [{}]</translation>
     </message>
     <message>
         <source>{}: a column without a name</source>
@@ -8194,6 +8278,30 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: belongs to another user (uid {}, gid {}), who would lose it; choose another name</source>
         <translation>{} : appartient à un autre utilisateur (uid {}, gid {}), qui le perdrait ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>{}: body.contact: a soft body has its own; expected none beside body.soft</source>
+        <translation>{} : body.contact : un corps mou a le sien ; attendu aucun à côté de body.soft</translation>
+    </message>
+    <message>
+        <source>{}: body.kinetic_friction {}: expected at most body.static_friction, {}</source>
+        <translation>{} : body.kinetic_friction {} : attendu au plus body.static_friction, {}</translation>
+    </message>
+    <message>
+        <source>{}: body.mesh: expected an OBJ, STL or PLY file</source>
+        <translation>{} : body.mesh : attendu un fichier OBJ, STL ou PLY</translation>
+    </message>
+    <message>
+        <source>{}: body.position_mm: expected three numbers</source>
+        <translation>{} : body.position_mm : attendu trois nombres</translation>
+    </message>
+    <message>
+        <source>{}: body.turned_deg: expected three numbers</source>
+        <translation>{} : body.turned_deg : attendu trois nombres</translation>
+    </message>
+    <message>
+        <source>{}: body.velocity_mm_per_s: expected three numbers</source>
+        <translation>{} : body.velocity_mm_per_s : attendu trois nombres</translation>
     </message>
     <message>
         <source>{}: bytes {}+{} of {}</source>
@@ -8444,6 +8552,10 @@ Pour commencer : %1</translation>
         <translation>{} : pas de mémoire pour ses variables</translation>
     </message>
     <message>
+        <source>{}: no mesh by its name; expected .obj, .stl or .ply</source>
+        <translation>{} : d&apos;après son nom, pas un maillage ; attendu .obj, .stl ou .ply</translation>
+    </message>
+    <message>
         <source>{}: no permission. Add yourself to its group with "sudo usermod -aG {} $USER" and log in again</source>
         <translation>{} : pas de permission. S'ajouter à son groupe par « sudo usermod -aG {} $USER » et se reconnecter</translation>
     </message>
@@ -8454,6 +8566,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: no pseudo-terminal to be had: {}</source>
         <translation>{} : pas de pseudo-terminal disponible : {}</translation>
+    </message>
+    <message>
+        <source>{}: no regular file</source>
+        <translation>{} : pas un fichier ordinaire</translation>
     </message>
     <message>
         <source>{}: no such parameter</source>
@@ -8552,6 +8668,10 @@ Pour commencer : %1</translation>
         <translation>{} : rien de plus ne peut être enregistré : {}</translation>
     </message>
     <message>
+        <source>{}: nothing to touch; expected a [[body]], [swords], [ball] or [palpation]</source>
+        <translation>{} : rien à toucher ; attendu un [[body]], [swords], [ball] ou [palpation]</translation>
+    </message>
+    <message>
         <source>{}: on a network share, where SQLite would be damaged; use a local path, or postgresql:…</source>
         <translation>{} : sur un partage réseau, où SQLite serait endommagé ; utiliser un chemin local, ou postgresql:…</translation>
     </message>
@@ -8566,6 +8686,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: picture {} was not kept</source>
         <translation>{} : l'image {} n'a pas été gardée</translation>
+    </message>
+    <message>
+        <source>{}: plane.normal_x, normal_y and normal_z are 0: expected a direction</source>
+        <translation>{} : plane.normal_x, normal_y et normal_z sont 0 : attendu une direction</translation>
     </message>
     <message>
         <source>{}: pseudo-terminal: {}</source>
@@ -8634,6 +8758,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: saved values are felt now; go back to the current ones to change it</source>
         <translation>{} : les valeurs enregistrées sont ressenties ; revenir aux actuelles pour le changer</translation>
+    </message>
+    <message>
+        <source>{}: scene.accuracy "{}": expected a share such as "1%", above 0 and up to 100%</source>
+        <translation>{} : scene.accuracy &quot;{}&quot; : attendu une part comme &quot;1%&quot;, au-dessus de 0 et jusqu&apos;à 100%</translation>
     </message>
     <message>
         <source>{}: sends damaged pictures: {}</source>
@@ -8856,6 +8984,10 @@ Pour commencer : %1</translation>
         <translation>{} : {} bandes ; au plus {}</translation>
     </message>
     <message>
+        <source>{}: {} bodies; at most {}</source>
+        <translation>{} : {} corps ; au plus {}</translation>
+    </message>
+    <message>
         <source>{}: {} bytes</source>
         <translation>{} : {} octets</translation>
     </message>
@@ -8878,6 +9010,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: {} bytes; at most {}: move it away, a new one will be begun</source>
         <translation>{} : {} octets ; au plus {} : le déplacer, un nouveau sera commencé</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; expected at most {}</source>
+        <translation>{} : {} octets ; attendu au plus {}</translation>
     </message>
     <message>
         <source>{}: {} bytes; expected {}</source>

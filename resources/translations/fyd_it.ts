@@ -4840,6 +4840,10 @@ Per cominciare: %1</translation>
         <translation>un'immagine di {} x {} pixel: troppo grande</translation>
     </message>
     <message>
+        <source>a polygon has vertex {}; expected one of the {} of this {} file</source>
+        <translation>un poligono ha il vertice {}; atteso uno dei {} di questo file {}</translation>
+    </message>
+    <message>
         <source>a prediction of {} ms at most: expected 0 to 1000</source>
         <translation>una predizione di al più {} ms: atteso da 0 a 1000</translation>
     </message>
@@ -5118,6 +5122,10 @@ Per cominciare: %1</translation>
     <message>
         <source>bookmark</source>
         <translation>segnalibro</translation>
+    </message>
+    <message>
+        <source>border of a soft body is {}; expected between 0 and 1</source>
+        <translation>border di un corpo morbido è {}; atteso fra 0 e 1</translation>
     </message>
     <message>
         <source>breakaway</source>
@@ -5768,6 +5776,10 @@ Per cominciare: %1</translation>
         <translation>dito a {:.0f}, tessuto a {:.0f}, soglia {}</translation>
     </message>
     <message>
+        <source>finger_mm of a soft body is {}; expected more than 0</source>
+        <translation>finger_mm di un corpo morbido è {}; atteso più di 0</translation>
+    </message>
+    <message>
         <source>finished</source>
         <translation>finita</translation>
     </message>
@@ -6100,6 +6112,10 @@ Per cominciare: %1</translation>
         <translation>il carico differisce di {:.3f} N dallo scarico: cercare attrito fra cella e piastra</translation>
     </message>
     <message>
+        <source>longest_step_s of a soft body is {}; expected more than 0</source>
+        <translation>longest_step_s di un corpo morbido è {}; atteso più di 0</translation>
+    </message>
+    <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
         <translation>guardare le curve dei sensori di distanza e il cavo della cella di carico</translation>
     </message>
@@ -6118,6 +6134,10 @@ Per cominciare: %1</translation>
     <message>
         <source>mJ</source>
         <translation>mJ</translation>
+    </message>
+    <message>
+        <source>mass_kg of a soft body is {}; expected 0 or more</source>
+        <translation>mass_kg di un corpo morbido è {}; atteso 0 o più</translation>
     </message>
     <message>
         <source>mean</source>
@@ -6174,6 +6194,10 @@ Per cominciare: %1</translation>
     <message>
         <source>more than 5 % of the haptic cycles of one second were missed</source>
         <translation>più del 5 % dei cicli aptici di un secondo è mancato</translation>
+    </message>
+    <message>
+        <source>most_points of a soft body is {}; expected 3 or more</source>
+        <translation>most_points di un corpo morbido è {}; atteso 3 o più</translation>
     </message>
     <message>
         <source>motor 1</source>
@@ -6760,6 +6784,10 @@ Per cominciare: %1</translation>
         <translation>quota del raggio %1 ± %2</translation>
     </message>
     <message>
+        <source>reach_mm of a soft body is {}; expected more than 0</source>
+        <translation>reach_mm di un corpo morbido è {}; atteso più di 0</translation>
+    </message>
+    <message>
         <source>reachable</source>
         <translation>raggiungibile</translation>
     </message>
@@ -6864,6 +6892,10 @@ Per cominciare: %1</translation>
         <translation>riprendere</translation>
     </message>
     <message>
+        <source>rigidity_N_per_mm of a soft body is {}; expected more than 0</source>
+        <translation>rigidity_N_per_mm di un corpo morbido è {}; atteso più di 0</translation>
+    </message>
+    <message>
         <source>robot</source>
         <translation>robot</translation>
     </message>
@@ -6872,8 +6904,8 @@ Per cominciare: %1</translation>
         <translation>robot '{}': FYD Link ha bisogno di un file della chiave; fyd link keygen ne crea uno</translation>
     </message>
     <message>
-        <source>robot '{}': expected simulated, none, link:HOST:PORT or classic:HOST:PORT</source>
-        <translation>robot '{}': atteso simulated, none, link:HOST:PORT o classic:HOST:PORT</translation>
+        <source>robot '{}': expected simulated, scene:FILE, none, link:HOST:PORT or classic:HOST:PORT</source>
+        <translation>robot &apos;{}&apos;: atteso simulated, scene:FILE, none, link:HOST:PORT o classic:HOST:PORT</translation>
     </message>
     <message>
         <source>robot '{}': takes no key file; only link:HOST:PORT does</source>
@@ -6942,6 +6974,10 @@ Per cominciare: %1</translation>
     <message>
         <source>saving of preset %1</source>
         <translation>salvataggio della preimpostazione %1</translation>
+    </message>
+    <message>
+        <source>scene {}</source>
+        <translation>scena {}</translation>
     </message>
     <message>
         <source>search text: {}</source>
@@ -7074,6 +7110,10 @@ Per cominciare: %1</translation>
     <message>
         <source>spread x %1, y %2, z %3</source>
         <translation>dispersione x %1, y %2, z %3</translation>
+    </message>
+    <message>
+        <source>spread_mm of a soft body is {}; expected 0 or more</source>
+        <translation>spread_mm di un corpo morbido è {}; atteso 0 o più</translation>
     </message>
     <message>
         <source>stale</source>
@@ -7328,6 +7368,10 @@ Per cominciare: %1</translation>
         <translation>il valore della cella di carico è fuori dal suo campo</translation>
     </message>
     <message>
+        <source>the mesh has no triangle that has an area</source>
+        <translation>la mesh non ha alcun triangolo con un&apos;area</translation>
+    </message>
+    <message>
         <source>the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm</source>
         <translation>i millimetri stanno su una retta benché i pixel non vi stiano: controllare le colonne x_mm e y_mm</translation>
     </message>
@@ -7520,8 +7564,16 @@ Per cominciare: %1</translation>
         <translation>la finestra non ha risposto per mezzo secondo</translation>
     </message>
     <message>
+        <source>the {} bytes are no whole {} file</source>
+        <translation>i {} byte non sono un file {} intero</translation>
+    </message>
+    <message>
         <source>there is no picture: look under Devices whether the camera answers</source>
         <translation>non c'è immagine: guardare in Dispositivi se la telecamera risponde</translation>
+    </message>
+    <message>
+        <source>there is no triangle in the {} bytes of this {} file</source>
+        <translation>non c&apos;è alcun triangolo nei {} byte di questo file {}</translation>
     </message>
     <message>
         <source>these {} bytes are not a state of arithmetic 1</source>
@@ -7566,6 +7618,10 @@ Per cominciare: %1</translation>
     <message>
         <source>to</source>
         <translation>a</translation>
+    </message>
+    <message>
+        <source>tolerance of a soft body is {}; expected between 0 and 1</source>
+        <translation>tolerance di un corpo morbido è {}; atteso fra 0 e 1</translation>
     </message>
     <message>
         <source>too far behind</source>
@@ -7738,6 +7794,10 @@ Per cominciare: %1</translation>
     <message>
         <source>video file '{}'</source>
         <translation>file video '{}'</translation>
+    </message>
+    <message>
+        <source>viscosity_Ns_per_mm of a soft body is {}; expected 0 or more</source>
+        <translation>viscosity_Ns_per_mm di un corpo morbido è {}; atteso 0 o più</translation>
     </message>
     <message>
         <source>wait until it is done</source>
@@ -8076,12 +8136,20 @@ Per cominciare: %1</translation>
         <translation>{} passi sono andati persi</translation>
     </message>
     <message>
+        <source>{} triangles; at most {} can be touched</source>
+        <translation>{} triangoli; se ne possono toccare al più {}</translation>
+    </message>
+    <message>
         <source>{} values and {} forces; expected as many of each</source>
         <translation>{} valori e {} forze; attesi altrettanti gli uni e le altre</translation>
     </message>
     <message>
         <source>{} values and {} weights for {} points</source>
         <translation>{} valori e {} pesi per {} punti</translation>
+    </message>
+    <message>
+        <source>{} vertices; at most {} can be counted</source>
+        <translation>{} vertici; se ne possono contare al più {}</translation>
     </message>
     <message>
         <source>{} was {} when the state was saved, here it is {}; expected the same</source>
@@ -8120,6 +8188,10 @@ Per cominciare: %1</translation>
         <translation>{}. Ciò che è stato scritto fino a {:.1f} s è al sicuro in {}.partial; renderlo intero con: fyd session recover</translation>
     </message>
     <message>
+        <source>{}: 'body': expected tables [[body]]</source>
+        <translation>{}: &apos;body&apos;: attese tabelle [[body]]</translation>
+    </message>
+    <message>
         <source>{}: '{}' is not a number; expected {}</source>
         <translation>{}: '{}' non è un numero; atteso {}</translation>
     </message>
@@ -8128,8 +8200,20 @@ Per cominciare: %1</translation>
         <translation>{}: '{}' sta fuori da una tabella; attesa una tabella come [control]</translation>
     </message>
     <message>
+        <source>{}: '{}': expected a table [{}]</source>
+        <translation>{}: &apos;{}&apos;: attesa una tabella [{}]</translation>
+    </message>
+    <message>
+        <source>{}: '{}': expected one of {}</source>
+        <translation>{}: &apos;{}&apos;: atteso uno fra {}</translation>
+    </message>
+    <message>
         <source>{}: [[band]]: expected either wavelength_mm or frequency_Hz</source>
         <translation>{}: [[band]]: atteso wavelength_mm oppure frequency_Hz</translation>
+    </message>
+    <message>
+        <source>{}: [{}] without [{}]</source>
+        <translation>{}: [{}] senza [{}]</translation>
     </message>
     <message>
         <source>{}: a column without a name</source>
@@ -8194,6 +8278,30 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: belongs to another user (uid {}, gid {}), who would lose it; choose another name</source>
         <translation>{}: appartiene a un altro utente (uid {}, gid {}), che lo perderebbe; scegliere un altro nome</translation>
+    </message>
+    <message>
+        <source>{}: body.contact: a soft body has its own; expected none beside body.soft</source>
+        <translation>{}: body.contact: un corpo morbido ha il suo; atteso nessuno accanto a body.soft</translation>
+    </message>
+    <message>
+        <source>{}: body.kinetic_friction {}: expected at most body.static_friction, {}</source>
+        <translation>{}: body.kinetic_friction {}: atteso al più body.static_friction, {}</translation>
+    </message>
+    <message>
+        <source>{}: body.mesh: expected an OBJ, STL or PLY file</source>
+        <translation>{}: body.mesh: atteso un file OBJ, STL o PLY</translation>
+    </message>
+    <message>
+        <source>{}: body.position_mm: expected three numbers</source>
+        <translation>{}: body.position_mm: attesi tre numeri</translation>
+    </message>
+    <message>
+        <source>{}: body.turned_deg: expected three numbers</source>
+        <translation>{}: body.turned_deg: attesi tre numeri</translation>
+    </message>
+    <message>
+        <source>{}: body.velocity_mm_per_s: expected three numbers</source>
+        <translation>{}: body.velocity_mm_per_s: attesi tre numeri</translation>
     </message>
     <message>
         <source>{}: bytes {}+{} of {}</source>
@@ -8444,6 +8552,10 @@ Per cominciare: %1</translation>
         <translation>{}: manca memoria per le sue variabili</translation>
     </message>
     <message>
+        <source>{}: no mesh by its name; expected .obj, .stl or .ply</source>
+        <translation>{}: dal nome non è una mesh; atteso .obj, .stl o .ply</translation>
+    </message>
+    <message>
         <source>{}: no permission. Add yourself to its group with "sudo usermod -aG {} $USER" and log in again</source>
         <translation>{}: nessun permesso. Aggiungersi al suo gruppo con "sudo usermod -aG {} $USER" e rifare l'accesso</translation>
     </message>
@@ -8454,6 +8566,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: no pseudo-terminal to be had: {}</source>
         <translation>{}: nessuno pseudo-terminale disponibile: {}</translation>
+    </message>
+    <message>
+        <source>{}: no regular file</source>
+        <translation>{}: non è un file regolare</translation>
     </message>
     <message>
         <source>{}: no such parameter</source>
@@ -8552,6 +8668,10 @@ Per cominciare: %1</translation>
         <translation>{}: non si può registrare altro: {}</translation>
     </message>
     <message>
+        <source>{}: nothing to touch; expected a [[body]], [swords], [ball] or [palpation]</source>
+        <translation>{}: niente da toccare; atteso un [[body]], [swords], [ball] o [palpation]</translation>
+    </message>
+    <message>
         <source>{}: on a network share, where SQLite would be damaged; use a local path, or postgresql:…</source>
         <translation>{}: su una condivisione di rete, dove SQLite verrebbe danneggiato; usare un percorso locale, o postgresql:…</translation>
     </message>
@@ -8566,6 +8686,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: picture {} was not kept</source>
         <translation>{}: l'immagine {} non è stata conservata</translation>
+    </message>
+    <message>
+        <source>{}: plane.normal_x, normal_y and normal_z are 0: expected a direction</source>
+        <translation>{}: plane.normal_x, normal_y e normal_z sono 0: attesa una direzione</translation>
     </message>
     <message>
         <source>{}: pseudo-terminal: {}</source>
@@ -8634,6 +8758,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: saved values are felt now; go back to the current ones to change it</source>
         <translation>{}: ora si sentono i valori salvati; tornare a quelli attuali per cambiarlo</translation>
+    </message>
+    <message>
+        <source>{}: scene.accuracy "{}": expected a share such as "1%", above 0 and up to 100%</source>
+        <translation>{}: scene.accuracy &quot;{}&quot;: attesa una quota come &quot;1%&quot;, sopra 0 e fino a 100%</translation>
     </message>
     <message>
         <source>{}: sends damaged pictures: {}</source>
@@ -8856,6 +8984,10 @@ Per cominciare: %1</translation>
         <translation>{}: {} bande; al più {}</translation>
     </message>
     <message>
+        <source>{}: {} bodies; at most {}</source>
+        <translation>{}: {} corpi; al più {}</translation>
+    </message>
+    <message>
         <source>{}: {} bytes</source>
         <translation>{}: {} byte</translation>
     </message>
@@ -8878,6 +9010,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: {} bytes; at most {}: move it away, a new one will be begun</source>
         <translation>{}: {} byte; al più {}: spostarlo, ne inizierà uno nuovo</translation>
+    </message>
+    <message>
+        <source>{}: {} bytes; expected at most {}</source>
+        <translation>{}: {} byte; attesi al più {}</translation>
     </message>
     <message>
         <source>{}: {} bytes; expected {}</source>
