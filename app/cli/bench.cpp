@@ -1,5 +1,4 @@
 // fyd bench [NAME] [--out DIR] [--cloth NAME] [--runs N] [--seed S] [--data DIR]
-#include <filesystem>
 #include <functional>
 #include <iostream>
 
@@ -7,8 +6,6 @@
 #include "app/cli/bench/cloths.h"
 #include "app/cli/bench/table.h"
 #include "app/cli/command.h"
-#include "app/cli/output_file.h"
-#include "core/base/system_reason.h"
 
 namespace fyd::bench {
 #define FYD_BENCH(name) Table bench_##name();
@@ -78,12 +75,8 @@ void add_bench(CLI::App& app) {
       } else {
         std::cout << bench::toMarkdown(table) << '\n' << std::flush;
       }
-      if (options->out.empty()) continue;
-      std::error_code problem;
-      std::filesystem::create_directories(options->out, problem);
-      if (problem) throw Failure(about(options->out, systemReason(problem)));
-      writeTextFile(std::filesystem::path(options->out) / (table.subject + ".md"), bench::toMarkdown(table));
-      writeTextFile(std::filesystem::path(options->out) / (table.subject + ".csv"), bench::toCsv(table));
+      bench::writeBeside(table.subject + ".md", bench::toMarkdown(table));
+      bench::writeBeside(table.subject + ".csv", bench::toCsv(table));
     }
     if (options->json) printJson(tables);
   });

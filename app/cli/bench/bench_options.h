@@ -20,4 +20,7 @@ struct BenchOptions {
   return options;
 }
 
+/// Into the folder of --out, which is made; nothing without one. @throws Failure when it cannot be written
+void writeBeside(const std::string& name, const std::string& text);
+
 }  // namespace fyd::bench

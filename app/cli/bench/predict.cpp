@@ -6,12 +6,10 @@
 #include <map>
 
 #include "app/cli/bench/bench_options.h"
-#include "app/cli/bench/predict_picture.h"
+#include "app/cli/bench/cost_picture.h"
 #include "app/cli/bench/table.h"
 #include "app/cli/command.h"
-#include "app/cli/output_file.h"
 #include "app/cli/trace_file.h"
-#include "core/base/system_reason.h"
 
 namespace fyd::bench {
 namespace {
@@ -103,7 +101,7 @@ Table bench_predict() {
   table.columns = {"motion",          "recordings", "delay ms",
                    "predictor",       "RMS mm",     "gain over the paper's best %",
                    "worst / order 0", "max mm",     "ns a step and axis"};
-  std::vector<PredictorPanel> panels;
+  std::vector<CostPanel> panels;
   for (const MotionSet& set : motionSets()) {
     const std::vector<Trace> traces = tracesOf(set, data);
     if (traces.empty()) {
@@ -113,7 +111,7 @@ Table bench_predict() {
     for (const double delay_ms : set.delays_ms) {
       auto pooled = measure(traces, set.period_ms, delay_ms);
       const double best = std::min({pooled["order0"].rms(), pooled["order1"].rms(), pooled["hybrid"].rms()});
-      PredictorPanel panel{.title = fmt::format("{}, {:.0f} ms", set.name, delay_ms), .points = {}};
+      CostPanel panel{.title = fmt::format("{}, {:.0f} ms", set.name, delay_ms), .points = {}};
       for (const std::string_view name : kPredictorNames) {
         const Pooled& each = pooled[name];
         const double ns = each.ns / each.axis_ticks;
@@ -132,11 +130,9 @@ Table bench_predict() {
   table.notes.push_back(
       "The perceptron of `default` has been trained on the finger's recordings of people 1 to 4: for them see the "
       "leave-one-person-out figures of the manual.");
-  if (!options.out.empty() && !panels.empty()) {
-    std::error_code problem;
-    std::filesystem::create_directories(options.out, problem);
-    if (problem) throw cli::Failure(about(options.out, systemReason(problem)));
-    cli::writeTextFile(std::filesystem::path(options.out) / "predict.svg", errorAgainstCost(panels));
+  if (!panels.empty()) {
+    const CostAxes axes{.errors = {0.0, 0.5, 1.0, 1.5, 2.0}, .marked_error = 1.0, .unit = {}, .marked = "default"};
+    writeBeside("predict.svg", errorAgainstCost(panels, axes));
   }
   return table;
 }

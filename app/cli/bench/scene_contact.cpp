@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/cli/bench/bench_options.h"
 #include "app/cli/bench/bumpy_plane.h"
+#include "app/cli/bench/cost_picture.h"
 #include "app/cli/bench/table.h"
 #include "core/scene/contact.h"
 #include "core/scene/nearest_point.h"
@@ -114,7 +116,7 @@ const std::array<Model, 5> kModels = {
      {"proxy", "(not in the paper)", {.model = ContactModel::proxy}},
      {"proxy, 1 mm", "(not in the paper)", {.model = ContactModel::proxy, .radius_mm = 1.0}}}};
 
-void measure(Table& table, const char* surface, const TriangleSoup& soup, const Gesture& gesture) {
+void measure(Table& table, CostPanel& panel, const char* surface, const TriangleSoup& soup, const Gesture& gesture) {
   const Mesh mesh = *Mesh::build(soup);
   const TriangleTree tree(mesh);
   const WalkableMesh walkable(tree);
@@ -141,8 +143,10 @@ void measure(Table& table, const char* surface, const TriangleSoup& soup, const 
       error += length(touch.force_N - gesture.force_N[i]) / length(gesture.force_N[i]);
     }
     const Quantiles cost = quantiles(ns);
-    table.rows.push_back({surface, std::to_string(mesh.triangles().size()), model.name, model.paper,
-                          number(100.0 * error / static_cast<double>(force.size())),
+    const double percent = 100.0 * error / static_cast<double>(force.size());
+    panel.points.push_back({model.name, cost.p50, percent});
+    panel.title = fmt::format("{}, {} triangles", surface, mesh.triangles().size());
+    table.rows.push_back({surface, std::to_string(mesh.triangles().size()), model.name, model.paper, number(percent),
                           number(largestStep(force) / true_step_N), number(1e3 * rattle(force)),
                           number(rattle(force) / true_rattle_N), number(cost.p50), number(cost.p99),
                           number(static_cast<double>(contact.bytes() + walkable.bytes() + tree.bytes()) / 1e6)});
@@ -165,8 +169,19 @@ Table bench_scene_contact() {
                 "sphere of 30 mm; 0.5 N/mm. A proxy of finite radius goes along the same gesture, its radius "
                 "farther out; under the bumpy plane's hollows it is truly another surface that it feels."}};
   const Gesture bumpy = onBumpyPlane();
-  measure(table, "sphere", sphere(29), onSphere());
-  for (const int n : {71, 224, 707}) measure(table, "bumpy plane", bumpyPlane(n), bumpy);
+  std::vector<CostPanel> panels(4);
+  measure(table, panels[0], "sphere", sphere(29), onSphere());
+  constexpr std::array<int, 3> kSizes = {71, 224, 707};
+  for (std::size_t i = 0; i < kSizes.size(); ++i) {
+    measure(table, panels[i + 1], "bumpy plane", bumpyPlane(kSizes[i]), bumpy);
+  }
+  writeBeside("scene_contact.svg", errorAgainstCost(panels, {.least_ns = 30.0,
+                                                             .most_ns = 50'000.0,
+                                                             .errors = {1e-4, 1e-3, 0.01, 0.1, 1.0, 10.0, 100.0},
+                                                             .marked_error = 1.0,
+                                                             .logarithmic = true,
+                                                             .unit = " %",
+                                                             .marked = "vicinity"}));
   return table;
 }
 
