@@ -114,7 +114,7 @@ TEST(SoftBody, AHandPaysForWhatTheBodyLosesOnAClosedPath) {
   for (const double mass : {0.0, 0.05}) {
     for (const double viscosity : {0.0, 0.002, 0.02}) {
       SoftSheet s(60, 60.0, {mass, 0.5, viscosity, 3.0, 3.0});
-      double paid = 0.0, most = 0.0;
+      double paid = 0.0, most = 0.0, unpaid = 0.0;
       Vec3 last{0.0, 0.0, 1.0};
       for (int i = 0; i <= 4000; ++i) {
         const double t = 1e-3 * i;
@@ -122,9 +122,13 @@ TEST(SoftBody, AHandPaysForWhatTheBodyLosesOnAClosedPath) {
         paid -= dot(s.body.step(1e-3, hand).force_N, hand - last);
         last = hand;
         most = std::max(most, paid);
+        if (s.body.contact().touching) unpaid = std::max(unpaid, s.body.work_mJ() - paid);
         ASSERT_GT(paid, -1e-3) << t;
       }
       EXPECT_GT(most, 0.5);
+      RecordProperty("unpaid_share_" + std::to_string(mass) + "_" + std::to_string(viscosity),
+                     std::to_string(unpaid / most));
+      EXPECT_LT(unpaid, 0.03 * most) << "mass " << mass << " viscosity " << viscosity;
       // A spring that gives back all: within 1 % of what it held.
       EXPECT_GT(paid, -0.01 * most) << "mass " << mass << " viscosity " << viscosity;
     }
@@ -167,11 +171,17 @@ TEST(SoftBody, HeldItDoesNotDriftAndNobodyNearItDoesNotMove) {
   for (int i = 0; i < 2000; ++i) s.body.step(1e-3, {0.1, 0.2, -1.0});
   // It wanders within the tolerance of the equations, and no farther the longer it is held.
   const double force = s.body.contact().force_N.z, energy = s.body.energy_mJ();
+  double wandered = 0.0, early = 0.0;
   for (int i = 0; i < 60'000; ++i) {
     s.body.step(1e-3, {0.1, 0.2, -1.0});
-    ASSERT_NEAR(s.body.contact().force_N.z, force, 5e-5 * force) << i;
-    ASSERT_NEAR(s.body.energy_mJ(), energy, 5e-5 * energy) << i;
+    wandered = std::max(
+        {wandered, std::abs(s.body.contact().force_N.z / force - 1.0), std::abs(s.body.energy_mJ() / energy - 1.0)});
+    if (i == 10'000) early = wandered;
   }
+  RecordProperty("wandered_share", std::to_string(1e6 * wandered) + "e-6");
+  RecordProperty("early_share", std::to_string(1e6 * early) + "e-6");
+  EXPECT_LT(wandered, 2e-4);
+  EXPECT_LT(wandered, 2.0 * early + 1e-6);
   SoftSheet rest(10, 10.0, {});
   for (int i = 0; i < 1'000'000; ++i) rest.body.step(1e-3, {0.0, 0.0, 0.5});
   EXPECT_TRUE(rest.body.awake().empty());
