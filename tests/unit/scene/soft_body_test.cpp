@@ -128,7 +128,7 @@ TEST(SoftBody, AHandPaysForWhatTheBodyLosesOnAClosedPath) {
       EXPECT_GT(most, 0.5);
       RecordProperty("unpaid_share_" + std::to_string(mass) + "_" + std::to_string(viscosity),
                      std::to_string(unpaid / most));
-      // Not yet so with neither mass nor viscosity: the press lets go for single steps there.
+      // Not yet so with neither mass nor viscosity: the cause is not known.
       if (mass + viscosity > 0.0) {
         EXPECT_LT(unpaid, 0.05 * most) << "mass " << mass << " viscosity " << viscosity;
       }
