@@ -157,10 +157,13 @@ Result<Mesh> Mesh::build(TriangleSoup soup) {
   }
   Mesh mesh;
   MeshReport& report = mesh.report_;
-  for (const Vec3& vertex : soup.vertices) report.not_finite += vertex.finite() ? 0 : 1;
+  const auto isPlace = [](const Vec3& v) {  // false for NaN
+    return std::abs(v.x) < kFarthest_mm && std::abs(v.y) < kFarthest_mm && std::abs(v.z) < kFarthest_mm;
+  };
+  for (const Vec3& vertex : soup.vertices) report.not_finite += isPlace(vertex) ? 0 : 1;
   std::erase_if(soup.triangles, [&](const Triangle& t) {
     return std::ranges::any_of(
-        t, [&](std::uint32_t v) { return v >= soup.vertices.size() || !soup.vertices[v].finite(); });
+        t, [&](std::uint32_t v) { return v >= soup.vertices.size() || !isPlace(soup.vertices[v]); });
   });
   report.duplicate_vertices = mergeVertices(soup);
   report.degenerate_triangles = std::erase_if(soup.triangles, [&](const Triangle& t) { return degenerate(soup, t); });

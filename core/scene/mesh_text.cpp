@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <istream>
+#include <sstream>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/PLY.h>
@@ -12,6 +13,73 @@
 #include <boost/iostreams/stream.hpp>
 
 namespace fyd::scene {
+
+namespace {
+
+constexpr std::size_t kLongestQuoted = 60;
+
+/// CGAL's reader takes a PLY header as it comes, and one that is wrong ends the program: so it is read first.
+Result<void> checkPlyHeader(std::string_view bytes) {
+  static constexpr std::array<std::string_view, 16> kTypes = {
+      "char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
+      "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
+  const auto known = [](const std::string& type) { return std::ranges::find(kTypes, type) != kTypes.end(); };
+  std::size_t line_number = 0;
+  std::string element;
+  std::vector<std::string> vertex_properties;
+  bool has_faces = false;
+  while (!bytes.empty()) {
+    const std::size_t end = bytes.find('\n');
+    if (end == std::string_view::npos) break;
+    const std::string text(bytes.substr(0, std::min<std::size_t>(end, kLongestQuoted)));
+    std::istringstream line{std::string(bytes.substr(0, end))};
+    bytes.remove_prefix(end + 1);
+    ++line_number;
+    const auto wrong = [&] {
+      return fail(
+          "ply header, line {} \"{}\": expected format 1.0, then elements vertex (x, y, z) and face (a list "
+          "vertex_indices) with the types of their properties",
+          line_number, text);
+    };
+    std::string word;
+    line >> word;
+    if (line_number == 1) {
+      if (word != "ply") return wrong();
+    } else if (line_number == 2) {
+      std::string format, version;
+      line >> format >> version;
+      const bool good = format == "ascii" || format == "binary_little_endian" || format == "binary_big_endian";
+      if (word != "format" || !good || version != "1.0") return wrong();
+    } else if (word == "element") {
+      std::uint64_t count = 0;
+      if (!(line >> element >> count)) return wrong();
+      if (count > bytes.size()) return wrong();
+      if (vertex_properties.empty() && element == "face") return wrong();
+    } else if (word == "property") {
+      std::string type, of_count, name;
+      line >> type;
+      const bool list = type == "list";
+      if (list) line >> of_count >> type;
+      line >> name;
+      if (element.empty() || name.empty() || !known(type) || (list && !known(of_count))) {
+        return wrong();
+      }
+      if (element == "vertex" && list) return wrong();
+      if (element == "vertex") vertex_properties.push_back(name);
+      if (element == "face" && list && (name == "vertex_indices" || name == "vertex_index")) has_faces = true;
+    } else if (word == "end_header") {
+      for (const std::string axis : {"x", "y", "z"}) {
+        if (std::ranges::count(vertex_properties, axis) != 1) return wrong();
+      }
+      return has_faces ? Result<void>{} : wrong();
+    } else if (word != "comment" && word != "obj_info") {
+      return wrong();
+    }
+  }
+  return fail("the ply header does not end");
+}
+
+}  // namespace
 
 double millimetresPer(LengthUnit unit) {
   constexpr std::array<double, kLengthUnits.size()> kMillimetres = {1.0, 10.0, 1000.0, 25.4};
@@ -31,6 +99,9 @@ Result<TriangleSoup> parseMesh(std::string_view bytes, MeshFormat format, Length
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
+  if (format == MeshFormat::ply) {
+    if (auto good = checkPlyHeader(bytes); !good) return tl::unexpected(good.error());
+  }
   bool read = false;
   try {
     boost::iostreams::stream<boost::iostreams::array_source> in(bytes.data(), bytes.size());

@@ -64,11 +64,16 @@ struct BodyDescription {
     v.text("body.name", name, {.help = "For people; the mesh's when left out."});
     v.text("body.mesh", mesh, {.help = "OBJ, STL or PLY file, relative to the scene's."});
     v.choice("body.unit", unit, kLengthUnits, {.help = "Of the mesh's coordinates."});
-    v.list("body.position_mm", position_mm, {.unit = "mm", .help = "Where the mesh's origin is: x, y, z."});
+    v.list("body.position_mm", position_mm,
+           {.unit = "mm", .minimum = -1e6, .maximum = 1e6, .help = "Where the mesh's origin is: x, y, z."});
     v.list("body.turned_deg", turned_deg,
-           {.unit = "°", .help = "How the mesh is turned: about x, then y, then z, which stand still."});
-    v.list("body.velocity_mm_per_s", velocity_mm_per_s,
-           {.unit = "mm/s", .help = "How the body flies from the beginning: x, y, z."});
+           {.unit = "°",
+            .minimum = -360,
+            .maximum = 360,
+            .help = "How the mesh is turned: about x, then y, then z, which stand still."});
+    v.list(
+        "body.velocity_mm_per_s", velocity_mm_per_s,
+        {.unit = "mm/s", .minimum = -1e6, .maximum = 1e6, .help = "How the body flies from the beginning: x, y, z."});
     v.choice("body.contact", contact, kContactChoices,
              {.help = "How it is touched; automatic: the cheapest that meets scene.accuracy, vicinity without one."});
     v.real("body.stiffness_N_per_mm", stiffness_N_per_mm,
@@ -111,7 +116,7 @@ struct BodyDescription {
            {.unit = "mm",
             .minimum = 1e-6,
             .maximum = 1e6,
-            .help = "Radius of the patch with which a soft body is pressed; at least two mean edges."});
+            .help = "Radius of the patch with which a soft body is pressed; at least three mean edges."});
   }
 };
 

@@ -4841,7 +4841,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>a polygon has vertex {}; expected one of the {} of this {} file</source>
-        <translation>un polygone a le sommet {} ; attendu l&apos;un des {} de ce fichier {}</translation>
+        <translation>un polygone a le sommet {} ; attendu l'un des {} de ce fichier {}</translation>
     </message>
     <message>
         <source>a prediction of {} ms at most: expected 0 to 1000</source>
@@ -5125,7 +5125,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>border of a soft body is {}; expected between 0 and 1</source>
-        <translation>border d&apos;un corps mou est {} ; attendu entre 0 et 1</translation>
+        <translation>border d'un corps mou est {} ; attendu entre 0 et 1</translation>
     </message>
     <message>
         <source>breakaway</source>
@@ -5777,7 +5777,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>finger_mm of a soft body is {}; expected more than 0</source>
-        <translation>finger_mm d&apos;un corps mou est {} ; attendu plus de 0</translation>
+        <translation>finger_mm d'un corps mou est {} ; attendu plus de 0</translation>
     </message>
     <message>
         <source>finished</source>
@@ -6113,7 +6113,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>longest_step_s of a soft body is {}; expected more than 0</source>
-        <translation>longest_step_s d&apos;un corps mou est {} ; attendu plus de 0</translation>
+        <translation>longest_step_s d'un corps mou est {} ; attendu plus de 0</translation>
     </message>
     <message>
         <source>look at the distance sensors' curves and at the load cell's cable</source>
@@ -6137,7 +6137,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>mass_kg of a soft body is {}; expected 0 or more</source>
-        <translation>mass_kg d&apos;un corps mou est {} ; attendu 0 ou plus</translation>
+        <translation>mass_kg d'un corps mou est {} ; attendu 0 ou plus</translation>
     </message>
     <message>
         <source>mean</source>
@@ -6197,7 +6197,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>most_points of a soft body is {}; expected 3 or more</source>
-        <translation>most_points d&apos;un corps mou est {} ; attendu 3 ou plus</translation>
+        <translation>most_points d'un corps mou est {} ; attendu 3 ou plus</translation>
     </message>
     <message>
         <source>motor 1</source>
@@ -6696,6 +6696,10 @@ Pour commencer : %1</translation>
         <translation>pilote, main gauche</translation>
     </message>
     <message>
+        <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z) and face (a list vertex_indices) with the types of their properties</source>
+        <translation>en-tête ply, ligne {} &quot;{}&quot; : attendu format 1.0, puis les éléments vertex (x, y, z) et face (une list vertex_indices) avec les types de leurs propriétés</translation>
+    </message>
+    <message>
         <source>png: the picture could not be made</source>
         <translation>png : l'image n'a pas pu être faite</translation>
     </message>
@@ -6785,7 +6789,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>reach_mm of a soft body is {}; expected more than 0</source>
-        <translation>reach_mm d&apos;un corps mou est {} ; attendu plus de 0</translation>
+        <translation>reach_mm d'un corps mou est {} ; attendu plus de 0</translation>
     </message>
     <message>
         <source>reachable</source>
@@ -6893,7 +6897,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>rigidity_N_per_mm of a soft body is {}; expected more than 0</source>
-        <translation>rigidity_N_per_mm d&apos;un corps mou est {} ; attendu plus de 0</translation>
+        <translation>rigidity_N_per_mm d'un corps mou est {} ; attendu plus de 0</translation>
     </message>
     <message>
         <source>robot</source>
@@ -6905,7 +6909,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>robot '{}': expected simulated, scene:FILE, none, link:HOST:PORT or classic:HOST:PORT</source>
-        <translation>robot &apos;{}&apos; : attendu simulated, scene:FILE, none, link:HOST:PORT ou classic:HOST:PORT</translation>
+        <translation>robot '{}' : attendu simulated, scene:FILE, none, link:HOST:PORT ou classic:HOST:PORT</translation>
     </message>
     <message>
         <source>robot '{}': takes no key file; only link:HOST:PORT does</source>
@@ -7113,7 +7117,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>spread_mm of a soft body is {}; expected 0 or more</source>
-        <translation>spread_mm d&apos;un corps mou est {} ; attendu 0 ou plus</translation>
+        <translation>spread_mm d'un corps mou est {} ; attendu 0 ou plus</translation>
     </message>
     <message>
         <source>stale</source>
@@ -7369,7 +7373,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the mesh has no triangle that has an area</source>
-        <translation>le maillage n&apos;a aucun triangle qui ait une aire</translation>
+        <translation>le maillage n'a aucun triangle qui ait une aire</translation>
     </message>
     <message>
         <source>the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm</source>
@@ -7402,6 +7406,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the picture is frozen: the camera sends one and the same; unplug it and plug it in again</source>
         <translation>l'image est figée : la caméra envoie toujours la même ; la débrancher et la rebrancher</translation>
+    </message>
+    <message>
+        <source>the ply header does not end</source>
+        <translation>l&apos;en-tête ply ne finit pas</translation>
     </message>
     <message>
         <source>the points do not tell the unknowns apart (condition number {:.3g})</source>
@@ -7573,7 +7581,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>there is no triangle in the {} bytes of this {} file</source>
-        <translation>il n&apos;y a aucun triangle dans les {} octets de ce fichier {}</translation>
+        <translation>il n'y a aucun triangle dans les {} octets de ce fichier {}</translation>
     </message>
     <message>
         <source>these {} bytes are not a state of arithmetic 1</source>
@@ -7621,7 +7629,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>tolerance of a soft body is {}; expected between 0 and 1</source>
-        <translation>tolerance d&apos;un corps mou est {} ; attendu entre 0 et 1</translation>
+        <translation>tolerance d'un corps mou est {} ; attendu entre 0 et 1</translation>
     </message>
     <message>
         <source>too far behind</source>
@@ -7797,7 +7805,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>viscosity_Ns_per_mm of a soft body is {}; expected 0 or more</source>
-        <translation>viscosity_Ns_per_mm d&apos;un corps mou est {} ; attendu 0 ou plus</translation>
+        <translation>viscosity_Ns_per_mm d'un corps mou est {} ; attendu 0 ou plus</translation>
     </message>
     <message>
         <source>wait until it is done</source>
@@ -8189,7 +8197,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: 'body': expected tables [[body]]</source>
-        <translation>{} : &apos;body&apos; : attendu des tables [[body]]</translation>
+        <translation>{} : 'body' : attendu des tables [[body]]</translation>
     </message>
     <message>
         <source>{}: '{}' is not a number; expected {}</source>
@@ -8201,11 +8209,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: '{}': expected a table [{}]</source>
-        <translation>{} : &apos;{}&apos; : attendu une table [{}]</translation>
+        <translation>{} : '{}' : attendu une table [{}]</translation>
     </message>
     <message>
         <source>{}: '{}': expected one of {}</source>
-        <translation>{} : &apos;{}&apos; : attendu l&apos;un de {}</translation>
+        <translation>{} : '{}' : attendu l'un de {}</translation>
     </message>
     <message>
         <source>{}: [[band]]: expected either wavelength_mm or frequency_Hz</source>
@@ -8553,7 +8561,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: no mesh by its name; expected .obj, .stl or .ply</source>
-        <translation>{} : d&apos;après son nom, pas un maillage ; attendu .obj, .stl ou .ply</translation>
+        <translation>{} : d'après son nom, pas un maillage ; attendu .obj, .stl ou .ply</translation>
     </message>
     <message>
         <source>{}: no permission. Add yourself to its group with "sudo usermod -aG {} $USER" and log in again</source>
@@ -8761,7 +8769,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: scene.accuracy "{}": expected a share such as "1%", above 0 and up to 100%</source>
-        <translation>{} : scene.accuracy &quot;{}&quot; : attendu une part comme &quot;1%&quot;, au-dessus de 0 et jusqu&apos;à 100%</translation>
+        <translation>{} : scene.accuracy "{}" : attendu une part comme "1%", au-dessus de 0 et jusqu'à 100%</translation>
     </message>
     <message>
         <source>{}: sends damaged pictures: {}</source>

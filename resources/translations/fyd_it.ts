@@ -6696,6 +6696,10 @@ Per cominciare: %1</translation>
         <translation>pilota, mano sinistra</translation>
     </message>
     <message>
+        <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z) and face (a list vertex_indices) with the types of their properties</source>
+        <translation>intestazione ply, riga {} &quot;{}&quot;: atteso format 1.0, poi gli elementi vertex (x, y, z) e face (una list vertex_indices) con i tipi delle loro proprietà</translation>
+    </message>
+    <message>
         <source>png: the picture could not be made</source>
         <translation>png: l'immagine non è stata prodotta</translation>
     </message>
@@ -6905,7 +6909,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>robot '{}': expected simulated, scene:FILE, none, link:HOST:PORT or classic:HOST:PORT</source>
-        <translation>robot &apos;{}&apos;: atteso simulated, scene:FILE, none, link:HOST:PORT o classic:HOST:PORT</translation>
+        <translation>robot '{}': atteso simulated, scene:FILE, none, link:HOST:PORT o classic:HOST:PORT</translation>
     </message>
     <message>
         <source>robot '{}': takes no key file; only link:HOST:PORT does</source>
@@ -7369,7 +7373,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>the mesh has no triangle that has an area</source>
-        <translation>la mesh non ha alcun triangolo con un&apos;area</translation>
+        <translation>la mesh non ha alcun triangolo con un'area</translation>
     </message>
     <message>
         <source>the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm</source>
@@ -7402,6 +7406,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the picture is frozen: the camera sends one and the same; unplug it and plug it in again</source>
         <translation>l'immagine è congelata: la telecamera manda sempre la stessa; scollegarla e ricollegarla</translation>
+    </message>
+    <message>
+        <source>the ply header does not end</source>
+        <translation>l&apos;intestazione ply non finisce</translation>
     </message>
     <message>
         <source>the points do not tell the unknowns apart (condition number {:.3g})</source>
@@ -7573,7 +7581,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>there is no triangle in the {} bytes of this {} file</source>
-        <translation>non c&apos;è alcun triangolo nei {} byte di questo file {}</translation>
+        <translation>non c'è alcun triangolo nei {} byte di questo file {}</translation>
     </message>
     <message>
         <source>these {} bytes are not a state of arithmetic 1</source>
@@ -8189,7 +8197,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: 'body': expected tables [[body]]</source>
-        <translation>{}: &apos;body&apos;: attese tabelle [[body]]</translation>
+        <translation>{}: 'body': attese tabelle [[body]]</translation>
     </message>
     <message>
         <source>{}: '{}' is not a number; expected {}</source>
@@ -8201,11 +8209,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: '{}': expected a table [{}]</source>
-        <translation>{}: &apos;{}&apos;: attesa una tabella [{}]</translation>
+        <translation>{}: '{}': attesa una tabella [{}]</translation>
     </message>
     <message>
         <source>{}: '{}': expected one of {}</source>
-        <translation>{}: &apos;{}&apos;: atteso uno fra {}</translation>
+        <translation>{}: '{}': atteso uno fra {}</translation>
     </message>
     <message>
         <source>{}: [[band]]: expected either wavelength_mm or frequency_Hz</source>
@@ -8761,7 +8769,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: scene.accuracy "{}": expected a share such as "1%", above 0 and up to 100%</source>
-        <translation>{}: scene.accuracy &quot;{}&quot;: attesa una quota come &quot;1%&quot;, sopra 0 e fino a 100%</translation>
+        <translation>{}: scene.accuracy "{}": attesa una quota come "1%", sopra 0 e fino a 100%</translation>
     </message>
     <message>
         <source>{}: sends damaged pictures: {}</source>

@@ -26,6 +26,9 @@ class Manual(fyd.Case):
         table = fyd.run("params", "--markdown").stdout
         self.assertIn(table, page("parameters.md"), "run: fyd params --markdown, and put it into parameters.md")
 
+    def test_the_table_of_a_scenes_keys_is_the_programs(self):
+        self.assertIn(fyd.run("scene", "keys").stdout, page("scene-keys.md"), "run: fyd scene keys, and put it into scene-keys.md")
+
     def test_the_tables_of_a_recordings_columns_are_the_programs(self):
         tables = fyd.run("session", "columns").stdout
         first = tables.splitlines()[0]

@@ -9,8 +9,9 @@
 namespace fyd::bench {
 namespace {
 
-constexpr double kWide = 340.0, kHigh = 260.0, kLeft = 46.0, kTop = 28.0, kPanel = 400.0, kPanelHigh = 320.0;
+constexpr double kWide = 340.0, kHigh = 260.0, kLeft = 58.0, kTop = 28.0, kPanel = 412.0, kPanelHigh = 320.0;
 constexpr std::size_t kInARow = 3;
+constexpr double kLabelWide = 75.0;
 
 double logShare(double value, double least, double most) {
   return std::log(std::clamp(value, least, most) / least) / std::log(most / least);
@@ -42,12 +43,19 @@ std::string panel(const CostPanel& of, const CostAxes& axes) {
                        error == axes.marked_error ? "#888" : "#ddd");
     out += text(kLeft - 5, y + 4, "end", fmt::format("{:g}{}", error, axes.unit));
   }
-  std::vector<double> taken;
+  struct Label {
+    double x, y;
+  };
+  std::vector<Label> taken;
   for (const CostPoint& point : of.points) {
     const double x = across(point.ns, axes), y = down(point.error, axes);
+    const auto free = [&](double at) {
+      return std::ranges::none_of(
+          taken, [&](const Label& other) { return std::abs(other.x - x) < kLabelWide && std::abs(other.y - at) < 12; });
+    };
     double label = y + 4;
-    while (std::ranges::any_of(taken, [&](double other) { return std::abs(other - label) < 12; })) label -= 4;
-    taken.push_back(label);
+    for (int turn = 1; !free(label) && turn < 20; ++turn) label = y + 4 + (turn % 2 == 1 ? 6.5 : -6.5) * (turn + 1);
+    taken.push_back({x, label});
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", x, y,
                        point.name == axes.marked ? "#b00" : "#246");
     const bool right = x > kLeft + kWide - 60;
@@ -60,16 +68,17 @@ std::string panel(const CostPanel& of, const CostAxes& axes) {
 }  // namespace
 
 std::string errorAgainstCost(const std::vector<CostPanel>& panels, const CostAxes& axes) {
-  const std::size_t across_panels = std::min(panels.size(), kInARow);
+  const std::size_t in_a_row = panels.size() == kInARow + 1 ? 2 : kInARow;  // no panel alone
+  const std::size_t across_panels = std::min(panels.size(), in_a_row);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
       "font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       kPanel * static_cast<double>(across_panels),
-      kPanelHigh * static_cast<double>((panels.size() + kInARow - 1) / kInARow));
+      kPanelHigh * static_cast<double>((panels.size() + in_a_row - 1) / in_a_row));
   for (std::size_t i = 0; i < panels.size(); ++i) {
     out +=
-        fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n", kPanel * static_cast<double>(i % kInARow),
-                    kPanelHigh * static_cast<double>(i / kInARow), panel(panels[i], axes));
+        fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n", kPanel * static_cast<double>(i % in_a_row),
+                    kPanelHigh * static_cast<double>(i / in_a_row), panel(panels[i], axes));
   }
   return out + "</svg>\n";
 }

@@ -92,6 +92,21 @@ TEST(MeshText, WhatIsNoMeshIsRefused) {
               MeshFormat::ply));
 }
 
+TEST(MeshText, APlyHeaderThatIsWrongIsRefusedBeforeItIsRead) {
+  const auto errorOf = [](const std::string& header) {
+    const auto soup = parseMesh(header + "0 0 0\n", MeshFormat::ply, LengthUnit::mm);
+    return soup ? std::string() : soup.error().text();
+  };
+  const std::string good = "ply\nformat ascii 1.0\nelement vertex 1\n";
+  EXPECT_NE(errorOf("ply\nformat ascii 1.0\nproperty float x\nend_header\n").find("line 3 \"property float x\""),
+            std::string::npos)
+      << "of no element";
+  EXPECT_NE(errorOf(good + "property real x\nend_header\n").find("line 4"), std::string::npos);
+  EXPECT_NE(errorOf(good + "property float x\nproperty float y\nend_header\n").find("line 6"), std::string::npos);
+  EXPECT_NE(errorOf("ply\nformat ascii 2.0\n").find("line 2"), std::string::npos);
+  EXPECT_EQ(parseMesh(good, MeshFormat::ply, LengthUnit::mm).error().text(), "the ply header does not end");
+}
+
 TEST(MeshText, ByTheEndOfTheName) {
   EXPECT_EQ(meshFormatOf("a/B.STL").value(), MeshFormat::stl);
   EXPECT_EQ(meshFormatOf("a.b.obj").value(), MeshFormat::obj);

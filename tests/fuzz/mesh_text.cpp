@@ -1,0 +1,45 @@
+// A mesh file of any content: refused with a reason, or a mesh that can be touched anywhere without a number that is
+// none.
+#include <cmath>
+#include <string>
+
+#include "core/scene/contact.h"
+#include "core/scene/mesh_text.h"
+#include "core/scene/nearest_point.h"
+#include "core/scene/vector.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace fyd;
+using namespace fyd::scene;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 1 || size > 4096) return 0;
+  const auto format = static_cast<MeshFormat>(data[0] % kMeshFormats.size());
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  auto soup = parseMesh(bytes, format, LengthUnit::mm);
+  if (!soup) {
+    fuzz::require(!soup.error().text().empty());
+    return 0;
+  }
+  const auto mesh = Mesh::build(std::move(*soup));
+  if (!mesh) return 0;
+  const TriangleTree tree(*mesh);
+  const WalkableMesh walkable(tree);
+  for (const ContactModel model :
+       {ContactModel::nodes, ContactModel::facet, ContactModel::vicinity, ContactModel::proxy}) {
+    BodyContact contact(tree, {.stiffness_N_per_mm = 0.5, .texture = {}}, {.model = model});
+    NearestPoint nearest(walkable);
+    const Vec3 low = mesh->report().lowest_mm, high = mesh->report().highest_mm;
+    for (int i = 0; i <= 8; ++i) {
+      const double at = i / 8.0;
+      const Vec3 probe = {low.x + at * (high.x - low.x), high.y + (0.3 - at) * (high.y - low.y),
+                          low.z + 0.5 * (high.z - low.z)};
+      const Nearest found = nearest.find(probe);
+      const double whole = std::sqrt(tree.nearest(probe).squared_mm2);
+      fuzz::require(std::abs(std::sqrt(found.squared_mm2) - whole) <= 1e-9 * (whole + length(high - low)));
+      const Contact touch = contact.touch(probe, {}, found);
+      fuzz::require(touch.force_N.finite() && touch.proxy_mm.finite() && std::isfinite(touch.depth_mm));
+    }
+  }
+  return 0;
+}
