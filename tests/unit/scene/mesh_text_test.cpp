@@ -104,7 +104,8 @@ TEST(MeshText, APlyHeaderThatIsWrongIsRefusedBeforeItIsRead) {
   EXPECT_NE(errorOf(good + "property real x\nend_header\n").find("line 4"), std::string::npos);
   EXPECT_NE(errorOf(good + "property float x\nproperty float y\nend_header\n").find("line 6"), std::string::npos);
   EXPECT_NE(errorOf("ply\nformat ascii 2.0\n").find("line 2"), std::string::npos);
-  EXPECT_EQ(parseMesh(good, MeshFormat::ply, LengthUnit::mm).error().text(), "the ply header does not end");
+  EXPECT_EQ(parseMesh("ply\nformat ascii 1.0\n", MeshFormat::ply, LengthUnit::mm).error().text(),
+            "the ply header does not end");
 }
 
 TEST(MeshText, ByTheEndOfTheName) {
