@@ -79,6 +79,8 @@ class Scene {
 
   [[nodiscard]] std::size_t bodies() const { return bodies_.size(); }
   [[nodiscard]] std::size_t awake() const { return awake_.size(); }
+  /// Of the last step, since the first.
+  [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] const Mesh& mesh(std::size_t body) const { return bodies_[body].mesh->mesh; }
   [[nodiscard]] const Placement& placement(std::size_t body) const { return bodies_[body].placement; }
   /// Of a rigid body.

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/device/robot.h"
-#include "core/sim/scene_file.h"
+#include "core/sim/scene_stage.h"
 #include "core/texture/virtual_texture.h"
 
 namespace fyd::sim {
@@ -26,17 +26,23 @@ class SceneArm final : public device::Robot {
   [[nodiscard]] Result<device::RobotReadings> exchange(const Vec3& target_mm, Instant now) override;
 
   [[nodiscard]] const scene::SceneTouch& touch() const { return touch_; }
+  /// Shown there: each step that is kShown or more after the one shown before.
+  [[nodiscard]] const std::shared_ptr<SceneStage>& stage() const { return stage_; }
+  static constexpr Duration kShown = std::chrono::milliseconds(16);
 
  private:
-  SceneArm(const SceneFile& file, scene::Scene scene, double rate_Hz);
+  SceneArm(std::shared_ptr<SceneStage> stage, scene::Scene scene, double rate_Hz);
   [[nodiscard]] Vec3 shaken(double dt_s);
+  void show();
 
-  std::string name_;
+  std::shared_ptr<SceneStage> stage_;
   scene::Scene scene_;
   std::vector<std::optional<texture::VirtualTexture>> textures_;
   scene::SceneTouch touch_;
   Vec3 at_mm_, before_mm_;
   std::optional<Instant> last_;
+  std::optional<Instant> shown_;
+  SceneMoment moment_;
 };
 
 }  // namespace fyd::sim

@@ -17,17 +17,19 @@ Result<std::unique_ptr<InProcessRobot>> InProcessRobot::open(const protocol::End
   if (!following) return tl::unexpected(following.error());
   options.reference.predictor = *following;
   std::unique_ptr<device::Robot> arm;
+  std::shared_ptr<sim::SceneStage> stage;
   if (choice.scene.empty()) {
     arm = std::make_unique<sim::RobotArm>(parameters);
   } else {
     auto scene = sim::SceneArm::open(choice.scene, options.rate_Hz);
     if (!scene) return tl::unexpected(scene.error());
+    stage = (*scene)->stage();
     arm = std::move(*scene);
     options.probe_material = false;
   }
   auto robot = sim::SimulatedRobot::open(options, std::move(arm));
   if (!robot) return tl::unexpected(robot.error());
-  return std::unique_ptr<InProcessRobot>(new InProcessRobot(std::move(*robot)));
+  return std::unique_ptr<InProcessRobot>(new InProcessRobot(std::move(*robot), std::move(stage)));
 }
 
 void InProcessRobot::start() {

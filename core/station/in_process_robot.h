@@ -10,6 +10,10 @@
 #include "core/sim/simulated_robot.h"
 #include "core/station/robot_choice.h"
 
+namespace fyd::sim {
+class SceneStage;
+}
+
 namespace fyd::station {
 
 class InProcessRobot {
@@ -22,11 +26,15 @@ class InProcessRobot {
   void start();
   void shutDown();
   [[nodiscard]] sim::SimulatedRobotStatus status() const { return robot_->status(); }
+  /// Null of an arm.
+  [[nodiscard]] const std::shared_ptr<sim::SceneStage>& scene() const { return scene_; }
 
  private:
-  explicit InProcessRobot(std::unique_ptr<sim::SimulatedRobot> robot) : robot_(std::move(robot)) {}
+  InProcessRobot(std::unique_ptr<sim::SimulatedRobot> robot, std::shared_ptr<sim::SceneStage> scene)
+      : robot_(std::move(robot)), scene_(std::move(scene)) {}
 
   std::unique_ptr<sim::SimulatedRobot> robot_;
+  std::shared_ptr<sim::SceneStage> scene_;
   std::jthread thread_;
 };
 

@@ -274,4 +274,6 @@ void Station::releaseSimulatedFinger() {
 
 bool Station::simulated() const { return impl_->world != nullptr; }
 
+std::shared_ptr<sim::SceneStage> Station::scene() const { return impl_->robot ? impl_->robot->scene() : nullptr; }
+
 }  // namespace fyd::station

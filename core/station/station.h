@@ -27,6 +27,10 @@
 #include "core/station/device_test.h"
 #include "core/station/profile.h"
 
+namespace fyd::sim {
+class SceneStage;
+}
+
 namespace fyd::station {
 
 struct StationOptions {
@@ -200,6 +204,9 @@ class Station {
   /// Simulation only: what the finger does while nobody moves it, from its beginning.
   void playSimulatedFinger(const sim::FingerPath& path);
   [[nodiscard]] bool simulated() const;
+
+  /// The scene where the robot stands, for one thread that draws it; null where there is none in this process.
+  [[nodiscard]] std::shared_ptr<sim::SceneStage> scene() const;
 
  private:
   struct Impl;
