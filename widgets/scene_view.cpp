@@ -17,6 +17,7 @@ constexpr qint64 kRateWindow_ms = 1000;
 constexpr std::size_t kMostPainted = 128;  // times that are kept: more than a second's
 constexpr qint64 kFootEvery_ms = 500;      // a number that changes faster cannot be read
 constexpr int kMost_px = 8192;             // of a picture's side
+constexpr int kNarrow_px = 420;            // of the view
 
 struct Side {
   SceneSide side;
@@ -271,10 +272,12 @@ void SceneView::paintEvent(QPaintEvent*) {
     paintSceneMarks(painter, picture, state_, shown, above);
     painter.restore();
     paintSceneScale(painter, picture.shot.camera, size());
-    paintSceneLegend(painter, QPointF(kGrid, kGrid), state_);
+    const bool narrow = width() < kNarrow_px;  // legend and buttons, scale and foot do not fit beside each other
+    paintSceneLegend(painter, QPointF(kGrid, narrow ? above : kGrid), state_);
     painter.setFont(textFont(TextSize::small));
-    const QRectF inner = QRectF(rect()).adjusted(1.5 * kGrid, 0, -1.5 * kGrid, -kGrid);
-    const QString foot = QFontMetricsF(painter.font(), this).elidedText(foot_, Qt::ElideRight, 0.6 * inner.width());
+    const QRectF inner = QRectF(rect()).adjusted(1.5 * kGrid, 0, -1.5 * kGrid, narrow ? -4.0 * kGrid : -kGrid);
+    const double foot_px = (narrow ? 1.0 : 0.6) * inner.width();
+    const QString foot = QFontMetricsF(painter.font(), this).elidedText(foot_, Qt::ElideRight, foot_px);
     paintSceneWords(painter, inner, Qt::AlignRight | Qt::AlignBottom, foot, theme().muted);
     if (hint_) {
       paintSceneWords(painter, inner.adjusted(0, 0, 0, -3.0 * kGrid), Qt::AlignRight | Qt::AlignBottom,

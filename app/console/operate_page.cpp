@@ -47,6 +47,7 @@ OperatePage::OperatePage(const PageContext& context, QWidget* parent)
       curve_tools_(new CurveTools(curves_->stack(), context.tell, this)),
       tuning_(new widgets::TuningPanel(context.tuning.model(), sections(), QLatin1String(kHandTarget), this)),
       area_(new QMainWindow(this)),
+      scene_(new SceneDock(area_)),
       panels_(*area_) {
   build();
   connectFeed();
@@ -79,6 +80,7 @@ void OperatePage::build() {
   tuning_->setMinimumWidth(std::max(34 * kGrid, tuning_->minimumSizeHint().width()));  // it scrolls, but not sideways
   dock(tr("Camera"), "camera", tr("Close the camera's panel"), Parts{camera_}, Qt::LeftDockWidgetArea);
   dock(tr("Readiness"), "readiness", tr("Close the readiness list"), Parts{readiness_}, Qt::LeftDockWidgetArea);
+  panels_.add(scene_, QStringLiteral("scene"), Qt::RightDockWidgetArea, context_.session.scene() != nullptr);
   dock(tr("Tuning"), "tuning", tr("Close the tuning panel"), static_cast<QWidget*>(tuning_), Qt::RightDockWidgetArea);
   area_->setCentralWidget(panel);
   auto* layout = new QHBoxLayout(this);
@@ -92,6 +94,7 @@ void OperatePage::connectFeed() {
   connect(feed, &SessionFeed::picture, this, [this](const station::CameraView& view) {
     if (isVisible()) camera_->setPicture(toCameraPicture(view));
   });
+  connect(feed, &SessionFeed::scene, scene_, &SceneDock::showScene);
   connect(feed, &SessionFeed::cameraMissing, camera_, &widgets::CameraPanel::showMissing);
   connect(feed, &SessionFeed::readiness, this, [this](std::vector<widgets::ReadinessRow> rows) {
     const auto ages = ages_.rows();
@@ -196,13 +199,14 @@ void OperatePage::addCommands(PlaceCommands& commands) {
   commands.add({"session.target_from_robot", "Edit", QT_TRANSLATE_NOOP("Commands", "Target from robot"), "robot",
                 "Ctrl+Shift+H"},
                [this](bool) { tuning_->fromRobotButton()->click(); });
-  const auto panel = [&](const char* id, const char* text, const char* dock) {
-    connectToggle(commands.add({id, "View", text, "", "", true}, [](bool) {}),
+  const auto panel = [&](const char* id, const char* text, const char* dock, const char* keys = "") {
+    connectToggle(commands.add({id, "View", text, "", keys, true}, [](bool) {}),
                   area_->findChild<QDockWidget*>(QLatin1String(dock)));
   };
   panel("view.panel_camera", QT_TRANSLATE_NOOP("Commands", "Camera panel"), "camera");
   panel("view.panel_readiness", QT_TRANSLATE_NOOP("Commands", "Readiness list"), "readiness");
   panel("view.panel_tuning", QT_TRANSLATE_NOOP("Commands", "Tuning panel"), "tuning");
+  panel("view.panel_scene", QT_TRANSLATE_NOOP("Commands", "Scene panel"), "scene", "Ctrl+E");
   addCurveCommands(commands);
   if (finger_ != nullptr) {
     commands.add(

@@ -1,4 +1,4 @@
-// The place "Operate": what is felt now. Camera and readiness, curves, tuning.
+// The place "Operate": what is felt now. Camera and readiness, curves, tuning, and the scene where there is one.
 #pragma once
 
 #include "app/console/calibrate_ages.h"
@@ -6,6 +6,7 @@
 #include "app/console/dock_set.h"
 #include "app/console/finger_menu.h"
 #include "app/console/page.h"
+#include "app/console/scene_dock.h"
 #include "widgets/camera_panel.h"
 #include "widgets/curve_view.h"
 #include "widgets/readiness_list.h"
@@ -27,7 +28,8 @@ class OperatePage : public Page {
   [[nodiscard]] widgets::CurveView* curves() const { return curves_; }
   [[nodiscard]] CurveTools* curveTools() const { return curve_tools_; }
   [[nodiscard]] widgets::TuningPanel* tuning() const { return tuning_; }
-  /// Camera, readiness and tuning around the curves.
+  [[nodiscard]] SceneDock* scene() const { return scene_; }
+  /// Camera, readiness, scene and tuning around the curves.
   [[nodiscard]] DockSet& panels() { return panels_; }
 
  private:
@@ -48,6 +50,7 @@ class OperatePage : public Page {
   CurveTools* curve_tools_;
   widgets::TuningPanel* tuning_;
   QMainWindow* area_;
+  SceneDock* scene_;
   DockSet panels_;
 };
 

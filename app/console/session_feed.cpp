@@ -20,6 +20,7 @@ SessionFeed::SessionFeed(Session& session, QObject* parent)
     session_.windowAlive();
     drainTelemetry();
     lookAtCamera();
+    emit scene(session_.scene());
   });
   connect(&slow_, &QTimer::timeout, this, [this] {
     drainNotices();
@@ -37,6 +38,7 @@ void SessionFeed::start() {
 void SessionFeed::pump() {
   drainTelemetry();
   lookAtCamera();
+  emit scene(session_.scene());
   drainNotices();
   lookAtParts();
 }

@@ -1,0 +1,111 @@
+#include "app/console/scene_dock.h"
+
+#include "core/sim/scene_stage.h"
+
+namespace fyd::console {
+namespace {
+
+using widgets::SceneRole;
+
+constexpr double kFloor_mm = 500.0;  ///< radius of what is shown of a court or a plane, which has no end
+
+std::vector<widgets::SceneBody> bodiesOf(const sim::SceneFile& file) {
+  std::vector<widgets::SceneBody> out;
+  for (std::size_t i = 0; i < file.meshes.size(); ++i) {
+    const scene::BodyDescription& body = file.description.bodies[i];
+    const scene::Mesh& mesh = file.meshes[i]->mesh;
+    out.push_back({.name = QString::fromStdString(body.name.empty() ? body.mesh : body.name),
+                   .vertices_mm = mesh.vertices(),
+                   .triangles = mesh.triangles(),
+                   .role = body.soft ? SceneRole::soft : SceneRole::rigid});
+  }
+  return out;
+}
+
+widgets::ScenePlacement placementAt(const scene::Placement& body, double time_s) {
+  return {.origin_mm = body.toScene({}, time_s),
+          .x_axis = body.turned({1.0, 0.0, 0.0}),
+          .y_axis = body.turned({0.0, 1.0, 0.0}),
+          .z_axis = body.turned({0.0, 0.0, 1.0})};
+}
+
+void addDisc(std::vector<widgets::SceneDisc>& to, const Vec3& centre_mm, const Vec3& normal, double radius_mm,
+             SceneRole role) {
+  widgets::SceneDisc& disc = to.emplace_back();
+  disc.centre_mm = centre_mm;
+  disc.normal = normal;
+  disc.radius_mm = radius_mm;
+  disc.role = role;
+}
+
+widgets::SceneParts partsOf(const sim::SceneStage& stage, const sim::SceneMoment& now) {
+  const scene::SceneDescription& described = stage.file().description;
+  widgets::SceneParts out;
+  for (const scene::Placement& body : stage.placements()) out.placements.push_back(placementAt(body, now.time_s));
+  if (now.swords && now.swords->known) {
+    const double radius_mm = described.swords->radius_mm;
+    const auto stick = [&](const scene::Blade& blade, SceneRole role) {
+      out.sticks.push_back({blade.grip_mm, blade.tip_mm, radius_mm, role});
+    };
+    stick(now.swords->local, SceneRole::own);
+    stick(now.swords->distant, SceneRole::other);
+  }
+  if (now.ball) {
+    const scene::BallParameters& game = *described.ball;
+    out.balls.push_back({now.ball->ball.position_mm, game.radius_mm});
+    if (now.ball->racket_known) {
+      const scene::RacketPose& racket = now.ball->racket;
+      addDisc(out.discs, racket.centre_mm, racket.normal, game.racket_width_mm / 2.0, SceneRole::own);
+    }
+    if (game.court) {
+      addDisc(out.discs, {described.serve.x_mm, described.serve.y_mm, game.court_z_mm}, {0.0, 0.0, 1.0}, kFloor_mm,
+              SceneRole::rigid);
+    }
+  }
+  if (described.palpation && described.bodies.empty()) {
+    const scene::PlaneParameters& plane = described.plane;
+    addDisc(out.discs, {plane.x_mm, plane.y_mm, plane.z_mm}, {plane.normal_x, plane.normal_y, plane.normal_z},
+            kFloor_mm, SceneRole::rigid);
+  }
+  return out;
+}
+
+widgets::SceneState stateOf(const sim::SceneStage& stage, const sim::SceneMoment& now) {
+  widgets::SceneState out;
+  out.parts = partsOf(stage, now);
+  if (!now.stepped) return out;
+  out.point_mm = now.point_mm;
+  if (!now.touch.touching) return out;
+  out.proxy_mm = now.touch.proxy_mm;
+  out.force_N = now.touch.force_N;
+  return out;
+}
+
+}  // namespace
+
+SceneDock::SceneDock(QWidget* parent) : SceneDock(new widgets::SceneView, parent) {}
+
+SceneDock::SceneDock(widgets::SceneView* view, QWidget* parent)
+    : SideDock(tr("Scene"), QStringLiteral("scene_close"), tr("Close the scene's panel"), view, parent), view_(view) {
+  view_->setEmptyText(
+      tr("No scene stands where the robot stands. Choose a scene file as the robot, in the link's panel, or start with "
+         "--robot scene:FILE."));
+}
+
+void SceneDock::showScene(const std::shared_ptr<sim::SceneStage>& stage) {
+  if (!looked_ || stage != stage_) {
+    looked_ = true;
+    stage_ = stage;
+    view_->setBodies(stage ? bodiesOf(stage->file()) : std::vector<widgets::SceneBody>{});
+    view_->setState({});
+    setVisible(stage != nullptr);
+  }
+  if (!stage || !view_->isVisible()) return;
+  const sim::SceneMoment& now = stage->newest();
+  for (std::size_t i = 0; i < now.shapes_mm.size(); ++i) {
+    if (!now.shapes_mm[i].empty()) view_->setShape(i, now.shapes_mm[i]);
+  }
+  view_->setState(stateOf(*stage, now));
+}
+
+}  // namespace fyd::console

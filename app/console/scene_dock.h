@@ -1,0 +1,33 @@
+// The scene's panel of the Operate place: what stands where the robot stands, and what the finger touches of it.
+#pragma once
+
+#include <memory>
+
+#include "app/console/side_dock.h"
+#include "widgets/scene_view.h"
+
+namespace fyd::sim {
+class SceneStage;
+}
+
+namespace fyd::console {
+
+class SceneDock : public SideDock {
+  Q_OBJECT
+ public:
+  explicit SceneDock(QWidget* parent = nullptr);
+
+  /// As it is now; comes with every picture. A session with another scene opens the panel, one without closes it.
+  void showScene(const std::shared_ptr<sim::SceneStage>& stage);
+
+  [[nodiscard]] widgets::SceneView* view() const { return view_; }
+
+ private:
+  SceneDock(widgets::SceneView* view, QWidget* parent);
+
+  widgets::SceneView* view_;
+  std::shared_ptr<sim::SceneStage> stage_;
+  bool looked_ = false;  ///< whether there is a scene is known
+};
+
+}  // namespace fyd::console
