@@ -9,14 +9,14 @@
 namespace fyd::widgets {
 namespace {
 
-enum Kind { simulated, none, classic, link };
+enum Kind { simulated, none, classic, link, scene };
 
 const QString kPredictedPrefix = QStringLiteral("simulated:");
 
-// In the order of Kind; those that end in a colon go on with the address.
+// In the order of Kind; those that end in a colon go on with the address, or the scene's file.
 const QStringList& words() {
   static const QStringList kWords = {QStringLiteral("simulated"), QStringLiteral("none"), QStringLiteral("classic:"),
-                                     QStringLiteral("link:")};
+                                     QStringLiteral("link:"), QStringLiteral("scene:")};
   return kWords;
 }
 
@@ -32,6 +32,9 @@ RobotForm::RobotForm(QWidget* parent)
       key_label_(new QLabel(tr("Key file"), this)),
       key_(new QLineEdit(this)),
       browse_(new QToolButton(this)),
+      scene_label_(new QLabel(tr("Scene file"), this)),
+      scene_(new QLineEdit(this)),
+      browse_scene_(new QToolButton(this)),
       hint_(new QLabel(this)),
       reconnect_(new QPushButton(tr("Reconnect"), this)) {
   setProperty("surface", "panel");
@@ -44,6 +47,7 @@ RobotForm::RobotForm(QWidget* parent)
   kind_->addItem(tr("None"));
   kind_->addItem(tr("Classic (not secured)"));
   kind_->addItem(tr("FYD Link with a key"));
+  kind_->addItem(tr("Scene"));
   kind_->setMinimumContentsLength(16);
   kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   predictor_->setObjectName(QStringLiteral("robot_predictor"));
@@ -59,6 +63,11 @@ RobotForm::RobotForm(QWidget* parent)
   key_->setToolTip(tr("The robot must have the same key; \"fyd link keygen\" makes one."));
   browse_->setText(tr("…"));
   browse_->setAccessibleName(tr("Choose the key file"));
+  scene_->setObjectName(QStringLiteral("robot_scene"));
+  scene_->setAccessibleName(scene_label_->text());
+  scene_->setToolTip(tr("What stands in the robot's place and is touched; \"fyd scene keys\" shows what it may say."));
+  browse_scene_->setText(tr("…"));
+  browse_scene_->setAccessibleName(tr("Choose the scene file"));
   hint_->setFont(textFont(TextSize::small));
   hint_->setProperty("role", "muted");
   hint_->setWordWrap(true);
@@ -79,13 +88,18 @@ RobotForm::RobotForm(QWidget* parent)
   grid->addWidget(browse_, 3, 2);
   grid->addWidget(predictor_label_, 4, 0);
   grid->addWidget(predictor_, 4, 1, 1, 2);
-  grid->addWidget(hint_, 5, 0, 1, 3);
-  grid->addWidget(reconnect_, 6, 0, 1, 3);
+  grid->addWidget(scene_label_, 5, 0);
+  grid->addWidget(scene_, 5, 1);
+  grid->addWidget(browse_scene_, 5, 2);
+  grid->addWidget(hint_, 6, 0, 1, 3);
+  grid->addWidget(reconnect_, 7, 0, 1, 3);
 
   connect(kind_, &QComboBox::currentIndexChanged, this, &RobotForm::refresh);
   connect(address_, &QLineEdit::textChanged, this, &RobotForm::refresh);
   connect(key_, &QLineEdit::textChanged, this, &RobotForm::refresh);
-  connect(browse_, &QToolButton::clicked, this, &RobotForm::chooseKeyFile);
+  connect(scene_, &QLineEdit::textChanged, this, &RobotForm::refresh);
+  connect(browse_, &QToolButton::clicked, this, [this] { chooseFile(tr("Key file of FYD Link"), key_); });
+  connect(browse_scene_, &QToolButton::clicked, this, [this] { chooseFile(tr("Scene file"), scene_); });
   connect(reconnect_, &QPushButton::clicked, this, [this] { emit reconnectAsked(robot(), keyFile()); });
   refresh();
 }
@@ -106,7 +120,7 @@ void RobotForm::setRobot(const QString& robot, const QString& key_file) {
     const bool with_address = word.endsWith(QLatin1Char(':'));
     if (with_address ? !robot.startsWith(word) : robot != word) continue;
     kind_->setCurrentIndex(i);
-    if (with_address) address_->setText(robot.mid(word.size()));
+    if (with_address) (i == scene ? scene_ : address_)->setText(robot.mid(word.size()));
   }
   if (!key_file.isEmpty()) key_->setText(key_file);
 }
@@ -122,6 +136,7 @@ QString RobotForm::robot() const {
   if (kind_->currentIndex() == simulated && predictor_->currentIndex() > 0) {
     return kPredictedPrefix + predictor_->currentText();
   }
+  if (kind_->currentIndex() == scene) return word + scene_->text().trimmed();
   return word.endsWith(QLatin1Char(':')) ? word + address_->text().trimmed() : word;
 }
 
@@ -141,26 +156,33 @@ void RobotForm::refresh() {
        {static_cast<QWidget*>(key_label_), static_cast<QWidget*>(key_), static_cast<QWidget*>(browse_)}) {
     each->setVisible(by_key);
   }
+  for (QWidget* each :
+       {static_cast<QWidget*>(scene_label_), static_cast<QWidget*>(scene_), static_cast<QWidget*>(browse_scene_)}) {
+    each->setVisible(kind == scene);
+  }
   const bool address_missing = by_network && address_->text().trimmed().isEmpty();
   const bool key_missing = by_key && keyFile().isEmpty();
+  const bool scene_missing = kind == scene && scene_->text().trimmed().isEmpty();
   if (!allowed_) {
     hint_->setText(tr("The robot can be changed only while nothing can move. Press Esc first."));
   } else if (address_missing) {
     hint_->setText(tr("Enter the address and port to listen on, such as 127.0.0.1:3490."));
   } else if (key_missing) {
     hint_->setText(tr("Choose the key file that the robot has as well."));
+  } else if (scene_missing) {
+    hint_->setText(tr("Choose the scene file."));
   } else {
     hint_->setText(tr("The session starts anew; parameters and tare stay. Motors stay off until you arm."));
   }
-  reconnect_->setEnabled(allowed_ && !address_missing && !key_missing);
+  reconnect_->setEnabled(allowed_ && !address_missing && !key_missing && !scene_missing);
 }
 
-void RobotForm::chooseKeyFile() {
-  auto* dialog = new QFileDialog(this, tr("Key file of FYD Link"), key_->text());
+void RobotForm::chooseFile(const QString& title, QLineEdit* into) {
+  auto* dialog = new QFileDialog(this, title, into->text());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setModal(false);  // nothing is modal while a device can move
-  connect(dialog, &QFileDialog::fileSelected, key_, &QLineEdit::setText);
+  connect(dialog, &QFileDialog::fileSelected, into, &QLineEdit::setText);
   dialog->show();
 }
 

@@ -1,5 +1,6 @@
-// Which robot the session is to have: the simulated one, none, one that speaks the classic protocol, or one that
-// speaks FYD Link with a key. Nothing changes before "Reconnect" is pressed, and only while nothing can move.
+// Which robot the session is to have: the simulated one, none, one that speaks the classic protocol, one that
+// speaks FYD Link with a key, or a scene in a robot's place. Nothing changes before "Reconnect" is pressed, and only
+// while nothing can move.
 #pragma once
 
 #include <QComboBox>
@@ -18,7 +19,8 @@ class RobotForm : public QFrame {
 
   /// @param names of the predictors that the simulated robot may have; the first is its usual one
   void setPredictors(const QStringList& names);
-  /// @param robot "simulated[:PREDICTOR]", "none", "classic:HOST:PORT" or "link:HOST:PORT"; @param key_file of "link:"
+  /// @param robot "simulated[:PREDICTOR]", "none", "classic:HOST:PORT", "link:HOST:PORT" or "scene:FILE"; @param
+  /// key_file of "link:"
   void setRobot(const QString& robot, const QString& key_file);
   /// Whether the robot may be changed now.
   void setAllowed(bool allowed);
@@ -29,6 +31,7 @@ class RobotForm : public QFrame {
   [[nodiscard]] QComboBox* predictor() const { return predictor_; }
   [[nodiscard]] QLineEdit* address() const { return address_; }
   [[nodiscard]] QLineEdit* key() const { return key_; }
+  [[nodiscard]] QLineEdit* sceneFile() const { return scene_; }
   [[nodiscard]] QPushButton* reconnectButton() const { return reconnect_; }
   [[nodiscard]] QString hint() const { return hint_->text(); }
 
@@ -37,7 +40,7 @@ class RobotForm : public QFrame {
 
  private:
   void refresh();
-  void chooseKeyFile();
+  void chooseFile(const QString& title, QLineEdit* into);
 
   bool allowed_ = false;
   QComboBox* kind_;
@@ -48,6 +51,9 @@ class RobotForm : public QFrame {
   QLabel* key_label_;
   QLineEdit* key_;
   QToolButton* browse_;
+  QLabel* scene_label_;
+  QLineEdit* scene_;
+  QToolButton* browse_scene_;
   QLabel* hint_;
   QPushButton* reconnect_;
 };
