@@ -23,6 +23,7 @@ std::unique_ptr<QObject> makeReviewTest();
 std::unique_ptr<QObject> makeReviewWorkTest();
 std::unique_ptr<QObject> makeMannersTest();
 std::unique_ptr<QObject> makeJourneyTest();
+std::unique_ptr<QObject> makeSceneDockTest();
 std::unique_ptr<QObject> makeSceneViewTest();
 
 }  // namespace fyd::tests
