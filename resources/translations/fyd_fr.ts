@@ -954,6 +954,14 @@
         <translation>Choisir la raideur du robot ou en régler une à la main.</translation>
     </message>
     <message>
+        <source>Choose the scene file</source>
+        <translation>Choisir le fichier de la scène</translation>
+    </message>
+    <message>
+        <source>Choose the scene file.</source>
+        <translation>Choisir le fichier de la scène.</translation>
+    </message>
+    <message>
         <source>Classic (not secured)</source>
         <translation>Classique (non sécurisé)</translation>
     </message>
@@ -1000,6 +1008,10 @@
     <message>
         <source>Close the recording's panel</source>
         <translation>Fermer le panneau de l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Close the scene's panel</source>
+        <translation>Fermer le panneau de la scène</translation>
     </message>
     <message>
         <source>Close the tuning panel</source>
@@ -2792,6 +2804,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>pas de route vers l'hôte</translation>
     </message>
     <message>
+        <source>No scene stands where the robot stands. Choose a scene file as the robot, in the link's panel, or start with --robot scene:FILE.</source>
+        <translation>Aucune scène à la place du robot. Choisir un fichier de scène comme robot, dans le panneau de la liaison, ou démarrer avec --robot scene:FILE.</translation>
+    </message>
+    <message>
         <source>No scene yet.</source>
         <translation>Pas encore de scène.</translation>
     </message>
@@ -3642,6 +3658,14 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Scene</source>
         <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Scene file</source>
+        <translation>Fichier de la scène</translation>
+    </message>
+    <message>
+        <source>Scene panel</source>
+        <translation>Panneau de la scène</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -4714,6 +4738,10 @@ Pour commencer : %1</translation>
     <message>
         <source>What if</source>
         <translation>Et si</translation>
+    </message>
+    <message>
+        <source>What stands in the robot's place and is touched; "fyd scene keys" shows what it may say.</source>
+        <translation>Ce qui se trouve à la place du robot et que l'on touche ; « fyd scene keys » montre ce qu'il peut dire.</translation>
     </message>
     <message>
         <source>What the cloth is identified from</source>

@@ -954,6 +954,14 @@
         <translation>Scegliere la rigidezza del robot o impostarne una a mano.</translation>
     </message>
     <message>
+        <source>Choose the scene file</source>
+        <translation>Scegli il file della scena</translation>
+    </message>
+    <message>
+        <source>Choose the scene file.</source>
+        <translation>Scegliere il file della scena.</translation>
+    </message>
+    <message>
         <source>Classic (not secured)</source>
         <translation>Classico (non protetto)</translation>
     </message>
@@ -1000,6 +1008,10 @@
     <message>
         <source>Close the recording's panel</source>
         <translation>Chiudi il pannello della registrazione</translation>
+    </message>
+    <message>
+        <source>Close the scene's panel</source>
+        <translation>Chiudi il pannello della scena</translation>
     </message>
     <message>
         <source>Close the tuning panel</source>
@@ -2792,6 +2804,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>nessun percorso verso l'host</translation>
     </message>
     <message>
+        <source>No scene stands where the robot stands. Choose a scene file as the robot, in the link's panel, or start with --robot scene:FILE.</source>
+        <translation>Al posto del robot non c'è nessuna scena. Scegliere un file di scena come robot, nel pannello del collegamento, o avviare con --robot scene:FILE.</translation>
+    </message>
+    <message>
         <source>No scene yet.</source>
         <translation>Ancora nessuna scena.</translation>
     </message>
@@ -3642,6 +3658,14 @@ Premere per leggere perché</translation>
     <message>
         <source>Scene</source>
         <translation>Scena</translation>
+    </message>
+    <message>
+        <source>Scene file</source>
+        <translation>File della scena</translation>
+    </message>
+    <message>
+        <source>Scene panel</source>
+        <translation>Pannello della scena</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -4714,6 +4738,10 @@ Per cominciare: %1</translation>
     <message>
         <source>What if</source>
         <translation>E se</translation>
+    </message>
+    <message>
+        <source>What stands in the robot's place and is touched; "fyd scene keys" shows what it may say.</source>
+        <translation>Ciò che sta al posto del robot e viene toccato; "fyd scene keys" mostra che cosa può dire.</translation>
     </message>
     <message>
         <source>What the cloth is identified from</source>
