@@ -7,7 +7,7 @@ namespace {
 
 using widgets::SceneRole;
 
-constexpr double kFloor_mm = 500.0;  ///< radius of what is shown of a court or a plane, which has no end
+constexpr double kFloor_mm = 150.0;  ///< radius of what is shown of a court or a plane, which has no end
 
 std::vector<widgets::SceneBody> bodiesOf(const sim::SceneFile& file) {
   std::vector<widgets::SceneBody> out;
@@ -96,12 +96,15 @@ void SceneDock::showScene(const std::shared_ptr<sim::SceneStage>& stage) {
   if (!looked_ || stage != stage_) {
     looked_ = true;
     stage_ = stage;
-    view_->setBodies(stage ? bodiesOf(stage->file()) : std::vector<widgets::SceneBody>{});
     view_->setState({});
+    view_->setBodies(stage ? bodiesOf(stage->file()) : std::vector<widgets::SceneBody>{});
     setVisible(stage != nullptr);
   }
   if (!stage || !view_->isVisible()) return;
   const sim::SceneMoment& now = stage->newest();
+  // The view fits the first state that it is shown: swords and ball are there from the second step on.
+  const scene::SceneDescription& described = stage->file().description;
+  if ((described.swords || described.ball) && !(now.time_s > 0.0)) return;
   for (std::size_t i = 0; i < now.shapes_mm.size(); ++i) {
     if (!now.shapes_mm[i].empty()) view_->setShape(i, now.shapes_mm[i]);
   }

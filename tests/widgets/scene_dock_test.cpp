@@ -122,9 +122,15 @@ class SceneDockTest : public QObject {
     ball.ball.position_mm = {0.0, 0.0, 250.0};
     ball.racket_known = true;
     ball.racket.centre_mm = {5.0, 6.0, 7.0};
-    f.session->stage->show({.stepped = true, .swords = swords, .ball = ball});
+    f.session->stage->show({.stepped = true});  // the first step knows no swords yet
     f.window->feed().pump();
-    const widgets::SceneParts& parts = f.window->operate()->scene()->view()->state().parts;
+    const widgets::SceneView* view = f.window->operate()->scene()->view();
+    QVERIFY(view->state().parts.balls.empty());
+    f.session->stage->show({.stepped = true, .time_s = 0.001, .swords = swords, .ball = ball});
+    f.window->feed().pump();
+    // All of 1300 mm is in the picture.
+    QVERIFY(view->camera().mmPerPixel() * view->width() > 1300.0);
+    const widgets::SceneParts& parts = view->state().parts;
     QCOMPARE(parts.sticks.size(), std::size_t{2});
     QCOMPARE(parts.sticks[0].to_mm.x, 901.0);
     QCOMPARE(parts.sticks[0].radius_mm, 7.0);
