@@ -279,7 +279,7 @@ void SceneView::paintEvent(QPaintEvent*) {
     const double foot_px = (narrow ? 1.0 : 0.6) * inner.width();
     const QString foot = QFontMetricsF(painter.font(), this).elidedText(foot_, Qt::ElideRight, foot_px);
     paintSceneWords(painter, inner, Qt::AlignRight | Qt::AlignBottom, foot, theme().muted);
-    if (hint_) {
+    if (hint_ && !narrow) {
       paintSceneWords(painter, inner.adjusted(0, 0, 0, -3.0 * kGrid), Qt::AlignRight | Qt::AlignBottom,
                       tr("Drag: turn · Shift: move · wheel: zoom"), theme().muted);
     }
