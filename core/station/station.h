@@ -41,9 +41,9 @@ struct StationOptions {
   std::string motors;      ///< "qbmove:TTY" in place of the touchpad's own motors; empty: its own
   std::string camera;      ///< device index, file, folder, URL, "recording:FILE"; empty: the touchpad's own
   std::string robot;       ///< "simulated[:PREDICTOR]", "scene:FILE", "none", "link:HOST:PORT" or "classic:HOST:PORT"
-                      ///< (listens there); empty: the profile's
-  std::string key_file;  ///< of FYD Link; "link:" needs one, the others take none
-  std::string surface;   ///< file of a stored surface, felt while robot is "none"; empty: none
+                           ///< (listens there); empty: the profile's
+  std::string key_file;    ///< of FYD Link; "link:" needs one, the others take none
+  std::string surface;     ///< file of a stored surface, felt while robot is "none"; empty: none
   std::optional<session::RecordingRequest> record;  ///< recorded from the first step on
 };
 

@@ -6725,7 +6725,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z) and face (a list vertex_indices) with the types of their properties</source>
-        <translation>en-tête ply, ligne {} &quot;{}&quot; : attendu format 1.0, puis les éléments vertex (x, y, z) et face (une list vertex_indices) avec les types de leurs propriétés</translation>
+        <translation>en-tête ply, ligne {} "{}" : attendu format 1.0, puis les éléments vertex (x, y, z) et face (une list vertex_indices) avec les types de leurs propriétés</translation>
     </message>
     <message>
         <source>png: the picture could not be made</source>
@@ -7437,7 +7437,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the ply header does not end</source>
-        <translation>l&apos;en-tête ply ne finit pas</translation>
+        <translation>l'en-tête ply ne finit pas</translation>
     </message>
     <message>
         <source>the points do not tell the unknowns apart (condition number {:.3g})</source>

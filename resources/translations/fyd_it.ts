@@ -6725,7 +6725,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z) and face (a list vertex_indices) with the types of their properties</source>
-        <translation>intestazione ply, riga {} &quot;{}&quot;: atteso format 1.0, poi gli elementi vertex (x, y, z) e face (una list vertex_indices) con i tipi delle loro proprietà</translation>
+        <translation>intestazione ply, riga {} "{}": atteso format 1.0, poi gli elementi vertex (x, y, z) e face (una list vertex_indices) con i tipi delle loro proprietà</translation>
     </message>
     <message>
         <source>png: the picture could not be made</source>
@@ -7437,7 +7437,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>the ply header does not end</source>
-        <translation>l&apos;intestazione ply non finisce</translation>
+        <translation>l'intestazione ply non finisce</translation>
     </message>
     <message>
         <source>the points do not tell the unknowns apart (condition number {:.3g})</source>
