@@ -265,7 +265,8 @@ TEST(Station, WrongOptionsAreClearErrors) {
     return station ? std::string("no error") : station.error().text();
   };
   EXPECT_THAT(problem([](auto& o) { o.robot = "robby"; }),
-              testing::HasSubstr("robot 'robby': expected simulated, none"));
+              testing::HasSubstr("robot 'robby': expected simulated, scene:FILE, none"));
+  EXPECT_THAT(problem([](auto& o) { o.robot = "scene:nowhere.toml"; }), testing::HasSubstr("nowhere.toml"));
   EXPECT_THAT(problem([](auto& o) { o.robot = "simulated:oracle"; }),
               testing::HasSubstr("predictor \"oracle\": expected one of thesis, order0"));
   EXPECT_THAT(problem([](auto& o) { o.robot = "classic:3490"; }), testing::HasSubstr("3490"));
