@@ -52,8 +52,7 @@ nlohmann::ordered_json jsonOf(const scene::ContactChoiceReport& choice) {
 nlohmann::ordered_json jsonOf(const scene::SoftChoiceReport& choice) {
   nlohmann::ordered_json json = {{"accuracy_met", choice.met}, {"depth_mm", choice.depth_mm}};
   for (const scene::SoftTrial& trial : choice.trials) {
-    json[fmt::format("border_{}_error_percent", trial.border)] = 100.0 * trial.mean_error;
-    json[fmt::format("border_{}_awake", trial.border)] = trial.awake;
+    json[fmt::format("{}_points_error_percent", trial.most_points)] = 100.0 * trial.mean_error;
   }
   return json;
 }
@@ -64,7 +63,7 @@ void explain(const ExplainOptions& options) {
   const std::vector<sim::BodyChoice> choices = valueOrFail(sim::chooseModels(file));
   scene::Scene scene = valueOrFail(sim::buildScene(file, choices));
   nlohmann::ordered_json json = {
-      {"scene", file.description.settings.name.empty() ? options.scene : file.description.settings.name},
+      {"scene", file.description.settings.name},
       {"built_in_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
       {"memory_bytes", scene.bytes()},
       {"bodies", nlohmann::ordered_json::array()}};
@@ -81,7 +80,8 @@ void explain(const ExplainOptions& options) {
     } else {
       to["contact"] = "soft";
       to["finger_mm"] = scene.soft(i)->finger_mm();
-      to["border"] = choices[i].model.resolution.border;
+      const std::size_t most = choices[i].model.resolution.most_points;
+      to["most_points_awake"] = std::min(most, scene.mesh(i).vertices().size());
     }
     to["stiffness_N_per_mm"] = body.stiffness_N_per_mm;
     to["memory_bytes"] = scene.bytes(i);

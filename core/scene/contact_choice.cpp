@@ -144,7 +144,8 @@ ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surfa
         static_cast<void>(contact.touch(before, {}, tree.nearest(before)));
       }
       const Contact touch = contact.touch(place.probe_mm, {}, tree.nearest(place.probe_mm));
-      through += touch.touching && dot(touch.force_N, place.normal) < 0.0 ? 1 : 0;
+      // Beside an edge the nearest surface may be the next face's: that pushes out sideways, not through.
+      through += !touch.touching || dot(touch.force_N, place.normal) < 0.0 ? 1 : 0;
       if (!reference[i].touching || dot(reference[i].force_N, place.normal) < 0.0) continue;
       sum += std::min(1.0, length(touch.force_N - reference[i].force_N) / length(reference[i].force_N));
       ++judged;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/portable_math.h"
+#include "core/scene/vertex_fans.h"
 
 namespace fyd::scene {
 namespace {
@@ -77,27 +78,17 @@ std::optional<Shape> fitShape(const Vec3& middle, const std::vector<Vec3>& aroun
 struct FittedSurface::Fitter {
   FittedSurface& surface;
   const Mesh& mesh;
-  std::vector<Vec3> normals;              // of the triangles
-  std::vector<std::uint32_t> begin, fan;  // for each vertex, its triangles: fan[begin[v]] … fan[begin[v + 1] − 1]
+  std::vector<Vec3> normals;  // of the triangles
+  VertexFans fans;
   std::vector<std::uint32_t> triangle_seen, vertex_seen;
   std::uint32_t now = 0;
   std::vector<std::uint32_t> reached;
   std::vector<Vec3> around;
 
-  explicit Fitter(FittedSurface& s, const Mesh& m) : surface(s), mesh(m) {
+  explicit Fitter(FittedSurface& s, const Mesh& m) : surface(s), mesh(m), fans(m) {
     const auto triangles = mesh.triangles();
     normals.reserve(triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t) normals.push_back(mesh.triangleNormal(t));
-    begin.assign(mesh.vertices().size() + 1, 0);
-    for (const Triangle& t : triangles) {
-      for (const std::uint32_t v : t) ++begin[v + 1];
-    }
-    for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    fan.resize(3 * triangles.size());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      for (const std::uint32_t v : triangles[t]) fan[next[v]++] = t;
-    }
     triangle_seen.assign(triangles.size(), 0);
     vertex_seen.assign(mesh.vertices().size(), 0);
   }
@@ -107,11 +98,11 @@ struct FittedSurface::Fitter {
   }
 
   void fitAll() {
-    for (std::uint32_t v = 0; v + 1 < begin.size(); ++v) {
-      for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
-        const Triangle& corners = mesh.triangles()[fan[i]];
+    for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) {
+      for (const std::uint32_t t : fans[v]) {
+        const Triangle& corners = mesh.triangles()[t];
         const auto at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
-        if (surface.triangles_[fan[i]][at] == kNoTriangle) fitSide(v, fan[i]);
+        if (surface.triangles_[t][at] == kNoTriangle) fitSide(v, t);
       }
     }
   }

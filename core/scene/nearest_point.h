@@ -6,10 +6,10 @@
 // point q of the mesh is nearer exactly when it lies in the ball around the probe that touches T in f:
 // |q − f|² < 2 d n·(q − f). Within T, n is T's normal. So for each triangle and each of its sides the smallest
 // |q − f|² / (2 n·(q − f)) over all f in T and all q in triangles without a vertex of T is found once: the radius up to
-// which a ball that touches T from that side holds none of them. A probe whose foot lies within T, nearer than this
-// radius, and to which T is the nearest among the triangles that share a vertex with it, has its nearest point there.
-// If f lies on an edge, n is between the normals of both triangles: the radius is the smaller one of the two, times the
-// cosine of half their angle, and the triangles with a vertex of either are looked at.
+// which a ball that touches T from that side holds none of them. Of those with a vertex of T it is known how far from
+// their edge or corner, by its radius, a ball must touch T to hold none; where it touches nearer, they are looked at.
+// A foot on an edge counts for both triangles, and n is between their normals: both must say so of a ball that is
+// larger by the cosine of half their angle. A foot on a corner asks the tree.
 //
 // The answer is that of TriangleTree::nearest, whatever the history; forgetting (reset) costs time only.
 #pragma once

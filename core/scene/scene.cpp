@@ -71,8 +71,7 @@ Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<c
                       Surface{.stiffness_N_per_mm = from.stiffness_N_per_mm,
                               .damping_Ns_per_mm = from.damping_Ns_per_mm,
                               .static_friction = from.static_friction,
-                              .kinetic_friction = from.kinetic_friction,
-                              .texture = from.texture},
+                              .kinetic_friction = from.kinetic_friction},
                       ContactSettings{.model = model.contact, .radius_mm = from.radius_mm, .reach_mm = from.depth_mm});
   // Within a body, or as deep under an open mesh as it acts, or as far away as the finger is thick.
   const double reach_mm = around_mm + contact.settings().reach_mm + contact.settings().radius_mm;

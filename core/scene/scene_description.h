@@ -31,7 +31,7 @@ struct SceneSettings {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.text("scene.name", name, {.help = "For people."});
+    v.text("scene.name", name, {.help = "For people; the file's when left out."});
     v.text("scene.accuracy", accuracy,
            {.help = "How far a force may be off, such as \"1%\": of bodies that name no contact model, the cheapest "
                     "that meets it on their mesh is taken."});

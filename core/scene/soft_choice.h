@@ -1,17 +1,15 @@
-// How much of a soft body must be awake for an accuracy, found by pressing it.
+// How many points of a soft body must be awake for an accuracy, found by pressing it.
 #pragma once
 
 #include <array>
 
-#include "core/scene/scene_description.h"
 #include "core/scene/soft_body.h"
 
 namespace fyd::scene {
 
 struct SoftTrial {
-  double border = 0.0;      ///< as of SoftResolution
-  double mean_error = 0.0;  ///< of the force, as a share of that with all points awake
-  double awake = 0.0;       ///< points, mean of the presses
+  std::size_t most_points = 0;  ///< as of SoftResolution: a sixteenth to the whole of what a press wakes
+  double mean_error = 0.0;      ///< of the force, as a share of the largest, against a press without that limit
 };
 
 struct SoftChoiceReport {

@@ -1,7 +1,5 @@
-// What a body's surface is made of: how it pushes back, rubs and vibrates.
+// What a body's surface is made of: how it pushes back and rubs.
 #pragma once
-
-#include <string>
 
 namespace fyd::scene {
 
@@ -10,7 +8,6 @@ struct Surface {
   double damping_Ns_per_mm = 0.0;   ///< against motion along the normal while touching; ≥ 0
   double static_friction = 0.0;     ///< of the normal force, before it slides; ≥ 0; of the proxy only
   double kinetic_friction = 0.0;    ///< of the normal force, while it slides; 0 … static_friction
-  std::string texture;              ///< name of a stored texture; empty: none
 };
 
 }  // namespace fyd::scene

@@ -33,11 +33,11 @@ Result<device::RobotReadings> SceneArm::exchange(const Vec3& target_mm, Instant 
   Vec3 acceleration_g;
   if (!last_ || now > *last_) {
     const double dt_s = last_ ? toSeconds(now - *last_) : 0.0;
-    before_mm_ = last_ ? at_mm_ : target_mm;
+    const Vec3 way_mm = target_mm - at_mm_;
     at_mm_ = target_mm;
     last_ = now;
     touch_ = scene_.step(target_mm, toSeconds(now.time_since_epoch()));
-    acceleration_g = shaken(dt_s);
+    acceleration_g = shaken(way_mm, dt_s);
     if (!shown_ || now - *shown_ >= kShown) {
       shown_ = now;
       show();
@@ -51,10 +51,9 @@ Result<device::RobotReadings> SceneArm::exchange(const Vec3& target_mm, Instant 
                                .stiffness_N_per_mm = touch_.stiffness_N_per_mm};
 }
 
-Vec3 SceneArm::shaken(double dt_s) {
+Vec3 SceneArm::shaken(const Vec3& way_mm, double dt_s) {
   if (!touch_.touching || touch_.body == scene::kNoBody || !textures_[touch_.body] || !(dt_s > 0.0)) return {};
-  const Vec3 way = at_mm_ - before_mm_;
-  const Vec3 along = way - scene::dot(way, touch_.normal) * touch_.normal;
+  const Vec3 along = way_mm - scene::dot(way_mm, touch_.normal) * touch_.normal;
   return textures_[touch_.body]->step(scene::length(along) / dt_s, scene::length(touch_.force_N)) * touch_.normal;
 }
 

@@ -32,14 +32,14 @@ class SceneArm final : public device::Robot {
 
  private:
   SceneArm(std::shared_ptr<SceneStage> stage, scene::Scene scene, double rate_Hz);
-  [[nodiscard]] Vec3 shaken(double dt_s);
+  [[nodiscard]] Vec3 shaken(const Vec3& way_mm, double dt_s);
   void show();
 
   std::shared_ptr<SceneStage> stage_;
   scene::Scene scene_;
   std::vector<std::optional<texture::VirtualTexture>> textures_;
   scene::SceneTouch touch_;
-  Vec3 at_mm_, before_mm_;
+  Vec3 at_mm_;
   std::optional<Instant> last_;
   std::optional<Instant> shown_;
   SceneMoment moment_;

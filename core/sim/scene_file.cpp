@@ -53,6 +53,8 @@ Result<SceneFile> openScene(const std::string& path) {
   auto description = scene::parseScene(*text, path);
   if (!description) return tl::unexpected(description.error());
   SceneFile out{.description = std::move(*description), .meshes = {}, .textures = {}};
+  std::string& name = out.description.settings.name;
+  if (name.empty()) name = std::filesystem::path(path).filename().string();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::map<std::pair<std::string, scene::LengthUnit>, std::shared_ptr<const scene::SearchedMesh>> known;
   const auto walks = [&](const scene::BodyDescription& of) {
@@ -96,7 +98,7 @@ Result<std::vector<BodyChoice>> chooseModels(const SceneFile& file) {
       to.model.resolution = chosen->chosen;
       to.soft = std::move(*chosen);
     } else if (file.description.accuracy) {
-      to.contact = chooseContact(tree, {.stiffness_N_per_mm = body.stiffness_N_per_mm, .texture = {}},
+      to.contact = chooseContact(tree, {.stiffness_N_per_mm = body.stiffness_N_per_mm},
                                  {.radius_mm = body.radius_mm, .reach_mm = body.depth_mm}, *file.description.accuracy);
       to.model.contact = to.contact->chosen;
     }

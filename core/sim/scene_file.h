@@ -27,7 +27,8 @@ struct SceneFile {
 /// @return an error that names the file, and the line or the mesh
 [[nodiscard]] Result<SceneFile> openScene(const std::string& path);
 
-/// What the description leaves open: as measured for the scene's accuracy, or vicinity and a hundredth without one.
+/// What the description leaves open: as measured for the scene's accuracy, or vicinity and as many points as a press
+/// wakes without one.
 struct BodyChoice {
   scene::BodyModel model;
   std::optional<scene::ContactChoiceReport> contact;  ///< of a rigid body, where it was chosen

@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const WalkableMesh walkable(tree);
   for (const ContactModel model :
        {ContactModel::nodes, ContactModel::facet, ContactModel::vicinity, ContactModel::proxy}) {
-    BodyContact contact(tree, {.stiffness_N_per_mm = 0.5, .texture = {}}, {.model = model});
+    BodyContact contact(tree, {.stiffness_N_per_mm = 0.5}, {.model = model});
     NearestPoint nearest(walkable);
     const Vec3 low = mesh->report().lowest_mm, high = mesh->report().highest_mm;
     for (int i = 0; i <= 8; ++i) {

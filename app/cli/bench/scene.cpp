@@ -6,7 +6,7 @@
 #include <embree3/rtcore.h>
 
 #include "app/cli/bench/bench_options.h"
-#include "app/cli/bench/bumpy_plane.h"
+#include "app/cli/bench/scene_bumpy_plane.h"
 #include "app/cli/bench/table.h"
 #include "app/cli/command.h"
 #include "app/cli/probe_path.h"

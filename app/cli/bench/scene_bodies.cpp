@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/cli/bench/bumpy_plane.h"
+#include "app/cli/bench/scene_bumpy_plane.h"
 #include "app/cli/bench/table.h"
 #include "core/scene/scene.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/cli/bench/bumpy_plane.h"
+#include "app/cli/bench/scene_bumpy_plane.h"
 #include "core/scene/vector.h"
 
 namespace fyd::bench {

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "app/cli/bench/bench_options.h"
-#include "app/cli/bench/bumpy_plane.h"
 #include "app/cli/bench/cost_picture.h"
+#include "app/cli/bench/scene_bumpy_plane.h"
 #include "app/cli/bench/table.h"
 #include "core/scene/contact.h"
 #include "core/scene/nearest_point.h"

@@ -19,7 +19,7 @@ struct Errors {
 
 /// A probe about 1 mm deep at 110 mm/s, a step of 1 ms.
 Errors alongTheBumps(unsigned cells, ContactModel model, int steps, double pace_s = 1e-3) {
-  TouchedBody body(shapes::bumps(cells), model, 0.0, {1.0, 0.0, 0.0, 0.0, ""});
+  TouchedBody body(shapes::bumps(cells), model, 0.0, {1.0, 0.0, 0.0, 0.0});
   static_cast<void>(body.at({0.0, 40.0 * std::sin(1.0), 10.0}));
   Errors e;
   double analytic_step = 0.0;
@@ -69,7 +69,7 @@ TEST(ContactTruth, AFacetIsWorseThanTheVicinityAndNodesAreWorst) {
 }
 
 TEST(ContactTruth, VicinityOnASphereOf10000Triangles) {
-  TouchedBody body(shapes::sphere(20.0, 71), ContactModel::vicinity, 0.0, {1.0, 0.0, 0.0, 0.0, ""});
+  TouchedBody body(shapes::sphere(20.0, 71), ContactModel::vicinity, 0.0, {1.0, 0.0, 0.0, 0.0});
   double mean = 0.0, most = 0.0;
   for (int i = 0; i < 20000; ++i) {
     const double up = 2.0 * (i + 0.5) / 20000.0 - 1.0, around = 2.399963 * i, across = std::sqrt(1.0 - up * up);
@@ -84,7 +84,7 @@ TEST(ContactTruth, VicinityOnASphereOf10000Triangles) {
 
 TEST(ContactTruth, ACubeIsTouchedWithItsFacesAlsoNearItsEdges) {
   for (const ContactModel model : {ContactModel::facet, ContactModel::vicinity}) {
-    TouchedBody body(shapes::box(10.0, 10.0, 10.0), model, 0.0, {1.0, 0.0, 0.0, 0.0, ""});
+    TouchedBody body(shapes::box(10.0, 10.0, 10.0), model, 0.0, {1.0, 0.0, 0.0, 0.0});
     for (double x = -9.95; x < 10.0; x += 0.3111) {
       for (double z = 5.1; z < 10.0; z += 0.17) {
         const Contact c = body.at({x, 0.7, z});
@@ -106,7 +106,7 @@ TEST(ContactTruth, ACubeIsTouchedWithItsFacesAlsoNearItsEdges) {
 TEST(ContactTruth, OverAConcaveEdgeTheWayOutLeadsToIt) {
   for (const ContactModel model : {ContactModel::facet, ContactModel::vicinity}) {
     TouchedBody body(shapes::heights(20.0, 8, [](double x, double) { return std::abs(x); }), model, 0.0,
-                     {1.0, 0.0, 0.0, 0.0, ""});
+                     {1.0, 0.0, 0.0, 0.0});
     for (double x = -0.9; x < 0.95; x += 0.1) {
       const Contact c = body.at({x, 1.3, -1.0});  // the edge is nearest as long as |x| < 1
       ASSERT_TRUE(c.touching) << x;
@@ -126,7 +126,7 @@ TEST(ContactTruth, AFanOf100000TrianglesIsFittedAtOnceAndIsFlat) {
     soup.vertices.push_back({10.0 * std::cos(a), 10.0 * std::sin(a), 0.0});
     soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % kMany});
   }
-  TouchedBody body(std::move(soup), ContactModel::vicinity, 0.0, {1.0, 0.0, 0.0, 0.0, ""});  // in 10¹⁰ steps, if badly
+  TouchedBody body(std::move(soup), ContactModel::vicinity, 0.0, {1.0, 0.0, 0.0, 0.0});  // in 10¹⁰ steps, if badly
   for (const Vec3 probe : {Vec3{0, 0, -1}, {3, 2, -1}, {-8, 1, -0.5}}) {
     EXPECT_NEAR(length(body.at(probe).force_N - Vec3{0, 0, -probe.z}), 0.0, 1e-6);
   }
@@ -151,7 +151,7 @@ double work(Body& body, Way way, int steps) {
 /// Loops through the surface at many places and phases. @return the most work given, by ½ k d² with d the loop's depth
 double mostWork(ContactModel model, unsigned cells, double damping) {
   double most = -1e9;
-  TouchedBody body(shapes::bumps(cells), model, 0.0, {1.0, damping, 0.0, 0.0, ""});
+  TouchedBody body(shapes::bumps(cells), model, 0.0, {1.0, damping, 0.0, 0.0});
   for (int place = 0; place < 24; ++place) {
     const double x0 = -30.0 + 2.6 * place, y0 = 25.0 - 2.1 * place;
     for (const double turn : {1.0, -1.0}) {
@@ -179,7 +179,7 @@ TEST(ContactEnergy, ClosedWaysGiveNoWorkBeyondWhatTheFitIsOffByItself) {
 }
 
 TEST(ContactEnergy, FrictionAndTheRimGiveNoWork) {
-  TouchedBody rubbed(shapes::plane(20.0, 10), ContactModel::proxy, 0.5, {1.0, 0.0, 0.6, 0.4, ""});
+  TouchedBody rubbed(shapes::plane(20.0, 10), ContactModel::proxy, 0.5, {1.0, 0.0, 0.6, 0.4});
   const auto loop = [](int i) {
     const double a = 2.0 * std::numbers::pi * i / 1000.0;
     return Vec3{3.0 * std::cos(a), 2.0 * std::sin(2.0 * a), 1.0 + 2.0 * std::cos(a)};
@@ -187,7 +187,7 @@ TEST(ContactEnergy, FrictionAndTheRimGiveNoWork) {
   EXPECT_LT(work(rubbed, loop, 5000), 0.0);
   for (const ContactModel model : {ContactModel::facet, ContactModel::vicinity}) {
     // Around the rim, by which a probe gets below the sheet: in over the sheet and out beside it, and the other way.
-    TouchedBody sheet(shapes::plane(10.0, 6), model, 0.0, {1.0, 0.0, 0.0, 0.0, ""});
+    TouchedBody sheet(shapes::plane(10.0, 6), model, 0.0, {1.0, 0.0, 0.0, 0.0});
     for (const double turn : {1.0, -1.0}) {
       const auto around = [&](int i) {
         const double a = 2.0 * std::numbers::pi * turn * i / 20000.0;
@@ -201,8 +201,8 @@ TEST(ContactEnergy, FrictionAndTheRimGiveNoWork) {
 TEST(ContactEnergy, TheForceDependsOnThePlaceNotOnThePace) {
   // The same way in steps between 0.2 and 5 ms: at the places they share, the same force.
   for (const ContactModel model : {ContactModel::facet, ContactModel::vicinity, ContactModel::proxy}) {
-    TouchedBody even(shapes::bumps(71), model, 0.0, {1.0, 0.0, 0.0, 0.0, ""});
-    TouchedBody uneven(shapes::bumps(71), model, 0.0, {1.0, 0.0, 0.0, 0.0, ""});
+    TouchedBody even(shapes::bumps(71), model, 0.0, {1.0, 0.0, 0.0, 0.0});
+    TouchedBody uneven(shapes::bumps(71), model, 0.0, {1.0, 0.0, 0.0, 0.0});
     const auto way = [](double t_s) {
       const double x = 30.0 * std::sin(1.1 * t_s), y = 20.0 * std::sin(1.7 * t_s);
       return Vec3{x, y, Bumps::height(x, y) - 0.7};

@@ -8,9 +8,14 @@
 #include <random>
 
 #include "core/scene/vector.h"
+#include "tests/unit/scene/shapes.h"
 
 namespace fyd::scene {
 namespace {
+
+using shapes::bumps;
+using shapes::heights;
+using shapes::scaled;
 
 /// Independent of nearestOf: a point within a triangle by its plane and three half-planes, else the nearest of three
 /// segments.
@@ -35,40 +40,10 @@ double distanceTo(const Vec3& p, const Mesh& mesh) {
   return least;
 }
 
-TriangleSoup grid(int n, double size_mm, double (*height)(double, double)) {
-  TriangleSoup soup;
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j <= n; ++j) {
-      const double x = size_mm * (double(i) / n - 0.5), y = size_mm * (double(j) / n - 0.5);
-      soup.vertices.push_back({x, y, height(x, y)});
-    }
-  }
-  const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(i * (n + 1) + j); };
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      soup.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return soup;
-}
-
-TriangleSoup bumps(int n) {
-  return grid(n, 100.0, [](double x, double y) {
-    const double k = 2.0 * std::numbers::pi / 20.0;
-    return 2.0 * std::sin(k * x) * std::sin(k * y);
-  });
-}
-
-TriangleSoup scaled(TriangleSoup soup, double by) {
-  for (Vec3& v : soup.vertices) v = by * v;
-  return soup;
-}
-
 /// Two sheets, 0.05 mm apart, and a wall between them with a fold.
 TriangleSoup thinWalls() {
-  TriangleSoup a = grid(30, 20.0, [](double x, double y) { return 0.3 * x + 0.1 * std::abs(y); });
-  const TriangleSoup b = grid(17, 20.0, [](double x, double y) { return 0.3 * x + 0.1 * std::abs(y) + 0.05; });
+  TriangleSoup a = heights(10.0, 30, [](double x, double y) { return 0.3 * x + 0.1 * std::abs(y); });
+  const TriangleSoup b = heights(10.0, 17, [](double x, double y) { return 0.3 * x + 0.1 * std::abs(y) + 0.05; });
   const auto more = static_cast<std::uint32_t>(a.vertices.size());
   a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
   for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + more, t[2] + more, t[1] + more});

@@ -187,7 +187,7 @@ TEST(Proxy, ATeleportFromFarAwayStopsAtTheFirstWall) {
 }
 
 TEST(Proxy, ItComesOutTheSameFromASavedState) {
-  TouchedBody body(shapes::bumps(40), ContactModel::proxy, 1.0, {0.5, 0.001, 0.4, 0.3, ""});
+  TouchedBody body(shapes::bumps(40), ContactModel::proxy, 1.0, {0.5, 0.001, 0.4, 0.3});
   const auto probe = [](int i) {
     const double x = 20.0 * std::sin(i * 0.01), y = 3.0 + 15.0 * std::sin(i * 0.013);
     return Vec3{x, y, shapes::Bumps::height(x, y) - 1.0 + 2.0 * std::sin(i * 0.05)};

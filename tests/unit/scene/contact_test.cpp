@@ -15,7 +15,7 @@ INSTANTIATE_TEST_SUITE_P(Contact, EachModel, testing::ValuesIn(kAll), [](const a
 });
 
 TEST_P(EachModel, ForceIsStiffnessTimesDepthOutOfAPlane) {
-  TouchedBody body(shapes::plane(20.0, 60), GetParam(), 0.0, {0.5, 0.0, 0.0, 0.0, ""});
+  TouchedBody body(shapes::plane(20.0, 60), GetParam(), 0.0, {0.5, 0.0, 0.0, 0.0});
   static_cast<void>(body.at({0.31, 0.2, 2.0}));
   double mean = 0.0;
   for (int i = 0; i < 100; ++i) {
@@ -49,7 +49,7 @@ TEST_P(EachModel, OutsideAndWithNoNumberNothingIsTouched) {
 
 TEST_P(EachModel, DampingActsAlongTheNormalAndNeverPulls) {
   const auto force = [](double damping, const Vec3& velocity) {
-    TouchedBody body(shapes::plane(20.0, 60), GetParam(), 0.0, {0.5, damping, 0.0, 0.0, ""});
+    TouchedBody body(shapes::plane(20.0, 60), GetParam(), 0.0, {0.5, damping, 0.0, 0.0});
     static_cast<void>(body.at({0.3, 0.2, 1.0}));
     return body.at({0.3, 0.2, -1.0}, velocity).force_N;
   };
@@ -58,7 +58,7 @@ TEST_P(EachModel, DampingActsAlongTheNormalAndNeverPulls) {
   EXPECT_NEAR(force(0.002, {0, 0, -100}).z - still.z, 0.2, 1e-6);
   EXPECT_NEAR(force(0.002, {0, 0, 100}).z - still.z, -0.2, 1e-6);
   EXPECT_NEAR(length(force(0.002, {0, 0, 1e6})), 0.0, 1e-12);  // not below zero
-  TouchedBody body(shapes::plane(20.0, 60), GetParam(), 0.0, {0.5, 1.0, 0.0, 0.0, ""});
+  TouchedBody body(shapes::plane(20.0, 60), GetParam(), 0.0, {0.5, 1.0, 0.0, 0.0});
   EXPECT_EQ(body.at({0, 0, 1}, {0, 0, -1000}).force_N, Vec3{});
 }
 
@@ -80,14 +80,14 @@ TEST_P(EachModel, TheSameInAnySizeAndAnyUnit) {
 
 TEST_P(EachModel, AnyStiffnessGivesItsOwnForce) {
   for (const double stiffness : {1e-6, 1e-3, 1.0, 1e4}) {
-    TouchedBody body(shapes::plane(20.0, 60), GetParam(), 0.0, {stiffness, 0.0, 0.0, 0.0, ""});
+    TouchedBody body(shapes::plane(20.0, 60), GetParam(), 0.0, {stiffness, 0.0, 0.0, 0.0});
     static_cast<void>(body.at({0.3, 0.2, 1}));
     EXPECT_NEAR(body.at({0.3, 0.2, -0.5}).force_N.z / stiffness, 0.5, GetParam() == ContactModel::nodes ? 0.05 : 1e-5);
   }
 }
 
 TEST_P(EachModel, AMillionStepsAtRestDoNotDrift) {
-  TouchedBody body(shapes::bumps(30), GetParam(), 0.0, {0.5, 0.0, 0.5, 0.3, ""});
+  TouchedBody body(shapes::bumps(30), GetParam(), 0.0, {0.5, 0.0, 0.5, 0.3});
   const Vec3 probe = {3.1, 4.2, shapes::Bumps::height(3.1, 4.2) - 1.0};
   const Nearest nearest = body.tree.nearest(probe);
   static_cast<void>(body.at(probe + Vec3{0, 0, 9}));
@@ -161,7 +161,7 @@ TEST_P(EachModel, CoincidentAndNeedleTrianglesGiveNoNonsense) {
 
 TEST(ContactRim, TheForceEndsWithoutAStepBesideTheRim) {
   for (const ContactModel model : {ContactModel::facet, ContactModel::vicinity}) {
-    TouchedBody body(shapes::plane(10.0, 8), model, 0.0, {1.0, 0.0, 0.0, 0.0, ""});
+    TouchedBody body(shapes::plane(10.0, 8), model, 0.0, {1.0, 0.0, 0.0, 0.0});
     Vec3 last = body.at({9.0, 0.4, -1.0}).force_N;
     EXPECT_NEAR(length(last - Vec3{0, 0, 1}), 0.0, 1e-6);
     for (double x = 9.0; x < 12.0; x += 0.001) {

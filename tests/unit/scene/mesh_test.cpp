@@ -2,16 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/scene/shapes.h"
+
 namespace fyd::scene {
 namespace {
 
-TriangleSoup cube() {
-  TriangleSoup soup;
-  for (int i = 0; i < 8; ++i) soup.vertices.push_back({double(i & 1), double((i >> 1) & 1), double((i >> 2) & 1)});
-  soup.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return soup;
-}
+TriangleSoup cube() { return shapes::scaled(shapes::box(0.5, 0.5, 0.5), 1.0, {0.5, 0.5, 0.5}); }
 
 TEST(Mesh, ACubeIsClosedAndOfOneCubicMillimetre) {
   const auto mesh = Mesh::build(cube());

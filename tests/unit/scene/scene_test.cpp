@@ -7,18 +7,14 @@
 #include <random>
 
 #include "core/scene/vector.h"
+#include "tests/unit/scene/shapes.h"
 
 namespace fyd::scene {
 namespace {
 
-std::shared_ptr<const SearchedMesh> cube(double size_mm = 10.0) {
-  TriangleSoup soup;
-  for (int i = 0; i < 8; ++i) {
-    soup.vertices.push_back({size_mm * (i & 1), size_mm * ((i >> 1) & 1), size_mm * ((i >> 2) & 1)});
-  }
-  soup.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return std::make_shared<const SearchedMesh>(*Mesh::build(soup));
+std::shared_ptr<const SearchedMesh> cube() {  // from the origin to 10 mm
+  return std::make_shared<const SearchedMesh>(
+      shapes::built(shapes::scaled(shapes::box(5.0, 5.0, 5.0), 1.0, {5.0, 5.0, 5.0})));
 }
 
 void set(ParameterList& list, Vec3 v) {
