@@ -58,10 +58,10 @@ nlohmann::ordered_json jsonOf(const scene::SoftChoiceReport& choice) {
 }
 
 void explain(const ExplainOptions& options) {
-  const sim::SceneFile file = valueOrFail(sim::openScene(options.scene));
+  const scene::LoadedScene file = valueOrFail(sim::openScene(options.scene));
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<sim::BodyChoice> choices = valueOrFail(sim::chooseModels(file));
-  scene::Scene scene = valueOrFail(sim::buildScene(file, choices));
+  const std::vector<scene::BodyChoice> choices = valueOrFail(scene::chooseModels(file));
+  scene::Scene scene = valueOrFail(buildScene(file, modelsOf(choices)));
   nlohmann::ordered_json json = {
       {"scene", file.description.settings.name},
       {"built_in_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},

@@ -67,9 +67,9 @@ nlohmann::ordered_json summaryOf(const std::vector<Row>& rows, std::vector<doubl
 }
 
 void run(const RunOptions& options) {
-  const sim::SceneFile file = valueOrFail(sim::openScene(options.scene));
+  const scene::LoadedScene file = valueOrFail(sim::openScene(options.scene));
   const ProbePath path = readProbePath(options.path);
-  scene::Scene scene = valueOrFail(sim::buildScene(file, valueOrFail(sim::chooseModels(file))));
+  scene::Scene scene = valueOrFail(buildScene(file, modelsOf(valueOrFail(chooseModels(file)))));
   std::vector<Row> rows;
   std::vector<double> ns;
   rows.reserve(path.time_s.size());

@@ -1,6 +1,6 @@
 #include "app/console/scene_dock.h"
 
-#include "core/sim/scene_stage.h"
+#include "core/scene/scene_stage.h"
 
 namespace fyd::console {
 namespace {
@@ -9,7 +9,7 @@ using widgets::SceneRole;
 
 constexpr double kFloor_mm = 150.0;  ///< radius of what is shown of a court or a plane, which has no end
 
-std::vector<widgets::SceneBody> bodiesOf(const sim::SceneFile& file) {
+std::vector<widgets::SceneBody> bodiesOf(const scene::LoadedScene& file) {
   std::vector<widgets::SceneBody> out;
   for (std::size_t i = 0; i < file.meshes.size(); ++i) {
     const scene::BodyDescription& body = file.description.bodies[i];
@@ -38,8 +38,8 @@ void addDisc(std::vector<widgets::SceneDisc>& to, const Vec3& centre_mm, const V
   disc.role = role;
 }
 
-widgets::SceneParts partsOf(const sim::SceneStage& stage, const sim::SceneMoment& now) {
-  const scene::SceneDescription& described = stage.file().description;
+widgets::SceneParts partsOf(const scene::SceneStage& stage, const scene::SceneMoment& now) {
+  const scene::SceneDescription& described = stage.scene().description;
   widgets::SceneParts out;
   for (const scene::Placement& body : stage.placements()) out.placements.push_back(placementAt(body, now.time_s));
   if (now.swords && now.swords->known) {
@@ -70,7 +70,7 @@ widgets::SceneParts partsOf(const sim::SceneStage& stage, const sim::SceneMoment
   return out;
 }
 
-widgets::SceneState stateOf(const sim::SceneStage& stage, const sim::SceneMoment& now) {
+widgets::SceneState stateOf(const scene::SceneStage& stage, const scene::SceneMoment& now) {
   widgets::SceneState out;
   out.parts = partsOf(stage, now);
   if (!now.stepped) return out;
@@ -92,18 +92,18 @@ SceneDock::SceneDock(widgets::SceneView* view, QWidget* parent)
          "--robot scene:FILE."));
 }
 
-void SceneDock::showScene(const std::shared_ptr<sim::SceneStage>& stage) {
+void SceneDock::showScene(const std::shared_ptr<scene::SceneStage>& stage) {
   if (!looked_ || stage != stage_) {
     looked_ = true;
     stage_ = stage;
     view_->setState({});
-    view_->setBodies(stage ? bodiesOf(stage->file()) : std::vector<widgets::SceneBody>{});
+    view_->setBodies(stage ? bodiesOf(stage->scene()) : std::vector<widgets::SceneBody>{});
     setVisible(stage != nullptr);
   }
   if (!stage || !view_->isVisible()) return;
-  const sim::SceneMoment& now = stage->newest();
+  const scene::SceneMoment& now = stage->newest();
   // The view fits the first state that it is shown: swords and ball are there from the second step on.
-  const scene::SceneDescription& described = stage->file().description;
+  const scene::SceneDescription& described = stage->scene().description;
   if ((described.swords || described.ball) && !(now.time_s > 0.0)) return;
   for (std::size_t i = 0; i < now.shapes_mm.size(); ++i) {
     if (!now.shapes_mm[i].empty()) view_->setShape(i, now.shapes_mm[i]);

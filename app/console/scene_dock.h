@@ -6,7 +6,7 @@
 #include "app/console/side_dock.h"
 #include "widgets/scene_view.h"
 
-namespace fyd::sim {
+namespace fyd::scene {
 class SceneStage;
 }
 
@@ -18,7 +18,7 @@ class SceneDock : public SideDock {
   explicit SceneDock(QWidget* parent = nullptr);
 
   /// As it is now; comes with every picture. A session with another scene opens the panel, one without closes it.
-  void showScene(const std::shared_ptr<sim::SceneStage>& stage);
+  void showScene(const std::shared_ptr<scene::SceneStage>& stage);
 
   [[nodiscard]] widgets::SceneView* view() const { return view_; }
 
@@ -26,7 +26,7 @@ class SceneDock : public SideDock {
   SceneDock(widgets::SceneView* view, QWidget* parent);
 
   widgets::SceneView* view_;
-  std::shared_ptr<sim::SceneStage> stage_;
+  std::shared_ptr<scene::SceneStage> stage_;
   bool looked_ = false;  ///< whether there is a scene is known
 };
 

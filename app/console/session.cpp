@@ -91,7 +91,7 @@ class StationSession : public Session {
   }
   std::string fingerFile() const override { return options_.finger_csv; }
   bool simulated() const override { return station_ && station_->simulated(); }
-  std::shared_ptr<sim::SceneStage> scene() const override { return station_ ? station_->scene() : nullptr; }
+  std::shared_ptr<scene::SceneStage> scene() const override { return station_ ? station_->scene() : nullptr; }
 
   RobotWords robot() const override { return {.robot = options_.robot, .key_file = options_.key_file}; }
   bool isOpen() const override { return station_ != nullptr; }

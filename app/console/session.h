@@ -56,7 +56,7 @@ class Session {
   /// The file it followed at the start; empty: the demonstration.
   [[nodiscard]] virtual std::string fingerFile() const = 0;
   [[nodiscard]] virtual bool simulated() const = 0;
-  [[nodiscard]] virtual std::shared_ptr<sim::SceneStage> scene() const = 0;
+  [[nodiscard]] virtual std::shared_ptr<scene::SceneStage> scene() const = 0;
 
   [[nodiscard]] virtual RobotWords robot() const = 0;
   /// Ends the session and begins another with this robot and the present profile; motors are off then. For a time

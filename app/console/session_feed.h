@@ -34,7 +34,7 @@ class SessionFeed : public QObject {
   void cameraMissing(const QString& why);
   void readiness(const std::vector<widgets::ReadinessRow>& rows);
   void notice(const fyd::station::Notice& notice);
-  void scene(const std::shared_ptr<fyd::sim::SceneStage>& stage);  ///< where the robot stands; null: there is none
+  void scene(const std::shared_ptr<fyd::scene::SceneStage>& stage);  ///< where the robot stands; null: there is none
 
  private:
   void drainTelemetry();

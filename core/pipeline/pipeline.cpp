@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/felt_scene.h"
+
 namespace fyd::pipeline {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double kVibrationStep = 0.1;  // of the robot operator's keys (fact sh
 
 }  // namespace
 
-Pipeline::Pipeline(const Parameters& parameters, const std::optional<texture::SurfaceModel>& surface)
+Pipeline::Pipeline(const Parameters& parameters, const LocalModel& local)
     : parameters_(parameters),
       bound_(bindParameters(parameters_)),
       indentation_(parameters.sensing.indentation),
@@ -23,13 +25,16 @@ Pipeline::Pipeline(const Parameters& parameters, const std::optional<texture::Su
       mixing_(parameters.control),
       renderer_(parameters.texture),
       finger_prediction_(parameters.texture.plant, parameters.texture.sample_rate_Hz) {
-  if (surface) surface_.emplace(*surface, parameters.texture.sample_rate_Hz);
+  if (local.surface) surface_.emplace(*local.surface, parameters.texture.sample_rate_Hz);
+  if (local.scene) scene_ = std::make_unique<scene::FeltScene>(*local.scene);
   const StepParameters& ages = parameters_.step;
   indentation_.setMaximumAges(fromSeconds(ages.ir_maximum_age_ms * 1e-3),
                               fromSeconds(ages.finger_maximum_age_ms * 1e-3));
   stiffness_.setMaximumAge(fromSeconds(ages.bridge_maximum_age_ms * 1e-3));
   stretch_deg_ = parameters.control.travel_minimum_deg;
 }
+
+Pipeline::~Pipeline() = default;
 
 const Outputs& Pipeline::step(const Inputs& inputs) {
   outputs_.events.clear();
@@ -40,10 +45,11 @@ const Outputs& Pipeline::step(const Inputs& inputs) {
   stepTare(inputs);
   judge(inputs);
   stepSafety(inputs);
+  stepMotion(inputs);
+  stepScene(inputs);
   stepCoupling(inputs);
   stepControl(inputs);
   stepTexture(inputs);
-  stepMotion(inputs);
   writeTelemetry(inputs);
   last_phase_ = inputs.robot.phase;
   return outputs_;
@@ -209,8 +215,8 @@ void Pipeline::judge(const Inputs& inputs) {
       inputs,
       {.bridge_valid = std::isfinite(force_N_.value),
        .indentation_usable = indent_.reason != IndentationReason::too_few_sensors,
-       .needs_robot = !target_by_hand_,
-       .target_known = target_by_hand_ || inputs.robot.phase != LinkPhase::none,
+       .needs_robot = !target_by_hand_ && !scene_,
+       .target_known = target_by_hand_ || scene_ || inputs.robot.phase != LinkPhase::none,
        .step_gap = elapsed_ > kLongestGap,
        .steps_missed = inputs.missed_cycles > missed_at_second_start_ &&
                        static_cast<double>(inputs.missed_cycles - missed_at_second_start_) > kMostMissedPerSecond},

@@ -2,18 +2,20 @@
 //
 //   sensing   counts, bridge, finger            → force, indentation, stiffness
 //   safety    ages, validity, operator, robot   → state
+//   motion    finger, indentation               → touch message
+//   scene     touch                             → what stands in the robot's place tells (with a scene only)
 //   coupling  what the robot tells, finger      → target
 //   control   target, measured stiffness        → stretch
-//   texture   accelerations or stored surface   → vibration duty
-//   motion    finger, indentation               → touch message
+//   texture   accelerations, surface or scene   → vibration duty
 //
-// Live operation, the headless runner, tests and replay call the same step; the same parameters, surface and inputs
+// Live operation, the headless runner, tests and replay call the same step; the same parameters, local model and inputs
 // give the same outputs bit for bit. After construction a step neither allocates nor throws, and whatever comes in,
 // no output is NaN where a number is promised and no command lies beyond its limits.
 #pragma once
 
 #include <cstdint>
 #include <istream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +26,7 @@
 #include "core/control/stiffness_controller.h"
 #include "core/pipeline/input_health.h"
 #include "core/pipeline/inputs.h"
+#include "core/pipeline/local_model.h"
 #include "core/pipeline/outputs.h"
 #include "core/pipeline/parameters.h"
 #include "core/pipeline/touch_motion.h"
@@ -41,8 +44,8 @@ namespace fyd::pipeline {
 
 class Pipeline {
  public:
-  /// @param surface rendered while no robot is wanted; nothing is felt then without one
-  explicit Pipeline(const Parameters& parameters, const std::optional<texture::SurfaceModel>& surface = {});
+  explicit Pipeline(const Parameters& parameters, const LocalModel& local = {});
+  ~Pipeline();
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
 
@@ -57,17 +60,20 @@ class Pipeline {
   /// `restoreState` of this program and of later ones reads. Allocates.
   [[nodiscard]] std::string saveState() const;
   /// Continues where `saveState` stood: the same inputs then give the same outputs bit for bit. This pipeline must have
-  /// been made with the same surface and the same parameters, live ones apart.
+  /// been made with the same local model and the same parameters, live ones apart.
   /// For replay. A pipeline that drives motors is never restored: the saved state may be Active, and only an operator
   /// arms.
   /// @return an error, and this pipeline as it was, for bytes that are damaged, cut short, too long, hold a parameter
   /// or
   ///         a module (or a version of one) that this program does not know, or were saved with other parameters or
-  ///         another surface
+  ///         another local model
   [[nodiscard]] Result<void> restoreState(std::string_view state);
 
   /// For replay: live values beyond today's range are taken, as the program took them that recorded them.
   void takeRecordedValues() { ranges_ = Ranges::mark; }
+
+  /// The scene as it is now; null without one.
+  [[nodiscard]] const scene::FeltScene* scene() const { return scene_.get(); }
 
   /// Id of the parameter that a key of the robot's operator sets; empty: none.
   [[nodiscard]] static std::string_view parameterOf(RobotCommand command);
@@ -82,10 +88,11 @@ class Pipeline {
   void stepTare(const Inputs& inputs);
   void judge(const Inputs& inputs);
   void stepSafety(const Inputs& inputs);
+  void stepMotion(const Inputs& inputs);
+  void stepScene(const Inputs& inputs);
   void stepCoupling(const Inputs& inputs);
   void stepControl(const Inputs& inputs);
   void stepTexture(const Inputs& inputs);
-  void stepMotion(const Inputs& inputs);
   void writeTelemetry(const Inputs& inputs);
 
   void changeParameter(std::uint16_t index, double value);
@@ -94,6 +101,8 @@ class Pipeline {
   void followRobotReference(const RobotMotorReference& reference);
   void configure();
   [[nodiscard]] double target() const;
+  /// What stands where the robot stands tells it: the scene, or the robot.
+  [[nodiscard]] const Timed<RobotState>& told(const Inputs& inputs) const;
   [[nodiscard]] bool rendering(const Inputs& inputs) const;
   [[nodiscard]] std::optional<Lack> fault(const Inputs& inputs) const;
   void report(const Event& event) { (void)outputs_.events.push(event); }
@@ -118,6 +127,7 @@ class Pipeline {
   control::MotorMixing mixing_;
   texture::TextureRenderer renderer_;
   std::optional<texture::VirtualTexture> surface_;
+  std::unique_ptr<scene::FeltScene> scene_;
   texture::FingerSpeed finger_speed_;
   texture::FingerPrediction finger_prediction_;
   InputHealth health_;
@@ -139,6 +149,7 @@ class Pipeline {
   double stretch_deg_ = 0.0;  // last reference
   double translation_deg_ = 0.0;
   Vec3 newest_acceleration_g_;
+  Timed<RobotState> of_scene_;
 
   // of this step
   Duration elapsed_{};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/pipeline/pipeline.h"
+#include "core/scene/felt_scene.h"
 
 namespace fyd::pipeline {
 namespace {
@@ -22,8 +23,38 @@ double Pipeline::target() const {
   return target_by_hand_ ? parameters_.step.hand_target_N_per_mm : coupled_.target_N_per_mm;
 }
 
+void Pipeline::stepMotion(const Inputs& inputs) {
+  const StepParameters& step = parameters_.step;
+  outputs_.touch = motion_.step({.elapsed = elapsed_,
+                                 .enabled = rendering(inputs),
+                                 .contact = indent_.touched,
+                                 .finger_x_mm = contact_.x_mm,
+                                 .finger_y_mm = contact_.y_mm,
+                                 .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
+                                 .force_N = force_N_.value,
+                                 .finger_taken = inputs.finger.taken,
+                                 .absolute = step.absolute_motion,
+                                 .scale = step.motion_scale,
+                                 .depth_scale = step.motion_depth_scale,
+                                 .speed_limit_mm_s = step.motion_speed_limit_mm_s});
+}
+
+void Pipeline::stepScene(const Inputs& inputs) {
+  if (!scene_) return;
+  const Vec3& touch_mm = outputs_.touch.position_mm;
+  const scene::SceneTouch& felt = scene_->step({touch_mm.x, touch_mm.y, kRobotTravelForDepth * touch_mm.z},
+                                               toSeconds(inputs.now.time_since_epoch()));
+  of_scene_ = {.value = {.stiffness_N_per_mm = felt.stiffness_N_per_mm,
+                         .position_mm = felt.touching ? felt.proxy_mm : scene_->probe_mm(),
+                         .force_N = felt.force_N.norm()},
+               .taken = inputs.now,
+               .count = steps_};
+}
+
+const Timed<RobotState>& Pipeline::told(const Inputs& inputs) const { return scene_ ? of_scene_ : inputs.robot.state; }
+
 void Pipeline::stepCoupling(const Inputs& inputs) {
-  const RobotState& robot = inputs.robot.state.value;
+  const RobotState& robot = told(inputs).value;
   coupled_ = coupling_.step(
       {.choice = parameters_.step.coupling,
        .elapsed_s = toSeconds(elapsed_),
@@ -31,7 +62,7 @@ void Pipeline::stepCoupling(const Inputs& inputs) {
        .robot = {.stiffness_N_per_mm = robot.stiffness_N_per_mm,
                  .force_N = robot.force_N,
                  .position_mm = robot.position_mm},
-       .robot_count = inputs.robot.state.count,
+       .robot_count = told(inputs).count,
        .touched = indent_.touched,
        .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
        .force_N = force_N_.count > 0 ? force_N_.value : kNone,
@@ -88,7 +119,9 @@ void Pipeline::stepTexture(const Inputs& inputs) {
                        : std::abs(shares[0]) > std::abs(shares[1]) ? shares[0]
                                                                    : shares[1];
   renderer_.setStretch(rollers_.valid ? rollers_.stretch_deg : kNone);
-  if (surface_ && inputs.robot.phase == LinkPhase::none) {
+  if (scene_) {
+    texture_ = renderer_.stepVirtual(scene_->texture_g(), share);
+  } else if (surface_ && inputs.robot.phase == LinkPhase::none) {
     const double speed = indent_.touched ? finger_speed_.at(inputs.now) : 0.0;
     texture_ = renderer_.stepVirtual(surface_->step(speed, force_N_.value), share);
   } else {
@@ -105,22 +138,6 @@ void Pipeline::stepTexture(const Inputs& inputs) {
   finger_prediction_.configure(parameters_.texture.plant, stretch_deg);
   finger_prediction_.step(outputs_.motors.vibration_duty_percent, rendering(inputs) ? texture_.signal_g : 0.0,
                           rendering(inputs) && texture_.limited);
-}
-
-void Pipeline::stepMotion(const Inputs& inputs) {
-  const StepParameters& step = parameters_.step;
-  outputs_.touch = motion_.step({.elapsed = elapsed_,
-                                 .enabled = rendering(inputs),
-                                 .contact = indent_.touched,
-                                 .finger_x_mm = contact_.x_mm,
-                                 .finger_y_mm = contact_.y_mm,
-                                 .indentation_mm = indent_.available ? indent_.indentation_mm : kNone,
-                                 .force_N = force_N_.value,
-                                 .finger_taken = inputs.finger.taken,
-                                 .absolute = step.absolute_motion,
-                                 .scale = step.motion_scale,
-                                 .depth_scale = step.motion_depth_scale,
-                                 .speed_limit_mm_s = step.motion_speed_limit_mm_s});
 }
 
 void Pipeline::writeTelemetry(const Inputs& inputs) {
@@ -145,9 +162,13 @@ void Pipeline::writeTelemetry(const Inputs& inputs) {
   out.stiffness_N_per_mm = stiff_.known ? stiff_.stiffness_N_per_mm : kNone;
   out.stiffness_observable = stiff_.observable;
   out.stiffness_place_factor = indentation_.placeFactor();
-  if (inputs.robot.state.count > 0) {
-    out.robot_stiffness_N_per_mm = inputs.robot.state.value.stiffness_N_per_mm;
-    out.robot_force_N = inputs.robot.state.value.force_N;
+  const Timed<RobotState>& robot = told(inputs);
+  if (robot.count > 0) {
+    out.robot_stiffness_N_per_mm = robot.value.stiffness_N_per_mm;
+    out.robot_force_N = robot.value.force_N;
+    out.robot_x_mm = robot.value.position_mm.x;
+    out.robot_y_mm = robot.value.position_mm.y;
+    out.robot_z_mm = robot.value.position_mm.z;
   }
   out.target_N_per_mm = target();
   out.reachable_target_N_per_mm = control_.reachable_target_N_per_mm;
@@ -180,16 +201,11 @@ void Pipeline::writeTelemetry(const Inputs& inputs) {
   out.touch_x_mm = outputs_.touch.position_mm.x;
   out.touch_y_mm = outputs_.touch.position_mm.y;
   out.touch_z_mm = outputs_.touch.position_mm.z;
-  if (inputs.robot.state.count > 0) {
-    out.robot_x_mm = inputs.robot.state.value.position_mm.x;
-    out.robot_y_mm = inputs.robot.state.value.position_mm.y;
-    out.robot_z_mm = inputs.robot.state.value.position_mm.z;
-  }
   out.finger_age_ms = ageMs(inputs.finger, inputs.now);
   out.ir_age_ms = ageMs(inputs.ir, inputs.now);
   out.bridge_age_ms = ageMs(inputs.bridge, inputs.now);
   out.motors_age_ms = ageMs(inputs.motors, inputs.now);
-  out.robot_age_ms = ageMs(inputs.robot.state, inputs.now);
+  out.robot_age_ms = ageMs(robot, inputs.now);
   out.missed_cycles = static_cast<double>(inputs.missed_cycles);
 }
 

@@ -8,12 +8,15 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/state_seal.h"
+#include "core/scene/felt_scene.h"
 
 namespace fyd::pipeline {
 namespace {
 
-Digest digestOfSurface(const std::optional<texture::VirtualTexture>& surface) {
-  return digestOf(std::string_view(surface ? formatSurface(surface->model()) : ""));
+Digest digestOfLocalModel(const std::optional<texture::VirtualTexture>& surface, const scene::FeltScene* scene) {
+  std::string text = surface ? formatSurface(surface->model()) : "";
+  if (scene != nullptr) text += scene->digest();
+  return digestOf(text);
 }
 
 /// A class whose saved content has changed says `kStateVersion` and reads older content in `restore(archive, version)`.
@@ -117,8 +120,8 @@ Result<void> readParameters(StateReader& archive, std::span<const Parameter> par
   return {};
 }
 
-/// The content behind a seal that fits a pipeline with this surface.
-Result<std::string_view> openSeal(std::string_view state, const Digest& surface) {
+/// The content behind a seal that fits a pipeline with this local model.
+Result<std::string_view> openSeal(std::string_view state, const Digest& local_model) {
   StateSeal seal;
   const std::array<char, 8> own_mark = seal.mark;
   if (state.size() < StateSeal::kBytes) {
@@ -133,7 +136,7 @@ Result<std::string_view> openSeal(std::string_view state, const Digest& surface)
     return fail("state with {} bytes of content: expected {}", content.size(), seal.content_bytes);
   }
   if (seal.content != digestOf(content)) return fail("state of {} bytes: damaged", state.size());
-  if (seal.surface != surface) return fail("state saved with another surface; expected the same");
+  if (seal.local_model != local_model) return fail("state saved with another surface or scene; expected the same");
   return content;
 }
 
@@ -167,6 +170,7 @@ void Pipeline::eachModule(Visit&& visit) {
   visit("safety", safety_);
   visit("motion", motion_);
   if (surface_) visit("surface", *surface_);
+  if (scene_) visit("scene", *scene_);
   Between between{*this};
   visit("step", between);
 }
@@ -220,11 +224,12 @@ std::string Pipeline::saveState() const {
   StateWriter archive(bytes);
   writeParameters(archive, bound_);
   // Reads only: the same list of members serves saving and restoring.
-  return sealed(digestOfSurface(surface_), std::move(bytes).str() + const_cast<Pipeline*>(this)->saveModules());
+  return sealed(digestOfLocalModel(surface_, scene_.get()),
+                std::move(bytes).str() + const_cast<Pipeline*>(this)->saveModules());
 }
 
 Result<void> Pipeline::restoreState(std::string_view state) {
-  const auto content = openSeal(state, digestOfSurface(surface_));
+  const auto content = openSeal(state, digestOfLocalModel(surface_, scene_.get()));
   if (!content) return tl::unexpected(content.error());
   const Parameters old_parameters = parameters_;
   const std::string old_modules = saveModules();

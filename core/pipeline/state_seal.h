@@ -1,6 +1,6 @@
 // What stands in front of a saved state, and how texts and words stand in it; only for the files that make or read one.
 //
-//   seal        mark, digest of the surface, digest and length of the content
+//   seal        mark, digest of the local model, digest and length of the content
 //   parameters  u16 how many; each: its id, u8 how many values, the values; a choice: 255 and its word
 //   modules     u16 how many; each: its name, u16 the version of its content
 //   content     of each module in that order
@@ -32,7 +32,7 @@ using Digest = std::array<std::uint8_t, crypto_generichash_BYTES_MIN>;
 
 struct StateSeal {
   std::array<char, 8> mark{'F', 'Y', 'D', 's', 't', 'a', 't', '2'};
-  Digest surface{};
+  Digest local_model{};
   Digest content{};
   std::uint64_t content_bytes = 0;
 
@@ -40,7 +40,7 @@ struct StateSeal {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(mark, surface, content, content_bytes);
+    archive(mark, local_model, content, content_bytes);
   }
 };
 
@@ -62,10 +62,10 @@ inline std::string readText(StateReader& archive) {
 }
 
 /// One seal and its content as bytes.
-[[nodiscard]] inline std::string sealed(const Digest& surface, std::string_view content) {
+[[nodiscard]] inline std::string sealed(const Digest& local_model, std::string_view content) {
   std::ostringstream bytes;
   StateWriter archive(bytes);
-  archive(StateSeal{.surface = surface, .content = digestOf(content), .content_bytes = content.size()});
+  archive(StateSeal{.local_model = local_model, .content = digestOf(content), .content_bytes = content.size()});
   return std::move(bytes).str().append(content);
 }
 

@@ -20,6 +20,9 @@ namespace fyd::pipeline {
 /// The authors' declared workspace, half widths, mm.
 inline constexpr Vec3 kWorkspaceHalf_mm{35.0, 25.0, 70.0};
 
+/// How far the robot is led down by a millimetre of indentation: the authors' 2 · 1.5 (fact sheet §2).
+inline constexpr double kRobotTravelForDepth = 3.0;
+
 struct MotionInput {
   Duration elapsed{};    ///< since the last step; ≤ 0 moves nothing
   bool enabled = false;  ///< false: the position stays where it is

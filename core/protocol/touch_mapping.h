@@ -14,12 +14,13 @@
 
 #include "core/base/vec3.h"
 #include "core/pipeline/messages.h"
+#include "core/pipeline/touch_motion.h"
 
 namespace fyd::protocol {
 
 struct TouchMappingSettings {
   double scale_xy = 1.0;
-  double scale_z = 3.0;  ///< the authors' 2 · 1.5
+  double scale_z = pipeline::kRobotTravelForDepth;
   double keep_xy = 0.8;  ///< w of x and y
   double keep_z = 0.9;   ///< w of z
 };

@@ -18,6 +18,7 @@
 #include <array>
 #include <optional>
 
+#include "core/base/state.h"
 #include "core/scene/gesture.h"
 #include "core/scene/racket.h"
 
@@ -110,6 +111,11 @@ struct BallState {
   Vec3 position_mm;  ///< of its centre
   Vec3 velocity_mm_per_s;
   Vec3 spin_rad_per_s;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(position_mm, velocity_mm_per_s, spin_rad_per_s);
+  }
 };
 
 enum class BallRest : std::uint8_t { flies, on_racket, on_court };
@@ -121,6 +127,11 @@ struct BallGameState {
   RacketPose racket;
   BallRest rest = BallRest::flies;
   Vec3 owed_Ns;  ///< impulse on the racket not felt yet
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(ball, racket_known, racket, within(rest, BallRest::on_court), owed_Ns);
+  }
 };
 
 struct BallImpact {

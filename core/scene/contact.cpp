@@ -32,7 +32,8 @@ struct BodyContact::Prepared {
 };
 
 BodyContact::BodyContact(const TriangleTree& tree, Surface surface, ContactSettings settings)
-    : tree_(&tree), surface_(std::move(surface)), settings_(settings), prepared_(std::make_unique<Prepared>()) {
+    : tree_(&tree), surface_(std::move(surface)), settings_(settings) {
+  const auto prepared = std::make_shared<Prepared>();
   const MeshReport& report = tree.mesh().report();
   const double diagonal_mm = length(report.highest_mm - report.lowest_mm);
   if (!(settings_.reach_mm > 0.0)) settings_.reach_mm = 0.5 * diagonal_mm;
@@ -41,17 +42,14 @@ BodyContact::BodyContact(const TriangleTree& tree, Surface surface, ContactSetti
       if (!(settings_.radius_mm > 0.0)) {
         settings_.radius_mm = std::fmax(kNodesEdges * report.mean_edge_mm, kNodesDiagonal * diagonal_mm);
       }
-      prepared_->nodes.emplace(tree.mesh(), settings_.radius_mm);
+      prepared->nodes.emplace(tree.mesh(), settings_.radius_mm);
       break;
-    case ContactModel::facet: prepared_->edges.emplace(tree.mesh()); break;
-    case ContactModel::vicinity: prepared_->fitted.emplace(tree.mesh()); break;
-    case ContactModel::proxy: prepared_->proxy.emplace(tree, settings_.radius_mm); break;
+    case ContactModel::facet: prepared->edges.emplace(tree.mesh()); break;
+    case ContactModel::vicinity: prepared->fitted.emplace(tree.mesh()); break;
+    case ContactModel::proxy: prepared->proxy.emplace(tree, settings_.radius_mm); break;
   }
+  prepared_ = prepared;
 }
-
-BodyContact::BodyContact(BodyContact&&) noexcept = default;
-BodyContact& BodyContact::operator=(BodyContact&&) noexcept = default;
-BodyContact::~BodyContact() = default;
 
 Contact BodyContact::touch(const Vec3& probe_mm, const Vec3& velocity_mm_s, const Nearest& nearest) {
   Contact contact;

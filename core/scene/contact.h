@@ -45,6 +45,11 @@ struct Contact {
 
 /// All that a model remembers from step to step.
 struct ContactState {
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(proxy_mm, free_mm, radius_mm, placed, touching, sliding);
+  }
+
   Vec3 proxy_mm;
   Vec3 free_mm;            ///< where the proxy would be without friction
   double radius_mm = 0.0;  ///< as much of the finger's radius as had room
@@ -57,10 +62,8 @@ struct ContactState {
 class BodyContact {
  public:
   /// What the model needs of the mesh is computed here. @param tree must outlive this
+  /// Copies share it.
   BodyContact(const TriangleTree& tree, Surface surface, ContactSettings settings);
-  BodyContact(BodyContact&&) noexcept;
-  BodyContact& operator=(BodyContact&&) noexcept;
-  ~BodyContact();
 
   /// One step; allocates nothing. @param nearest the point of the mesh that is nearest to the probe
   /// (TriangleTree::nearest, NearestPoint::find). A probe that is not finite touches nothing and is not remembered.
@@ -69,6 +72,10 @@ class BodyContact {
   /// To go on later from where it stands now, to the bit.
   [[nodiscard]] const ContactState& state() const { return state_; }
   void restore(const ContactState& state) { state_ = state; }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(state_);
+  }
 
   [[nodiscard]] const Surface& surface() const { return surface_; }
   /// With the defaults filled in.
@@ -82,7 +89,7 @@ class BodyContact {
   const TriangleTree* tree_;
   Surface surface_;
   ContactSettings settings_;
-  std::unique_ptr<Prepared> prepared_;
+  std::shared_ptr<const Prepared> prepared_;
   ContactState state_;
 };
 

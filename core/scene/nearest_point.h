@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "core/scene/triangle_distance.h"
@@ -65,6 +66,12 @@ class NearestPoint {
   /// NaN gives no triangle.
   [[nodiscard]] Nearest find(const Vec3& probe_mm);
   void reset() { last_ = kNoTriangle; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(last_);
+    if (last_ != kNoTriangle && last_ >= on_->mesh().triangles().size()) throw std::out_of_range("no such triangle");
+  }
 
  private:
   [[nodiscard]] Nearest ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const;

@@ -102,6 +102,11 @@ struct PalpationState {
   Vec3 velocity_mm_per_s;  ///< smoothed
   Vec3 tangential_N;
   double taken_mJ = 0.0;  ///< by the tangential force, from the hand; below 0: given
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(known, probe_mm, depth_mm, velocity_mm_per_s, tangential_N, taken_mJ);
+  }
 };
 
 struct PalpationForce {

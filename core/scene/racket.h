@@ -17,6 +17,11 @@ struct RacketPose {
   Vec3 centre_mm;
   Vec3 normal{0.0, 0.0, 1.0};
   Vec3 along{1.0, 0.0, 0.0};  ///< its width
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(centre_mm, normal, along);
+  }
 };
 /// @return no pose without directions: normal and along parallel, or of no length
 [[nodiscard]] bool makeRight(RacketPose& pose);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <variant>
 #include <vector>
 
@@ -95,6 +96,21 @@ class Scene {
   [[nodiscard]] std::size_t bytes() const;
   /// Of one body, with what it shares.
   [[nodiscard]] std::size_t bytes(std::size_t body) const;
+
+  /// What the next steps depend on, without what it was built from.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(known_, first_s_, time_s_, last_mm_, last_, gestures_, anchor_mm_, anchor_s_);
+    if (last_.body != kNoBody && last_.body >= bodies_.size()) throw std::out_of_range("no such body");
+    awake_.clear();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      Body& body = bodies_[i];
+      archive(body.awake);
+      if (body.awake) awake_.push_back(i);
+      std::visit([&archive](auto& touched) { archive(touched); }, body.touched);
+      if (body.nearest) archive(*body.nearest);
+    }
+  }
 
  private:
   struct Body {

@@ -25,6 +25,14 @@ class SceneGestures {
   [[nodiscard]] const std::optional<BallGameState>& ball() const { return ball_; }
   [[nodiscard]] const std::optional<PalpationForce>& palpation() const { return palpated_; }
 
+  /// What the next steps depend on.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    if (swords_) archive(*swords_);
+    if (ball_) archive(*ball_);
+    if (palpating_) archive(*palpating_);
+  }
+
  private:
   void fence(const Vec3& probe_mm, double dt_s, SceneTouch& touch);
   void play(const Vec3& probe_mm, double dt_s, SceneTouch& touch);

@@ -17,6 +17,14 @@ struct SceneTouch {
   double depth_mm = 0.0;
   double stiffness_N_per_mm = 0.0;  ///< along the force; 0 if nothing is touched
   std::size_t body = kNoBody;       ///< that pushes most
+
+  /// In a scene of `bodies`.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    std::uint64_t number = body;
+    archive(touching, force_N, proxy_mm, normal, depth_mm, stiffness_N_per_mm, number);
+    body = static_cast<std::size_t>(number);
+  }
 };
 
 }  // namespace fyd::scene

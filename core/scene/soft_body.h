@@ -69,6 +69,11 @@ class SoftBody {
   /// At rest, asleep.
   void reset();
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(force_N_);  // TODO
+  }
+
  private:
   SoftBody(const TriangleTree& tree, const SoftMaterial& material, const SoftResolution& resolution);
   void assemble();

@@ -21,6 +21,7 @@
 
 #include <optional>
 
+#include "core/base/state.h"
 #include "core/scene/gesture.h"
 
 namespace fyd::scene {
@@ -76,6 +77,11 @@ struct FencingParameters {
 
 struct Blade {
   Vec3 grip_mm, tip_mm;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(grip_mm, tip_mm);
+  }
 };
 
 /// The players face each other: where one of them has a blade, as the other one sees it.
@@ -96,6 +102,11 @@ struct SwordState {
   double depth_mm = 0.0;  ///< as felt
   double reach_mm = 0.0;  ///< from where the force fades, while crossed
   double hold = 1.0;      ///< share of the force that has not faded
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(known, local, distant, touching, within(side, 1), crossed, normal, free_mm, depth_mm, reach_mm, hold);
+  }
 };
 
 struct SwordTouch {

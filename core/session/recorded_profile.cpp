@@ -8,6 +8,7 @@
 
 #include "core/base/profile_text.h"
 #include "core/pipeline/state_of_arithmetic_1.h"
+#include "core/scene/scene_bytes.h"
 
 namespace fyd::session {
 namespace {
@@ -90,11 +91,19 @@ void RecordedIndices::translate(std::uint16_t& index, double& value) const {
   }
 }
 
-Result<std::optional<texture::SurfaceModel>> recordedSurface(const RecordingHeader& header) {
-  if (header.surface.empty()) return std::nullopt;
-  auto model = texture::parseSurface(header.surface, "the recording's surface");
-  if (!model) return tl::unexpected(model.error());
-  return std::move(*model);
+Result<pipeline::LocalModel> recordedLocalModel(const RecordingHeader& header) {
+  pipeline::LocalModel local;
+  if (!header.surface.empty()) {
+    auto model = texture::parseSurface(header.surface, "the recording's surface");
+    if (!model) return tl::unexpected(model.error());
+    local.surface = std::move(*model);
+  }
+  if (header.scene) {
+    auto scene = scene::unpackScene(*header.scene);
+    if (!scene) return fail(about("the recording's scene", scene.error().message));
+    local.scene = std::make_shared<const scene::FeltScene>(std::move(*scene));
+  }
+  return local;
 }
 
 }  // namespace fyd::session

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/pipeline/local_model.h"
 #include "core/pipeline/parameters.h"
 #include "core/session/recording_types.h"
-#include "core/texture/surface_model.h"
 
 namespace fyd::session {
 
@@ -41,7 +41,7 @@ class RecordedIndices {
   std::vector<Entry> entries_;  ///< none: the indices are this program's own
 };
 
-/// The stored surface that was felt; nothing when there was none.
-[[nodiscard]] Result<std::optional<texture::SurfaceModel>> recordedSurface(const RecordingHeader& header);
+/// The stored surface or the scene that was felt; empty when there was none.
+[[nodiscard]] Result<pipeline::LocalModel> recordedLocalModel(const RecordingHeader& header);
 
 }  // namespace fyd::session

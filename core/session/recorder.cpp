@@ -13,10 +13,9 @@ constexpr std::size_t kMostOffered = 64;          // pictures, two seconds of a 
 
 }  // namespace
 
-Recorder::Recorder(const RecorderOptions& options, const pipeline::Parameters& step,
-                   const std::optional<texture::SurfaceModel>& surface, StationDescription description,
-                   StationSource source)
-    : impl_(std::make_unique<Impl>(options, step, surface, std::move(description), std::move(source))) {}
+Recorder::Recorder(const RecorderOptions& options, const pipeline::Parameters& step, const pipeline::LocalModel& local,
+                   StationDescription description, StationSource source)
+    : impl_(std::make_unique<Impl>(options, step, local, std::move(description), std::move(source))) {}
 
 Recorder::~Recorder() { shutDown(); }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/pipeline/local_model.h"
 #include "core/pipeline/parameters.h"
 #include "core/session/packed_step.h"
 #include "core/session/recorder_options.h"
@@ -56,10 +57,9 @@ struct RecorderStatus {
   double processor_percent = 0.0;  ///< of one core, the recorder's thread, since the recording (or the thread) began
 };
 
-/// Words and texts of the station a recording needs; asked once when it starts.
+/// Words of the station's options.
 struct StationDescription {
   std::string touchpad, camera, robot;
-  std::string surface;  ///< TOML
 };
 
 /// What the recorder asks of the station.
@@ -73,8 +73,8 @@ struct StationSource {
 
 class Recorder {
  public:
-  Recorder(const RecorderOptions& options, const pipeline::Parameters& step,
-           const std::optional<texture::SurfaceModel>& surface, StationDescription description, StationSource source);
+  Recorder(const RecorderOptions& options, const pipeline::Parameters& step, const pipeline::LocalModel& local,
+           StationDescription description, StationSource source);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder();  ///< closes the recording

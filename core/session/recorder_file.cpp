@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/scene/scene_bytes.h"
 #include "core/session/recorder_impl.h"
 
 namespace fyd::session {
@@ -57,7 +58,8 @@ Result<void> Recorder::Impl::open(const RecordingRequest& request) {
             .camera = description.camera,
             .robot = description.robot,
             .profile = source.profile(from ? from->snapshot->parameters : shadow.parameters()),
-            .surface = description.surface,
+            .surface = local.surface ? texture::formatSurface(*local.surface) : std::string{},
+            .scene = local.scene ? std::make_shared<const std::string>(scene::packScene(*local.scene)) : nullptr,
             .step_state = from ? from->snapshot->state : shadow.saveState(),
             .version = FYD_VERSION};
   header.started_utc = utcOf(header.started);

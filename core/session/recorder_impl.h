@@ -30,13 +30,14 @@ struct RecorderAnswer {
 };
 
 struct Recorder::Impl {
-  Impl(const RecorderOptions& chosen, const pipeline::Parameters& step,
-       const std::optional<texture::SurfaceModel>& surface, StationDescription words, StationSource asked)
-      : options(chosen), description(std::move(words)), source(std::move(asked)), shadow(step, surface) {}
+  Impl(const RecorderOptions& chosen, const pipeline::Parameters& step, const pipeline::LocalModel& felt,
+       StationDescription words, StationSource asked)
+      : options(chosen), description(std::move(words)), source(std::move(asked)), local(felt), shadow(step, felt) {}
 
   RecorderOptions options;
   StationDescription description;
   StationSource source;
+  pipeline::LocalModel local;
   std::shared_ptr<DiskCalls> disk;  // none: the system's
 
   // from the haptic loop and the camera thread

@@ -9,8 +9,6 @@
 namespace fyd::session {
 namespace {
 
-constexpr std::uint64_t kLongestText = 64U << 20U;
-
 std::string reason() {
   std::string text;
   H5Ewalk2(
@@ -301,13 +299,13 @@ void writeBytes(hid_t file, const char* path, const std::string& bytes) {
   check(H5Dwrite(set.id(), H5T_STD_U8LE, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), path);
 }
 
-std::string readBytes(hid_t file, const char* path) {
+std::string readBytes(hid_t file, const char* path, std::uint64_t most) {
   const Handle set = openValue(file, path);
   const Handle space(H5Dget_space(set.id()), H5Sclose, path);
   const Handle type(H5Dget_type(set.id()), H5Tclose, path);
   if (H5Tequal(type.id(), H5T_STD_U8LE) <= 0) failHard("{}: not bytes", path);
   const hssize_t size = H5Sget_simple_extent_npoints(space.id());
-  if (size < 0 || static_cast<std::uint64_t>(size) > kLongestText) failHard("{}: {} bytes", path, size);
+  if (size < 0 || static_cast<std::uint64_t>(size) > most) failHard("{}: {} bytes", path, size);
   std::string bytes(static_cast<std::size_t>(size), '\0');
   check(H5Dread(set.id(), H5T_STD_U8LE, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), path);
   return bytes;

@@ -25,6 +25,8 @@ void visitTexts(Header& header, Visit&& visit) {
   visit("/header/program", header.version);
 }
 
+constexpr std::uint64_t kLargestScene_bytes = 2ULL << 30;
+
 /// Of files that do not name theirs.
 constexpr int kUnnamedArithmetic = 1;
 
@@ -45,6 +47,7 @@ std::vector<std::string> parted(const std::string& text) {
   return tags;
 }
 
+constexpr const char* kScenePath = "/header/scene";      // only where one was felt
 constexpr const char* kMissingPath = "/header/missing";  // only where something is missing
 
 /// A line for each: table, first, count, why.
@@ -80,8 +83,16 @@ std::int64_t checksum(const RecordingHeader& header) {
   add("/header/tags", joined(header.tags));
   add("/header/step_state", header.step_state);
   if (header.arithmetic != kUnnamedArithmetic) all += fmt::format("arithmetic:{};", header.arithmetic);
+  if (header.scene) {
+    all += fmt::format("{}:{}:{};", kScenePath, header.scene->size(), crc32c(std::as_bytes(std::span(*header.scene))));
+  }
   if (!header.missing.empty()) add(kMissingPath, linesOf(header.missing));
   return crc32c(std::as_bytes(std::span(all)));
+}
+
+std::shared_ptr<const std::string> readScene(hid_t file) {
+  if (H5Lexists(file, kScenePath, H5P_DEFAULT) <= 0) return nullptr;
+  return std::make_shared<const std::string>(readBytes(file, kScenePath, kLargestScene_bytes));
 }
 
 void checkVersion(hid_t file) {
@@ -107,6 +118,7 @@ void writeHeader(hid_t file, const RecordingHeader& header) {
   writeText(file, "/header/tags", joined(header.tags));
   writeBytes(file, "/header/step_state", header.step_state);
   writeNumber(file, "arithmetic", header.arithmetic);
+  if (header.scene) writeBytes(file, kScenePath, *header.scene);
   if (!header.missing.empty()) writeText(file, kMissingPath, linesOf(header.missing));
   writeNumber(file, "header_crc32c", checksum(header));
 }
@@ -119,6 +131,7 @@ RecordingHeader readHeader(hid_t file) {
   header.tags = parted(readText(file, "/header/tags"));
   header.step_state = readBytes(file, "/header/step_state");
   header.arithmetic = readArithmetic(file);
+  header.scene = readScene(file);
   if (H5Lexists(file, kMissingPath, H5P_DEFAULT) > 0) header.missing = missingOf(readText(file, kMissingPath));
   if (readNumber(file, "header_crc32c") != checksum(header)) failHard("its header is damaged: the checksum differs");
   return header;
@@ -143,6 +156,7 @@ RecordingHeader salvageHeader(hid_t file) {
   attempt([&] { header.tags = parted(readText(file, "/header/tags")); });
   attempt([&] { header.step_state = readBytes(file, "/header/step_state"); });
   attempt([&] { header.arithmetic = readArithmetic(file); });
+  attempt([&] { header.scene = readScene(file); });
   return header;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,10 @@ struct RecordingHeader {
   std::string touchpad;  ///< words of the station's options
   std::string camera;
   std::string robot;
-  std::string profile;                     ///< TOML, the whole station's, as it was at the first row
-  std::string surface;                     ///< TOML of the stored surface; empty: none
+  std::string profile;  ///< TOML, the whole station's, as it was at the first row
+  std::string surface;  ///< TOML of the stored surface; empty: none
+  std::shared_ptr<const std::string>
+      scene;                               ///< what was felt in a robot's place (core/scene/scene_bytes.h); null: none
   std::string step_state;                  ///< Pipeline::saveState before the first row
   std::string version;                     ///< of the program that records
   std::vector<MissingRows> missing;        ///< of a recovered recording only

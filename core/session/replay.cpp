@@ -70,9 +70,9 @@ void noteOutOfRange(ReplayResult& out, const Parameter& parameter) {
 
 class Run {
  public:
-  Run(const Recording& recording, const Wanted& wanted, const std::optional<texture::SurfaceModel>& surface,
+  Run(const Recording& recording, const Wanted& wanted, const pipeline::LocalModel& local,
       const ReplayObserver& observer)
-      : recording_(recording), wanted_(wanted), pipeline_(wanted.parameters, surface), observer_(observer) {
+      : recording_(recording), wanted_(wanted), pipeline_(wanted.parameters, local), observer_(observer) {
     pipeline_.takeRecordedValues();
   }
 
@@ -199,7 +199,7 @@ class Run {
     }
     if (!wanted_.from_rest) return;
     // Nobody moves here: what the operator had done before the first row is done again.
-    if (first && inputs_.robot.phase == pipeline::LinkPhase::none) {
+    if (first && inputs_.robot.phase == pipeline::LinkPhase::none && pipeline_.scene() == nullptr) {
       (void)inputs_.commands.push(
           {.action = pipeline::OperatorAction::target_by_hand, .value = wanted_.parameters.step.hand_target_N_per_mm});
     }
@@ -248,8 +248,8 @@ Result<ReplayResult> replay(const Recording& recording, const ReplayOptions& opt
   if (info.committed_samples == 0) return fail("the recording holds no step");
   const auto recorded = recordedParameters(info.header);
   if (!recorded) return tl::unexpected(recorded.error());
-  const auto surface = recordedSurface(info.header);
-  if (!surface) return tl::unexpected(surface.error());
+  const auto local = recordedLocalModel(info.header);
+  if (!local) return tl::unexpected(local.error());
   const auto wanted = wantedOf(*recorded, options.settings);
   if (!wanted) return tl::unexpected(wanted.error());
 
@@ -265,7 +265,7 @@ Result<ReplayResult> replay(const Recording& recording, const ReplayOptions& opt
   for (const Parameter& parameter : bindParameters(checked)) {
     if (!insideRange(parameter)) noteOutOfRange(out, parameter);
   }
-  Run run(recording, *wanted, *surface, observer);
+  Run run(recording, *wanted, *local, observer);
   if (!wanted->from_rest) {
     if (info.header.step_state.empty()) {
       return fail(

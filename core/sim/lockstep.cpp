@@ -16,7 +16,7 @@ Lockstep::Lockstep(const LockstepOptions& options)
       world_(std::make_shared<TouchpadWorld>(options.sim, options.finger, kStart)),
       camera_(world_),
       detector_(options.parameters.sensing.finger),
-      pipeline_(options.parameters, options.surface),
+      pipeline_(options.parameters, options.local),
       draw_pictures_(options.draw_pictures),
       robot_stiffness_(options.robot_stiffness_N_per_mm),
       picture_period_(fromSeconds(1.0 / options.sim.camera_rate_Hz)),
@@ -25,7 +25,7 @@ Lockstep::Lockstep(const LockstepOptions& options)
       random_(static_cast<std::uint64_t>(options.sim.seed)) {
   if (std::isfinite(robot_stiffness_)) {
     next.robot.phase = pipeline::LinkPhase::running;
-  } else {
+  } else if (!options.local.scene) {
     (void)next.commands.push(
         {.action = pipeline::OperatorAction::target_by_hand, .value = options.parameters.step.hand_target_N_per_mm});
   }

@@ -19,9 +19,9 @@ struct LockstepOptions {
   FingerPath finger = FingerPath::constant(0.0, 0.0, 6.0);
   /// true: pictures are drawn and searched, as in a session; false: the true position with 0.1 mm of noise, much faster
   bool draw_pictures = true;
-  /// Stiffness a robot reports from the start; NaN: no robot, the target is set by hand.
+  /// Stiffness a robot reports from the start; NaN: no robot; the target is set by hand, or by a scene.
   double robot_stiffness_N_per_mm = 0.62;
-  std::optional<texture::SurfaceModel> surface;
+  pipeline::LocalModel local;
 };
 
 class Lockstep {

@@ -1,6 +1,5 @@
 #include "core/sim/scene_file.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -47,28 +46,23 @@ Result<scene::Mesh> openMesh(const std::string& path, scene::LengthUnit unit) {
   return mesh;
 }
 
-Result<SceneFile> openScene(const std::string& path) {
+Result<scene::LoadedScene> openScene(const std::string& path) {
   const auto text = readFile(path, kLargestScene_bytes);
   if (!text) return tl::unexpected(text.error());
   auto description = scene::parseScene(*text, path);
   if (!description) return tl::unexpected(description.error());
-  SceneFile out{.description = std::move(*description), .meshes = {}, .textures = {}};
+  scene::LoadedScene out{.text = *text, .description = std::move(*description), .meshes = {}, .textures = {}};
   std::string& name = out.description.settings.name;
   if (name.empty()) name = std::filesystem::path(path).filename().string();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::map<std::pair<std::string, scene::LengthUnit>, std::shared_ptr<const scene::SearchedMesh>> known;
-  const auto walks = [&](const scene::BodyDescription& of) {
-    return std::ranges::any_of(out.description.bodies, [&of](const scene::BodyDescription& body) {
-      return !body.soft && body.mesh == of.mesh && body.unit == of.unit;
-    });
-  };
   for (const scene::BodyDescription& body : out.description.bodies) {
     const std::string file = (folder / body.mesh).string();
     auto& mesh = known[{file, body.unit}];
     if (!mesh) {
       auto read = openMesh(file, body.unit);
       if (!read) return fail(about(path, read.error().message));
-      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read), walks(body));
+      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read), walksOn(out.description, body));
     }
     out.meshes.push_back(mesh);
     auto& texture = out.textures.emplace_back();
@@ -83,33 +77,12 @@ Result<SceneFile> openScene(const std::string& path) {
   return out;
 }
 
-Result<std::vector<BodyChoice>> chooseModels(const SceneFile& file) {
-  using scene::ContactChoice;
-  std::vector<BodyChoice> out;
-  for (std::size_t i = 0; i < file.meshes.size(); ++i) {
-    const scene::BodyDescription& body = file.description.bodies[i];
-    const scene::TriangleTree& tree = file.meshes[i]->tree;
-    BodyChoice& to = out.emplace_back();
-    if (!body.soft && body.contact != ContactChoice::automatic) {  // stands before the models
-      to.model.contact = static_cast<scene::ContactModel>(static_cast<int>(body.contact) - 1);
-    } else if (file.description.accuracy && body.soft) {
-      auto chosen = scene::chooseSoft(tree, scene::materialOf(body), *file.description.accuracy);
-      if (!chosen) return fail(about(body.name, chosen.error().message));
-      to.model.resolution = chosen->chosen;
-      to.soft = std::move(*chosen);
-    } else if (file.description.accuracy) {
-      to.contact = chooseContact(tree, {.stiffness_N_per_mm = body.stiffness_N_per_mm},
-                                 {.radius_mm = body.radius_mm, .reach_mm = body.depth_mm}, *file.description.accuracy);
-      to.model.contact = to.contact->chosen;
-    }
-  }
-  return out;
-}
-
-Result<scene::Scene> buildScene(const SceneFile& file, const std::vector<BodyChoice>& choices) {
-  std::vector<scene::BodyModel> models;
-  for (const BodyChoice& each : choices) models.push_back(each.model);
-  return scene::Scene::build(file.description, file.meshes, models);
+Result<scene::FeltScene> openFeltScene(const std::string& path, double rate_Hz) {
+  auto loaded = openScene(path);
+  if (!loaded) return tl::unexpected(loaded.error());
+  auto scene = scene::FeltScene::build(std::make_shared<const scene::LoadedScene>(std::move(*loaded)), rate_Hz);
+  if (!scene) return fail(about(path, scene.error().message));
+  return scene;
 }
 
 }  // namespace fyd::sim

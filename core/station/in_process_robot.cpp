@@ -1,35 +1,23 @@
 #include "core/station/in_process_robot.h"
 
 #include "core/sim/robot_arm.h"
-#include "core/sim/scene_arm.h"
 #include "core/station/real_time.h"
 
 namespace fyd::station {
 
 Result<std::unique_ptr<InProcessRobot>> InProcessRobot::open(const protocol::Endpoint& touchpad,
                                                              const sim::SimParameters& parameters,
-                                                             const RobotChoice& choice) {
+                                                             const std::string& predictor) {
   auto any_port = protocol::parseEndpoint("127.0.0.1:0");
   sim::SimulatedRobotOptions options;
   options.touchpad = touchpad;
   options.bind = *any_port;
-  const auto following = device::followingNamed(choice.predictor);
+  const auto following = device::followingNamed(predictor);
   if (!following) return tl::unexpected(following.error());
   options.reference.predictor = *following;
-  std::unique_ptr<device::Robot> arm;
-  std::shared_ptr<sim::SceneStage> stage;
-  if (choice.scene.empty()) {
-    arm = std::make_unique<sim::RobotArm>(parameters);
-  } else {
-    auto scene = sim::SceneArm::open(choice.scene, options.rate_Hz);
-    if (!scene) return tl::unexpected(scene.error());
-    stage = (*scene)->stage();
-    arm = std::move(*scene);
-    options.probe_material = false;
-  }
-  auto robot = sim::SimulatedRobot::open(options, std::move(arm));
+  auto robot = sim::SimulatedRobot::open(options, std::make_unique<sim::RobotArm>(parameters));
   if (!robot) return tl::unexpected(robot.error());
-  return std::unique_ptr<InProcessRobot>(new InProcessRobot(std::move(*robot), std::move(stage)));
+  return std::unique_ptr<InProcessRobot>(new InProcessRobot(std::move(*robot)));
 }
 
 void InProcessRobot::start() {

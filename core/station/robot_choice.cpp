@@ -17,10 +17,10 @@ constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
 
 Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& key_file) {
   const bool scene = robot.starts_with(kScenePrefix);
-  const bool in_process = scene || robot == kSimulated || robot.starts_with(kSimulatedPrefix);
+  const bool in_process = robot == kSimulated || robot.starts_with(kSimulatedPrefix);
   const bool classic = robot.starts_with(kClassicPrefix);
   const bool secured = robot.starts_with(kLinkPrefix);
-  if (!in_process && !classic && !secured && robot != "none") {
+  if (!in_process && !scene && !classic && !secured && robot != "none") {
     return fail("robot '{}': expected simulated, scene:FILE, none, link:HOST:PORT or classic:HOST:PORT", robot);
   }
   if (secured != !key_file.empty()) {
@@ -31,7 +31,7 @@ Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& k
   if (scene) choice.scene = robot.substr(kScenePrefix.size());
   if (robot.starts_with(kSimulatedPrefix)) choice.predictor = robot.substr(kSimulatedPrefix.size());
   if (auto known = device::followingNamed(choice.predictor); !known) return tl::unexpected(known.error());
-  if (robot == "none") return choice;
+  if (scene || robot == "none") return choice;
   std::string_view address = kSimulatedRobotEndpoint;
   if (classic) address = robot.substr(kClassicPrefix.size());
   if (secured) address = robot.substr(kLinkPrefix.size());

@@ -14,7 +14,7 @@ namespace fyd::station {
 struct RobotChoice {
   bool in_process = false;                   ///< the simulated one, in a thread of this process
   std::string predictor = "default";         ///< how that one leads its arm, as device::followingNamed takes it
-  std::string scene;                         ///< the file of the scene that stands in its place; empty: an arm
+  std::string scene;                         ///< file of the scene that is felt in a robot's place; empty: none
   std::optional<protocol::Endpoint> listen;  ///< where the link listens; nothing: no robot
   std::optional<protocol::LinkKey> key;      ///< of FYD Link; nothing: the classic protocol
 };

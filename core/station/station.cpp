@@ -6,9 +6,11 @@
 
 #include "core/device/camera_source.h"
 #include "core/device/touchpad_source.h"
+#include "core/scene/felt_scene.h"
 #include "core/session/recorded_camera.h"
 #include "core/session/recorded_touchpad.h"
 #include "core/sim/gesture_card.h"
+#include "core/sim/scene_file.h"
 #include "core/sim/simulated_camera.h"
 #include "core/sim/simulated_touchpad.h"
 #include "core/station/notice.h"
@@ -28,6 +30,18 @@ Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& path
   auto model = texture::parseSurface(text, path);
   if (!model) return tl::unexpected(model.error());
   return std::move(*model);
+}
+
+Result<pipeline::LocalModel> readLocalModel(const std::string& surface, const std::string& scene, double rate_Hz) {
+  pipeline::LocalModel local;
+  auto stored = readSurface(surface);
+  if (!stored) return tl::unexpected(stored.error());
+  local.surface = std::move(*stored);
+  if (scene.empty()) return local;
+  auto felt = sim::openFeltScene(scene, rate_Hz);
+  if (!felt) return tl::unexpected(felt.error());
+  local.scene = std::make_shared<const scene::FeltScene>(std::move(*felt));
+  return local;
 }
 
 Result<sim::FingerPath> readFinger(const std::string& path) {
@@ -53,12 +67,10 @@ Result<std::unique_ptr<device::Touchpad>> makeTouchpad(const StationOptions& opt
   return device::withMotors(std::move(*touchpad), options.motors, options.profile.device);
 }
 
-session::StationDescription describeForRecording(const StationOptions& options,
-                                                 const std::optional<texture::SurfaceModel>& surface) {
+session::StationDescription describeForRecording(const StationOptions& options) {
   return {.touchpad = options.touchpad + (options.motors.empty() ? "" : " with " + options.motors),
           .camera = options.camera.empty() ? std::string(kSimulated) : options.camera,
-          .robot = options.robot,
-          .surface = surface ? texture::formatSurface(*surface) : std::string{}};
+          .robot = options.robot};
 }
 
 }  // namespace
@@ -77,15 +89,14 @@ StationOptions withProfileSources(StationOptions options) {
   return options;
 }
 
-Station::Impl::Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
+Station::Impl::Impl(const StationOptions& options, const pipeline::LocalModel& local,
                     std::shared_ptr<sim::TouchpadWorld> simulated_world,
                     std::unique_ptr<device::Touchpad> opened_touchpad,
                     const std::shared_ptr<session::PlaybackStart>& playback)
     : profile(options.profile),
       bound(bindParameters(profile)),
-      pipeline(options.profile.step, surface),
-      recorder(options.profile.session, options.profile.step, surface, describeForRecording(options, surface),
-               recorderSource()),
+      pipeline(options.profile.step, local),
+      recorder(options.profile.session, options.profile.step, local, describeForRecording(options), recorderSource()),
       world(std::move(simulated_world)),
       touchpad(std::move(opened_touchpad), options.profile.device),
       camera(
@@ -111,14 +122,14 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   StationOptions options = withProfileSources(asked);
   if (options.camera.empty() && session::recordingOf(options.touchpad)) options.camera = options.touchpad;
   cv::setNumThreads(1);  // replay must not depend on how many cores there are
-  auto surface = readSurface(options.surface);
-  if (!surface) return tl::unexpected(surface.error());
   auto finger = readFinger(options.finger_csv);
   if (!finger) return tl::unexpected(finger.error());
   auto checked = control::checkControlParameters(options.profile.step.control);
   if (!checked) return tl::unexpected(checked.error());
   const auto choice = readRobotChoice(options.robot, options.key_file);
   if (!choice) return tl::unexpected(choice.error());
+  auto local = readLocalModel(options.surface, choice->scene, options.profile.step.texture.sample_rate_Hz);
+  if (!local) return tl::unexpected(local.error());
 
   std::shared_ptr<sim::TouchpadWorld> world;
   if (options.touchpad == kSimulated) {
@@ -128,21 +139,22 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   auto touchpad = makeTouchpad(options, world, playback);
   if (!touchpad) return tl::unexpected(touchpad.error());
 
-  auto impl = std::make_unique<Impl>(options, *surface, std::move(world), std::move(*touchpad), playback);
+  auto impl = std::make_unique<Impl>(options, *local, std::move(world), std::move(*touchpad), playback);
   if (choice->listen) {
     auto link = LinkThread::open(*choice->listen, options.profile.link, choice->key);
     if (!link) return tl::unexpected(link.error());
     impl->link = std::move(*link);
-  } else {
+  } else if (!local->scene) {
     (void)impl->commands.push(
         {.action = pipeline::OperatorAction::target_by_hand, .value = options.profile.step.step.hand_target_N_per_mm});
   }
   if (choice->in_process) {
-    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim, *choice);
+    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim, choice->predictor);
     if (!robot) return tl::unexpected(robot.error());
     impl->robot = std::move(*robot);
     impl->predictor = choice->predictor;
   }
+  if (local->scene) impl->stage = std::make_shared<scene::SceneStage>(local->scene->loaded());
   impl->recorder.start();
   if (options.record) {
     if (auto begun = impl->recorder.begin(*options.record); !begun) return tl::unexpected(begun.error());
@@ -238,6 +250,8 @@ StationStatus Station::status() const {
                             .error_mm = robot.reference.error_mm,
                             .horizon_ms = robot.reference.horizon_ms};
     }
+  } else if (impl_->stage) {
+    out.link.protocol = say("scene {}", impl_->stage->scene().description.settings.name);
   } else {
     out.link.protocol = say("none");
   }
@@ -274,6 +288,6 @@ void Station::releaseSimulatedFinger() {
 
 bool Station::simulated() const { return impl_->world != nullptr; }
 
-std::shared_ptr<sim::SceneStage> Station::scene() const { return impl_->robot ? impl_->robot->scene() : nullptr; }
+std::shared_ptr<scene::SceneStage> Station::scene() const { return impl_->stage; }
 
 }  // namespace fyd::station

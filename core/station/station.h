@@ -27,7 +27,7 @@
 #include "core/station/device_test.h"
 #include "core/station/profile.h"
 
-namespace fyd::sim {
+namespace fyd::scene {
 class SceneStage;
 }
 
@@ -80,7 +80,7 @@ struct LedArm {
 };
 
 struct LinkStatus {
-  Message protocol;      ///< "FYD Link, sealed", "classic, not secured", "none"
+  Message protocol;      ///< "FYD Link, sealed", "classic, not secured", "scene NAME", "none"
   bool secured = false;  ///< authenticated and encrypted
   std::string local;     ///< address this end listens on
   std::string peer;      ///< empty before the first
@@ -206,7 +206,7 @@ class Station {
   [[nodiscard]] bool simulated() const;
 
   /// The scene where the robot stands, for one thread that draws it; null where there is none in this process.
-  [[nodiscard]] std::shared_ptr<sim::SceneStage> scene() const;
+  [[nodiscard]] std::shared_ptr<scene::SceneStage> scene() const;
 
  private:
   struct Impl;

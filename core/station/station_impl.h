@@ -7,6 +7,7 @@
 #include "core/base/latest_value.h"
 #include "core/base/ring.h"
 #include "core/pipeline/pipeline.h"
+#include "core/scene/scene_stage.h"
 #include "core/session/recorded_device.h"
 #include "core/sim/touchpad_world.h"
 #include "core/station/camera_thread.h"
@@ -40,7 +41,7 @@ struct ErrorSum {
 };
 
 struct Station::Impl {
-  Impl(const StationOptions& options, const std::optional<texture::SurfaceModel>& surface,
+  Impl(const StationOptions& options, const pipeline::LocalModel& local,
        std::shared_ptr<sim::TouchpadWorld> simulated_world, std::unique_ptr<device::Touchpad> opened_touchpad,
        const std::shared_ptr<session::PlaybackStart>& playback);
 
@@ -74,7 +75,8 @@ struct Station::Impl {
   CameraThread camera;
   std::unique_ptr<LinkThread> link;  // none without a robot
   std::unique_ptr<InProcessRobot> robot;
-  std::string predictor;  // of that one
+  std::shared_ptr<scene::SceneStage> stage;  // none without a scene in this process
+  std::string predictor;                     // of that one
   bool simulated_camera;
 
   // between threads

@@ -70,6 +70,7 @@ void Station::Impl::cycle(Instant now, std::uint64_t missed_cycles) {
     link->announcement.write(
         {.touch = outputs.touch, .taken = now, .k_vib = pipeline.parameters().texture.k_vib, .motors = outputs.motors});
   }
+  if (stage) stage->show(*pipeline.scene());
   if (!telemetry.push(outputs.telemetry)) telemetry_lost.fetch_add(1, std::memory_order_relaxed);
   for (const pipeline::Event& event : outputs.events) {
     (void)events.push({.when = now, .event = event});

@@ -22,7 +22,8 @@ RANKS = [
     ["app/cli", "app/console"],
 ]
 # Rooms of the same rank that may look at a neighbour, one way.
-NEIGHBOURS = {("core/calibration", "core/sensing"), ("core/calibration", "core/control"), ("core/calibration", "core/texture")}
+NEIGHBOURS = {("core/calibration", "core/sensing"), ("core/calibration", "core/control"), ("core/calibration", "core/texture"),
+              ("core/scene", "core/texture")}
 RANK = {room: rank for rank, rooms in enumerate(RANKS) for room in rooms}
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
 # The estimator is tested against the simulated cloth, so the two share no formula and no table: the simulation looks at

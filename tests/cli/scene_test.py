@@ -180,8 +180,22 @@ class InASession(fyd.Case):
         texture = os.path.join(os.environ["FYD_SOURCE_DIR"], "resources", "textures", "wood.toml")
         with open(scene, "w", encoding="utf-8") as file:
             file.write(f'[scene]\nname = "floor"\n[[body]]\nmesh = "floor.obj"\nstiffness_N_per_mm = 0.66\ncontact = "facet"\ntexture = "{texture}"\n')
-        result = self.json("station", "--simulate", "--robot", "scene:" + scene, "--duration", "6", "--record", recording, "--json")
-        self.assertGreater(result["state_messages_received"], 100)
+        telemetry = self.path("t.csv")
+        result = self.json("station", "--simulate", "--robot", "scene:" + scene, "--duration", "6", "--record", recording,
+                           "--telemetry", telemetry, "--json")
+        self.assertEqual((result["link_protocol"], result["touch_messages_sent"]), ("scene floor", 0), "no network lies between")
+        with open(telemetry, encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        touched = [row for row in rows if row["state"] == "3" and float(row["robot_force_N"]) > 0]
+        self.assertGreater(len(touched), 1000)
+        for row in touched[::50]:
+            self.assertEqual(float(row["robot_stiffness_N_per_mm"]), 0.66)
+            self.assertAlmostEqual(float(row["robot_z_mm"]), -1.0, 9, "the floor's height")
+            depth_mm = -1.0 - 3.0 * float(row["touch_z_mm"])
+            self.assertAlmostEqual(float(row["robot_force_N"]), 0.66 * depth_mm, 2)
+        # The recording holds its scene: its files are not needed any more, and what was felt is computed again.
+        os.remove(scene)
+        os.remove(self.path("floor.obj"))
         again = self.json("session", "replay", recording, "--json")
         self.assertTrue(again["identical"])
         self.assertIn("s.toml", self.refused(1, "station", "--simulate", "--robot", "scene:" + scene + ".not", "--duration", "1"))

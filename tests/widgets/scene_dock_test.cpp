@@ -1,5 +1,6 @@
 // The scene's panel of the Operate place: what stands where the robot stands, when it opens, and how a scene is chosen.
-#include "core/sim/scene_stage.h"
+#include "core/scene/scene_stage.h"
+#include "core/sim/scene_file.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
 
@@ -13,8 +14,9 @@ class SceneFolder {
     (void)put(QStringLiteral("square.obj"), "v -10 -10 0\nv 10 -10 0\nv 10 10 0\nv -10 10 0\nf 1 2 3\nf 1 3 4\n");
     return put(QStringLiteral("scene.toml"), scene);
   }
-  [[nodiscard]] std::shared_ptr<sim::SceneStage> stage(const QByteArray& scene) const {
-    return std::make_shared<sim::SceneStage>(sim::openScene(write(scene).toStdString()).value());
+  [[nodiscard]] std::shared_ptr<scene::SceneStage> stage(const QByteArray& scene) const {
+    return std::make_shared<scene::SceneStage>(
+        std::make_shared<const scene::LoadedScene>(sim::openScene(write(scene).toStdString()).value()));
   }
 
  private:
@@ -102,7 +104,7 @@ class SceneDockTest : public QObject {
     const widgets::SceneView* view = f.window->operate()->scene()->view();
     QCOMPARE(view->state().parts.placements.at(0).origin_mm, (Vec3{0.0, 0.0, 5.0}));
     QVERIFY(!view->state().point_mm.finite());
-    f.session->stage->show({.stepped = true, .time_s = 3.0, .point_mm = {1.0, 2.0, 3.0}});
+    f.session->stage->show(scene::SceneMoment{.stepped = true, .time_s = 3.0, .point_mm = {1.0, 2.0, 3.0}});
     f.window->feed().pump();
     QCOMPARE(view->state().parts.placements.at(0).origin_mm, (Vec3{30.0, 0.0, 5.0}));
     QCOMPARE(view->state().point_mm, (Vec3{1.0, 2.0, 3.0}));
@@ -122,11 +124,11 @@ class SceneDockTest : public QObject {
     ball.ball.position_mm = {0.0, 0.0, 250.0};
     ball.racket_known = true;
     ball.racket.centre_mm = {5.0, 6.0, 7.0};
-    f.session->stage->show({.stepped = true});  // the first step knows no swords yet
+    f.session->stage->show(scene::SceneMoment{.stepped = true});  // the first step knows no swords yet
     f.window->feed().pump();
     const widgets::SceneView* view = f.window->operate()->scene()->view();
     QVERIFY(view->state().parts.balls.empty());
-    f.session->stage->show({.stepped = true, .time_s = 0.001, .swords = swords, .ball = ball});
+    f.session->stage->show(scene::SceneMoment{.stepped = true, .time_s = 0.001, .swords = swords, .ball = ball});
     f.window->feed().pump();
     // All of 1300 mm is in the picture.
     QVERIFY(view->camera().mmPerPixel() * view->width() > 1300.0);

@@ -79,7 +79,7 @@ class ScriptedSession : public console::Session {
   void playSimulatedFinger(const sim::FingerPath& path) override { played.push_back(path); }
   std::string fingerFile() const override { return finger_file; }
   bool simulated() const override { return true; }
-  std::shared_ptr<sim::SceneStage> scene() const override { return stage; }
+  std::shared_ptr<scene::SceneStage> scene() const override { return stage; }
   console::RobotWords robot() const override { return present; }
   bool isOpen() const override { return open; }
   Result<void> reconnect(const console::RobotWords& wanted) override {
@@ -138,7 +138,7 @@ class ScriptedSession : public console::Session {
   std::vector<console::RobotWords> asked;
   bool open = true;
   int begun_anew = 0;
-  std::shared_ptr<sim::SceneStage> stage;  ///< a scene where the robot stands
+  std::shared_ptr<scene::SceneStage> stage;  ///< a scene where the robot stands
 };
 
 struct Fixture {

@@ -20,8 +20,7 @@ struct Push {
 
 /// At the loop's own pace, so that caches are as cold as they are there.
 Push measurePush(const std::string& path) {
-  session::Recorder recorder({}, {}, std::nullopt, {},
-                             {.profile = [](const auto&) { return std::string(); }, .link = {}});
+  session::Recorder recorder({}, {}, {}, {}, {.profile = [](const auto&) { return std::string(); }, .link = {}});
   recorder.start();
   std::vector<double> copies;
   std::vector<double> pushes;

@@ -18,7 +18,7 @@ std::vector<pipeline::Inputs> record(const std::string& path) {
     pipeline::Parameters copy = step;
     return formatProfile(bindParameters(copy));
   };
-  session::Recorder recorder({}, {}, std::nullopt, {}, {.profile = profile, .link = {}});
+  session::Recorder recorder({}, {}, {}, {}, {.profile = profile, .link = {}});
   recorder.start();
   std::vector<pipeline::Inputs> inputs;
   simulateSession(kSession_s, [&](const session::StepView& step) {

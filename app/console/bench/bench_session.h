@@ -95,7 +95,7 @@ class BusySession : public Session {
   void playSimulatedFinger(const sim::FingerPath&) override {}
   std::string fingerFile() const override { return {}; }
   bool simulated() const override { return true; }
-  std::shared_ptr<sim::SceneStage> scene() const override { return nullptr; }
+  std::shared_ptr<scene::SceneStage> scene() const override { return nullptr; }
   RobotWords robot() const override { return {}; }
   Result<void> reconnect(const RobotWords&) override { return {}; }
   Result<void> beginAnew(const station::Profile&) override { return {}; }

@@ -154,7 +154,7 @@ TEST_F(Recorded, WithoutAKnownStateTheRecordingSaysSo) {
 }
 
 TEST_F(Recorded, ALoopThatOutrunsTheRecorderNeitherWaitsNorHidesIt) {
-  Recorder unread({}, {}, std::nullopt, {}, {});  // its thread does not run
+  Recorder unread({}, {}, {}, {}, {});  // its thread does not run
   const pipeline::Inputs in;
   const pipeline::Outputs out;
   for (int i = 0; i < 20'000; ++i) unread.push({.inputs = in, .outputs = out});

@@ -30,8 +30,7 @@ constexpr double kMostLost_s = 1.5;
 /// goes
 [[noreturn]] void recordForEver(const std::string& file, std::atomic<std::int64_t>& newest_ns) {
   const pipeline::Parameters parameters;
-  Recorder recorder({}, parameters, std::nullopt, {},
-                    {.profile = [](const auto&) { return std::string(); }, .link = {}});
+  Recorder recorder({}, parameters, {}, {}, {.profile = [](const auto&) { return std::string(); }, .link = {}});
   pipeline::Pipeline pipeline(parameters);
   recorder.start();
   cv::Mat picture(240, 320, CV_8UC1);

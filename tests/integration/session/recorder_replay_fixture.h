@@ -36,15 +36,15 @@ class Recorded : public testing::Test {
   [[nodiscard]] std::string file(const std::string& name) const { return (folder / name).string(); }
 
   void startRecorder(RecorderOptions chosen = {}) {
-    recorder = std::make_unique<Recorder>(
-        chosen, options.parameters, std::nullopt,
-        StationDescription{.touchpad = "simulated", .camera = "none", .robot = "none", .surface = {}},
-        StationSource{.profile =
-                          [](const pipeline::Parameters& step) {
-                            pipeline::Parameters copy = step;
-                            return formatProfile(bindParameters(copy));
-                          },
-                      .link = {}});
+    recorder =
+        std::make_unique<Recorder>(chosen, options.parameters, options.local,
+                                   StationDescription{.touchpad = "simulated", .camera = "none", .robot = "none"},
+                                   StationSource{.profile =
+                                                     [](const pipeline::Parameters& step) {
+                                                       pipeline::Parameters copy = step;
+                                                       return formatProfile(bindParameters(copy));
+                                                     },
+                                                 .link = {}});
     pushed = 0;
     if (disk) recorder->writeThrough(disk);
     recorder->start();

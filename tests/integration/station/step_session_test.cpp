@@ -374,7 +374,7 @@ FeltTexture feltWithoutARobot(texture::PwmChoice mapping) {
   LockstepOptions options;
   options.parameters.texture.pwm = mapping;
   options.robot_stiffness_N_per_mm = std::numeric_limits<double>::quiet_NaN();
-  options.surface =
+  options.local.surface =
       texture::SurfaceModel{.name = "test", .bands = {{.wavelength_mm = 0.5, .quality = 2.0, .rms_g = 0.2}}};
   options.finger = sim::FingerPath::demonstration();
   Lockstep session(options);

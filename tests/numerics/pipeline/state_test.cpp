@@ -21,8 +21,9 @@ texture::SurfaceModel denim() {
   return model;
 }
 
-std::optional<texture::SurfaceModel> surfaceOf(unsigned seed) {
-  return seed % 3 == 0 ? std::nullopt : std::optional(denim());
+LocalModel surfaceOf(unsigned seed) {
+  if (seed % 3 == 0) return {};
+  return {denim()};
 }
 
 /// Everything a step gives, as bits: NaN equals NaN, 0 differs from −0.
@@ -234,7 +235,7 @@ TEST(OlderState, WithoutAParameterInTheMiddleLeavesItsValueAndTakesTheRest) {
 TEST(NewerState, IsRefusedByTheNameOfWhatIsNotKnown) {
   const Advanced advanced(1);
   const std::string state = advanced.pipeline->saveState();
-  Pipeline pipeline(Parameters{}, denim());
+  Pipeline pipeline(Parameters{}, {denim()});
   expectRefused(pipeline, changed(state, "control.kp", "control.kq"), "'control.kq' is no parameter");
   expectRefused(pipeline, changed(state, "interpolated", "interpolatex"), "control.law = 'interpolatex'");
   expectRefused(pipeline, changed(state, "controller", "controllex"), "'controllex' is no module");
@@ -247,16 +248,16 @@ TEST(NewerState, IsRefusedByTheNameOfWhatIsNotKnown) {
 TEST(RefusedState, OfAnotherSurfaceOrParameter) {
   const Advanced advanced(1);
   const std::string state = advanced.pipeline->saveState();
-  Pipeline same(Parameters{}, denim());
+  Pipeline same(Parameters{}, {denim()});
   Pipeline without_surface{Parameters{}};
   expectRefused(without_surface, state, "another surface");
   Parameters moved;
   moved.sensing.indentation.frame_half_width_mm = 51;
-  Pipeline with_frame(moved, denim());
+  Pipeline with_frame(moved, {denim()});
   expectRefused(with_frame, state, "sensing.frame_half_width_mm was 50");
   Parameters sensors;
   (void)sensors.sensing.indentation.ir_lowest_code.push(524);
-  Pipeline with_sensors(sensors, denim());
+  Pipeline with_sensors(sensors, {denim()});
   expectRefused(with_sensors, state, "sensing.ir_lowest_code had 3 values");
 
   const std::string_view whole = state;

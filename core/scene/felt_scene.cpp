@@ -1,0 +1,55 @@
+#include "core/scene/felt_scene.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/scene/scene_digest.h"
+#include "core/scene/vector.h"
+
+namespace fyd::scene {
+
+Result<FeltScene> FeltScene::build(std::shared_ptr<const LoadedScene> loaded, double rate_Hz) {
+  const auto choices = chooseModels(*loaded);
+  if (!choices) return tl::unexpected(choices.error());
+  return build(std::move(loaded), modelsOf(*choices), rate_Hz);
+}
+
+Result<FeltScene> FeltScene::build(std::shared_ptr<const LoadedScene> loaded, std::vector<BodyModel> models,
+                                   double rate_Hz) {
+  auto scene = buildScene(*loaded, models);
+  if (!scene) return tl::unexpected(scene.error());
+  return FeltScene(std::move(loaded), std::move(models), std::move(*scene), rate_Hz);
+}
+
+FeltScene::FeltScene(std::shared_ptr<const LoadedScene> loaded, std::vector<BodyModel> models, Scene scene,
+                     double rate_Hz)
+    : loaded_(std::move(loaded)),
+      models_(std::move(models)),
+      rate_Hz_(rate_Hz),
+      digest_(digestOf(*loaded_)),
+      scene_(std::move(scene)) {
+  for (const auto& texture : loaded_->textures) {
+    auto& to = textures_.emplace_back();
+    if (texture) to.emplace(*texture, rate_Hz);
+  }
+}
+
+const SceneTouch& FeltScene::step(const Vec3& probe_mm, double time_s) {
+  if (!probe_mm.finite() || !std::isfinite(time_s)) {
+    texture_g_ = 0.0;
+    return touch_ = scene_.step(probe_mm, time_s);
+  }
+  const double dt_s = known_ ? time_s - time_s_ : 0.0;
+  if (known_ && !(dt_s > 0.0)) return touch_;
+  known_ = true;
+  time_s_ = time_s;
+  const Vec3 way_mm = probe_mm - std::exchange(probe_mm_, probe_mm);
+  touch_ = scene_.step(probe_mm, time_s);
+  texture_g_ = 0.0;
+  if (!touch_.touching || touch_.body == kNoBody || !textures_[touch_.body] || !(dt_s > 0.0)) return touch_;
+  const Vec3 along_mm = way_mm - dot(way_mm, touch_.normal) * touch_.normal;
+  texture_g_ = textures_[touch_.body]->step(length(along_mm) / dt_s, length(touch_.force_N));
+  return touch_;
+}
+
+}  // namespace fyd::scene

@@ -1,0 +1,40 @@
+// A scene with all that it names: its text, the meshes and the stored surfaces.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/scene/contact_choice.h"
+#include "core/scene/scene.h"
+#include "core/scene/soft_choice.h"
+#include "core/texture/surface_model.h"
+
+namespace fyd::scene {
+
+struct LoadedScene {
+  std::string text;  ///< TOML, as written
+  SceneDescription description;
+  std::vector<std::shared_ptr<const SearchedMesh>> meshes;     ///< of each body; those of one mesh share it
+  std::vector<std::optional<texture::SurfaceModel>> textures;  ///< of each body
+};
+
+/// Whether any rigid body of the description has this body's mesh: it must then be a mesh to walk on.
+[[nodiscard]] bool walksOn(const SceneDescription& description, const BodyDescription& of);
+
+/// What the description leaves open: as measured for the scene's accuracy; vicinity and as many points as a press wakes
+/// without one.
+struct BodyChoice {
+  BodyModel model;
+  std::optional<ContactChoiceReport> contact;  ///< of a rigid body, where it was chosen
+  std::optional<SoftChoiceReport> soft;        ///< of a soft body, likewise
+};
+/// @return an error that names the body and what of its material is out of range
+[[nodiscard]] Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene);
+
+[[nodiscard]] Result<Scene> buildScene(const LoadedScene& scene, const std::vector<BodyModel>& models);
+[[nodiscard]] std::vector<BodyModel> modelsOf(const std::vector<BodyChoice>& choices);
+
+}  // namespace fyd::scene

@@ -1,0 +1,101 @@
+// A scene as it is felt: its copies, its texture, and what of it is shown.
+#include "core/scene/felt_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "core/scene/scene_stage.h"
+#include "tests/unit/scene/loaded.h"
+
+namespace fyd::scene {
+namespace {
+
+const std::string kBody = "[[body]]\nmesh = \"square.obj\"\n";
+
+TEST(FeltScene, ASlidingFingerIsShakenByTheBodysTexture) {
+  FeltScene scene = felt(loaded(kBody + "contact = \"facet\"\n", {shapes::plane(50.0, 4)}, ribbed()));
+  const auto rms = [&scene](double speed_mm_s, double z_mm, double from_s) {
+    double squares = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      scene.step({-20.0 + 1e-3 * speed_mm_s * i, 0.3, z_mm}, from_s + 1e-3 * i);
+      if (i >= 200) squares += scene.texture_g() * scene.texture_g();  // the speed has settled
+    }
+    return std::sqrt(squares / 200.0);
+  };
+  EXPECT_GT(rms(80.0, -2.0, 0.0), 0.05);
+  EXPECT_LT(rms(0.0, -2.0, 1.0), 0.02);  // it rings down
+  EXPECT_EQ(rms(80.0, 1.0, 2.0), 0.0);   // in the air
+  scene.step({0.0, 0.0, NAN}, 3.0);
+  EXPECT_EQ(scene.texture_g(), 0.0);
+}
+
+TEST(FeltScene, ACopyGoesItsOwnWay) {
+  const FeltScene original = felt(loaded(kBody + "contact = \"proxy\"\nstatic_friction = 0.8\nkinetic_friction = 0.6\n",
+                                         {shapes::bumps(30)}, ribbed()));
+  FeltScene one = original, two = original;
+  for (int i = 0; i < 50; ++i) one.step({0.1 * i, 3.0, 1.0 - 0.05 * i}, 1e-3 * i);
+  EXPECT_TRUE(one.touch().touching);
+  EXPECT_FALSE(two.touch().touching);
+  for (int i = 0; i < 50; ++i) two.step({0.1 * i, 3.0, 1.0 - 0.05 * i}, 1e-3 * i);
+  EXPECT_EQ(one.touch().force_N, two.touch().force_N);
+  EXPECT_EQ(one.texture_g(), two.texture_g());
+}
+
+TEST(SceneStage, WhatIsTouchedIsShown) {
+  FeltScene scene =
+      felt(loaded(kBody + "contact = \"facet\"\nstiffness_N_per_mm = 0.5\nvelocity_mm_per_s = [100, 0, 0]\n",
+                  {shapes::plane(10.0, 1)}));
+  SceneStage stage(scene.loaded());
+  EXPECT_EQ(stage.scene().meshes.size(), 1U);
+  EXPECT_FALSE(stage.newest().stepped);
+  const auto stepped = [&](const Vec3& at_mm, double time_s) -> const SceneMoment& {
+    scene.step(at_mm, time_s);
+    stage.show(scene);
+    return stage.newest();
+  };
+  EXPECT_TRUE(stepped({1.0, 2.0, 3.0}, 3600.0).stepped);
+  EXPECT_FALSE(stage.newest().touch.touching);
+  const SceneMoment& now = stepped({1.0, 2.0, -2.0}, 3600.02);
+  EXPECT_EQ(now.point_mm, (Vec3{1.0, 2.0, -2.0}));
+  EXPECT_TRUE(now.touch.touching);
+  EXPECT_NEAR(now.touch.force_N.z, 1.0, 1e-12);  // 2 mm deep
+  EXPECT_NEAR(now.touch.proxy_mm.z, 0.0, 1e-12);
+  EXPECT_NEAR(now.time_s, 0.02, 1e-9);
+  EXPECT_NEAR(stage.placements()[0].toScene({}, now.time_s).x, 2.0, 1e-6);
+  EXPECT_TRUE(now.shapes_mm[0].empty());  // rigid
+}
+
+TEST(SceneStage, ShownAtMostAboutSixtyTimesASecond) {
+  FeltScene scene = felt(loaded(kBody + "contact = \"facet\"\n", {shapes::plane(10.0, 1)}));
+  SceneStage stage(scene.loaded());
+  int changes = 0;
+  double last_s = -1.0;
+  for (int ms = 0; ms < 1000; ++ms) {
+    scene.step({0.0, 0.0, 1.0}, 0.001 * ms + 1e-9);
+    stage.show(scene);
+    const double now_s = stage.newest().time_s;
+    changes += now_s == last_s ? 0 : 1;
+    last_s = now_s;
+  }
+  EXPECT_NEAR(changes, 62, 1);
+}
+
+TEST(SceneStage, APressedSoftBodysShapeIsShown) {
+  FeltScene scene = felt(loaded(kBody + "soft = true\nstiffness_N_per_mm = 0.5\nspread_mm = 5\nfinger_mm = 5\n",
+                                {shapes::plane(10.0, 1)}));
+  SceneStage stage(scene.loaded());
+  scene.step({0.0, 0.0, 5.0}, 0.0);
+  stage.show(scene);
+  EXPECT_TRUE(stage.newest().shapes_mm[0].empty());  // at rest
+  for (int ms = 1; ms <= 200; ++ms) {
+    scene.step({0.0, 0.0, -1.0}, 1e-3 * ms);
+    stage.show(scene);
+  }
+  const std::vector<Vec3>& shape_mm = stage.newest().shapes_mm[0];
+  ASSERT_EQ(shape_mm.size(), 4U);
+  double lowest_mm = 0.0;
+  for (const Vec3& each : shape_mm) lowest_mm = std::min(lowest_mm, each.z);
+  EXPECT_LT(lowest_mm, -0.05);
+}
+
+}  // namespace
+}  // namespace fyd::scene
