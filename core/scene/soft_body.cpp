@@ -121,7 +121,6 @@ void SoftBody::reset() {
   contact_ = {};
   hand_known_ = false;
   hint_ = kNoTriangle;
-  work_mJ_ = 0.0;
 }
 
 std::size_t SoftBody::bytes() const {
@@ -143,9 +142,21 @@ const SoftContact& SoftBody::step(double step_s, const Vec3& hand_mm) {
   for (double i = 1.0; i <= parts; ++i) {
     part(step_s / parts, i == parts ? hand_mm : from + (i / parts) * (hand_mm - from));
   }
+  payFor(hand_mm - from);
   last_hand_mm_ = hand_mm;
   hand_known_ = true;
   return contact_;
+}
+
+void SoftBody::payFor(const Vec3& moved) {
+  if (awake_.empty()) return;
+  const double back = dot(contact_.force_N, moved);
+  const double most = paid_mJ_ - energy_mJ_;
+  // Where steps are too long for the body: the hand gets less, or pays more, up to twice the force.
+  double share = 1.0;
+  if (back > most && back != 0.0) share = std::clamp(most / back, 0.0, 2.0);
+  contact_.force_N = share * contact_.force_N;
+  paid_mJ_ -= share * back;
 }
 
 SoftTouch SoftBody::touch(double date_s) const {
@@ -173,18 +184,17 @@ void SoftBody::part(double h, const Vec3& hand) {
   }
   contact_ = {};
   contact_.stiffness_N_per_mm = material_.rigidity_N_per_mm;
-  Vec3 normal = place.normal;
+  // Both forces are those of one height, the hand's above the deformed surface along the surface's normal at rest: on
+  // the body along that normal, on the hand along the height's gradient at the step's end. So the hand pays what the
+  // body gets, and a body that is pushed askew does not swing under a hand that stands.
   double gap = 0.0;
   bool may = false;
   if (place.found) {
     sunk_mm_ = underFinger();
-    Vec3 rise{};  // of the surface's height along the normal
-    for (const std::uint32_t i : pressed_) rise = rise + dot(place.normal, u_[i]) * slope_[i];
-    normal = unit(place.normal - (rise - dot(rise, place.normal) * place.normal));
-    gap = dot(normal, hand - place.at_mm - sunk_mm_);
+    gap = dot(place.normal, hand - place.at_mm - sunk_mm_);
     may = place.aside_mm <= finger_mm_ && gap > -resolution_.reach_mm;
     contact_.triangle = place.aside_mm <= finger_mm_ ? place.triangle : kNoTriangle;
-    contact_.normal = normal;
+    contact_.normal = unit(gradientUnder(place));
     contact_.surface_mm = place.at_mm + sunk_mm_;
   }
   if (awake_.empty() && !(may && gap < 0.0)) {
@@ -206,7 +216,7 @@ void SoftBody::part(double h, const Vec3& hand) {
   for (const std::uint32_t i : awake_) {
     inertia_[i] = mass_[i] / (h * h);
     const double w = may ? weight_[i] : 0.0;
-    const Vec3 b = (mass_[i] / h) * v_[i] - elastic_[i] - (w * before_N) * normal;
+    const Vec3 b = (mass_[i] / h) * v_[i] - elastic_[i] - (w * before_N) * place.normal;
     right_[i] = Four(b.x, b.y, b.z, w);
     if (w > 0.0) press += w * w / (inertia_[i] + scale * stiffness_.diagonal[i]);
   }
@@ -225,24 +235,28 @@ void SoftBody::part(double h, const Vec3& hand) {
       answer += weight_[i] * answer_[i][3];
       moved = moved + weight_[i] * Vec3{answer_[i][0], answer_[i][1], answer_[i][2]};
     }
-    if (answer > 0.0) force = std::max(0.0, before_N + (dot(normal, moved) - gap) / answer);
+    if (answer > 0.0) force = std::max(0.0, before_N + (dot(place.normal, moved) - gap) / answer);
   }
   const double more = force - before_N;
   double worked = 0.0;
   for (const std::uint32_t i : awake_) {
     const Four& a = answer_[i];
-    const Vec3 du = Vec3{a[0], a[1], a[2]} - (more * a[3]) * normal;
+    const Vec3 du = Vec3{a[0], a[1], a[2]} - (more * a[3]) * place.normal;
     u_[i] = u_[i] + du;
     v_[i] = (1.0 / h) * du;
-    if (may) worked -= force * weight_[i] * dot(normal, du);
+    if (may) worked -= force * weight_[i] * dot(place.normal, du);
   }
   force_N_ = force;
   work_mJ_ += worked;
   if (place.found) sunk_mm_ = underFinger();
   contact_.touching = force > 0.0;
-  contact_.force_N = force * normal;
+  if (contact_.touching) {
+    const Vec3 gradient = gradientUnder(place);
+    contact_.normal = unit(gradient);
+    contact_.force_N = force * gradient;
+  }
   contact_.surface_mm = place.at_mm + sunk_mm_;
-  contact_.depth_mm = contact_.touching ? dot(normal, place.at_mm - hand) : 0.0;
+  contact_.depth_mm = contact_.touching ? dot(contact_.normal, place.at_mm - hand) : 0.0;
   measure();
   wakeWhereItMatters();
   fallAsleep();

@@ -3,8 +3,9 @@
 //
 // Implicit Euler, linear: stable at any stiffness, mass, viscosity and step, and its energy never grows but by the work
 // of the press. The press is solved with the body, not after it: with y the body's answer to a unit press within the
-// step, the force is the one, ≥ 0, with which the surface under the finger just reaches the finger. Hand and body get
-// the same force, along the normal of the deformed surface.
+// step, the force is the one, ≥ 0, with which the surface under the finger just reaches the finger. The hand feels it
+// along the normal of the deformed surface, the body along that of the surface at rest: what each of the two works is
+// what the other gets. Where steps are too long for that the hand pays the difference.
 //
 // Only points near the press, or that move, are awake; others stand at their rest place and are not looked at. Points
 // are woken where the displacement next to them matters and fall asleep where it no longer does, if the energy which
@@ -61,6 +62,8 @@ class SoftBody {
   [[nodiscard]] double energy_mJ() const { return energy_mJ_; }
   /// What the press worked on it since it woke.
   [[nodiscard]] double work_mJ() const { return work_mJ_; }
+  /// What the hand worked since then, less what it got back: a step's is that of the force at its end.
+  [[nodiscard]] double paid_mJ() const { return paid_mJ_; }
   [[nodiscard]] const SoftSurface& surface() const { return surface_; }
   /// The finger's radius in use: at least three times the mesh's mean edge.
   [[nodiscard]] double finger_mm() const { return finger_mm_; }
@@ -96,6 +99,10 @@ class SoftBody {
   void sleepWhole();
   [[nodiscard]] Vec3 elastic(std::uint32_t vertex) const;
   [[nodiscard]] Vec3 underFinger() const;
+  /// Of the hand's height above the deformed surface.
+  [[nodiscard]] Vec3 gradientUnder(const Place& place) const;
+  /// The hand's ledger: its body never holds more than it paid.
+  void payFor(const Vec3& moved_mm);
 
   const TriangleTree* tree_;
   SoftMaterial material_;
@@ -133,7 +140,7 @@ class SoftBody {
 
   SoftContact contact_;
   double last_step_s_ = 0.0;
-  double energy_mJ_ = 0.0, work_mJ_ = 0.0;
+  double energy_mJ_ = 0.0, work_mJ_ = 0.0, paid_mJ_ = 0.0;
   double largest_mm_ = 0.0, fastest_mm_per_s_ = 0.0, peak_mm_ = 0.0, peak_mJ_ = 0.0;
   int iterations_ = 0;
 };

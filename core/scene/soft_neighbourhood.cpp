@@ -131,6 +131,12 @@ Vec3 SoftBody::underFinger() const {
   return mean;
 }
 
+Vec3 SoftBody::gradientUnder(const Place& place) const {
+  Vec3 rise{};  // of the deformed surface
+  for (const std::uint32_t i : pressed_) rise = rise + dot(place.normal, u_[i]) * slope_[i];
+  return place.normal - (rise - dot(rise, place.normal) * place.normal);
+}
+
 void SoftBody::measure() {
   double twice = 0.0, largest = 0.0, fastest = 0.0;
   for (const std::uint32_t i : awake_) {
@@ -206,7 +212,7 @@ void SoftBody::sleepWhole() {
   woken_ = false;
   sunk_mm_ = {};
   force_N_ = energy_mJ_ = largest_mm_ = fastest_mm_per_s_ = peak_mm_ = peak_mJ_ = 0.0;
-  work_mJ_ = 0.0;
+  work_mJ_ = paid_mJ_ = 0.0;
 }
 
 }  // namespace fyd::scene

@@ -109,31 +109,66 @@ TEST(SoftBody, ItsEnergyIsNeverMoreThanWhatWasWorkedIntoIt) {
   }
 }
 
-// Hand and body get the same force, so on a closed path that slides under load the hand pays what the body loses.
+// On a closed path that slides under load the hand pays what the body loses, and a body that loses nothing gives back
+// all: within 1 % of what it held.
 TEST(SoftBody, AHandPaysForWhatTheBodyLosesOnAClosedPath) {
   for (const double mass : {0.0, 0.05}) {
     for (const double viscosity : {0.0, 0.002, 0.02}) {
       SoftSheet s(60, 60.0, {mass, 0.5, viscosity, 3.0, 3.0});
-      double paid = 0.0, most = 0.0, unpaid = 0.0;
+      double paid = 0.0, most = 0.0, unpaid = 0.0, worked = 0.0, askew = 0.0;
       Vec3 last{0.0, 0.0, 1.0};
       for (int i = 0; i <= 4000; ++i) {
         const double t = 1e-3 * i;
         const Vec3 hand{15.0 * std::sin(2.0 * t), 10.0 * std::sin(3.1 * t), 1.0 - 3.0 * std::sin(M_PI * t / 4.0)};
-        paid -= dot(s.body.step(1e-3, hand).force_N, hand - last);
+        const Vec3 f = s.body.step(1e-3, hand).force_N;
+        paid -= dot(f, hand - last);
         last = hand;
         most = std::max(most, paid);
-        if (s.body.contact().touching) unpaid = std::max(unpaid, s.body.work_mJ() - paid);
-        ASSERT_GT(paid, -1e-3) << t;
+        unpaid = std::max(unpaid, s.body.energy_mJ() - paid);
+        if (s.body.contact().touching) {
+          worked = std::max(worked, s.body.work_mJ() - paid);
+          if (viscosity == 0.0) askew = std::max(askew, std::hypot(f.x, f.y) / f.z);
+          ASSERT_NEAR(s.body.paid_mJ(), paid, 1e-9 * most);
+        }
       }
       EXPECT_GT(most, 0.5);
-      RecordProperty("unpaid_share_" + std::to_string(mass) + "_" + std::to_string(viscosity),
-                     std::to_string(unpaid / most));
-      // Not yet so with neither mass nor viscosity: the cause is not known.
-      if (mass + viscosity > 0.0) {
-        EXPECT_LT(unpaid, 0.05 * most) << "mass " << mass << " viscosity " << viscosity;
+      EXPECT_LE(unpaid, 1e-9 * most) << "mass " << mass << " viscosity " << viscosity;
+      EXPECT_GT(paid, -1e-9 * most) << "mass " << mass << " viscosity " << viscosity;
+      if (viscosity == 0.0) {
+        EXPECT_LT(paid, 0.01 * most) << "mass " << mass;
+        // A body without viscosity on a flat sheet holds no hand back that slides. It swung from side to side once.
+        EXPECT_LT(askew, 0.03) << "mass " << mass;
       }
-      // A spring that gives back all: within 1 % of what it held.
-      EXPECT_GT(paid, -0.01 * most) << "mass " << mass << " viscosity " << viscosity;
+      // What the press works on the body beyond what the hand pays is lost in the step: implicit Euler.
+      EXPECT_LT(worked, 0.25 * most) << "mass " << mass << " viscosity " << viscosity;
+    }
+  }
+}
+
+// 4000 uneven steps of a hand that goes through the sheet and out of it as it likes, at up to 60 mm/s.
+TEST(SoftBody, OverLongRandomPressesABodyHoldsNoMoreThanTheHandPaid) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  for (const double mass : {0.0, 0.05, 10.0}) {  // of 16 cm²
+    for (const double viscosity : {0.0, 0.002, 1.0, 1e6}) {
+      SoftSheet s(30, 40.0, {mass, 0.5, viscosity, 2.0, 3.0});
+      double paid = 0.0, most = 0.0, unpaid = 0.0;
+      Vec3 hand{0.0, 0.0, 0.5}, speed{};
+      for (int i = 0; i < 4000; ++i) {
+        const double h = 0.2e-3 + 4.8e-3 * 0.5 * (1.0 + share(random));
+        if (i % 25 == 0) speed = 60.0 * Vec3{share(random), share(random), share(random)};
+        const auto turn = [](double at, double far, double v) {
+          return std::abs(at) > far ? -std::copysign(v, at) : v;
+        };
+        speed = {turn(hand.x, 14.0, speed.x), turn(hand.y, 14.0, speed.y), turn(hand.z + 0.7, 1.5, speed.z)};
+        paid -= dot(s.body.step(h, hand + h * speed).force_N, h * speed);
+        hand = hand + h * speed;
+        most = std::max(most, s.body.energy_mJ());
+        unpaid = std::max(unpaid, s.body.energy_mJ() - paid);
+      }
+      EXPECT_GT(most, 0.5);
+      // A sheet of 10 kg, thrown by a finger, has walls too steep for its steps.
+      EXPECT_LE(unpaid, (mass > 1.0 ? 0.02 : 1e-9) * most) << "mass " << mass << " viscosity " << viscosity;
     }
   }
 }
