@@ -14,8 +14,11 @@
 // Allocates only when built. Bit-reproducible.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <stdexcept>
 
+#include "core/base/state.h"
 #include "core/scene/soft_material.h"
 #include "core/scene/soft_solver.h"
 #include "core/scene/soft_touch.h"
@@ -72,9 +75,38 @@ class SoftBody {
   /// At rest, asleep.
   void reset();
 
+  /// What the next steps depend on: points that sleep take no room.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(force_N_);  // TODO
+    constexpr bool kLoading = Archive::is_loading::value;
+    if constexpr (kLoading) reset();
+    archive(hint_, woken_, woken_around_mm_, force_N_, sunk_mm_, last_hand_mm_, hand_known_, clear_at_mm_, clear_mm_,
+            last_step_s_, energy_mJ_, work_mJ_, paid_mJ_, largest_mm_, fastest_mm_per_s_, peak_mm_, peak_mJ_);
+    if (hint_ != kNoTriangle && hint_ >= tree_->mesh().triangles().size()) throw std::out_of_range("no such triangle");
+    const auto last = static_cast<std::uint32_t>(u_.size() - 1);
+    auto awake = static_cast<std::uint32_t>(awake_.size());
+    archive(within(awake, last + 1));
+    for (std::uint32_t k = 0; k < awake; ++k) {
+      std::uint32_t i = kLoading ? 0 : awake_[k];
+      archive(within(i, last));
+      if constexpr (kLoading) {
+        if (is_awake_[i] != 0) throw std::out_of_range("a point that is awake twice");
+        is_awake_[i] = 1;
+        awake_.push_back(i);
+      }
+      archive(u_[i], v_[i], elastic_[i], answer_[i][0], answer_[i][1], answer_[i][2], answer_[i][3]);
+    }
+    if constexpr (kLoading) ++near_;
+    auto near = woken_ ? static_cast<std::uint32_t>(std::count(is_near_.begin(), is_near_.end(), near_)) : 0U;
+    archive(within(near, last + 1));
+    std::uint32_t i = 0;
+    for (std::uint32_t k = 0; k < near; ++k, ++i) {
+      if constexpr (!kLoading) {
+        while (is_near_[i] != near_) ++i;
+      }
+      archive(within(i, last));
+      is_near_[i] = near_;
+    }
   }
 
  private:

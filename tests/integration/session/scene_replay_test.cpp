@@ -54,6 +54,14 @@ TEST_F(SceneReplay, IsIdenticalFromTheMiddleOfASession) {
   EXPECT_GE(result->samples, 5000U);
 }
 
+TEST_F(SceneReplay, OfASoftBodyIsIdenticalToo) {
+  const auto recording = record("soft = true\nstiffness_N_per_mm = 0.6\nspread_mm = 5\nviscosity_Ns_per_mm = 0.001\n");
+  ASSERT_TRUE(recording);
+  const auto result = replay(*recording, {});
+  ASSERT_TRUE(result) << result.error().text();
+  EXPECT_TRUE(result->identical) << result->first_difference_s << " s " << result->first_difference_field;
+}
+
 /// A what-if that leads the scene's haptic point another way feels another force: the scene is stepped, not repeated.
 TEST_F(SceneReplay, AWhatIfFeelsTheSceneElsewhere) {
   const auto recording = record("contact = \"vicinity\"\nstiffness_N_per_mm = 0.6\n");
