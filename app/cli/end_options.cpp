@@ -4,8 +4,10 @@
 #include <array>
 #include <iostream>
 #include <string_view>
+#include <utility>
 
 #include "app/cli/process_options.h"
+#include "core/protocol/described_scene.h"
 #include "core/protocol/link_key_file.h"
 
 namespace fyd::cli {
@@ -48,6 +50,11 @@ device::TimedCommand parseCommandAt(std::string_view text) {
   return {.at_s = at_s, .command = static_cast<pipeline::RobotCommand>(found - kCommandNames.begin())};
 }
 
+protocol::SceneCopies scenesOf(const device::RobotRunnerStatus& s, std::string_view own_text) {
+  if (s.connections == 0) return protocol::SceneCopies::none;
+  return protocol::compareScenes(protocol::describedScene(own_text), protocol::describedScene(s.touchpad));
+}
+
 nlohmann::ordered_json endJson(const device::RobotRunnerStatus& s) {
   const protocol::RobotCounters& c = s.counters;
   const Vec3& position = s.readings.position_mm;
@@ -88,7 +95,7 @@ nlohmann::ordered_json endJson(const device::RobotRunnerStatus& s) {
 // Says once what was probed, and the arm's problem when it begins, ends, or goes on for long.
 class Teller {
  public:
-  explicit Teller(std::string touchpad) : touchpad_(std::move(touchpad)) {}
+  Teller(std::string touchpad, std::string_view own_text) : touchpad_(std::move(touchpad)), own_text_(own_text) {}
 
   void tell(const device::RobotRunnerStatus& s) {
     const bool problem = !s.robot_problem.empty();
@@ -99,6 +106,9 @@ class Teller {
       std::cerr << "the arm follows\n";
     }
     problem_ = problem;
+    if (const auto scenes = scenesOf(s, own_text_); scenes != std::exchange(scenes_, scenes)) {
+      std::cerr << fmt::format("{}: {}\n", touchpad_, protocol::toString(scenes));
+    }
     if (!s.prepared || prepared_) return;
     prepared_ = true;
     std::cerr << fmt::format("{}: probe {}, {:.3f} N/mm; calling {} from {}\n", s.description,
@@ -108,6 +118,8 @@ class Teller {
 
  private:
   std::string touchpad_;
+  std::string_view own_text_;
+  protocol::SceneCopies scenes_ = protocol::SceneCopies::none;
   bool problem_ = false;
   bool prepared_ = false;
   Instant told_{};
@@ -163,13 +175,14 @@ device::RobotRunnerOptions runnerOptions(const EndOptions& given, std::string_vi
 void runRobotEnd(const EndOptions& given, const device::RobotRunnerOptions& options, std::unique_ptr<device::Robot> arm,
                  const std::function<nlohmann::ordered_json()>& arm_summary) {
   const auto robot = valueOrFail(device::RobotRunner::open(options, std::move(arm)));
-  Teller teller(protocol::toString(options.touchpad));
+  Teller teller(protocol::toString(options.touchpad), options.secure.text);
   teller.tell(robot->status());
   runUntilInterrupted([&](const std::stop_token& stop) { robot->run(stop, runLimit(given.duration_s)); },
                       [&] { teller.tell(robot->status()); });
 
   const device::RobotRunnerStatus status = robot->status();
   nlohmann::ordered_json summary = endJson(status);
+  summary["scenes"] = protocol::kSceneCopies[static_cast<std::size_t>(scenesOf(status, options.secure.text))];
   if (arm_summary) summary["arm"] = arm_summary();
   printSummary(summary, given.json);
   if (!status.prepared || (status.connections == 0 && !status.robot_problem.empty())) {

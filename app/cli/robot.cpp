@@ -5,6 +5,7 @@
 #include "app/cli/end_options.h"
 #include "app/cli/process_options.h"
 #include "core/device/fri_robot.h"
+#include "core/protocol/described_scene.h"
 #include "core/sim/robot_arm.h"
 #include "core/sim/scene_arm.h"
 
@@ -84,7 +85,10 @@ void runRobot(const RobotCliOptions& given) {
 
   if (!given.scene.empty()) {
     options.probe_material = false;
-    runRobotEnd(given.end, options, valueOrFail(sim::SceneArm::open(given.scene, options.rate_Hz)), {});
+    auto arm = valueOrFail(sim::SceneArm::open(given.scene, options.rate_Hz));
+    const std::string text = protocol::describedWith(options.secure.text, arm->digest());
+    options.secure.text = text;
+    runRobotEnd(given.end, options, std::move(arm), {});
     return;
   }
   if (given.arm == "simulated") {

@@ -141,6 +141,7 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
   json["link_jitter_ms"] = jsonNumber(status.link.figures.jitter_ms);
   json["link_loss_percent"] = jsonNumber(status.link.figures.loss_percent);
   json["link_lost"] = status.link.figures.lost;
+  json["scenes"] = protocol::kSceneCopies[static_cast<std::size_t>(status.link.scenes)];
   if (status.link.led) {
     json["predictor"] = status.link.led->predictor;
     json["prediction_error_mm"] = jsonNumber(status.link.led->error_mm);
@@ -186,7 +187,11 @@ void runStation(const StationOptions& options) {
   std::vector<pipeline::TelemetrySample> batch(1000);
   station->start();
   const Instant start = Clock::now();
+  auto scenes = protocol::SceneCopies::none;
   const auto drain = [&] {
+    if (const auto now = station->status().link.scenes; now != std::exchange(scenes, now)) {
+      spdlog::log(isWrong(now) ? spdlog::level::warn : spdlog::level::info, "{}", protocol::toString(now));
+    }
     while (const std::size_t taken = station->takeTelemetry(batch)) {
       for (std::size_t i = 0; i < taken; ++i) {
         arm.see(batch[i], *station);
@@ -232,6 +237,7 @@ void add_station(CLI::App& app) {
   command->add_option("--camera", options->station.camera, words::kCamera);
   command->add_option("--robot", options->station.robot, words::kRobot);
   command->add_option("--key", options->station.key_file, words::kKey);
+  command->add_option("--scene", options->station.scene, words::kScene);
   command->add_option("--surface", options->station.surface, words::kSurface);
   options->profile.addTo(*command);
   command->add_option("--record", options->record.path, words::kRecord);

@@ -33,6 +33,7 @@ constexpr OptionInfo kOptions[] = {
     {"camera", "SOURCE", words::kCamera},
     {"robot", "ROBOT", words::kRobot},
     {"key", "FILE", words::kKey},
+    {"scene", "FILE", words::kScene},
     {"surface", "FILE", words::kSurface},
     {"record", "FILE", words::kRecord},
     {"operator", "NAME", words::kOperator},
@@ -121,6 +122,7 @@ Result<station::StationOptions> readStation(const QCommandLineParser& parser) {
   out.camera = value("camera");
   out.robot = value("robot");
   out.key_file = value("key");
+  out.scene = value("scene");
   out.surface = value("surface");
   session::RecordingRequest record{.path = value("record"),
                                    .operator_name = value("operator"),

@@ -62,6 +62,10 @@ PartView linkPart(const station::LinkStatus& link) {
                     .arg(link.states_received)
                     .arg(link.touches_sent)
                     .arg(link.refused);
+  if (isWrong(link.scenes)) {
+    view.health = PartView::Health::doubtful;
+    view.figures = widgets::coreText(protocol::toString(link.scenes));
+  }
   view.detail += QLatin1Char('\n') + tr("Click for more.");
   return view;
 }
@@ -139,6 +143,11 @@ widgets::LinkView toLink(const station::StationStatus& status) {
   if (!hasLink(link)) return out;
   const protocol::LinkFigures& figures = link.figures;
   out.condition = conditionOf(link.phase);
+  if (isWrong(link.scenes)) {
+    QString scenes = widgets::coreText(protocol::toString(link.scenes));
+    scenes[0] = scenes[0].toUpper();
+    out.condition += QStringLiteral(". ") + scenes;
+  }
   out.health = healthOf(link.phase);
   out.security = link.secured ? widgets::LinkView::Security::sealed : widgets::LinkView::Security::open;
   out.local_only = link.local.starts_with("127.") || link.local.starts_with("[::1]");

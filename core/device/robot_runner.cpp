@@ -190,6 +190,7 @@ void RobotRunner::publish(Instant now) {
   published_ = now;
   now_.phase = end_->phase();
   now_.counters = end_->counters();
+  now_.touchpad = end_->boardText();
   now_.problem = end_->problem();
   now_.seconds = toSeconds(now - began_);
   now_.targets_refused = robot_.refused();

@@ -54,6 +54,7 @@ struct RobotRunnerStatus {
   protocol::Endpoint local;
   protocol::RobotPhase phase = protocol::RobotPhase::handshake;
   protocol::RobotCounters counters;
+  std::string touchpad;      ///< how the touchpad described itself; empty: it did not
   std::string_view problem;  ///< why there is no session
   bool prepared = false;     ///< what was probed is known
   ProbeOutcome probe_outcome = ProbeOutcome::skipped;

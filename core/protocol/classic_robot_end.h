@@ -57,7 +57,7 @@ class ClassicRobotEnd final : public RobotEnd {
   [[nodiscard]] bool replyDue() const override { return due_ != Due::nothing; }
   [[nodiscard]] const Endpoint& touchpad() const { return touchpad_; }
   [[nodiscard]] const ClassicInfo& info() const { return info_; }
-  [[nodiscard]] std::string_view boardText() const { return {board_text_.data(), board_size_}; }
+  [[nodiscard]] std::string_view boardText() const override { return {board_text_.data(), board_size_}; }
   /// The last complete picture, encoded.
   [[nodiscard]] Bytes image() const { return Bytes(image_).first(image_size_); }
   [[nodiscard]] const RobotCounters& counters() const override { return counters_; }

@@ -67,7 +67,7 @@ class LinkRobotEnd final : public RobotEnd {
   [[nodiscard]] CallStatus lastStatus() const { return status_; }
   [[nodiscard]] const Rates& rates() const { return rates_; }
   [[nodiscard]] const TouchpadInfo& info() const { return info_; }
-  [[nodiscard]] std::string_view boardText() const { return {board_text_.data(), board_size_}; }
+  [[nodiscard]] std::string_view boardText() const override { return {board_text_.data(), board_size_}; }
   [[nodiscard]] const std::optional<LinkTouch>& touch() const { return touch_; }
   [[nodiscard]] Bytes image() const { return images_.image(); }
   [[nodiscard]] const LinkSession* session() const { return session_ ? &*session_ : nullptr; }

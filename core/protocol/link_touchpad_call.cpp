@@ -112,6 +112,7 @@ void LinkTouchpadEnd::answerCall(Callee& callee, const RobotHello& hello, const 
                              .rates = own.rates,
                              .tells_force = (hello.capabilities & static_cast<std::uint32_t>(Capability::force)) != 0,
                              .robot_code = *PositionCode::make(hello.workspace),
+                             .robot_text = ShortText(hello.text),
                              .since_us = now_us_,
                              .answer_size = whole});
     std::copy_n(packet.begin(), whole, pending_->answer.begin());
@@ -137,6 +138,7 @@ void LinkTouchpadEnd::establish() {
   rates_ = pending_->rates;
   robot_tells_force_ = pending_->tells_force;
   robot_code_ = pending_->robot_code;
+  robot_text_ = pending_->robot_text;
   pending_.reset();
   touch_fields_ = {};
   if (parameters_.flow_bit_per_s > 0.0) {

@@ -55,6 +55,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
 
   [[nodiscard]] pipeline::LinkPhase phase() const override { return phase_; }
   [[nodiscard]] const std::optional<Endpoint>& peer() const override { return peer_; }
+  [[nodiscard]] std::string_view peerText() const override { return robot_text_.view(); }
   [[nodiscard]] bool imagesOn() const override { return images_on_; }
   [[nodiscard]] LinkFigures figures(Instant now) const override;
 
@@ -68,6 +69,20 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   /// So many periods of states lie within the lost limit's cap, or a slow robot would count as lost between two.
   static constexpr double kPeriodsWithinCap = 3.0;
 
+  /// As much of a robot's text as there may be, without allocating.
+  class ShortText {
+   public:
+    ShortText() = default;
+    explicit ShortText(std::string_view text) : size_(std::min(text.size(), kMaximumRobotText)) {
+      std::copy_n(text.begin(), size_, text_.begin());
+    }
+    [[nodiscard]] std::string_view view() const { return {text_.data(), size_}; }
+
+   private:
+    std::array<char, kMaximumRobotText> text_{};
+    std::size_t size_ = 0;
+  };
+
   struct Pending {
     LinkSession session;
     Endpoint from;
@@ -75,6 +90,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
     Rates rates;
     bool tells_force = false;
     PositionCode robot_code;
+    ShortText robot_text;
     LinkTime since_us = 0;
     std::array<std::uint8_t, kMaximumLinkDatagram> answer{};
     std::size_t answer_size = 0;
@@ -118,6 +134,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   Workspace touch_workspace_;
   PositionCode touch_code_;
   PositionCode robot_code_;
+  ShortText robot_text_;
   TouchFields touch_fields_;
   LinkTime established_us_ = 0;
   LinkTime last_state_us_ = 0;

@@ -64,6 +64,8 @@ class RobotEnd {
   /// Something of this cycle is still to come; after the farewell: it was not yet said.
   [[nodiscard]] virtual bool replyDue() const = 0;
   [[nodiscard]] virtual const RobotCounters& counters() const = 0;
+  /// How the touchpad described itself, valid until the next call; empty: it did not.
+  [[nodiscard]] virtual std::string_view boardText() const = 0;
   /// Why there is no session yet, for the robot's operator; empty when there is one.
   [[nodiscard]] virtual std::string_view problem() const = 0;
 };

@@ -99,6 +99,8 @@ class TouchpadEnd {
 
   [[nodiscard]] virtual pipeline::LinkPhase phase() const = 0;
   [[nodiscard]] virtual const std::optional<Endpoint>& peer() const = 0;
+  /// How the peer described itself, valid until the next call; empty: it did not.
+  [[nodiscard]] virtual std::string_view peerText() const { return {}; }
   [[nodiscard]] virtual bool imagesOn() const = 0;
   [[nodiscard]] virtual LinkFigures figures(Instant now) const = 0;
 };

@@ -21,6 +21,7 @@ class SceneArm final : public device::Robot {
   /// @return an error when the target is not finite
   [[nodiscard]] Result<device::RobotReadings> exchange(const Vec3& target_mm, Instant now) override;
 
+  [[nodiscard]] const std::string& digest() const { return scene_.digest(); }
   [[nodiscard]] const scene::SceneTouch& touch() const { return scene_.touch(); }
 
  private:

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/protocol/classic_touchpad_end.h"
+#include "core/protocol/described_scene.h"
 #include "core/protocol/link_touchpad_end.h"
 #include "core/station/real_time.h"
 
@@ -14,21 +15,11 @@ constexpr Duration kStatusPeriod = std::chrono::milliseconds(50);
 constexpr double kDelayStep_ms = 5.0;
 constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
 
-protocol::TouchpadAnswer answerFrom(const Announcement& said, std::span<const std::uint8_t> image) {
-  return {.touch = said.touch,
-          .taken = said.taken,
-          .info = {.k_vib = said.k_vib,
-                   .reference_ticks = {static_cast<double>(said.motors.reference_ticks[0]),
-                                       static_cast<double>(said.motors.reference_ticks[1])}},
-          .board_text = kBoardText,
-          .image = image};
-}
-
 }  // namespace
 
 Result<std::unique_ptr<LinkThread>> LinkThread::open(const protocol::Endpoint& local,
                                                      const protocol::LinkParameters& parameters,
-                                                     const std::optional<protocol::LinkKey>& key) {
+                                                     const std::optional<protocol::LinkKey>& key, std::string scene) {
   auto socket = protocol::UdpSocket::open(local);
   if (!socket) return tl::unexpected(socket.error());
   std::unique_ptr<protocol::TouchpadEnd> end;
@@ -37,12 +28,16 @@ Result<std::unique_ptr<LinkThread>> LinkThread::open(const protocol::Endpoint& l
   } else {
     end = std::make_unique<protocol::ClassicTouchpadEnd>(parameters);
   }
-  return std::unique_ptr<LinkThread>(new LinkThread(std::move(*socket), std::move(end), key.has_value()));
+  return std::unique_ptr<LinkThread>(
+      new LinkThread(std::move(*socket), std::move(end), key.has_value(), std::move(scene)));
 }
 
-LinkThread::LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured)
+LinkThread::LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured,
+                       std::string scene)
     : socket_(std::move(socket)),
       end_(std::move(end)),
+      scene_(std::move(scene)),
+      board_text_(protocol::describedWith(kBoardText, scene_)),
       monitor_(device::Part::robot, secured
                                         ? say("FYD Link robot, listening on {}", protocol::toString(socket_.local()))
                                         : say("classic robot, listening on {}", protocol::toString(socket_.local()))) {
@@ -68,6 +63,16 @@ void LinkThread::offerImage(std::vector<std::uint8_t> encoded) {
   offered_image_ = std::move(encoded);
 }
 
+protocol::TouchpadAnswer LinkThread::answerFrom(const Announcement& said) const {
+  return {.touch = said.touch,
+          .taken = said.taken,
+          .info = {.k_vib = said.k_vib,
+                   .reference_ticks = {static_cast<double>(said.motors.reference_ticks[0]),
+                                       static_cast<double>(said.motors.reference_ticks[1])}},
+          .board_text = board_text_,
+          .image = image_};
+}
+
 void LinkThread::run(const std::stop_token& stop) {
   askForRealTime(Urgency::link);
   std::vector<std::uint8_t> buffer(protocol::kMaximumDatagram);
@@ -82,12 +87,11 @@ void LinkThread::run(const std::stop_token& stop) {
         image_.swap(offered_image_);
         offered_image_.clear();
       }
-      const auto& reception =
-          end_->handle({buffer.data(), received->size}, received->from, now, answerFrom(said, image_));
+      const auto& reception = end_->handle({buffer.data(), received->size}, received->from, now, answerFrom(said));
       send(reception.replies.view());
       take(reception, now);
     }
-    send(end_->advance(now, answerFrom(said, image_)));
+    send(end_->advance(now, answerFrom(said)));
     newest_.phase = end_->phase();
     snapshot.write(newest_);
     wants_images_.store(end_->imagesOn(), std::memory_order_relaxed);
@@ -134,6 +138,8 @@ void LinkThread::publish(Instant now) {
   status_.send_failures = send_failures_;
   status_.samples_lost = lost_samples_;
   status_.phase = end_->phase();
+  status_.scenes = end_->peer() ? protocol::compareScenes(scene_, protocol::describedScene(end_->peerText()))
+                                : protocol::SceneCopies::none;
   status_.figures = figures;
 }
 

@@ -38,10 +38,11 @@ struct LinkSnapshot {
 class LinkThread {
  public:
   /// @param key of FYD Link; nothing: the classic protocol, not secured
+  /// @param scene digest of the scene that is felt here; empty: none
   /// @return an error when the address is taken or not there
   [[nodiscard]] static Result<std::unique_ptr<LinkThread>> open(
       const protocol::Endpoint& local, const protocol::LinkParameters& parameters,
-      const std::optional<protocol::LinkKey>& key = std::nullopt);
+      const std::optional<protocol::LinkKey>& key = std::nullopt, std::string scene = {});
   ~LinkThread();
   void start();
   void shutDown();
@@ -60,7 +61,8 @@ class LinkThread {
   [[nodiscard]] PartStatus part(Instant now) const;
 
  private:
-  LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured);
+  LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured, std::string scene);
+  [[nodiscard]] protocol::TouchpadAnswer answerFrom(const Announcement& said) const;
   void run(const std::stop_token& stop);
   void take(const protocol::TouchpadReception& reception, Instant now);
   void send(std::span<const protocol::Datagram> datagrams);
@@ -68,6 +70,8 @@ class LinkThread {
 
   protocol::UdpSocket socket_;
   std::unique_ptr<protocol::TouchpadEnd> end_;
+  std::string scene_;
+  std::string board_text_;
   LinkSnapshot newest_;
   std::atomic<bool> wants_images_{false};
   std::mutex image_mutex_;

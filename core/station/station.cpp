@@ -128,7 +128,11 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   if (!checked) return tl::unexpected(checked.error());
   const auto choice = readRobotChoice(options.robot, options.key_file);
   if (!choice) return tl::unexpected(choice.error());
-  auto local = readLocalModel(options.surface, choice->scene, options.profile.step.texture.sample_rate_Hz);
+  if (!options.scene.empty() && !choice->scene.empty()) {
+    return fail("scene '{}': the robot is a scene already, '{}'", options.scene, choice->scene);
+  }
+  auto local =
+      readLocalModel(options.surface, options.scene + choice->scene, options.profile.step.texture.sample_rate_Hz);
   if (!local) return tl::unexpected(local.error());
 
   std::shared_ptr<sim::TouchpadWorld> world;
@@ -141,7 +145,8 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
 
   auto impl = std::make_unique<Impl>(options, *local, std::move(world), std::move(*touchpad), playback);
   if (choice->listen) {
-    auto link = LinkThread::open(*choice->listen, options.profile.link, choice->key);
+    auto link = LinkThread::open(*choice->listen, options.profile.link, choice->key,
+                                 local->scene ? local->scene->digest() : std::string{});
     if (!link) return tl::unexpected(link.error());
     impl->link = std::move(*link);
   } else if (!local->scene) {

@@ -20,6 +20,7 @@
 #include "core/device/device_report.h"
 #include "core/pipeline/inputs.h"
 #include "core/pipeline/outputs.h"
+#include "core/protocol/described_scene.h"
 #include "core/protocol/touchpad_end.h"
 #include "core/sensing/finger_types.h"
 #include "core/session/recorder.h"
@@ -43,6 +44,7 @@ struct StationOptions {
   std::string robot;       ///< "simulated[:PREDICTOR]", "scene:FILE", "none", "link:HOST:PORT" or "classic:HOST:PORT"
                            ///< (listens there); empty: the profile's
   std::string key_file;    ///< of FYD Link; "link:" needs one, the others take none
+  std::string scene;       ///< file of a scene that is felt here, beside whichever robot; empty: robot's "scene:FILE"
   std::string surface;     ///< file of a stored surface, felt while robot is "none"; empty: none
   std::optional<session::RecordingRequest> record;  ///< recorded from the first step on
 };
@@ -90,8 +92,9 @@ struct LinkStatus {
   std::uint64_t send_failures = 0;  ///< replies the network did not take
   std::uint64_t samples_lost = 0;   ///< accelerations and commands the loop did not take in time
   pipeline::LinkPhase phase = pipeline::LinkPhase::none;
-  protocol::LinkFigures figures;  ///< round trip, jitter, loss, refusals by reason
-  std::optional<LedArm> led;      ///< of the simulated robot in this process; another one keeps it to itself
+  protocol::SceneCopies scenes = protocol::SceneCopies::none;  ///< this end's beside the robot's
+  protocol::LinkFigures figures;                               ///< round trip, jitter, loss, refusals by reason
+  std::optional<LedArm> led;  ///< of the simulated robot in this process; another one keeps it to itself
 };
 
 struct StationStatus {

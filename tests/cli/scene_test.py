@@ -200,6 +200,42 @@ class InASession(fyd.Case):
         self.assertTrue(again["identical"])
         self.assertIn("s.toml", self.refused(1, "station", "--simulate", "--robot", "scene:" + scene + ".not", "--duration", "1"))
 
+    def copies(self, here, there):
+        """What two ends say of their scenes: the touchpad's, the robot's."""
+        key = self.path("lab.key")
+        if not os.path.exists(key):
+            self.json("link", "keygen", key, "--json")
+        port = fyd.free_port()
+        station = fyd.Running(self, "station", "--simulate", "--robot", f"link:127.0.0.1:{port}", "--key", key,
+                              *(["--scene", here] if here else []), "--json")
+        fyd.wait_for_udp("127.0.0.1", port)
+        robot = self.json("robot", *(["--scene", there] if there else ["--no-probe"]), "--link", "--key", key, "--connect",
+                          f"127.0.0.1:{port}", "--bind", "127.0.0.2:0", "--json", "--duration", 1.5)
+        session = station.stop()
+        return session["scenes"], robot["scenes"], station.log()
+
+    def test_each_end_says_when_its_copy_of_a_scene_is_another_one(self):
+        body = '[[body]]\nmesh = "{}"\nstiffness_N_per_mm = 0.5\ncontact = "facet"\n'
+        self.write("cube.obj", CUBE)
+        self.write("moved.obj", CUBE.replace("v 10 10 10", "v 10 10 10.000001"))
+        here = self.write("here.toml", body.format("cube.obj"))
+        again = self.write("again.toml", "# a copy\n[scene]\nname = \"copy\"\n" + body.format("cube.obj"))
+        stiffer = self.write("stiffer.toml", body.format("cube.obj").replace("0.5", "0.6"))
+        moved = self.write("moved.toml", body.format("moved.obj"))
+        for there, words in ((again, "same"), (stiffer, "different"), (moved, "different")):
+            self.assertEqual(self.copies(here, there)[:2], (words, words), there)
+        self.assertEqual(self.copies(here, None)[:2], ("only here", "only there"))
+        ours, theirs, log = self.copies(None, here)
+        self.assertEqual((ours, theirs), ("only there", "only here"))
+        self.assertIn("the other end holds a scene", log)
+        self.assertEqual(self.copies(None, None)[:2], ("none", "none"))
+
+    def test_one_scene_at_a_time(self):
+        scene = self.write("s.toml", '[[body]]\nmesh = "cube.obj"\n')
+        self.write("cube.obj", CUBE)
+        self.assertIn("the robot is a scene already",
+                      self.refused(1, "station", "--simulate", "--robot", "scene:" + scene, "--scene", scene, "--duration", 1))
+
 
 if __name__ == "__main__":
     unittest.main()
