@@ -98,6 +98,7 @@ void add_scene(CLI::App& app) {
   check_command->callback([options] { check(*options); });
   addSceneExplain(*command);
   addSceneRun(*command);
+  addSceneFence(*command);
   addSceneKeys(*command);
 }
 

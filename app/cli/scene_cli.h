@@ -6,6 +6,7 @@
 namespace fyd::cli {
 
 void addSceneRun(CLI::App& scene);
+void addSceneFence(CLI::App& scene);
 void addSceneKeys(CLI::App& scene);
 void addSceneExplain(CLI::App& scene);
 

@@ -5,6 +5,7 @@
 #include "app/cli/command.h"
 #include "app/cli/scene_cli.h"
 #include "core/scene/vector.h"
+#include "core/scene/scene_digest.h"
 #include "core/sim/scene_file.h"
 
 namespace fyd::cli {
@@ -64,6 +65,7 @@ void explain(const ExplainOptions& options) {
   scene::Scene scene = valueOrFail(buildScene(file, modelsOf(choices)));
   nlohmann::ordered_json json = {
       {"scene", file.description.settings.name},
+      {"digest", digestOf(file)},
       {"built_in_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
       {"memory_bytes", scene.bytes()},
       {"bodies", nlohmann::ordered_json::array()}};

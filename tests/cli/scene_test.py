@@ -2,6 +2,7 @@
 import csv
 import math
 import os
+import socket
 import struct
 import unittest
 
@@ -235,6 +236,67 @@ class InASession(fyd.Case):
         self.write("cube.obj", CUBE)
         self.assertIn("the robot is a scene already",
                       self.refused(1, "station", "--simulate", "--robot", "scene:" + scene, "--scene", scene, "--duration", 1))
+
+
+class Fencing(fyd.Case):
+    """Two players in two processes, a network between them."""
+    def scene(self, name, stiffness=0.5):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(f"[swords]\nstiffness_N_per_mm = {stiffness}\n[fencing]\nperiod_s = 0.01\n")
+        return self.path(name)
+
+    def fence(self, ours, theirs, *network, first=(), during=lambda port: None):
+        ports = [fyd.free_port(), fyd.free_port()]
+        relay = fyd.Running(self, "sim", "network", "--listen", f"127.0.0.1:{ports[0]}", "--forward",
+                            f"127.0.0.1:{ports[1]}", *network, "--json")
+        second = fyd.Running(self, "scene", "fence", theirs, "--listen", f"127.0.0.1:{ports[1]}", "--strokes", 0.6, "--json")
+        fyd.wait_for_udp("127.0.0.1", ports[0])
+        fyd.wait_for_udp("127.0.0.1", ports[1])
+        during(ports[1])
+        one = self.json("scene", "fence", ours, "--peer", f"127.0.0.1:{ports[0]}", "--duration", 5, "--json", *first)
+        two = second.stop()
+        relay.stop()
+        return one, two, second.log()
+
+    def test_both_feel_the_blows(self):
+        scene, rows = self.scene("s.toml"), self.path("rows.csv")
+        for player in self.fence(scene, scene, first=("-o", rows))[:2]:
+            self.assertEqual((player["linked"], player["scenes"]), (True, "same"))
+            self.assertGreater(player["messages_received"], 300)
+            self.assertGreaterEqual(player["contacts"], 2)
+            self.assertGreater(player["largest_force_N"], 1.0)
+            self.assertLess(player["other_grip_error_mm_rms"], 2.0)
+        with open(rows, encoding="utf-8") as file:
+            felt = [row for row in csv.DictReader(file) if row["touching"] == "1"]
+        self.assertGreater(len(felt), 300)
+
+    def test_a_bad_network_and_hostile_datagrams(self):
+        def shout(port):
+            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
+                for words in (b"", b"\xff" * 60, b"FYD fencing scene short", b"\0" * 65000):
+                    out.sendto(words, ("127.0.0.1", port))
+        one, two, _ = self.fence(self.scene("s.toml"), self.scene("s.toml"), "--delay", 30, "--loss", 20, during=shout)
+        for player in (one, two):
+            self.assertTrue(player["linked"])
+            self.assertTrue(8 < player["loss_percent"] < 35, player["loss_percent"])
+            self.assertGreater(player["age_median_ms"], 25)
+            self.assertLess(player["other_grip_error_mm_rms"], 4.0)
+        self.assertGreaterEqual(two["datagrams_not_understood"], 3)
+
+    def test_copies_that_differ_are_said(self):
+        one, two, log = self.fence(self.scene("a.toml"), self.scene("b.toml", 0.6))
+        self.assertEqual((one["scenes"], two["scenes"]), ("different", "different"))
+        self.assertIn("different scenes", log)
+
+    def test_what_cannot_be_is_refused(self):
+        scene = self.scene("s.toml")
+        self.assertIn("no other player", self.refused(1, "scene", "fence", scene, "--peer", "127.0.0.1:9", "--duration", 0.2))
+        with open(self.path("n.toml"), "w", encoding="utf-8") as file:
+            file.write("[ball]\n")
+        self.assertIn("no [swords]", self.refused(1, "scene", "fence", self.path("n.toml"), "--duration", 1))
+        self.assertIn("--peer", self.refused(2, "scene", "fence", scene, "--peer", "nowhere"))
+        self.assertIn("--predictor", self.refused(2, "scene", "fence", scene, "--predictor", "oracle"))
+        self.assertIn("--card", self.refused(2, "scene", "fence", scene, "--card", "a", "--path", "b"))
 
 
 if __name__ == "__main__":
