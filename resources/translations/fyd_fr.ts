@@ -4884,6 +4884,14 @@ Pour commencer : %1</translation>
         <translation>un enregistrement au format {} ; ce programme lit le format {}</translation>
     </message>
     <message>
+        <source>a scene of format {}; this program reads format {}</source>
+        <translation>une scène de format {} ; ce programme lit le format {}</translation>
+    </message>
+    <message>
+        <source>a scene of {} bodies with the contacts of {}</source>
+        <translation>une scène de {} corps avec les contacts de {}</translation>
+    </message>
+    <message>
         <source>a second</source>
         <translation>par seconde</translation>
     </message>
@@ -5156,6 +5164,10 @@ Pour commencer : %1</translation>
         <translation>border d'un corps mou est {} ; attendu entre 0 et 1</translation>
     </message>
     <message>
+        <source>both ends hold the same scene</source>
+        <translation>les deux extrémités ont la même scène</translation>
+    </message>
+    <message>
         <source>breakaway</source>
         <translation>décollage</translation>
     </message>
@@ -5426,6 +5438,10 @@ Pour commencer : %1</translation>
     <message>
         <source>connections</source>
         <translation>connexions</translation>
+    </message>
+    <message>
+        <source>contact '{}': this program does not know it</source>
+        <translation>contact &apos;{}&apos; : ce programme ne le connaît pas</translation>
     </message>
     <message>
         <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
@@ -6440,6 +6456,10 @@ Pour commencer : %1</translation>
         <translation>pas d'échantillons de {} s à {} s : l'enregistrement en a {}, jusqu'à {:.3f} s</translation>
     </message>
     <message>
+        <source>no scene is shared</source>
+        <translation>aucune scène n’est partagée</translation>
+    </message>
+    <message>
         <source>no stiffness target</source>
         <translation>pas de raideur de consigne</translation>
     </message>
@@ -7008,6 +7028,10 @@ Pour commencer : %1</translation>
         <translation>enregistrement du préréglage %1</translation>
     </message>
     <message>
+        <source>scene '{}': the robot is a scene already, '{}'</source>
+        <translation>scène &apos;{}&apos; : le robot est déjà une scène, &apos;{}&apos;</translation>
+    </message>
+    <message>
         <source>scene {}</source>
         <translation>scène {}</translation>
     </message>
@@ -7176,8 +7200,8 @@ Pour commencer : %1</translation>
         <translation>état de {} octets : {}</translation>
     </message>
     <message>
-        <source>state saved with another surface; expected the same</source>
-        <translation>état enregistré avec une autre surface ; attendu la même</translation>
+        <source>state saved with another surface or scene; expected the same</source>
+        <translation>état enregistré avec une autre surface ou une autre scène ; la même était attendue</translation>
     </message>
     <message>
         <source>state with {} bytes of content: expected {}</source>
@@ -7420,6 +7444,14 @@ Pour commencer : %1</translation>
         <translation>les moteurs ne répondent pas</translation>
     </message>
     <message>
+        <source>the other end does not say that it holds this scene</source>
+        <translation>l’autre extrémité ne dit pas qu’elle a cette scène</translation>
+    </message>
+    <message>
+        <source>the other end holds a scene, this one none</source>
+        <translation>l’autre extrémité a une scène, celle-ci aucune</translation>
+    </message>
+    <message>
         <source>the others contradict point %1</source>
         <translation>les autres contredisent le point %1</translation>
     </message>
@@ -7574,6 +7606,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the touchpad's motors are in the state {}</source>
         <translation>les moteurs du touchpad sont dans l'état {}</translation>
+    </message>
+    <message>
+        <source>the two ends hold different scenes: open copies of one file</source>
+        <translation>les deux extrémités ont des scènes différentes : ouvrir des copies du même fichier</translation>
     </message>
     <message>
         <source>the value does not follow the weight: check the cell's cable</source>
@@ -8022,6 +8058,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{} by the operator. Motors are off. Arm to start again.</source>
         <translation>{} par l'opérateur. Moteurs coupés. Armer pour recommencer.</translation>
+    </message>
+    <message>
+        <source>{} bytes are not a scene: {}</source>
+        <translation>{} octets ne sont pas une scène : {}</translation>
     </message>
     <message>
         <source>{} bytes at once</source>

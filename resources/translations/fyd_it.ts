@@ -4884,6 +4884,14 @@ Per cominciare: %1</translation>
         <translation>una registrazione in formato {}; questo programma legge il formato {}</translation>
     </message>
     <message>
+        <source>a scene of format {}; this program reads format {}</source>
+        <translation>una scena di formato {}; questo programma legge il formato {}</translation>
+    </message>
+    <message>
+        <source>a scene of {} bodies with the contacts of {}</source>
+        <translation>una scena di {} corpi con i contatti di {}</translation>
+    </message>
+    <message>
         <source>a second</source>
         <translation>al secondo</translation>
     </message>
@@ -5156,6 +5164,10 @@ Per cominciare: %1</translation>
         <translation>border di un corpo morbido è {}; atteso fra 0 e 1</translation>
     </message>
     <message>
+        <source>both ends hold the same scene</source>
+        <translation>entrambe le estremità hanno la stessa scena</translation>
+    </message>
+    <message>
         <source>breakaway</source>
         <translation>spunto</translation>
     </message>
@@ -5426,6 +5438,10 @@ Per cominciare: %1</translation>
     <message>
         <source>connections</source>
         <translation>connessioni</translation>
+    </message>
+    <message>
+        <source>contact '{}': this program does not know it</source>
+        <translation>contatto &apos;{}&apos;: questo programma non lo conosce</translation>
     </message>
     <message>
         <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
@@ -6440,6 +6456,10 @@ Per cominciare: %1</translation>
         <translation>nessun campione da {} s a {} s: la registrazione ne ha {}, fino a {:.3f} s</translation>
     </message>
     <message>
+        <source>no scene is shared</source>
+        <translation>nessuna scena è condivisa</translation>
+    </message>
+    <message>
         <source>no stiffness target</source>
         <translation>nessuna rigidezza desiderata</translation>
     </message>
@@ -7008,6 +7028,10 @@ Per cominciare: %1</translation>
         <translation>salvataggio della preimpostazione %1</translation>
     </message>
     <message>
+        <source>scene '{}': the robot is a scene already, '{}'</source>
+        <translation>scena &apos;{}&apos;: il robot è già una scena, &apos;{}&apos;</translation>
+    </message>
+    <message>
         <source>scene {}</source>
         <translation>scena {}</translation>
     </message>
@@ -7176,8 +7200,8 @@ Per cominciare: %1</translation>
         <translation>stato di {} byte: {}</translation>
     </message>
     <message>
-        <source>state saved with another surface; expected the same</source>
-        <translation>stato salvato con un'altra superficie; attesa la stessa</translation>
+        <source>state saved with another surface or scene; expected the same</source>
+        <translation>stato salvato con un’altra superficie o un’altra scena; attesa la stessa</translation>
     </message>
     <message>
         <source>state with {} bytes of content: expected {}</source>
@@ -7420,6 +7444,14 @@ Per cominciare: %1</translation>
         <translation>i motori non rispondono</translation>
     </message>
     <message>
+        <source>the other end does not say that it holds this scene</source>
+        <translation>l’altra estremità non dice di avere questa scena</translation>
+    </message>
+    <message>
+        <source>the other end holds a scene, this one none</source>
+        <translation>l’altra estremità ha una scena, questa nessuna</translation>
+    </message>
+    <message>
         <source>the others contradict point %1</source>
         <translation>gli altri contraddicono il punto %1</translation>
     </message>
@@ -7574,6 +7606,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the touchpad's motors are in the state {}</source>
         <translation>i motori del touchpad sono nello stato {}</translation>
+    </message>
+    <message>
+        <source>the two ends hold different scenes: open copies of one file</source>
+        <translation>le due estremità hanno scene diverse: aprire copie dello stesso file</translation>
     </message>
     <message>
         <source>the value does not follow the weight: check the cell's cable</source>
@@ -8022,6 +8058,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{} by the operator. Motors are off. Arm to start again.</source>
         <translation>{} dall'operatore. Motori spenti. Armare per ricominciare.</translation>
+    </message>
+    <message>
+        <source>{} bytes are not a scene: {}</source>
+        <translation>{} byte non sono una scena: {}</translation>
     </message>
     <message>
         <source>{} bytes at once</source>
