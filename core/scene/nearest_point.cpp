@@ -1,6 +1,7 @@
 #include "core/scene/nearest_point.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,23 +19,43 @@ constexpr int kMostMoves = 64;  // of a walk; a probe that moved farther is look
 /// A foot this near to an edge (as a share of the triangle) is compared with what lies across it: rounding may put it
 /// on either side.
 constexpr double kAtEdge = 1e-6;
+/// Eighths of octaves around 1, between nothing and everything.
+constexpr std::array<float, 256> roughNumbers() {
+  std::array<float, 256> out{};
+  double eighth = 1.0;
+  for (std::size_t i = 0; i < 8; ++i, eighth *= 1.0905077326652577) {
+    for (std::size_t octave = 0; octave < 32; ++octave) {
+      const double power = octave < 16 ? 1.0 / (1 << (16 - octave)) : 1 << (octave - 16);
+      out[8 * octave + i] = static_cast<float>(eighth * power);
+    }
+  }
+  out.front() = 0.0F;
+  out.back() = std::numeric_limits<float>::infinity();
+  return out;
+}
 
 }  // namespace
+
+constexpr std::array<float, 256> WalkableMesh::kRough = roughNumbers();
 
 WalkableMesh::WalkableMesh(const TriangleTree& tree) : tree_(&tree), fans_(tree.mesh()) {
   const Mesh& mesh = tree.mesh();
   const auto triangles = mesh.triangles();
-  sides_.resize(triangles.size());
+  links_.resize(triangles.size());
+  for (auto& side : sides_) side.resize(triangles.size());
   const double largest_mm = kMostEdges * mesh.report().mean_edge_mm;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const Triangle& corners = triangles[t];
+    links_[t] = {corners, mesh.neighbours(t)};
     if (std::any_of(corners.begin(), corners.end(),
                     [this](std::uint32_t v) { return fans_[v].size() > kLargestFan; })) {
       continue;
     }
     const auto empty = tree.emptyBalls_mm(t, largest_mm);
     for (std::size_t side = 0; side < 2; ++side) {
-      sides_[t][side].empty_mm = std::nextafter(static_cast<float>(empty[side]), 0.0F);
+      const double edges = empty[side] / mesh.report().mean_edge_mm;
+      sides_[side][t].empty =
+          static_cast<Side::Rough>(std::upper_bound(kRough.begin(), kRough.end(), edges) - kRough.begin() - 1);
     }
     lookAround(t);
   }
@@ -129,27 +150,49 @@ void WalkableMesh::lookAround(std::uint32_t triangle) {
       }
     }
   }
+  constexpr double kMore = 1.0 + 1e-6;
   for (std::size_t side = 0; side < 2; ++side) {
-    Side& to = sides_[triangle][side];
+    Side& to = sides_[side][triangle];
     for (std::size_t i = 0; i < 3; ++i) {
       const auto height_mm = [&](std::size_t edge) { return twice_area / length(v[t[(edge + 1) % 3]] - v[t[edge]]); };
-      constexpr double kMore = 1.0 + 1e-6;
-      to.edge_per_mm[i] = static_cast<float>(inset[side][i] / height_mm(i) * kMore);
-      to.strip_per_mm[i] = static_cast<float>(strip[side][i] / height_mm(i) * kMore);
-      to.disc_per_mm[i] = static_cast<float>(disc[side][i] / height_mm((i + 1) % 3) * kMore);
+      const auto atLeast = [this](double per_mm) {
+        const double per_edge = per_mm * mesh().report().mean_edge_mm * kMore;
+        return static_cast<Side::Rough>(std::lower_bound(kRough.begin(), kRough.end(), per_edge) - kRough.begin());
+      };
+      to.edge[i] = atLeast(inset[side][i] / height_mm(i));
+      to.strip[i] = atLeast(strip[side][i] / height_mm(i));
+      to.disc[i] = atLeast(disc[side][i] / height_mm((i + 1) % 3));
     }
   }
 }
 
-std::size_t WalkableMesh::bytes() const { return fans_.bytes() + sizeof(sides_[0]) * sides_.size(); }
+std::size_t WalkableMesh::bytes() const { return fans_.bytes() + (sizeof(Link) + 2 * sizeof(Side)) * links_.size(); }
 
 Nearest NearestPoint::ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const {
   const auto v = on_->mesh().vertices();
-  const Triangle& t = on_->mesh().triangles()[triangle];
+  const Triangle& t = on_->link(triangle).corner;
   return nearestOf(probe_mm, v[t[0]], v[t[1]], v[t[2]], triangle);
 }
 
-bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, Nearest& best) const {
+struct NearestPoint::Looked {
+  std::array<std::uint32_t, 6> vertex;
+  std::size_t count = 0;
+
+  [[nodiscard]] bool at(std::uint32_t v) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (vertex[i] == v) return true;
+    }
+    return false;
+  }
+  void add(std::uint32_t v) {
+    if (count < vertex.size()) vertex[count++] = v;
+  }
+};
+
+bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, Looked& looked, Nearest& best) const {
+  // What was no nearer than the best then is no nearer now.
+  if (looked.at(vertex)) return false;
+  looked.add(vertex);
   bool found = false;
   const auto fan = on_->fans()[vertex];
   if (fan.size() > kLargestFan) return false;
@@ -164,28 +207,27 @@ bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, Nearest& 
 }
 
 bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, const std::array<double, 3>& share,
-                                 const WalkableMesh::Side& side, double distance_mm, std::size_t on_edge,
-                                 std::array<std::uint32_t, 2>& looked_at, Nearest& best) const {
+                                 const WalkableMesh::Side& side, double radius, std::size_t on_edge, Looked& looked,
+                                 Nearest& best) const {
   constexpr std::array<std::size_t, 3> kNext = {1, 2, 0};
+  const auto away = [radius](WalkableMesh::Side::Rough rough) { return radius * WalkableMesh::exact(rough); };
   std::array<bool, 3> beyond, strip;
   for (std::size_t e = 0; e < 3; ++e) {
     const double over = share[kNext[kNext[e]]];
-    beyond[e] = e != on_edge && !(over > distance_mm * side.edge_per_mm[e] && over > kAtEdge);
-    strip[e] = over < distance_mm * side.strip_per_mm[e];
+    beyond[e] = e != on_edge && !(over > away(side.edge[e]) && over > kAtEdge);
+    strip[e] = over < away(side.strip[e]);
   }
-  const Triangle& t = on_->mesh().triangles()[triangle];
+  const WalkableMesh::Link& link = on_->link(triangle);
   bool better = false;
   for (std::size_t e = 0; e < 3; ++e) {  // corner e is between the edges e and the one before
-    if ((strip[e] || strip[kNext[kNext[e]]]) && 1.0 - share[e] < distance_mm * side.disc_per_mm[e] &&
-        t[e] != looked_at[0] && t[e] != looked_at[1]) {
-      looked_at = {t[e], looked_at[0]};
-      better = improve(probe_mm, t[e], best) || better;
+    if ((strip[e] || strip[kNext[kNext[e]]]) && 1.0 - share[e] < away(side.disc[e])) {
+      better = improve(probe_mm, link.corner[e], looked, best) || better;
     }
     if (!beyond[e]) continue;
-    const std::uint32_t across = on_->mesh().neighbours(triangle)[e];
+    const std::uint32_t across = link.across[e];
     if (across == kNoTriangle) {
-      better = improve(probe_mm, t[e], best) || better;
-      better = improve(probe_mm, t[kNext[e]], best) || better;
+      better = improve(probe_mm, link.corner[e], looked, best) || better;
+      better = improve(probe_mm, link.corner[kNext[e]], looked, best) || better;
       continue;
     }
     const Nearest other = ofTriangle(probe_mm, across);
@@ -197,41 +239,40 @@ bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, c
 }
 
 bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
-  const Mesh& mesh = on_->mesh();
+  const auto v = on_->mesh().vertices();
+  const double per_edge = 1.0 / on_->mesh().report().mean_edge_mm;
+  Looked looked;
   for (int moves = 0; moves < kMostMoves; ++moves) {
-    std::array<std::uint32_t, 2> looked_at = {kNoTriangle, kNoTriangle};  // vertices
     const std::uint32_t triangle = best.triangle;
-    const Triangle& t = mesh.triangles()[triangle];
+    const auto& [t, neighbours] = on_->link(triangle);
     const auto feature = static_cast<std::size_t>(best.feature);
-    const double distance_mm = std::sqrt(best.squared_mm2);
-    const auto v = mesh.vertices();
+    const double distance = std::sqrt(best.squared_mm2) * per_edge;  // in mean edges
     const std::array<double, 3> share = {1.0 - best.at_1 - best.at_2, best.at_1, best.at_2};
+    const Vec3 away = probe_mm - best.point_mm, one = cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]);
+    const bool outside = dot(one, away) > 0.0;
     if (best.feature == Feature::inside) {
-      const bool outside = dot(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]), probe_mm - best.point_mm) > 0.0;
       const WalkableMesh::Side& side = on_->side(triangle, outside);
-      if (improveAround(probe_mm, triangle, share, side, distance_mm, 3, looked_at, best)) continue;
-      return distance_mm < side.empty_mm;
+      if (improveAround(probe_mm, triangle, share, side, distance, 3, looked, best)) continue;
+      return distance < WalkableMesh::exact(side.empty);
     }
     if (feature < 3) {
-      if (improve(probe_mm, t[feature], best)) continue;
+      if (improve(probe_mm, t[feature], looked, best)) continue;
       return false;
     }
     const std::size_t edge = feature - 3;
-    const std::uint32_t across = mesh.neighbours(triangle)[edge];
+    const std::uint32_t across = neighbours[edge];
     if (across == kNoTriangle) return false;
     const Nearest other = ofTriangle(probe_mm, across);
     if (nearer(other, best)) {
       best = other;
       continue;
     }
-    const Triangle& o = mesh.triangles()[across];
-    const Vec3 one = cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]), two = cross(v[o[1]] - v[o[0]], v[o[2]] - v[o[0]]);
-    const Vec3 away = probe_mm - best.point_mm;
-    const bool outside = dot(one, away) > 0.0;
+    const auto& [o, its_neighbours] = on_->link(across);
+    const Vec3 two = cross(v[o[1]] - v[o[0]], v[o[2]] - v[o[0]]);
     // The way must lie between both normals; the cosine of half their angle.
     const double cosine = dot(one, two) / std::sqrt(squared(one) * squared(two));
     if (!(cosine > 0.0) || (dot(two, away) > 0.0) != outside) return false;
-    const double ball_mm = distance_mm / std::sqrt(0.5 + 0.5 * cosine);
+    const double radius = distance / std::sqrt(0.5 + 0.5 * cosine);
     const WalkableMesh::Side &side = on_->side(triangle, outside), &beyond = on_->side(across, outside);
     std::size_t its_edge = 0;
     std::array<double, 3> its_share{};
@@ -239,11 +280,11 @@ bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
       for (std::size_t k = 0; k < 3; ++k) {
         if (o[i] == t[k]) its_share[i] = share[k];
       }
-      if (mesh.neighbours(across)[i] == triangle) its_edge = i;
+      if (its_neighbours[i] == triangle) its_edge = i;
     }
-    if (improveAround(probe_mm, triangle, share, side, ball_mm, edge, looked_at, best)) continue;
-    if (improveAround(probe_mm, across, its_share, beyond, ball_mm, its_edge, looked_at, best)) continue;
-    return ball_mm < std::min(side.empty_mm, beyond.empty_mm);
+    if (improveAround(probe_mm, triangle, share, side, radius, edge, looked, best)) continue;
+    if (improveAround(probe_mm, across, its_share, beyond, radius, its_edge, looked, best)) continue;
+    return radius < std::min(WalkableMesh::exact(side.empty), WalkableMesh::exact(beyond.empty));
   }
   return false;
 }
@@ -253,16 +294,15 @@ std::uint32_t NearestPoint::walk(const Vec3& probe_mm) const {
   std::uint32_t at = last_, before = kNoTriangle;
   for (int moves = 0; moves < kMostMoves; ++moves) {
     // On a large mesh most of a step is waiting for memory: what comes next is known here.
-    __builtin_prefetch(&on_->mesh().neighbours(at));
     __builtin_prefetch(&on_->side(at, false));
-    const Triangle& t = on_->mesh().triangles()[at];
+    const auto& [t, across] = on_->link(at);
     const Vec3 ab = v[t[1]] - v[t[0]], ac = v[t[2]] - v[t[0]], ap = probe_mm - v[t[0]];
-    const Vec3 across = cross(ab, ac);
-    const double at_1 = dot(cross(ap, ac), across), at_2 = dot(cross(ab, ap), across);
-    const double at_0 = squared(across) - at_1 - at_2;
+    const Vec3 normal = cross(ab, ac);
+    const double at_1 = dot(cross(ap, ac), normal), at_2 = dot(cross(ab, ap), normal);
+    const double at_0 = squared(normal) - at_1 - at_2;
     const double least = std::min({at_0, at_1, at_2});
     if (least >= 0.0) break;
-    const std::uint32_t next = on_->mesh().neighbours(at)[least == at_0 ? 1 : least == at_1 ? 2 : 0];
+    const std::uint32_t next = across[least == at_0 ? 1 : least == at_1 ? 2 : 0];
     if (next == kNoTriangle || next == before) break;
     before = at;
     at = next;

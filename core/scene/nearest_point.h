@@ -14,6 +14,7 @@
 // The answer is that of TriangleTree::nearest, whatever the history; forgetting (reset) costs time only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
@@ -34,27 +35,43 @@ class WalkableMesh {
   [[nodiscard]] const TriangleTree& tree() const { return *tree_; }
   [[nodiscard]] const Mesh& mesh() const { return tree_->mesh(); }
   [[nodiscard]] const VertexFans& fans() const { return fans_; }
-  /// What a triangle knows of one of its sides.
+
+  /// What a triangle knows of one of its sides, in few bytes (Rough): on a large mesh a step is waiting for memory.
+  /// Lengths are in mean edges.
   struct Side {
-    float empty_mm =
-        0.0F;  ///< a ball of this radius that touches it holds nothing of those that share no vertex with it
+    using Rough = std::uint8_t;
+    Rough empty = 0;  ///< a ball of this radius that touches it holds nothing of those that share no vertex with it
     // A ball of radius r that touches the triangle in f holds nothing of …
-    std::array<float, 3>
-        edge_per_mm{};  ///< … what lies across the edge 01, 12, 20, if f is this · r away from the edge
-    std::array<float, 3> strip_per_mm{};  ///< … the others at its ends, likewise; or
-    std::array<float, 3> disc_per_mm{};   ///< … those at the corner 0, 1, 2, if f is this · r away from the corner.
+    std::array<Rough, 3> edge{};   ///< … what lies across the edge 01, 12, 20, if f is this · r away from the edge
+    std::array<Rough, 3> strip{};  ///< … the others at its ends, likewise; or
+    std::array<Rough, 3> disc{};   ///< … those at the corner 0, 1, 2, if f is this · r away from the corner.
     // Away: as a share of the triangle's height over the edge; from a corner, of the height of that corner over the
     // edge across. Infinite: nothing is known.
   };
   [[nodiscard]] const Side& side(std::uint32_t triangle, bool outside) const {
-    return sides_[triangle][outside ? 1 : 0];
+    return sides_[outside ? 1 : 0][triangle];
   }
+  /// The number that is meant: 0, eighths of octaves, infinite.
+  [[nodiscard]] static double exact(Side::Rough rough) { return kRough[rough]; }
+  [[nodiscard]] double emptyBall_mm(std::uint32_t triangle, bool outside) const {
+    return exact(side(triangle, outside).empty) * mesh().report().mean_edge_mm;
+  }
+
+  /// Vertices and neighbours (Mesh) of a triangle, side by side.
+  struct Link {
+    Triangle corner;
+    std::array<std::uint32_t, 3> across;
+  };
+  [[nodiscard]] const Link& link(std::uint32_t triangle) const { return links_[triangle]; }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  static const std::array<float, 256> kRough;
+
   const TriangleTree* tree_;
   VertexFans fans_;
-  std::vector<std::array<Side, 2>> sides_;  // inside, outside
+  std::vector<Link> links_;
+  std::array<std::vector<Side>, 2> sides_;  // inside, outside
 
   void lookAround(std::uint32_t triangle);
 };
@@ -74,16 +91,18 @@ class NearestPoint {
   }
 
  private:
+  /// Vertices of which every triangle was looked at.
+  struct Looked;
+
   [[nodiscard]] Nearest ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const;
   /// From the last triangle to one over or under which the probe is, or as near to that as a walk comes.
   [[nodiscard]] std::uint32_t walk(const Vec3& probe_mm) const;
   /// Takes what is nearer of the triangles at a vertex. @return whether one was
-  bool improve(const Vec3& probe_mm, std::uint32_t vertex, Nearest& best) const;
-  /// Takes what is nearer around a triangle of what its certificate for this distance does not cover. @param looked_at
-  /// vertices that need not be looked at again
+  bool improve(const Vec3& probe_mm, std::uint32_t vertex, Looked& looked, Nearest& best) const;
+  /// Takes what is nearer around a triangle of what its certificate for this distance does not cover.
   bool improveAround(const Vec3& probe_mm, std::uint32_t triangle, const std::array<double, 3>& share,
-                     const WalkableMesh::Side& side, double distance_mm, std::size_t on_edge,
-                     std::array<std::uint32_t, 2>& looked_at, Nearest& best) const;
+                     const WalkableMesh::Side& side, double radius, std::size_t on_edge, Looked& looked,
+                     Nearest& best) const;
   [[nodiscard]] bool isCertain(const Vec3& probe_mm, Nearest& best) const;
 
   const WalkableMesh* on_;

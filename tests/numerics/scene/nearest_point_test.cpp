@@ -197,7 +197,7 @@ TEST(NearestPoint, BallsBesideATriangleAreEmpty) {
     const auto v = on.mesh.vertices();
     const Triangle& own = on.mesh.triangles()[t];
     for (const bool outside : {false, true}) {
-      const double radius_mm = on.walkable.side(t, outside).empty_mm;
+      const double radius_mm = on.walkable.emptyBall_mm(t, outside);
       sum_mm += radius_mm;
       for (const std::array<double, 3> share : {std::array{0.98, 0.01, 0.01}, {0.3, 0.3, 0.4}, {0.0, 0.5, 0.5}}) {
         const Vec3 touching = share[0] * v[own[0]] + share[1] * v[own[1]] + share[2] * v[own[2]];
