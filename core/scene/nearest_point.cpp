@@ -1,10 +1,12 @@
 #include "core/scene/nearest_point.h"
 
 #include <algorithm>
-#include <bit>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <system_error>
+#include <thread>
 
 #include "core/base/portable_math.h"
 #include "core/scene/vector.h"
@@ -15,7 +17,8 @@ namespace {
 constexpr double kMostEdges = 10.0;
 /// A triangle at a vertex of more has no certificate: looking at a fan of a million would be slower than the tree.
 constexpr std::size_t kLargestFan = 64;
-constexpr int kMostMoves = 64;  // of a walk; a probe that moved farther is looked for in the tree
+constexpr std::size_t kAtATime = 1024;  // triangles, of a thread
+constexpr int kMostMoves = 64;          // of a walk; a probe that moved farther is looked for in the tree
 /// A foot this near to an edge (as a share of the triangle) is compared with what lies across it: rounding may put it
 /// on either side.
 constexpr double kAtEdge = 1e-6;
@@ -39,26 +42,38 @@ constexpr std::array<float, 256> roughNumbers() {
 constexpr std::array<float, 256> WalkableMesh::kRough = roughNumbers();
 
 WalkableMesh::WalkableMesh(const TriangleTree& tree) : tree_(&tree), fans_(tree.mesh()) {
-  const Mesh& mesh = tree.mesh();
-  const auto triangles = mesh.triangles();
-  links_.resize(triangles.size());
-  for (auto& side : sides_) side.resize(triangles.size());
-  const double largest_mm = kMostEdges * mesh.report().mean_edge_mm;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const Triangle& corners = triangles[t];
-    links_[t] = {corners, mesh.neighbours(t)};
-    if (std::any_of(corners.begin(), corners.end(),
-                    [this](std::uint32_t v) { return fans_[v].size() > kLargestFan; })) {
-      continue;
+  const std::size_t count = mesh().triangles().size();
+  links_.resize(count);
+  for (auto& side : sides_) side.resize(count);
+  // What is known of a triangle does not depend on who looks, nor in which order.
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t from; (from = next.fetch_add(kAtATime)) < count;) {
+      for (std::size_t t = from; t < std::min(count, from + kAtATime); ++t) certify(static_cast<std::uint32_t>(t));
     }
-    const auto empty = tree.emptyBalls_mm(t, largest_mm);
-    for (std::size_t side = 0; side < 2; ++side) {
-      const double edges = empty[side] / mesh.report().mean_edge_mm;
-      sides_[side][t].empty =
-          static_cast<Side::Rough>(std::upper_bound(kRough.begin(), kRough.end(), edges) - kRough.begin() - 1);
-    }
-    lookAround(t);
+  };
+  std::vector<std::jthread> helpers;
+  const std::size_t most = std::min<std::size_t>(std::thread::hardware_concurrency(), count / (4 * kAtATime));
+  try {
+    while (helpers.size() + 1 < most) helpers.emplace_back(work);
+  } catch (const std::system_error&) {  // no more threads: it takes longer
   }
+  work();
+}
+
+void WalkableMesh::certify(std::uint32_t triangle) {
+  const Triangle& corners = mesh().triangles()[triangle];
+  links_[triangle] = {corners, mesh().neighbours(triangle)};
+  if (std::any_of(corners.begin(), corners.end(), [this](std::uint32_t v) { return fans_[v].size() > kLargestFan; })) {
+    return;
+  }
+  const double edge_mm = mesh().report().mean_edge_mm;
+  const auto empty_mm = tree_->emptyBalls_mm(triangle, kMostEdges * edge_mm);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto* const above = std::upper_bound(kRough.begin(), kRough.end(), empty_mm[side] / edge_mm);
+    sides_[side][triangle].empty = static_cast<Side::Rough>(above - kRough.begin() - 1);
+  }
+  lookAround(triangle);
 }
 
 namespace {

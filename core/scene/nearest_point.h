@@ -28,7 +28,8 @@ namespace fyd::scene {
 /// What is known of a mesh for walks over it. Immutable; shared by any number of probes and threads.
 class WalkableMesh {
  public:
-  /// The tree, and with it the mesh, must outlive this. Ten mean edges away from the mesh, a probe asks the tree at
+  /// Built by as many threads as the machine runs at a time; the same whatever their number. The tree, and with it the
+  /// mesh, must outlive this. Ten mean edges away from the mesh, a probe asks the tree at
   /// each step: the time to build this grows with the triangles within a ball.
   explicit WalkableMesh(const TriangleTree& tree);
 
@@ -73,6 +74,7 @@ class WalkableMesh {
   std::vector<Link> links_;
   std::array<std::vector<Side>, 2> sides_;  // inside, outside
 
+  void certify(std::uint32_t triangle);
   void lookAround(std::uint32_t triangle);
 };
 

@@ -6,36 +6,16 @@
 #include <numeric>
 #include <utility>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
+#include "core/scene/four_floats.h"
 
 namespace fyd::scene {
 namespace {
-
-using Floats = float __attribute__((vector_size(16)));
 
 constexpr float kFar = std::numeric_limits<float>::max();
 constexpr int kDeepest = 40;        // levels; below, a range is halved: what is left to look at has a bound
 constexpr double kRounding = 1e-6;  // of a distance and of the mesh's size: more than floats lose
 constexpr float kLost = 1e-6F;      // of a square: more than cancels
 constexpr int kBins = 16;
-
-Floats larger(Floats a, Floats b) { return a > b ? a : b; }
-
-Floats load(const float (&four)[4]) {
-  Floats out;
-  __builtin_memcpy(&out, four, sizeof out);
-  return out;
-}
-
-Floats root(Floats a) {
-#ifdef __SSE2__
-  return _mm_sqrt_ps(a);
-#else
-  return Floats{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
-#endif
-}
 
 /// Squares of distances that four discs are away from a point at least.
 template <class Node>

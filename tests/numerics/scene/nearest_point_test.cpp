@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 #include "core/scene/vector.h"
 #include "tests/unit/scene/shapes.h"
@@ -213,6 +214,18 @@ TEST(NearestPoint, BallsBesideATriangleAreEmpty) {
     }
   }
   EXPECT_GT(sum_mm / 600.0, 2.0) << "the surface's least radius of curvature is 2.5 mm";
+}
+
+/// Several threads build it.
+TEST(NearestPoint, BuiltTwiceIsTheSame) {
+  const Searched on(bumps(71));
+  const WalkableMesh again(on.tree);
+  const auto bytes = [](const WalkableMesh::Side& s) { return std::tie(s.empty, s.edge, s.strip, s.disc); };
+  for (std::uint32_t t = 0; t < on.mesh.triangles().size(); ++t) {
+    for (const bool outside : {false, true}) {
+      ASSERT_EQ(bytes(on.walkable.side(t, outside)), bytes(again.side(t, outside))) << t;
+    }
+  }
 }
 
 }  // namespace
