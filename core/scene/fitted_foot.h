@@ -12,15 +12,6 @@ namespace fitted {
 
 inline constexpr double kLeastDeterminant = 0.05;
 
-using Floats = float __attribute__((vector_size(16)));
-using Places = std::int32_t __attribute__((vector_size(16)));
-
-inline Floats load(const float* four) {
-  Floats out;
-  __builtin_memcpy(&out, four, sizeof out);
-  return out;
-}
-
 /// Symmetric: xx xy xz yy yz zz.
 using Tensor = std::array<double, 6>;
 
@@ -34,33 +25,25 @@ inline Vec3 operator*(const Tensor& k, const Vec3& v) {
 inline Foot FittedSurface::foot(const Vec3& probe_mm, const Nearest& nearest) const {
   const Triangle& t = triangles_[nearest.triangle];
   const std::array<double, 3> share = {1.0 - nearest.at_1 - nearest.at_2, nearest.at_1, nearest.at_2};
-  using fitted::Floats, fitted::Places, fitted::Tensor, fitted::load, fitted::operator*;
-  Floats heights{}, gradient{}, k0{}, k1{};  // k: xx xy xz | yy yz zz
-  float longest_mm2 = 0.0F;
+  using fitted::Tensor, fitted::operator*;
+  Vec3 gradient;
+  Tensor k{};
+  double height_mm = 0.0;  // of the nearest point
+  double longest_mm2 = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Corner& corner = corners_[t[i]];
-    const Vec3 from = nearest.point_mm - corner.point_mm;
-    const Floats e = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0.0F};
-    const Floats n = load(&corner.fit[0]), c0 = load(&corner.fit[3]), c1 = load(&corner.fit[6]);
-    const Floats bent = c0 * e[0] + __builtin_shuffle(c0, c1, Places{1, 4, 5, 3}) * e[1] +
-                        __builtin_shuffle(c0, c1, Places{2, 5, 6, 3}) * e[2];
-    const auto b = static_cast<float>(share[i]);
-    heights += b * e * (2.0F / 3.0F * n - 1.0F / 6.0F * bent);
-    gradient += b * (n - 0.5F * bent);
-    k0 += b * c0;
-    k1 += b * c1;
-    const Floats square = e * e;
-    longest_mm2 = std::max(longest_mm2, square[0] + square[1] + square[2]);
+    const Vec3 e = nearest.point_mm - corner.point_mm;
+    const Vec3 bent = corner.curvature * e;
+    const double b = share[i];
+    height_mm += b * dot(e, 2.0 / 3.0 * corner.normal - 1.0 / 6.0 * bent);
+    gradient = gradient + b * (corner.normal - 0.5 * bent);
+    for (std::size_t j = 0; j < 6; ++j) k[j] += b * corner.curvature[j];
+    longest_mm2 = std::max(longest_mm2, squared(e));
   }
-  // 1/√s by its series at 1, for s is nearly that: a third of the time.
-  const Vec3 g = {gradient[0], gradient[1], gradient[2]};
-  const double off = squared(g) - 1.0;
-  const Vec3 normal = std::abs(off) < 0.05 ? (1.0 - off * (0.5 - 0.375 * off)) * g : unit(g);
-  const double height_mm = heights[0] + heights[1] + heights[2];  // of the nearest point
+  const Vec3 normal = unit(gradient);
   const Vec3 to_probe = probe_mm - nearest.point_mm + height_mm * normal;
   if (edges_.crease(nearest)) return creaseFoot(probe_mm, nearest, to_probe, normal);
   // u = (I − z K)⁻¹ e in the tangent plane, by the trace and the determinant of K there
-  const Tensor k = {k0[0], k0[1], k0[2], k1[0], k1[1], k1[2]};
   const double trace = k[0] + k[3] + k[5];
   const double squares = k[0] * k[0] + k[3] * k[3] + k[5] * k[5] + 2.0 * (k[1] * k[1] + k[2] * k[2] + k[4] * k[4]);
   const double product = 0.5 * (trace * trace - squares);

@@ -163,9 +163,7 @@ struct FittedSurface::Fitter {
   }
 
   Corner fit(const Vec3& middle, const Vec3& mean, std::size_t first_ring) {
-    Corner corner{middle, {}};
-    Vec3 normal = mean;
-    Tensor curvature{};
+    Corner corner{middle, mean, {}};
     double size = 0.0;
     for (std::size_t i = 0; i < first_ring; ++i) size += length(around[i] - middle);
     size /= static_cast<double>(first_ring);
@@ -182,23 +180,21 @@ struct FittedSurface::Fitter {
           break;
         }
         if (pass == 0) frame = Frame(leaning);
-        normal = leaning;
+        corner.normal = leaning;
       }
       if (shape && std::max({std::abs(shape->c), std::abs(shape->d), std::abs(shape->e)}) * size < kMostBent) {
         const Vec3 x = frame.x, y = frame.y;
         const auto of = [&](double xa, double xb, double ya, double yb) {
           return shape->c * xa * xb + shape->d * (xa * yb + xb * ya) + shape->e * ya * yb;
         };
-        curvature = {of(x.x, x.x, y.x, y.x), of(x.x, x.y, y.x, y.y), of(x.x, x.z, y.x, y.z),
-                     of(x.y, x.y, y.y, y.y), of(x.y, x.z, y.y, y.z), of(x.z, x.z, y.z, y.z)};
+        corner.curvature = {of(x.x, x.x, y.x, y.x), of(x.x, x.y, y.x, y.y), of(x.x, x.z, y.x, y.z),
+                            of(x.y, x.y, y.y, y.y), of(x.y, x.z, y.y, y.z), of(x.z, x.z, y.z, y.z)};
         break;
       }
-      normal = mean;
+      corner.normal = mean;
       ++order;
     }
     ++surface.fitted_[order];
-    corner.fit = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
-    for (std::size_t i = 0; i < 6; ++i) corner.fit[3 + i] = static_cast<float>(curvature[i]);
     return corner;
   }
 };

@@ -10,8 +10,7 @@
 // triangle, with the shares b_i and e_i = q − v_i, by Taylor terms made smaller so that the blend gains an order
 // (Guessab, Nouisser, Schmeisser 2006):
 //   φ(q) = Σ b_i (2/3 n_i·e_i − 1/6 e_i·K_i e_i),   ∇φ(q) = Σ b_i (n_i − 1/2 K_i e_i),   K(q) = Σ b_i K_i
-// Both are continuous across edges that are no crease. What the corners know, and what is blended of it, is float (1e-7
-// of an edge; it is off from the true surface by 1e-5 of an edge and more); distances from the probe are double.
+// Both are continuous across edges that are no crease.
 #pragma once
 
 #include <array>
@@ -47,9 +46,10 @@ class FittedSurface {
 
  private:
   /// A vertex on one side of its creases.
-  struct alignas(64) Corner {
+  struct Corner {
     Vec3 point_mm;
-    std::array<float, 10> fit{};  // normal x y z, curvature in 1/mm xx xy xz yy yz zz, nothing
+    Vec3 normal;
+    std::array<double, 6> curvature{};  // 1/mm: xx xy xz yy yz zz
   };
   struct Fitter;
 
