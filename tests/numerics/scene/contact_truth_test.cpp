@@ -169,6 +169,18 @@ double mostWork(ContactModel model, unsigned cells, double damping) {
   return most;
 }
 
+/// Floats anywhere on the way would be off by 1e-7.
+TEST(ContactVicinity, ATiltedPlaneIsFeltInDouble) {
+  TouchedBody body(shapes::heights(10.0, 30, [](double x, double y) { return 0.3 * x - 0.17 * y; }),
+                   ContactModel::vicinity, 0.0, {1.0, 0.0, 0.0, 0.0});
+  const Vec3 normal = (1.0 / std::sqrt(1.0 + 0.3 * 0.3 + 0.17 * 0.17)) * Vec3{-0.3, 0.17, 1.0};
+  for (int i = 0; i < 400; ++i) {
+    const double x = 0.0391 * (i % 20) - 0.4, y = 0.0417 * (i / 20.0) - 0.4;
+    const Vec3 on = {x, y, 0.3 * x - 0.17 * y};
+    EXPECT_LT(length(body.at(on - 0.7 * normal).force_N - 0.7 * normal), 1e-11);
+  }
+}
+
 TEST(ContactEnergy, ClosedWaysGiveNoWorkBeyondWhatTheFitIsOffByItself) {
   // Of ½ k (1 mm)². The forces of facet, proxy and nodes are gradients; the vicinity's is one but for what is blended.
   EXPECT_LT(mostWork(ContactModel::facet, 71, 0.0), 0.002);
