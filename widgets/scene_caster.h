@@ -76,8 +76,6 @@ struct ScenePicture {
 
 class SceneCaster {
  public:
-  static constexpr int kTile_px = 32;
-
   SceneCaster();
   ~SceneCaster();
   SceneCaster(const SceneCaster&) = delete;

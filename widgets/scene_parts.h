@@ -66,6 +66,7 @@ struct SceneParts {
   std::vector<SceneStick> sticks;
   std::vector<SceneBall> balls;
   std::vector<SceneDisc> discs;
+  friend bool operator==(const SceneParts&, const SceneParts&) = default;
 };
 
 struct SceneState {

@@ -91,11 +91,7 @@ void SceneView::setShape(std::size_t body, std::span<const Vec3> vertices_mm) {
 }
 
 void SceneView::setState(const SceneState& state) {
-  const SceneParts& was = state_.parts;
-  const SceneParts& is = state.parts;
-  if (is.placements != was.placements || is.sticks != was.sticks || is.balls != was.balls || is.discs != was.discs) {
-    parts_asked_ = false;
-  }
+  if (!(state.parts == state_.parts)) parts_asked_ = false;
   state_ = state;
   if (!box_known_) {
     box_known_ = true;
