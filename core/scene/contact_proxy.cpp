@@ -187,7 +187,7 @@ ContactProxy::ContactProxy(const TriangleTree& tree, double radius_mm) : tree_(&
   radius_mm_ = std::max(radius_mm, least_mm_);
   middle_mm_ = 0.5 * (r.lowest_mm + r.highest_mm);
   far_mm_ = 4.0 * (size_mm + radius_mm_);
-  around_mm_ = 0.5 * r.mean_edge_mm;
+  around_mm_ = 0.25 * r.mean_edge_mm;
 }
 
 ContactProxy::Walls ContactProxy::wallsAt(const Around& around, const Vec3& middle_mm, double radius_mm) const {
