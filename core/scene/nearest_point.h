@@ -29,8 +29,8 @@ namespace fyd::scene {
 class WalkableMesh {
  public:
   /// Built by as many threads as the machine runs at a time; the same whatever their number. The tree, and with it the
-  /// mesh, must outlive this. Ten mean edges away from the mesh, a probe asks the tree at
-  /// each step: the time to build this grows with the triangles within a ball.
+  /// mesh, must outlive this. Ten mean edges away from the mesh, a probe asks the tree at each step: the time to build
+  /// this grows with the triangles within a ball.
   explicit WalkableMesh(const TriangleTree& tree);
 
   [[nodiscard]] const TriangleTree& tree() const { return *tree_; }
