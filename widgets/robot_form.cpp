@@ -98,9 +98,13 @@ RobotForm::RobotForm(QWidget* parent)
   connect(address_, &QLineEdit::textChanged, this, &RobotForm::refresh);
   connect(key_, &QLineEdit::textChanged, this, &RobotForm::refresh);
   connect(scene_, &QLineEdit::textChanged, this, &RobotForm::refresh);
-  connect(browse_, &QToolButton::clicked, this, [this] { chooseFile(tr("Key file of FYD Link"), key_); });
-  connect(browse_scene_, &QToolButton::clicked, this, [this] { chooseFile(tr("Scene file"), scene_); });
-  connect(reconnect_, &QPushButton::clicked, this, [this] { emit reconnectAsked(robot(), keyFile()); });
+  connect(browse_, &QToolButton::clicked, this, [this] { chooseFile(tr("Key file of FYD Link"), {}, key_); });
+  connect(browse_scene_, &QToolButton::clicked, this,
+          [this] { chooseFile(tr("Scene file"), tr("Scenes (*.toml);;All files (*)"), scene_); });
+  connect(reconnect_, &QPushButton::clicked, this, [this] {
+    if (!work_.isEmpty()) return emit cancelAsked();
+    emit reconnectAsked(robot(), keyFile());
+  });
   refresh();
 }
 
@@ -128,6 +132,12 @@ void RobotForm::setRobot(const QString& robot, const QString& key_file) {
 void RobotForm::setAllowed(bool allowed) {
   if (allowed == allowed_) return;
   allowed_ = allowed;
+  refresh();
+}
+
+void RobotForm::setWork(const QString& words, bool can_be_cancelled) {
+  work_ = words;
+  can_be_cancelled_ = can_be_cancelled;
   refresh();
 }
 
@@ -163,6 +173,16 @@ void RobotForm::refresh() {
   const bool address_missing = by_network && address_->text().trimmed().isEmpty();
   const bool key_missing = by_key && keyFile().isEmpty();
   const bool scene_missing = kind == scene && scene_->text().trimmed().isEmpty();
+  for (QWidget* each :
+       {static_cast<QWidget*>(kind_), static_cast<QWidget*>(scene_), static_cast<QWidget*>(browse_scene_)}) {
+    each->setEnabled(work_.isEmpty());
+  }
+  reconnect_->setText(work_.isEmpty() ? tr("Reconnect") : tr("Cancel"));
+  if (!work_.isEmpty()) {
+    hint_->setText(work_);
+    reconnect_->setEnabled(can_be_cancelled_);
+    return;
+  }
   if (!allowed_) {
     hint_->setText(tr("The robot can be changed only while nothing can move. Press Esc first."));
   } else if (address_missing) {
@@ -177,8 +197,8 @@ void RobotForm::refresh() {
   reconnect_->setEnabled(allowed_ && !address_missing && !key_missing && !scene_missing);
 }
 
-void RobotForm::chooseFile(const QString& title, QLineEdit* into) {
-  auto* dialog = new QFileDialog(this, title, into->text());
+void RobotForm::chooseFile(const QString& title, const QString& filter, QLineEdit* into) {
+  auto* dialog = new QFileDialog(this, title, into->text(), filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setModal(false);  // nothing is modal while a device can move

@@ -24,6 +24,8 @@ class RobotForm : public QFrame {
   void setRobot(const QString& robot, const QString& key_file);
   /// Whether the robot may be changed now.
   void setAllowed(bool allowed);
+  /// While there are words, they stand in place of the hint, and the button cancels, where that is possible.
+  void setWork(const QString& words, bool can_be_cancelled);
 
   [[nodiscard]] QString robot() const;    ///< as entered, in the words of setRobot
   [[nodiscard]] QString keyFile() const;  ///< empty unless FYD Link is chosen
@@ -37,12 +39,15 @@ class RobotForm : public QFrame {
 
  signals:
   void reconnectAsked(const QString& robot, const QString& key_file);
+  void cancelAsked();
 
  private:
   void refresh();
-  void chooseFile(const QString& title, QLineEdit* into);
+  void chooseFile(const QString& title, const QString& filter, QLineEdit* into);
 
   bool allowed_ = false;
+  QString work_;
+  bool can_be_cancelled_ = false;
   QComboBox* kind_;
   QLabel* predictor_label_;
   QComboBox* predictor_;

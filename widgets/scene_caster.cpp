@@ -27,8 +27,9 @@ Vec3 turned(const ScenePlacement& p, Vec3 v) { return v.x * p.x_axis + v.y * p.y
 
 struct SceneCaster::Impl {
   RTCDevice device = nullptr;
-  RTCScene top = nullptr;        ///< of the bodies
-  RTCScene parts = nullptr;      ///< sticks, balls, discs: asked only in the tiles in which there are some
+  RTCScene top = nullptr;  ///< of the bodies
+  RTCScene parts =
+      nullptr;  ///< what SceneParts holds beside the bodies: asked only in the tiles in which there are some
   std::vector<RTCScene> bodies;  ///< null: nothing in it
   std::vector<RTCGeometry> instances;
   std::vector<ScenePlacement> placed;
@@ -119,6 +120,7 @@ struct SceneCaster::Impl {
     }
     for (const SceneBall& each : drawn.balls) markRound(into, each.centre_mm, each.radius_mm, shot);
     for (const SceneDisc& each : drawn.discs) markRound(into, each.centre_mm, each.radius_mm, shot);
+    for (const SceneSheet& each : drawn.sheets) markRound(into, each.centre_mm, each.radius_mm(), shot);
   }
 
   static QPointF inDevice(const SceneShot& shot, Vec3 at_mm) {
@@ -252,6 +254,12 @@ bool SceneCaster::Impl::moveParts(const SceneMeshes& meshes, const SceneParts& g
       next.discs.push_back(each);
     }
   }
+  for (const SceneSheet& each : given.sheets) {
+    if (next.sheets.size() == kMostSceneParts) break;
+    // A sheet without an inside would have no normal.
+    const double area_mm2 = scene::length(scene::cross(each.half_width_mm, each.half_height_mm));
+    if (near(each.centre_mm, each.radius_mm()) && area_mm2 > 0.0) next.sheets.push_back(each);
+  }
   if (next == drawn) return false;
   markParts(tiles, shot);
   drawn = std::move(next);
@@ -286,6 +294,22 @@ bool SceneCaster::Impl::moveParts(const SceneMeshes& meshes, const SceneParts& g
     for (std::size_t i = 0; i < drawn.discs.size(); ++i) {
       at[i] = round(drawn.discs[i].centre_mm, drawn.discs[i].radius_mm);
       normal[i] = floats(drawn.discs[i].normal);
+    }
+  });
+  attachKind(kSheets, RTC_GEOMETRY_TYPE_QUAD, drawn.sheets.size(), [&](RTCGeometry geometry) {
+    auto* corners = buffer<Float3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 4 * drawn.sheets.size());
+    auto* quads =
+        buffer<std::array<std::uint32_t, 4>>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT4, drawn.sheets.size());
+    if (corners == nullptr || quads == nullptr) return;
+    for (std::size_t i = 0; i < drawn.sheets.size(); ++i) {
+      const SceneSheet& sheet = drawn.sheets[i];
+      const std::pair<double, double> at[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+      for (std::uint32_t c = 0; c < 4; ++c) {
+        const auto& [across, along] = at[c];
+        corners[4 * i + c] =
+            floats(meshes.unitOf(sheet.centre_mm + across * sheet.half_width_mm + along * sheet.half_height_mm));
+        quads[i][c] = static_cast<std::uint32_t>(4 * i) + c;
+      }
     }
   });
   return true;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kPoint_px = 5.0;    // radius of the haptic point's ball
 constexpr double kProxy_px = 8.0;    // radius of the proxy's ring
+constexpr double kHand_px = 10.0;    // half a cross of the hand that leads the haptic point
 constexpr double kProbe_px = 2.0;    // between two places at which a segment asks whether it is hidden
 constexpr double kGrazing_px = 2.0;  // a mark that lies on a surface is not hidden by it
 constexpr int kMostProbes = 1000;
@@ -196,6 +197,18 @@ void paintSceneMarks(QPainter& painter, const ScenePicture& picture, const Scene
   }
   if (proxy) marks.ring(state.proxy_mm, state.radius_mm);
   if (point) marks.ball(state.point_mm, state.radius_mm);
+}
+
+void paintSceneHand(QPainter& painter, const ScenePicture& picture, const SceneState& state, Vec3 hand_mm,
+                    QSizeF widget_px) {
+  const Marks marks(painter, picture, widget_px);
+  if (!marks.paintable(hand_mm)) return;
+  const QPointF hand = marks.at(hand_mm);
+  for (const auto& [colour, width] : {std::pair{faint(theme().panel), 4.0}, std::pair{theme().accent, 2.0}}) {
+    painter.setPen(QPen(colour, width));
+    if (marks.paintable(state.point_mm)) painter.drawLine(marks.at(state.point_mm), hand);
+    for (const QPointF arm : {QPointF(kHand_px, 0), QPointF(0, kHand_px)}) painter.drawLine(hand - arm, hand + arm);
+  }
 }
 
 void paintSceneLegend(QPainter& painter, QPointF top_left, const SceneState& state) {

@@ -15,6 +15,9 @@ inline constexpr double kSceneLongest_px = 240.0;  ///< a longer one ends here w
 /// @param above_px the value stands below this
 void paintSceneMarks(QPainter& painter, const ScenePicture& picture, const SceneState& state, QSizeF widget_px,
                      double above_px);
+/// Where a hand leads the haptic point to, and from where.
+void paintSceneHand(QPainter& painter, const ScenePicture& picture, const SceneState& state, Vec3 hand_mm,
+                    QSizeF widget_px);
 /// Words over a picture, on a ground of their own.
 void paintSceneWords(QPainter& painter, const QRectF& box, int alignment, const QString& text, const QColor& colour);
 /// The marks' words and shapes: what is what.

@@ -47,7 +47,7 @@ struct SceneBall {
   friend bool operator==(const SceneBall&, const SceneBall&) = default;
 };
 
-/// A racket: flat and round, seen from both sides.
+/// A round racket, or a floor: flat, seen from both sides.
 struct SceneDisc {
   Vec3 centre_mm;
   Vec3 normal{0.0, 0.0, 1.0};
@@ -56,7 +56,16 @@ struct SceneDisc {
   friend bool operator==(const SceneDisc&, const SceneDisc&) = default;
 };
 
-inline constexpr std::size_t kMostSceneParts = 1024;  ///< sticks, balls and discs of each kind; more are not drawn
+/// A racket with corners: flat, seen from both sides.
+struct SceneSheet {
+  Vec3 centre_mm;
+  Vec3 half_width_mm{1.0, 0.0, 0.0}, half_height_mm{0.0, 1.0, 0.0};  ///< from the centre to the middle of an edge
+  SceneRole role = SceneRole::own;
+  [[nodiscard]] double radius_mm() const { return scene::length(half_width_mm) + scene::length(half_height_mm); }
+  friend bool operator==(const SceneSheet&, const SceneSheet&) = default;
+};
+
+inline constexpr std::size_t kMostSceneParts = 1024;  ///< of each kind; more are not drawn
 
 inline constexpr double kSceneNone = std::numeric_limits<double>::quiet_NaN();
 inline constexpr Vec3 kNowhere{kSceneNone, kSceneNone, kSceneNone};
@@ -66,6 +75,7 @@ struct SceneParts {
   std::vector<SceneStick> sticks;
   std::vector<SceneBall> balls;
   std::vector<SceneDisc> discs;
+  std::vector<SceneSheet> sheets;
   friend bool operator==(const SceneParts&, const SceneParts&) = default;
 };
 

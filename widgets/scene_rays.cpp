@@ -128,7 +128,8 @@ SceneRole SceneRays::roleOf(unsigned kind, std::size_t which) const {
   switch (kind) {
     case kSticks: return parts_.sticks[which].role;
     case kBalls: return parts_.balls[which].role;
-    default: return parts_.discs[which].role;
+    case kDiscs: return parts_.discs[which].role;
+    default: return parts_.sheets[which].role;
   }
 }
 

@@ -16,7 +16,7 @@ inline Float3 floats(Vec3 v) { return {static_cast<float>(v.x), static_cast<floa
 inline constexpr float kNoDepth = std::numeric_limits<float>::infinity();  ///< of a ray that hits nothing
 
 /// The geometries of the scene of parts, by their numbers.
-enum ScenePartKind : unsigned { kSticks, kBalls, kDiscs, kScenePartKinds };
+enum ScenePartKind : unsigned { kSticks, kBalls, kDiscs, kSheets, kScenePartKinds };
 
 /// Of what stands in it; none when it is empty.
 [[nodiscard]] std::vector<Vec3> cornersOf(RTCScene scene);

@@ -57,6 +57,18 @@ void SceneView::buildButtons() {
   auto* row = new QHBoxLayout;
   row->setSpacing(kGrid / 2);
   row->addStretch();
+  touch_ = new QToolButton(this);
+  touch_->setObjectName(QStringLiteral("scene_touch"));
+  touch_->setText(tr("Touch"));
+  touch_->setToolTip(
+      tr("A drag in the picture moves the haptic point instead of turning the scene; wheel or Shift: "
+         "nearer or farther. Without this button: Ctrl and drag."));
+  touch_->setCheckable(true);
+  touch_->setFont(textFont(TextSize::small));
+  touch_->setFocusPolicy(Qt::TabFocus);
+  touch_->hide();
+  row->addWidget(touch_);
+  row->addSpacing(kGrid);
   for (const Side& each : kSides) {
     auto* button = new QToolButton(this);
     button->setText(tr(each.name));
@@ -73,9 +85,11 @@ void SceneView::buildButtons() {
   layout->addStretch();
 }
 
-void SceneView::setBodies(std::span<const SceneBody> bodies) {
-  meshes_ = SceneMeshes::of(bodies);
-  shapes_.assign(bodies.size(), nullptr);
+void SceneView::setBodies(std::span<const SceneBody> bodies) { setMeshes(SceneMeshes::of(bodies)); }
+
+void SceneView::setMeshes(std::shared_ptr<const SceneMeshes> meshes) {
+  meshes_ = std::move(meshes);
+  shapes_.assign(meshes_->bodies.size(), nullptr);
   box_known_ = false;
   side_ = SceneSide::home;
   look(SceneSide::home);
@@ -133,13 +147,14 @@ SceneBox SceneView::box() const {
   }
   for (const SceneBall& each : state_.parts.balls) addRound(each.centre_mm, each.radius_mm);
   for (const SceneDisc& each : state_.parts.discs) addRound(each.centre_mm, each.radius_mm);
+  for (const SceneSheet& each : state_.parts.sheets) addRound(each.centre_mm, each.radius_mm());
   if (out.empty()) out.add(state_.point_mm);
   return out;
 }
 
 bool SceneView::nothingToShow() const {
   const SceneParts& p = state_.parts;
-  return meshes_->triangles == 0 && p.sticks.empty() && p.balls.empty() && p.discs.empty() &&
+  return meshes_->triangles == 0 && p.sticks.empty() && p.balls.empty() && p.discs.empty() && p.sheets.empty() &&
          !state_.point_mm.finite() && !state_.proxy_mm.finite();
 }
 
@@ -250,6 +265,12 @@ QString SceneView::words() const {
       .arg(scenePlaceText(state_.point_mm), scenePlaceText(state_.proxy_mm), sceneForceText(state_), foot_);
 }
 
+QString SceneView::hint() const {
+  if (touch_->isChecked()) return tr("Drag: touch · Shift or wheel: depth · right button: move");
+  return drivable_ ? tr("Drag: turn · Shift: move · wheel: zoom · Ctrl: touch")
+                   : tr("Drag: turn · Shift: move · wheel: zoom");
+}
+
 void SceneView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), theme().panel);
@@ -265,6 +286,7 @@ void SceneView::paintEvent(QPaintEvent*) {
     painter.save();
     painter.translate(corner);
     const double above = buttons_.front()->geometry().bottom() + 0.5 * kGrid;  // nothing to be read lies under these
+    if (driven_mm_) paintSceneHand(painter, picture, state_, *driven_mm_, shown);
     paintSceneMarks(painter, picture, state_, shown, above);
     painter.restore();
     paintSceneScale(painter, picture.shot.camera, size());
@@ -272,12 +294,17 @@ void SceneView::paintEvent(QPaintEvent*) {
     paintSceneLegend(painter, QPointF(kGrid, narrow ? above : kGrid), state_);
     painter.setFont(textFont(TextSize::small));
     const QRectF inner = QRectF(rect()).adjusted(1.5 * kGrid, 0, -1.5 * kGrid, narrow ? -4.0 * kGrid : -kGrid);
+    // In a narrow view the hand's place stands where the foot stood.
+    const bool hand = driven_mm_.has_value();
+    const QString led = hand ? tr("The mouse leads to %1").arg(scenePlaceText(*driven_mm_)) : QString();
     const double foot_px = (narrow ? 1.0 : 0.6) * inner.width();
-    const QString foot = QFontMetricsF(painter.font(), this).elidedText(foot_, Qt::ElideRight, foot_px);
-    paintSceneWords(painter, inner, Qt::AlignRight | Qt::AlignBottom, foot, theme().muted);
-    if (hint_ && !narrow) {
+    const QString foot =
+        QFontMetricsF(painter.font(), this).elidedText(narrow && hand ? led : foot_, Qt::ElideRight, foot_px);
+    paintSceneWords(painter, inner, Qt::AlignRight | Qt::AlignBottom, foot,
+                    narrow && hand ? theme().text : theme().muted);
+    if (!narrow && (hand || hint_)) {
       paintSceneWords(painter, inner.adjusted(0, 0, 0, -3.0 * kGrid), Qt::AlignRight | Qt::AlignBottom,
-                      tr("Drag: turn · Shift: move · wheel: zoom"), theme().muted);
+                      hand ? led : hint(), hand ? theme().text : theme().muted);
     }
   } else {
     painter.setPen(theme().muted);

@@ -3,9 +3,9 @@
 // second it shows and of how many triangles.
 //
 // Left button or arrow keys turn, with Shift or the middle or right button they move, wheel or + and − zoom, Home, 1, 2
-// and 3 are the standard views. Where the mouse may drive the haptic point: drag the point, or anywhere with Ctrl; it
-// moves in the picture's plane through itself, with the wheel or Shift across it. Ctrl and arrow keys, Page up and Page
-// down do the same.
+// and 3 are the standard views. Where the mouse may drive the haptic point: drag the point, or anywhere with Ctrl or
+// while "Touch" is pressed; it moves in the picture's plane through itself, with the wheel or Shift across it. Ctrl and
+// arrow keys, Page up and Page down do the same.
 #pragma once
 
 #include <QElapsedTimer>
@@ -30,15 +30,19 @@ class SceneView : public QWidget {
 
   /// Copies the bodies; what they are views of need not live on. Bad triangles are left out and counted (words()).
   void setBodies(std::span<const SceneBody> bodies);
+  /// The same, made ready on another thread.
+  void setMeshes(std::shared_ptr<const SceneMeshes> meshes);
   /// A soft body's vertices now, as many as it was given with; other counts are passed over.
   void setShape(std::size_t body, std::span<const Vec3> vertices_mm);
   /// May come as often as it likes: the newest is drawn.
   void setState(const SceneState& state);
   /// Words in place of a scene: what to do to get one.
   void setEmptyText(const QString& text);
-  /// Lets the mouse and the keyboard drive the haptic point.
-  void setDrivable(bool on);
+  /// Lets the mouse and the keyboard drive the haptic point. @param reach where it may be led; empty: anywhere
+  void setDrivable(bool on, const SceneBox& reach = {});
   [[nodiscard]] bool drivable() const { return drivable_; }
+  /// While it is pressed, a drag anywhere drives the haptic point. Hidden where nothing can be driven.
+  [[nodiscard]] QToolButton* touchButton() const { return touch_; }
   void look(SceneSide side);
 
   [[nodiscard]] const SceneState& state() const { return state_; }
@@ -88,6 +92,7 @@ class SceneView : public QWidget {
   [[nodiscard]] SceneBox box() const;
   [[nodiscard]] bool nothingToShow() const;
   void refreshFoot();
+  [[nodiscard]] QString hint() const;
   void cameraMoved();  ///< by the operator
   void beginDriving();
   void drive(Vec3 by_mm);
@@ -120,8 +125,10 @@ class SceneView : public QWidget {
   QString foot_;
   QString empty_text_;
   QList<QToolButton*> buttons_;
+  QToolButton* touch_ = nullptr;
 
   bool drivable_ = false;
+  SceneBox reach_;
   bool hint_ = true;  ///< how to turn it, until somebody has
   Hand hand_ = Hand::nothing;
   QPointF hand_px_;

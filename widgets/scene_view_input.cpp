@@ -33,25 +33,39 @@ bool SceneView::onPoint(QPointF at_px) const {
   return std::hypot(off.x(), off.y()) <= kGrab_px;
 }
 
-void SceneView::setDrivable(bool on) {
+void SceneView::setDrivable(bool on, const SceneBox& reach) {
+  reach_ = reach;
+  if (on == drivable_) return;
   drivable_ = on;
   setMouseTracking(on);
+  touch_->setVisible(on);
   if (!on) {
+    touch_->setChecked(false);
     release();
     unsetCursor();
   }
 }
 
 void SceneView::beginDriving() {
-  if (!driven_mm_) driven_mm_ = state_.point_mm.finite() ? state_.point_mm : camera_.target_mm();
+  if (driven_mm_) return;
+  driven_mm_ = state_.point_mm.finite() ? state_.point_mm : camera_.target_mm();
+  news_ = true;
+  wake();
 }
 
 void SceneView::drive(Vec3 by_mm) {
   if (!drivable_) return;
   beginDriving();
-  const Vec3 to_mm = *driven_mm_ + by_mm;
+  Vec3 to_mm = *driven_mm_ + by_mm;
   if (!to_mm.finite() || (to_mm - camera_.centre_mm()).norm() > kFarthest * camera_.radius_mm()) return;
+  if (!reach_.empty()) {
+    to_mm = {std::clamp(to_mm.x, reach_.lowest_mm.x, reach_.highest_mm.x),
+             std::clamp(to_mm.y, reach_.lowest_mm.y, reach_.highest_mm.y),
+             std::clamp(to_mm.z, reach_.lowest_mm.z, reach_.highest_mm.z)};
+  }
   driven_mm_ = to_mm;
+  news_ = true;
+  wake();
   emit pointDriven(to_mm);
 }
 
@@ -59,6 +73,8 @@ void SceneView::release() {
   if (hand_ == Hand::drives) hand_ = Hand::nothing;
   if (!driven_mm_) return;
   driven_mm_.reset();
+  news_ = true;
+  wake();
   emit pointReleased();
 }
 
@@ -66,7 +82,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   if (hand_ != Hand::nothing) return;
   hand_px_ = event->position();
   const bool left = event->button() == Qt::LeftButton;
-  if (left && drivable_ && (event->modifiers().testFlag(Qt::ControlModifier) || onPoint(hand_px_))) {
+  if (left && drivable_ &&
+      (touch_->isChecked() || event->modifiers().testFlag(Qt::ControlModifier) || onPoint(hand_px_))) {
     hand_ = Hand::drives;
     drive({});
   } else if (left) {
@@ -80,7 +97,9 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->position() - hand_px_;
   switch (hand_) {
     case Hand::nothing:
-      setCursor(drivable_ && onPoint(event->position()) ? Qt::OpenHandCursor : Qt::ArrowCursor);
+      setCursor(touch_->isChecked()                       ? Qt::CrossCursor
+                : drivable_ && onPoint(event->position()) ? Qt::OpenHandCursor
+                                                          : Qt::ArrowCursor);
       return;
     case Hand::turns:
       camera_.orbit(-kTurn_deg_per_px * by.x(), kTurn_deg_per_px * by.y());

@@ -46,6 +46,8 @@ void LinkDock::restart(bool open) {
   refresh();
 }
 
+void LinkDock::showWork(const QString& words, bool can_be_cancelled) { form_->setWork(words, can_be_cancelled); }
+
 bool LinkDock::mayReconnect() const { return closed_ || (!can_move_ && !silent_); }
 
 }  // namespace fyd::console

@@ -22,6 +22,9 @@ class LinkDock : public SideDock {
   /// nothing can move
   void restart(bool open);
 
+  /// A change of the robot is under way: another has to wait. @param words what is done; empty: nothing
+  void showWork(const QString& words, bool can_be_cancelled);
+
   [[nodiscard]] bool mayReconnect() const;
   [[nodiscard]] widgets::LinkPanel* panel() const { return panel_; }
   [[nodiscard]] widgets::CouplingForm* coupling() const { return coupling_; }

@@ -139,13 +139,19 @@ void OperatePage::connectFinger() {
       sensing::toMillimetres(finger, px.x(), px.y(), x_mm, y_mm);
       return QPointF(x_mm, y_mm);
     });
+    scene_->setTouchable(true);
     finger_ = new FingerMenu(session, context_.tell, camera_);
     camera_->addBelow(finger_);
   }
   const widgets::CameraImage* image = camera_->image();
-  connect(image, &widgets::CameraImage::fingerMoved, this,
-          [&session](double x_mm, double y_mm, double depth_mm) { session.moveSimulatedFinger(x_mm, y_mm, depth_mm); });
-  connect(image, &widgets::CameraImage::fingerReleased, this, [&session] { session.releaseSimulatedFinger(); });
+  const auto move = [&session](double x_mm, double y_mm, double depth_mm) {
+    session.moveSimulatedFinger(x_mm, y_mm, depth_mm);
+  };
+  const auto release = [&session] { session.releaseSimulatedFinger(); };
+  connect(image, &widgets::CameraImage::fingerMoved, this, move);
+  connect(image, &widgets::CameraImage::fingerReleased, this, release);
+  connect(scene_, &SceneDock::fingerMoved, this, move);
+  connect(scene_, &SceneDock::fingerReleased, this, release);
 }
 
 void OperatePage::addCurveCommands(PlaceCommands& commands) {

@@ -1,6 +1,8 @@
 #include "app/console/scene_dock.h"
 
+#include "core/pipeline/touch_motion.h"
 #include "core/scene/scene_stage.h"
+#include "core/sim/finger_path.h"
 
 namespace fyd::console {
 namespace {
@@ -55,7 +57,15 @@ widgets::SceneParts partsOf(const scene::SceneStage& stage, const scene::SceneMo
     out.balls.push_back({now.ball->ball.position_mm, game.radius_mm});
     if (now.ball->racket_known) {
       const scene::RacketPose& racket = now.ball->racket;
-      addDisc(out.discs, racket.centre_mm, racket.normal, game.racket_width_mm / 2.0, SceneRole::own);
+      const double half_width_mm = game.racket_width_mm / 2.0;
+      if (game.racket_shape == scene::RacketShape::disc) {
+        addDisc(out.discs, racket.centre_mm, racket.normal, half_width_mm, SceneRole::own);
+      } else {
+        out.sheets.push_back(
+            {.centre_mm = racket.centre_mm,
+             .half_width_mm = half_width_mm * racket.along,
+             .half_height_mm = (game.racket_height_mm / 2.0) * scene::cross(racket.normal, racket.along)});
+      }
     }
     if (game.court) {
       addDisc(out.discs, {described.serve.x_mm, described.serve.y_mm, game.court_z_mm}, {0.0, 0.0, 1.0}, kFloor_mm,
@@ -81,15 +91,47 @@ widgets::SceneState stateOf(const scene::SceneStage& stage, const scene::SceneMo
   return out;
 }
 
+/// Where the finger leads the point (pipeline::kRobotTravelForDepth), backwards.
+sim::FingerState fingerFor(const Vec3& point_mm) {
+  return {.x_mm = point_mm.x, .y_mm = point_mm.y, .indentation_mm = -point_mm.z / pipeline::kRobotTravelForDepth};
+}
+
+/// To where the simulated finger can lead the point.
+widgets::SceneBox reachOfFinger() {
+  const double x_mm = sim::kUsableHalfWidth_mm, y_mm = sim::kUsableHalfDepth_mm;
+  widgets::SceneBox out;
+  out.add(Vec3{-x_mm, -y_mm, -pipeline::kRobotTravelForDepth * sim::kDeepestPress_mm});
+  out.add(Vec3{x_mm, y_mm, 0.0});
+  return out;
+}
+
 }  // namespace
 
 SceneDock::SceneDock(QWidget* parent) : SceneDock(new widgets::SceneView, parent) {}
 
 SceneDock::SceneDock(widgets::SceneView* view, QWidget* parent)
     : SideDock(tr("Scene"), QStringLiteral("scene_close"), tr("Close the scene's panel"), view, parent), view_(view) {
-  view_->setEmptyText(
-      tr("No scene stands where the robot stands. Choose a scene file as the robot, in the link's panel, or start with "
-         "--robot scene:FILE."));
+  connect(view_, &widgets::SceneView::pointDriven, this, [this](const Vec3& point_mm) {
+    const sim::FingerState finger = fingerFor(point_mm);
+    emit fingerMoved(finger.x_mm, finger.y_mm, finger.indentation_mm);
+  });
+  connect(view_, &widgets::SceneView::pointReleased, this, &SceneDock::fingerReleased);
+  prepare();
+}
+
+void SceneDock::prepare() {
+  view_->setBodies({});
+  if (!stage_) {
+    preparing_.cancel();
+    view_->setEmptyText(
+        tr("No scene stands where the robot stands. Choose a scene file as the robot, in the link's panel, or start "
+           "with --robot scene:FILE."));
+    return;
+  }
+  view_->setEmptyText(tr("The scene is being prepared."));
+  preparing_.run([this, stage = stage_](const std::stop_token&) -> Background::Finish {
+    return [this, meshes = widgets::SceneMeshes::of(bodiesOf(stage->scene()))] { view_->setMeshes(meshes); };
+  });
 }
 
 void SceneDock::showScene(const std::shared_ptr<scene::SceneStage>& stage) {
@@ -97,7 +139,8 @@ void SceneDock::showScene(const std::shared_ptr<scene::SceneStage>& stage) {
     looked_ = true;
     stage_ = stage;
     view_->setState({});
-    view_->setBodies(stage ? bodiesOf(stage->scene()) : std::vector<widgets::SceneBody>{});
+    prepare();
+    view_->setDrivable(touchable_ && stage != nullptr, reachOfFinger());
     setVisible(stage != nullptr);
   }
   if (!stage || !view_->isVisible()) return;

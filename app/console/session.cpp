@@ -1,5 +1,6 @@
 #include "app/console/session.h"
 
+#include "core/sim/scene_file.h"
 #include "core/station/robot_choice.h"
 
 namespace fyd::console {
@@ -96,10 +97,13 @@ class StationSession : public Session {
   RobotWords robot() const override { return {.robot = options_.robot, .key_file = options_.key_file}; }
   bool isOpen() const override { return station_ != nullptr; }
   Result<void> reconnect(const RobotWords& wanted) override;
+  Result<void> checkRobot(const RobotWords& wanted) const override;
+  std::function<Arrival()> leaveFor(const RobotWords& wanted) override;
   Result<void> beginAnew(const station::Profile& profile) override;
 
  private:
   Result<void> open(const station::StationOptions& options);
+  void begin(const station::StationOptions& options, std::unique_ptr<station::Station> station);
   void close();
 
   station::StationOptions options_;
@@ -110,11 +114,15 @@ class StationSession : public Session {
 Result<void> StationSession::open(const station::StationOptions& options) {
   auto opened = station::Station::open(options);
   if (!opened) return tl::unexpected(opened.error());
+  begin(options, std::move(*opened));
+  return {};
+}
+
+void StationSession::begin(const station::StationOptions& options, std::unique_ptr<station::Station> station) {
   options_ = options;
-  station_ = std::move(*opened);
+  station_ = std::move(station);
   if (finger_) station_->playSimulatedFinger(*finger_);
   station_->start();
-  return {};
 }
 
 void StationSession::close() {
@@ -130,18 +138,51 @@ Result<void> StationSession::reconnect(const RobotWords& wanted) {
   if (const auto checked = station::readRobotChoice(wanted.robot, wanted.key_file); !checked) {
     return tl::unexpected(checked.error());
   }
-  close();
-  station::StationOptions changed = options_;
-  changed.robot = wanted.robot;
-  changed.key_file = wanted.key_file;
-  const auto opened = open(changed);
-  if (opened) return {};
-  const std::string former = options_.robot;
-  if (const auto again = open(options_); !again) {
-    return fail("{}; robot {} could not be had again either: {}", opened.error().message, former,
-                again.error().message);
+  return leaveFor(wanted)()();
+}
+
+Result<void> StationSession::checkRobot(const RobotWords& wanted) const {
+  const auto choice = station::readRobotChoice(wanted.robot, wanted.key_file);
+  if (!choice) return tl::unexpected(choice.error());
+  if (choice->scene.empty()) return {};
+  if (const auto scene = sim::openScene(choice->scene); !scene) return tl::unexpected(scene.error());
+  return {};
+}
+
+std::function<Session::Arrival()> StationSession::leaveFor(const RobotWords& wanted) {
+  struct Way {
+    std::unique_ptr<station::Station> leaving, arriving;
+    station::StationOptions former, options;
+    Result<void> outcome;
+  };
+  const auto way = std::make_shared<Way>();
+  if (station_) {
+    options_.profile = station_->currentProfile();
+    station_->requestStop();
+    way->leaving = std::move(station_);
   }
-  return opened;
+  way->former = way->options = options_;
+  way->options.robot = wanted.robot;
+  way->options.key_file = wanted.key_file;
+  return [this, way]() -> Arrival {
+    if (way->leaving) way->leaving->shutDown();
+    way->leaving.reset();  // its port and devices are free now
+    auto opened = station::Station::open(way->options);
+    if (!opened) {
+      way->outcome = tl::unexpected(opened.error());
+      way->options = way->former;
+      opened = station::Station::open(way->former);
+      if (!opened) {
+        way->outcome = fail("{}; robot {} could not be had again either: {}", way->outcome.error().message,
+                            way->former.robot, opened.error().message);
+      }
+    }
+    if (opened) way->arriving = std::move(*opened);
+    return [this, way]() -> Result<void> {
+      if (way->arriving) begin(way->options, std::move(way->arriving));
+      return way->outcome;
+    };
+  };
 }
 
 Result<void> StationSession::beginAnew(const station::Profile& profile) {

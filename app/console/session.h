@@ -1,6 +1,7 @@
 // What the window needs of a station; the real one stands behind it, and in the window's tests a scripted one.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -62,6 +63,14 @@ class Session {
   /// Ends the session and begins another with this robot and the present profile; motors are off then. For a time
   /// when nothing can move. @return an error when that robot cannot be had: the former one is back then, if `isOpen`
   [[nodiscard]] virtual Result<void> reconnect(const RobotWords& wanted) = 0;
+  /// Whether that robot can be had, as far as it is seen beforehand; reads a scene whole, meshes and all, which may
+  /// take seconds. The only function for any thread; changes nothing.
+  [[nodiscard]] virtual Result<void> checkRobot(const RobotWords& wanted) const = 0;
+  /// reconnect() in parts, for a robot that takes long to open. The session is closed from this call on; the work is
+  /// for any thread, and what it gives for the window's: that begins the new session, or the former one, as
+  /// reconnect().
+  using Arrival = std::function<Result<void>()>;
+  [[nodiscard]] virtual std::function<Arrival()> leaveFor(const RobotWords& wanted) = 0;
   /// Ends the session and begins another with this profile and the present devices, for values that cannot change while
   /// it runs; motors are off then. For a time when nothing can move.
   /// @return an error when it cannot be begun; the former profile is back then, if `isOpen`

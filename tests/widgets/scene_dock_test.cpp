@@ -143,6 +143,94 @@ class SceneDockTest : public QObject {
     QCOMPARE(parts.discs.at(0).radius_mm, 100.0);
   }
 
+  void aRectangularRacketIsShownAsOne() {
+    Fixture f;
+    const SceneFolder folder;
+    f.session->stage =
+        folder.stage("[ball]\nracket_shape = \"rectangle\"\nracket_width_mm = 200\nracket_height_mm = 100\n");
+    scene::BallGameState ball;
+    ball.racket_known = true;
+    ball.racket.centre_mm = {5.0, 6.0, 7.0};
+    ball.racket.normal = {1.0, 0.0, 0.0};
+    ball.racket.along = {0.0, 0.0, 1.0};
+    f.session->stage->show({.stepped = true, .time_s = 0.001, .ball = ball});
+    f.window->feed().pump();
+    const widgets::SceneParts& parts = f.window->operate()->scene()->view()->state().parts;
+    QCOMPARE(parts.discs.size(), std::size_t{1});  // the court
+    QCOMPARE(parts.sheets.size(), std::size_t{1});
+    QCOMPARE(parts.sheets[0].centre_mm, (Vec3{5.0, 6.0, 7.0}));
+    QCOMPARE(parts.sheets[0].half_width_mm, (Vec3{0.0, 0.0, 100.0}));
+    QCOMPARE(std::abs(parts.sheets[0].half_height_mm.y), 50.0);
+    QCOMPARE(parts.sheets[0].half_height_mm.x, 0.0);
+    QCOMPARE(parts.sheets[0].half_height_mm.z, 0.0);
+  }
+
+  void theMouseInThePictureLeadsTheSimulatedFinger() {
+    Fixture f;
+    const SceneFolder folder;
+    f.session->stage = folder.stage(kFlying);
+    f.session->stage->show({.stepped = true, .point_mm = {6.0, -5.0, -3.0}});
+    f.window->feed().pump();
+    widgets::SceneView* view = f.window->operate()->scene()->view();
+    QVERIFY(view->drivable());
+    // The touch leads the arm to (x, y, −3 · depth): the thesis' scales.
+    QTest::keyPress(view, Qt::Key_Right, {Qt::ControlModifier | Qt::ShiftModifier});
+    QCOMPARE(f.session->finger.size(), std::size_t{3});
+    const double by_mm = view->camera().mmPerPixel();
+    const Vec3 right = view->camera().right();
+    QVERIFY(std::abs(f.session->finger[0] - (6.0 + by_mm * right.x)) < 1e-9);
+    QVERIFY(std::abs(f.session->finger[1] - (-5.0 + by_mm * right.y)) < 1e-9);
+    QVERIFY(std::abs(f.session->finger[2] - 1.0) < 1e-9);
+    QTest::keyRelease(view, Qt::Key_Control);
+    QVERIFY(f.session->finger.empty());
+    // No scene, nothing to lead; what the hand held is let go.
+    QTest::keyPress(view, Qt::Key_Right, Qt::ControlModifier);
+    QVERIFY(!f.session->finger.empty());
+    f.session->stage.reset();
+    f.window->feed().pump();
+    QVERIFY(!view->drivable());
+    QVERIFY(f.session->finger.empty());
+  }
+
+  void aSceneIsReadBesideTheSessionAndWhatIsWrongCostsNothing() {
+    Fixture f;
+    f.window->commands().action(QStringLiteral("view.link"))->trigger();
+    widgets::RobotForm* form = f.window->link()->form();
+    f.session->say(pipeline::SafetyState::ready);
+    f.window->feed().pump();
+    form->setRobot(QStringLiteral("scene:bad.toml"), {});
+    QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    WAIT_FOR(form->reconnectButton()->text() == QStringLiteral("Reconnect"));
+    QVERIFY(f.session->asked.empty() && f.session->open);
+    QVERIFY2(f.window->notices()->text(0).contains(QStringLiteral("bad by the script")), "the notice");
+    // Cancelled while it is read.
+    f.session->reads_long = true;
+    form->setRobot(QStringLiteral("scene:good.toml"), {});
+    QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    QCOMPARE(form->reconnectButton()->text(), QStringLiteral("Cancel"));
+    QVERIFY(form->hint().startsWith(QStringLiteral("Reading the scene")));
+    QVERIFY(!form->sceneFile()->isEnabled());
+    QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    QCOMPARE(form->reconnectButton()->text(), QStringLiteral("Reconnect"));
+    f.session->reads_long = false;
+    passTimers(50);
+    QVERIFY(f.session->asked.empty() && f.session->open);
+    // Armed while it is read: the session that moves is not ended.
+    f.session->reads_long = true;
+    QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    f.session->say(pipeline::SafetyState::active);
+    f.window->feed().pump();
+    f.session->reads_long = false;
+    WAIT_FOR(form->reconnectButton()->text() == QStringLiteral("Reconnect"));
+    QVERIFY(f.session->asked.empty() && f.session->open);
+    f.session->say(pipeline::SafetyState::ready);
+    f.window->feed().pump();
+    QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    WAIT_FOR(!f.session->asked.empty());
+    QCOMPARE(f.session->asked.back().robot, std::string("scene:good.toml"));
+    QVERIFY(f.session->open);
+  }
+
   void aSceneIsChosenAsTheRobot() {
     Fixture f;
     f.window->commands().action(QStringLiteral("view.link"))->trigger();
@@ -155,6 +243,7 @@ class SceneDockTest : public QObject {
     form->sceneFile()->setFocus();
     QTest::keyClicks(form->sceneFile(), QStringLiteral("/scenes/bumpy plane.toml"));
     QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    WAIT_FOR(!f.session->asked.empty());
     QCOMPARE(f.session->asked.back().robot, std::string("scene:/scenes/bumpy plane.toml"));
     QVERIFY(f.session->asked.back().key_file.empty());
     form->setRobot(QStringLiteral("simulated"), {});

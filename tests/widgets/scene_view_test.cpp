@@ -287,6 +287,64 @@ class SceneViewTest : public QObject {
     QCOMPARE(released, 4);
   }
 
+  void withTheTouchButtonADragAnywhereDrivesThePointWithinItsReach() {
+    Shown s;
+    const scene::TriangleSoup square = plane(50, 0);
+    s.bodies({body(square)});
+    s.view.setState({.point_mm = {10, 10, 0}});
+    s.view.look(SceneSide::top);
+    std::vector<Vec3> to;
+    connect(&s.view, &SceneView::pointDriven, &s.view, [&](Vec3 at) { to.push_back(at); });
+    QVERIFY(!s.view.touchButton()->isVisible());
+    widgets::SceneBox reach;
+    reach.add(Vec3{-45, -30, -24});
+    reach.add(Vec3{45, 30, 0});
+    s.view.setDrivable(true, reach);
+    drag(s.view, {100, 300}, {110, 300});
+    QVERIFY(to.empty());  // the scene turned
+    s.view.look(SceneSide::top);
+    QTest::mouseClick(s.view.touchButton(), Qt::LeftButton);
+    const QImage before = s.grab();
+    move(s.view, QEvent::MouseButtonPress, {100, 300}, Qt::LeftButton, Qt::LeftButton);
+    move(s.view, QEvent::MouseMove, {132, 300}, Qt::NoButton, Qt::LeftButton);
+    QVERIFY(nearby(to.back(), {20, 10, 0}, 1e-9));
+    // The hand is shown: a cross of the accent's colour at 20, 10, which is 64 px right and 32 px above the middle.
+    const QImage led = s.grab();
+    QCOMPARE(led.pixelColor(264, 168 + 7), widgets::theme().accent);
+    QVERIFY(before.pixelColor(264, 168 + 7) != widgets::theme().accent);
+    move(s.view, QEvent::MouseMove, {390, 20}, Qt::NoButton, Qt::LeftButton);
+    QVERIFY(nearby(to.back(), {45, 30, 0}, 1e-9));
+    wheel(s.view, {390, 20}, 100);
+    QVERIFY(nearby(to.back(), {45, 30, -24}, 1e-9));
+    move(s.view, QEvent::MouseButtonRelease, {390, 20}, Qt::LeftButton, Qt::NoButton);
+    QVERIFY(s.grab().pixelColor(264, 168 + 7) != widgets::theme().accent);
+    s.view.setDrivable(false);
+    QVERIFY(!s.view.touchButton()->isVisible() && !s.view.touchButton()->isChecked());
+  }
+
+  void aRacketWithCornersIsDrawnWithThem() {
+    Shown s;
+    widgets::SceneState state;
+    state.parts.sheets = {{.centre_mm = {0, 0, 0}, .half_width_mm = {40, 0, 0}, .half_height_mm = {0, 20, 0}}};
+    s.view.setState(state);
+    s.view.look(SceneSide::top);
+    const QImage image = s.grab();
+    const double px = 1.0 / s.view.camera().mmPerPixel();
+    const auto drawn = [&](double x_mm, double y_mm) {
+      return !isGround(image, qRound(200 + px * x_mm), qRound(200 - px * y_mm));
+    };
+    for (const double x : {-39.0, 39.0}) {
+      for (const double y : {-19.0, 19.0}) QVERIFY(drawn(x, y));
+    }
+    QVERIFY(!drawn(42, 0) && !drawn(0, 22) && !drawn(-42, 19) && !drawn(39, -22));
+    // Turned away it is a line; none at all without a height, or with a side that is no number.
+    for (const Vec3 bad : {Vec3{}, Vec3{80, 0, 0}, Vec3{kNaN, 1, 0}, Vec3{1e300, 1, 0}}) {
+      state.parts.sheets[0].half_height_mm = bad;
+      s.view.setState(state);
+      QVERIFY(isGround(s.grab(), 230, 230));
+    }
+  }
+
   void theRateIsMeasuredAndShown() {
     Shown s;
     const scene::TriangleSoup square = plane(50, 0, 224);  // 100 352 triangles
@@ -332,6 +390,7 @@ class SceneViewTest : public QObject {
     parts.balls = {{.centre_mm = {0, 0, 5}, .radius_mm = 4}};
     parts.discs = {{.centre_mm = {20, 0, 8}, .normal = {0, 1, 2}, .radius_mm = 6}};
     parts.sticks = {{.from_mm = {-40, -40, 2}, .to_mm = {-30, 20, 30}, .radius_mm = 1}};
+    parts.sheets = {{.centre_mm = {-20, -20, 8}, .half_width_mm = {5, 0, 1}, .half_height_mm = {0, 8, 0}}};
     const auto go_on = [] { return true; };
     moved.move(parts, {}, shot);
     QVERIFY(moved.cast(shot, {1, 1}, go_on));
@@ -340,6 +399,7 @@ class SceneViewTest : public QObject {
       parts.balls[0].centre_mm = parts.balls[0].centre_mm + Vec3{1, 0.5, 0.2};
       parts.discs[0].normal.x += 0.1;
       parts.sticks[0].to_mm.x += 2;
+      parts.sheets[0].half_width_mm.z += 0.1;
       moved.move(parts, {}, shot);
       QVERIFY(moved.cast(shot, {1, 1}, go_on));
       QVERIFY2(moved.picture().rays < 400U * 300U / 2, qPrintable(QString::number(moved.picture().rays)));

@@ -89,6 +89,14 @@ class ScriptedSession : public console::Session {
     open = true;
     return {};
   }
+  Result<void> checkRobot(const console::RobotWords& wanted) const override {
+    while (reads_long) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return wanted.robot == "scene:bad.toml" ? fail("bad.toml: bad by the script") : Result<void>();
+  }
+  std::function<Arrival()> leaveFor(const console::RobotWords& wanted) override {
+    open = false;
+    return [this, wanted] { return [this, wanted] { return reconnect(wanted); }; };
+  }
   Result<void> beginAnew(const station::Profile& wanted) override {
     ++begun_anew;
     if (refuses) return fail("the station: refused by the script");
@@ -137,6 +145,7 @@ class ScriptedSession : public console::Session {
   console::RobotWords present;
   std::vector<console::RobotWords> asked;
   bool open = true;
+  std::atomic<bool> reads_long = false;  ///< a scene is being read until this is false
   int begun_anew = 0;
   std::shared_ptr<scene::SceneStage> stage;  ///< a scene where the robot stands
 };

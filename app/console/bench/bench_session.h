@@ -98,6 +98,10 @@ class BusySession : public Session {
   std::shared_ptr<scene::SceneStage> scene() const override { return nullptr; }
   RobotWords robot() const override { return {}; }
   Result<void> reconnect(const RobotWords&) override { return {}; }
+  Result<void> checkRobot(const RobotWords&) const override { return {}; }
+  std::function<Arrival()> leaveFor(const RobotWords&) override {
+    return [] { return [] { return Result<void>(); }; };
+  }
   Result<void> beginAnew(const station::Profile&) override { return {}; }
   bool isOpen() const override { return true; }
 
