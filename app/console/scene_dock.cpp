@@ -10,6 +10,7 @@ namespace {
 using widgets::SceneRole;
 
 constexpr double kFloor_mm = 150.0;  ///< radius of what is shown of a court or a plane, which has no end
+constexpr double kRim_mm = 6.0;      ///< nearer to the cloth's rim the camera sees only a part of the finger
 
 std::vector<widgets::SceneBody> bodiesOf(const scene::LoadedScene& file) {
   std::vector<widgets::SceneBody> out;
@@ -98,7 +99,7 @@ sim::FingerState fingerFor(const Vec3& point_mm) {
 
 /// To where the simulated finger can lead the point.
 widgets::SceneBox reachOfFinger() {
-  const double x_mm = sim::kUsableHalfWidth_mm, y_mm = sim::kUsableHalfDepth_mm;
+  const double x_mm = sim::kUsableHalfWidth_mm - kRim_mm, y_mm = sim::kUsableHalfDepth_mm - kRim_mm;
   widgets::SceneBox out;
   out.add(Vec3{-x_mm, -y_mm, -pipeline::kRobotTravelForDepth * sim::kDeepestPress_mm});
   out.add(Vec3{x_mm, y_mm, 0.0});

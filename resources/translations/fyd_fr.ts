@@ -446,6 +446,10 @@
         <translation>A %1</translation>
     </message>
     <message>
+        <source>A drag in the picture moves the haptic point instead of turning the scene; wheel or Shift: nearer or farther. Without this button: Ctrl and drag.</source>
+        <translation>Glisser dans l’image déplace le point haptique au lieu de tourner la scène ; molette ou Maj : plus près ou plus loin. Sans ce bouton : Ctrl et glisser.</translation>
+    </message>
+    <message>
         <source>A motor goes 2° out and back; the vibration lasts half a second.</source>
         <translation>Un moteur avance de 2° et revient ; la vibration dure une demi-seconde.</translation>
     </message>
@@ -1386,8 +1390,16 @@ Ctrl and wheel to stretch this curve, double-click or F to follow again.</source
 Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouveau.</translation>
     </message>
     <message>
+        <source>Drag: touch · Shift or wheel: depth · right button: move</source>
+        <translation>Glisser : toucher · Maj ou molette : profondeur · bouton droit : déplacer</translation>
+    </message>
+    <message>
         <source>Drag: turn · Shift: move · wheel: zoom</source>
         <translation>Glisser : tourner · Maj : déplacer · molette : zoomer</translation>
+    </message>
+    <message>
+        <source>Drag: turn · Shift: move · wheel: zoom · Ctrl: touch</source>
+        <translation>Glisser : tourner · Maj : déplacer · molette : zoom · Ctrl : toucher</translation>
     </message>
     <message>
         <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
@@ -3370,6 +3382,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Lecture</translation>
     </message>
     <message>
+        <source>Reading the scene. The present session goes on until it is read.</source>
+        <translation>Lecture de la scène en cours. La session actuelle continue jusqu’à ce qu’elle soit lue.</translation>
+    </message>
+    <message>
         <source>Reading, counts</source>
         <translation>Lecture, pts</translation>
     </message>
@@ -3576,6 +3592,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Robot inchangé. %1.</translation>
     </message>
     <message>
+        <source>Robot not changed: something can move again. Press Esc, then Reconnect.</source>
+        <translation>Robot non changé : quelque chose peut de nouveau bouger. Appuyer sur Échap, puis Reconnecter.</translation>
+    </message>
+    <message>
         <source>Robot's position</source>
         <translation>Position du robot</translation>
     </message>
@@ -3666,6 +3686,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Scene panel</source>
         <translation>Panneau de la scène</translation>
+    </message>
+    <message>
+        <source>Scenes (*.toml);;All files (*)</source>
+        <translation>Scènes (*.toml);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -4308,6 +4332,10 @@ Pour commencer : %1</translation>
         <translation>Les moteurs tournent ; relâcher les coupe.</translation>
     </message>
     <message>
+        <source>The mouse leads to %1</source>
+        <translation>La souris mène à %1</translation>
+    </message>
+    <message>
         <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
         <translation>La note n'est pas écrite : le fichier de notes est endommagé. Réparer ou déplacer %1.</translation>
     </message>
@@ -4362,6 +4390,14 @@ Pour commencer : %1</translation>
     <message>
         <source>The scene cannot be drawn (%1). Haptic point %2, force %3.</source>
         <translation>La scène ne peut pas être dessinée (%1). Point haptique %2, force %3.</translation>
+    </message>
+    <message>
+        <source>The scene is being prepared.</source>
+        <translation>La scène est en préparation.</translation>
+    </message>
+    <message>
+        <source>The scene takes the robot's place.</source>
+        <translation>La scène prend la place du robot.</translation>
     </message>
     <message>
         <source>The search was cancelled. Open the session again to look for touches.</source>
@@ -4570,6 +4606,10 @@ Pour commencer : %1</translation>
     <message>
         <source>Top edge of the cloth in the camera's picture.</source>
         <translation>Bord supérieur du tissu dans l'image de la caméra.</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Toucher</translation>
     </message>
     <message>
         <source>Touch %1 at %2: peak force %3, peak indentation %4, stiffness %5 of %6 asked, settled after %7</source>
@@ -5441,7 +5481,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>contact '{}': this program does not know it</source>
-        <translation>contact &apos;{}&apos; : ce programme ne le connaît pas</translation>
+        <translation>contact '{}' : ce programme ne le connaît pas</translation>
     </message>
     <message>
         <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
@@ -7029,7 +7069,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>scene '{}': the robot is a scene already, '{}'</source>
-        <translation>scène &apos;{}&apos; : le robot est déjà une scène, &apos;{}&apos;</translation>
+        <translation>scène '{}' : le robot est déjà une scène, '{}'</translation>
     </message>
     <message>
         <source>scene {}</source>

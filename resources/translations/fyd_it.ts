@@ -446,6 +446,10 @@
         <translation>A %1</translation>
     </message>
     <message>
+        <source>A drag in the picture moves the haptic point instead of turning the scene; wheel or Shift: nearer or farther. Without this button: Ctrl and drag.</source>
+        <translation>Trascinando nell’immagine si muove il punto aptico invece di girare la scena; rotella o Maiusc: più vicino o più lontano. Senza questo pulsante: Ctrl e trascinare.</translation>
+    </message>
+    <message>
         <source>A motor goes 2° out and back; the vibration lasts half a second.</source>
         <translation>Un motore va avanti di 2° e torna; la vibrazione dura mezzo secondo.</translation>
     </message>
@@ -1386,8 +1390,16 @@ Ctrl and wheel to stretch this curve, double-click or F to follow again.</source
 Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.</translation>
     </message>
     <message>
+        <source>Drag: touch · Shift or wheel: depth · right button: move</source>
+        <translation>Trascina: tocca · Maiusc o rotella: profondità · tasto destro: sposta</translation>
+    </message>
+    <message>
         <source>Drag: turn · Shift: move · wheel: zoom</source>
         <translation>Trascinare: girare · Maiusc: spostare · rotella: ingrandire</translation>
+    </message>
+    <message>
+        <source>Drag: turn · Shift: move · wheel: zoom · Ctrl: touch</source>
+        <translation>Trascina: gira · Maiusc: sposta · rotella: zoom · Ctrl: tocca</translation>
     </message>
     <message>
         <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
@@ -3370,6 +3382,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Lettura</translation>
     </message>
     <message>
+        <source>Reading the scene. The present session goes on until it is read.</source>
+        <translation>Lettura della scena in corso. La sessione attuale continua finché non è letta.</translation>
+    </message>
+    <message>
         <source>Reading, counts</source>
         <translation>Lettura, cont.</translation>
     </message>
@@ -3576,6 +3592,10 @@ Premere per leggere perché</translation>
         <translation>Robot non cambiato. %1.</translation>
     </message>
     <message>
+        <source>Robot not changed: something can move again. Press Esc, then Reconnect.</source>
+        <translation>Robot non cambiato: qualcosa può di nuovo muoversi. Premere Esc, poi Riconnetti.</translation>
+    </message>
+    <message>
         <source>Robot's position</source>
         <translation>Posizione del robot</translation>
     </message>
@@ -3666,6 +3686,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Scene panel</source>
         <translation>Pannello della scena</translation>
+    </message>
+    <message>
+        <source>Scenes (*.toml);;All files (*)</source>
+        <translation>Scene (*.toml);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Search for devices</source>
@@ -4308,6 +4332,10 @@ Per cominciare: %1</translation>
         <translation>I motori si muovono; al rilascio si spengono.</translation>
     </message>
     <message>
+        <source>The mouse leads to %1</source>
+        <translation>Il mouse guida a %1</translation>
+    </message>
+    <message>
         <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
         <translation>La nota non è scritta: il file delle note è danneggiato. Riparare o spostare %1.</translation>
     </message>
@@ -4362,6 +4390,14 @@ Per cominciare: %1</translation>
     <message>
         <source>The scene cannot be drawn (%1). Haptic point %2, force %3.</source>
         <translation>La scena non può essere disegnata (%1). Punto aptico %2, forza %3.</translation>
+    </message>
+    <message>
+        <source>The scene is being prepared.</source>
+        <translation>La scena è in preparazione.</translation>
+    </message>
+    <message>
+        <source>The scene takes the robot's place.</source>
+        <translation>La scena prende il posto del robot.</translation>
     </message>
     <message>
         <source>The search was cancelled. Open the session again to look for touches.</source>
@@ -4570,6 +4606,10 @@ Per cominciare: %1</translation>
     <message>
         <source>Top edge of the cloth in the camera's picture.</source>
         <translation>Bordo superiore del tessuto nell'immagine della telecamera.</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Tocca</translation>
     </message>
     <message>
         <source>Touch %1 at %2: peak force %3, peak indentation %4, stiffness %5 of %6 asked, settled after %7</source>
@@ -5441,7 +5481,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>contact '{}': this program does not know it</source>
-        <translation>contatto &apos;{}&apos;: questo programma non lo conosce</translation>
+        <translation>contatto '{}': questo programma non lo conosce</translation>
     </message>
     <message>
         <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
@@ -7029,7 +7069,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>scene '{}': the robot is a scene already, '{}'</source>
-        <translation>scena &apos;{}&apos;: il robot è già una scena, &apos;{}&apos;</translation>
+        <translation>scena '{}': il robot è già una scena, '{}'</translation>
     </message>
     <message>
         <source>scene {}</source>
