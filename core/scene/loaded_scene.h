@@ -24,8 +24,7 @@ struct LoadedScene {
 /// Whether any rigid body of the description has this body's mesh: it must then be a mesh to walk on.
 [[nodiscard]] bool walksOn(const SceneDescription& description, const BodyDescription& of);
 
-/// What the description leaves open: as measured for the scene's accuracy; vicinity and as many points as a press wakes
-/// without one.
+/// What the description leaves open: as measured for the scene's accuracy; vicinity and kUsualPoints without one.
 struct BodyChoice {
   BodyModel model;
   std::optional<ContactChoiceReport> contact;  ///< of a rigid body, where it was chosen

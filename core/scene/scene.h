@@ -59,10 +59,13 @@ class Placement {
   std::array<Vec3, 3> rows_{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 };
 
+/// Of a soft body for which no accuracy is asked: a step stays within a millisecond.
+inline constexpr std::size_t kUsualPoints = 1000;
+
 /// What the description of a body may leave open.
 struct BodyModel {
-  ContactModel contact = ContactModel::vicinity;  ///< of a rigid body
-  SoftResolution resolution = {};                 ///< of a soft one
+  ContactModel contact = ContactModel::vicinity;              ///< of a rigid body
+  SoftResolution resolution = {.most_points = kUsualPoints};  ///< of a soft one
 };
 
 class Scene {
