@@ -142,8 +142,9 @@ TEST(SceneBytes, AMendedMeshStaysAsItIs) {
   TriangleSoup soup = shapes::sphere(10.0, 15);
   std::mt19937 random(2);
   for (std::size_t i = 0; i < 40; ++i) {
-    Triangle& t = soup.triangles[random() % soup.triangles.size()];
-    std::swap(t[0], t[1]);
+    Triangle& turned = soup.triangles[random() % soup.triangles.size()];
+    std::swap(turned[0], turned[1]);
+    const Triangle t = turned;  // the list grows
     soup.triangles.push_back(t);
     soup.triangles.push_back({t[0], t[0], t[1]});
     soup.vertices.push_back(soup.vertices[t[2]]);
