@@ -1,84 +1,31 @@
-// fyd bench [NAME] [--out DIR] [--cloth NAME] [--runs N] [--seed S] [--data DIR]
-#include <functional>
-#include <iostream>
+// fyd bench …: runs fyd-bench, from the same folder as this program, with the same arguments.
+#include <unistd.h>
 
-#include "app/cli/bench/bench_options.h"
-#include "app/cli/bench/cloths.h"
-#include "app/cli/bench/table.h"
-#include "app/cli/command.h"
+#include <cerrno>
+#include <filesystem>
+#include <vector>
 
-namespace fyd::bench {
-#define FYD_BENCH(name) Table bench_##name();
-#include "benches.inc"
-#undef FYD_BENCH
-}  // namespace fyd::bench
+#include "app/cli/parts/command.h"
+#include "core/base/system_reason.h"
 
 namespace fyd::cli {
-namespace {
-
-struct Subject {
-  std::string name;
-  std::function<bench::Table()> run;
-};
-
-const std::vector<Subject>& subjects() {
-  static const std::vector<Subject> all = {
-#define FYD_BENCH(name) {#name, bench::bench_##name},
-#include "benches.inc"
-#undef FYD_BENCH
-  };
-  return all;
-}
-
-}  // namespace
 
 void add_bench(CLI::App& app) {
-  struct Options {
-    std::string name;
-    std::string out;
-    std::string cloth;
-    bool json = false;
-  };
-  auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("bench", "Measure speed beside error, against a baseline in the same run");
-  std::vector<std::string> names;
-  for (const Subject& subject : subjects()) names.push_back(subject.name);
-  command->add_option("name", options->name, "Subject; all of them when left out")->check(CLI::IsMember(names));
-  command->add_option("--out", options->out,
-                      "Folder for one Markdown and one CSV file per subject, and for what it measured");
-  command
-      ->add_option("--cloth", options->cloth,
-                   "The simulated cloth of indentation and controller; membrane, rollers and ideal when left out")
-      ->check(CLI::IsMember(std::vector<std::string>(sim::kClothNames.begin(), sim::kClothNames.end())));
-  bench::BenchOptions& more = bench::benchOptions();
-  command->add_option("--runs", more.runs, "How many runs coupling draws")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  command->add_option("--seed", more.seed, "What coupling and touchpad_coupling draw by")->capture_default_str();
-  command->add_option("--data", more.data, "Folder of recordings for predict; tests/data when left out");
-  auto* mesh = command->add_option("--mesh", more.mesh, "OBJ, STL or PLY file in mm, for scene");
-  auto* path = command->add_option("--path", more.path, "CSV with t_s, x_mm, y_mm and z_mm over that mesh, for scene");
-  mesh->needs(path);
-  path->needs(mesh);
-  command->add_flag("--json", options->json, "As JSON: an array of tables");
-  command->callback([options] {
-    nlohmann::ordered_json tables = nlohmann::ordered_json::array();
-    bench::benchOptions().out = options->out;
-    if (!options->cloth.empty()) bench::benchCloths() = {bench::clothOf(options->cloth)};
-    for (const Subject& subject : subjects()) {
-      if (!options->name.empty() && options->name != subject.name && !subject.name.starts_with(options->name + "_")) {
-        continue;  // NAME_… are further tables of the subject NAME
-      }
-      const bench::Table table = subject.run();
-      if (options->json) {
-        tables.push_back(bench::toJson(table));
-      } else {
-        std::cout << bench::toMarkdown(table) << '\n' << std::flush;
-      }
-      bench::writeBeside(table.subject + ".md", bench::toMarkdown(table));
-      bench::writeBeside(table.subject + ".csv", bench::toCsv(table));
-    }
-    if (options->json) printJson(tables);
+  command->set_help_flag();  // fyd-bench's own
+  command->prefix_command();
+  command->callback([command] {
+    std::error_code problem;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", problem).parent_path() / "fyd-bench";
+    std::vector<std::string> words = command->remaining();
+    words.insert(words.begin(), program.string());
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execv(program.c_str(), arguments.data());
+    if (errno == ENOENT)
+      throw Failure(say("{}: is not there; it is built with FYD_BUILD_BENCHMARKS", program.string()));
+    throw Failure(about(program.string(), systemReason(errno)));
   });
 }
 

@@ -1,10 +1,10 @@
-// fyd budget: points, bits and message size for a workspace and a line (tele-gesture paper, Eq. 1 and 2).
+// fyd budget: points, bits and message size for a workspace and a line [tele-gesture Eq. 1 and 2].
 #include <array>
 #include <charconv>
 #include <iostream>
 
-#include "app/cli/command.h"
-#include "core/protocol/message_budget.h"
+#include "app/cli/parts/command.h"
+#include "core/protocol/link/message_budget.h"
 
 namespace fyd::cli {
 namespace {

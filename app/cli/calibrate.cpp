@@ -1,5 +1,5 @@
-// fyd calibrate ir|load-cell|stiffness|cloth|camera|encoders|rest|texture SAMPLES.csv [--profile P] [--who W] [--conditions C]
-// [--json]
+// fyd calibrate ir|load-cell|stiffness|cloth|camera|encoders|rest|texture SAMPLES.csv
+//               [--profile P] [--who W] [--conditions C] [--report FILE] [--json]
 #include <algorithm>
 #include <filesystem>
 
@@ -8,13 +8,13 @@
 #include "core/calibration/calibration_dependence.h"
 #include "core/calibration/camera_calibration.h"
 #include "core/calibration/cloth_calibration.h"
-#include "core/calibration/texture_calibration.h"
 #include "core/calibration/encoder_calibration.h"
 #include "core/calibration/ir_calibration.h"
 #include "core/calibration/load_cell_calibration.h"
 #include "core/calibration/rest_calibration.h"
 #include "core/calibration/stiffness_map.h"
-#include "core/station/calibration_file.h"
+#include "core/calibration/texture_calibration.h"
+#include "core/station/profile/calibration_file.h"
 
 namespace fyd::cli {
 namespace {
@@ -57,7 +57,7 @@ void calibrateLoadCell(const CalibrateOptions& options) {
   finish(options, found.result, table, json);
 }
 
-/// Whether the profile's cloth was calibrated, and is used as it was.
+/// Whether the profile's cloth was calibrated and its present parameters are those of the calibration.
 bool clothProven(const CalibrateOptions& options) {
   if (options.profile.empty() || !std::filesystem::exists(options.profile)) return false;
   station::Profile profile = options.load();

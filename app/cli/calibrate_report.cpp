@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "core/station/calibration_file.h"
-#include "core/station/calibration_report.h"
+#include "core/station/profile/calibration_file.h"
+#include "core/station/profile/calibration_report.h"
 
 namespace fyd::cli {
 namespace {

@@ -1,12 +1,12 @@
-// What every `fyd calibrate` prints and writes, whichever part was calibrated.
+// Options, output and report that all `fyd calibrate` subcommands share.
 #pragma once
 
 #include <string>
 
-#include "app/cli/command.h"
+#include "app/cli/parts/command.h"
 #include "core/base/csv.h"
 #include "core/calibration/calibration_result.h"
-#include "core/station/profile.h"
+#include "core/station/profile/profile.h"
 
 namespace fyd::cli {
 
@@ -19,7 +19,7 @@ struct CalibrateOptions {
   bool json = false;
 
   void addTo(CLI::App& command, const std::string& columns);
-  /// The profile's, or the defaults when none is named or the named one is not there yet. Throws Failure.
+  /// The named profile, or the defaults when none is named or the file does not exist yet. Throws Failure.
   [[nodiscard]] station::Profile load() const;
 };
 

@@ -2,13 +2,13 @@
 #include <iostream>
 #include <thread>
 
-#include "app/cli/command.h"
-#include "app/cli/profile_options.h"
-#include "core/device/camera_source.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/profile_options.h"
+#include "core/device/camera/camera_source.h"
 #include "core/device/device_list.h"
-#include "core/device/modbus_touchpad.h"
-#include "core/device/qbmove_motors.h"
-#include "core/protocol/register_map.h"
+#include "core/device/touchpad/modbus_touchpad.h"
+#include "core/device/touchpad/qbmove_motors.h"
+#include "core/protocol/registers/register_map.h"
 
 namespace fyd::cli {
 namespace {
@@ -68,7 +68,7 @@ Answer askMotors(const std::string& text, const device::DeviceParameters& parame
   return out;
 }
 
-/// One picture, and what became of the profile's controls.
+/// Takes one picture, and tells whether the profile's camera controls were set.
 Answer askCamera(const std::string& source, const device::DeviceParameters& parameters) {
   Answer out{.address = source};
   const auto camera = device::openCamera(source, parameters);

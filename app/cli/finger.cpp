@@ -2,10 +2,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/cli/command.h"
-#include "app/cli/profile_options.h"
-#include "core/device/camera.h"
-#include "core/device/picture_decoder.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/profile_options.h"
+#include "core/device/camera/camera.h"
+#include "core/device/camera/picture_decoder.h"
 #include "core/sensing/finger_detector.h"
 
 namespace fyd::cli {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/cli/command.h"
-#include "app/cli/output_file.h"
-#include "core/session/touch_gesture.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/output_file.h"
+#include "core/export/touch_gesture.h"
 
 namespace fyd::cli {
 namespace {
@@ -25,14 +25,14 @@ struct GestureOptions {
 };
 
 nlohmann::ordered_json jsonOf(const sim::GestureCard& card) {
-  double way_mm = 0.0, deepest_mm = 0.0, fastest_mm_s = 0.0;
+  double force_over_stiffness_mm = 0.0, deepest_mm = 0.0, fastest_mm_s = 0.0;
   for (std::size_t i = 0; i < card.rows.size(); ++i) {
     const sim::FingerState& at = card.rows[i].state;
     deepest_mm = std::max(deepest_mm, at.indentation_mm);
     if (i == 0) continue;
     const sim::FingerPath::Knot& before = card.rows[i - 1];
     const double moved_mm = std::hypot(at.x_mm - before.state.x_mm, at.y_mm - before.state.y_mm);
-    way_mm += moved_mm;
+    force_over_stiffness_mm += moved_mm;
     fastest_mm_s = std::max(fastest_mm_s, card.speed * moved_mm / (card.rows[i].time_s - before.time_s));
   }
   return {{"name", card.name},
@@ -41,7 +41,7 @@ nlohmann::ordered_json jsonOf(const sim::GestureCard& card) {
           {"seconds", card.duration_s()},
           {"speed", card.speed},
           {"loop", card.loop},
-          {"way_mm", jsonNumber(way_mm)},
+          {"way_mm", jsonNumber(force_over_stiffness_mm)},
           {"deepest_mm", jsonNumber(deepest_mm)},
           {"fastest_mm_per_s", jsonNumber(fastest_mm_s)}};
 }
@@ -61,14 +61,14 @@ void write(const sim::GestureCard& card, const GestureOptions& options) {
 }
 
 void fromRecording(const GestureOptions& options) {
-  const auto recording = valueOrFail(session::Recording::open(options.recording));
-  const auto touches = valueOrFail(session::findTouches(*recording));
+  const auto recording = valueOrFail(recording::Recording::open(options.recording));
+  const auto touches = valueOrFail(exports::findTouches(*recording));
   if (options.touch < 1 || options.touch > touches.size()) {
     throw Failure(
         say("{}: touch {}: expected 1 to {}, the touches it holds", options.recording, options.touch, touches.size()));
   }
-  const std::string source = session::touchName(options.recording, options.touch);
-  auto card = valueOrFail(session::gestureOf(*recording, touches[options.touch - 1], source, source));
+  const std::string source = exports::touchName(options.recording, options.touch);
+  auto card = valueOrFail(exports::gestureOf(*recording, touches[options.touch - 1], source, source));
   takeSettings(card, options);
   write(card, options);
 }

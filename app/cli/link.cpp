@@ -1,8 +1,8 @@
 // fyd link keygen, show: the key that both ends of FYD Link share.
 #include <iostream>
 
-#include "app/cli/command.h"
-#include "core/protocol/link_key_file.h"
+#include "app/cli/parts/command.h"
+#include "core/protocol/link/link_key_file.h"
 
 namespace fyd::cli {
 namespace {
@@ -34,7 +34,7 @@ void keygen(const LinkOptions& options) {
     printKey(key, options);
     return;
   }
-  // Words come by standard input: what stands on a command line is seen by every user of the machine.
+  // The words are read from standard input: every user of the machine can see command lines.
   std::cerr << "Type the " << protocol::kPairingWords << " words, then Enter:\n";
   std::string words;
   std::getline(std::cin, words);

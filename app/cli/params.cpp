@@ -1,8 +1,8 @@
-// fyd params [ID] [--profile FILE] [--set id=value] [--json] [--save FILE]
+// fyd params [ID] [--profile FILE] [--set id=value] [--json] [--markdown] [--save FILE]
 #include <iostream>
 
-#include "app/cli/command.h"
-#include "app/cli/profile_options.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/profile_options.h"
 
 namespace fyd::cli {
 namespace {
@@ -52,7 +52,7 @@ void add_params(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("params", "Print every parameter: value, unit, range, default and meaning");
-  command->add_option("id", options->id, "One parameter or one room, such as control.kp or control");
+  command->add_option("id", options->id, "One parameter or one module, such as control.kp or control");
   options->profile.addTo(*command);
   command->add_option("--save", options->save, "Write the profile, complete and checked, to this file");
   command->add_flag("--json", options->json, "As JSON");
@@ -68,6 +68,7 @@ void add_params(CLI::App& app) {
       return;
     }
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    if (const Parameter* one = parameterNamed(values, options->id)) options->id = one->id;
     bool found = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::string_view id = values[i].id;

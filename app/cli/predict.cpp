@@ -4,10 +4,11 @@
 #include <ctime>
 #include <iostream>
 
-#include "app/cli/command.h"
-#include "app/cli/output_file.h"
-#include "app/cli/trace_file.h"
-#include "core/teleop/learned_forecast.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/output_file.h"
+#include "app/cli/parts/trace_file.h"
+#include "core/teleop/prediction/learned_forecast.h"
+#include "core/teleop/prediction/predictor_choice.h"
 
 namespace fyd::cli {
 namespace {
@@ -27,7 +28,7 @@ struct PredictOptions {
 
 constexpr double kMostSmooth_ms = 1000.0;
 
-/// The processor's time of this thread: other programs on the machine do not count.
+/// Processor time of this thread, so that other programs on the machine do not count.
 double processor_ns() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -1,13 +1,13 @@
-// fyd robot: the robot end of a session (thesis §4.2), with a simulated arm or a KUKA LWR.
+// fyd robot: the robot end of a session [thesis §4.2], with a simulated arm or a KUKA LWR.
 #include <algorithm>
 #include <optional>
 
-#include "app/cli/end_options.h"
-#include "app/cli/process_options.h"
-#include "core/device/fri_robot.h"
-#include "core/protocol/described_scene.h"
-#include "core/sim/robot_arm.h"
-#include "core/sim/scene_arm.h"
+#include "app/cli/parts/end_options.h"
+#include "app/cli/parts/process_options.h"
+#include "core/device/robot/fri_robot.h"
+#include "core/protocol/link/described_scene.h"
+#include "core/sim/robot/robot_arm.h"
+#include "core/sim/robot/scene_arm.h"
 
 namespace fyd::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <limits>
 
-#include "app/cli/command.h"
-#include "app/cli/profile_options.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/profile_options.h"
 #include "app/cli/sense_table.h"
 #include "core/sensing/load_cell.h"
 #include "core/sensing/stiffness_estimator.h"
@@ -13,7 +13,7 @@
 namespace fyd::cli {
 namespace {
 
-constexpr double kLeastIndentation_mm = 0.5;  // a row may be a mean, which knows less deep a press than one reading
+constexpr double kLeastIndentation_mm = 0.5;  // a row may be a mean, which resolves smaller depths
 
 struct Sensed {
   sensing::IndentationEstimate indentation;
@@ -25,7 +25,7 @@ Sensed sense(const sensing::SensingParameters& parameters, const sensing::PressR
   Sensed out;
   out.indentation = sensing::IndentationEstimator(parameters.indentation).once(press);
   out.force_N = sensing::LoadCell(parameters.load_cell).force_N(bridge_mV_per_V);
-  // One reading knows no slope: the ratio, under the same conditions.
+  // A single reading has no slope: stiffness is the ratio, under the same conditions.
   sensing::StiffnessParameters ratio = parameters.stiffness;
   ratio.mode = sensing::StiffnessMode::thesis;
   ratio.minimum_indentation_mm = std::min(ratio.minimum_indentation_mm, kLeastIndentation_mm);
@@ -72,7 +72,7 @@ void add_sense(CLI::App& app) {
   command->add_flag("--json", options->json, "As JSON; null stands for what is invalid");
   command->callback([options] {
     const station::Profile profile = options->profile.load();
-    options->profile.sayWhatIsOutdated(profile);
+    options->profile.warnOfOutdatedParts(profile);
     const sensing::SensingParameters& parameters = profile.step.sensing;
     const SenseTable table = readSenseTable(options->table, parameters.indentation);
     nlohmann::ordered_json json = nlohmann::ordered_json::array();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/command.h"
+#include "app/cli/parts/command.h"
 
 namespace fyd::cli {
 

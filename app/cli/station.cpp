@@ -7,14 +7,15 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include "app/cli/command.h"
-#include "app/cli/profile_options.h"
-#include "app/cli/telemetry_csv.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/profile_options.h"
+#include "app/cli/parts/telemetry_csv.h"
 #include "core/base/end_signals.h"
-#include "core/session/catalogue.h"
-#include "core/station/option_words.h"
+#include "core/catalogue/catalogue.h"
+#include "core/catalogue/catalogue_delivery.h"
+#include "core/station/profile/option_words.h"
 #include "core/station/station.h"
-#include "core/texture/felt_plant.h"
+#include "core/texture/felt/felt_plant.h"
 
 namespace fyd::cli {
 namespace {
@@ -27,14 +28,14 @@ struct StationOptions {
   double duration_s = 0.0;
   std::string telemetry;
   std::string touchpad;
-  session::RecordingRequest record;
+  recording::RecordingRequest record;
   std::string catalogue;
   bool headless = false;
   bool simulate = false;
   bool json = false;
 };
 
-/// What a session comes to, gathered from its telemetry.
+/// Summary of a session, from its telemetry.
 struct SessionFigures {
   pipeline::TelemetrySample last;
   std::uint64_t samples = 0;
@@ -66,7 +67,7 @@ struct SessionFigures {
   }
 };
 
-/// Arms once, when everything is first ready; never again: re-arming is an operator's act.
+/// Arms once, when everything is first ready, and never again: re-arming is left to the operator.
 class ArmOnce {
  public:
   void see(const pipeline::TelemetrySample& sample, station::Station& station) {
@@ -78,9 +79,9 @@ class ArmOnce {
   bool done_ = false;
 };
 
-nlohmann::ordered_json recordingOf(const session::RecorderStatus& status) {
+nlohmann::ordered_json recordingOf(const recording::RecorderStatus& status) {
   return {{"path", status.path},
-          {"whole", status.state == session::RecorderState::idle},
+          {"whole", status.state == recording::RecorderState::idle},
           {"problem", status.problem},
           {"seconds", status.seconds},
           {"samples", status.samples},
@@ -116,7 +117,7 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
       figures.samples == 0 ? 0.0 : static_cast<double>(figures.in_contact) / static_cast<double>(figures.samples);
   nlohmann::ordered_json json;
   json["state"] = pipeline::toString(figures.last.state);
-  json["reason"] = figures.last.lack == pipeline::Lack::none ? "" : pipeline::toString(figures.last.lack);
+  json["reason"] = figures.last.fault == pipeline::Fault::none ? "" : pipeline::toString(figures.last.fault);
   json["steps"] = status.loop.steps;
   json["missed_cycles"] = status.loop.missed_cycles;
   json["real_time"] = status.loop.real_time;
@@ -150,7 +151,7 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
   json["pwm_abs_max"] = figures.pwm_abs_max;
   json["telemetry_lost"] = station.telemetryLost();
   if (options.station.record) json["recording"] = recordingOf(station.recorderStatus());
-  for (const station::PartStatus& part : status.parts) {
+  for (const device::DeviceReport& part : status.parts) {
     json["parts"].push_back({{"name", toString(part.part)},
                              {"description", part.description},
                              {"ok", part.ok},
@@ -167,7 +168,7 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
     if (key != "parts")
       std::cout << fmt::format("{:<32} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
-  for (const station::PartStatus& part : status.parts) {
+  for (const device::DeviceReport& part : status.parts) {
     std::cout << fmt::format("{:<32} {}\n", toString(part.part),
                              part.ok ? part.description : about(part.description, part.problem));
   }
@@ -175,7 +176,7 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
 
 void runStation(const StationOptions& options) {
   watchForEnd();  // before anything is recorded
-  // Standard output carries the result alone.
+  // Log to standard error: standard output carries only the result.
   spdlog::set_default_logger(spdlog::stderr_color_mt("fyd"));
   if (options.headless) spdlog::warn("--headless is not needed: this program never opens a window");
   auto station = valueOrFail(station::Station::open(options.station));
@@ -209,14 +210,14 @@ void runStation(const StationOptions& options) {
   }
   drain();
   const SessionFigures at_end = figures;
-  if (station->recorderStatus().state == session::RecorderState::recording) (void)station->stopRecording();
+  if (station->recorderStatus().state == recording::RecorderState::recording) (void)station->stopRecording();
   reportStation(options, at_end, *station);
   station->shutDown();
   if (options.station.record) {
-    const session::RecorderStatus recorded = station->recorderStatus();
-    if (recorded.state == session::RecorderState::failed) throw Failure(say("recording: {}", recorded.problem));
-    // The recording is closed and safe whatever becomes of its entry.
-    const auto entered = session::catalogueRecording(options.catalogue, options.station.record->path);
+    const recording::RecorderStatus recorded = station->recorderStatus();
+    if (recorded.state == recording::RecorderState::failed) throw Failure(say("recording: {}", recorded.problem));
+    // The recording is closed by now; a failed catalogue entry is only a warning.
+    const auto entered = catalogue::catalogueRecording(options.catalogue, options.station.record->path);
     if (!entered) spdlog::warn("catalogue: {}", entered.error().text());
   }
   if (csv) csv->close();
@@ -227,7 +228,7 @@ void runStation(const StationOptions& options) {
 void add_station(CLI::App& app) {
   auto options = std::make_shared<StationOptions>();
   CLI::App* command = app.add_subcommand("station", "Run a session: touchpad, camera, haptic loop and robot link");
-  command->add_flag("--headless", options->headless)->group("");  // not listed: old command lines go on working
+  command->add_flag("--headless", options->headless)->group("");  // hidden: kept for old command lines
   command->add_flag("--simulate", options->simulate, "The same as --touchpad simulated");
   command->add_option("--touchpad", options->touchpad, words::kTouchpad);
   command->add_option("--motors", options->station.motors, words::kMotors);
@@ -263,7 +264,7 @@ void add_station(CLI::App& app) {
       throw UsageError(say("station: {}", phrase(words::kRecordMissing)));
     }
     options->station.profile = options->profile.load();
-    options->profile.sayWhatIsOutdated(options->station.profile);
+    options->profile.warnOfOutdatedParts(options->station.profile);
     runStation(*options);
   });
 }

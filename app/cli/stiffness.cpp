@@ -1,11 +1,11 @@
 // fyd stiffness --target K [--controller pid|thesis] [--plant-scale S] [--noise N] [--delay MS] [--friction PERCENT]
-//               [--hysteresis H] [--seed I] [--profile P] [--set id=value] [--course FILE.csv] [--json]
+//               [--hysteresis H] [--cloth NAME] [--seed I] [--profile P] [--set id=value] [--course FILE.csv] [--json]
 #include <cmath>
 #include <iostream>
 
-#include "app/cli/command.h"
-#include "app/cli/output_file.h"
-#include "app/cli/trial_options.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/output_file.h"
+#include "app/cli/parts/trial_options.h"
 
 namespace fyd::cli {
 namespace {

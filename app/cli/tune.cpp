@@ -1,11 +1,11 @@
 // fyd tune [--recording FILE.csv] [--plant-scale S] [--noise N] [--delay MS] [--friction PERCENT] [--hysteresis H]
-//          [--seed I] [--profile P] [--set id=value] [--json]
+//          [--cloth NAME] [--seed I] [--profile P] [--set id=value] [--json]
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 
-#include "app/cli/command.h"
-#include "app/cli/trial_options.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/trial_options.h"
 #include "core/base/csv.h"
 #include "core/control/auto_tune.h"
 #include "core/control/static_law.h"
@@ -74,8 +74,8 @@ void printTune(const nlohmann::ordered_json& json) {
                       const nlohmann::ordered_json& after) {
     std::cout << fmt::format("{:<28}{:>14}{:>14}\n", name, before.dump(), after.dump());
   };
-  std::cout << "Fabric and sensors\n";
-  for (const auto& [key, value] : json["fabric"].items()) std::cout << fmt::format("{:<28}{:>14}\n", key, value.dump());
+  std::cout << "Cloth and sensors\n";
+  for (const auto& [key, value] : json["cloth"].items()) std::cout << fmt::format("{:<28}{:>14}\n", key, value.dump());
   std::cout << fmt::format("\n{:<28}{:>14}{:>14}\n", "", "before", "after");
   for (const char* group : {"predicted", "simulated"}) {
     if (!json["before"].contains(group)) continue;
@@ -89,7 +89,7 @@ void printTune(const nlohmann::ordered_json& json) {
   std::cout << "\nNothing was changed. To use the proposal, set these values in the profile.\n";
 }
 
-/// Four significant digits: more would claim more than the recording says.
+/// Four significant digits; the recording does not support more.
 void roundNumbers(nlohmann::ordered_json& json) {
   if (json.is_number_float()) json = std::stod(fmt::format("{:.4g}", json.get<double>()));
   if (json.is_structured()) {
@@ -107,7 +107,7 @@ void add_tune(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("tune", "Identify the fabric from a safe excitation and propose PID gains; changes nothing");
+      app.add_subcommand("tune", "Identify the cloth from a safe excitation and propose PID gains; changes nothing");
   options->trial.addTo(*command);
   command->add_option("--recording", options->recording,
                       "Telemetry of a session to identify from (CSV); the simulation when left out");
@@ -119,20 +119,20 @@ void add_tune(CLI::App& app) {
     const auto recording = simulate ? sim::recordExcitation(trial) : readRecording(options->recording);
     const control::TuneProposal proposal = valueOrFail(control::proposeGains(recording, present));
 
-    const control::IdentifiedFabric& fabric = proposal.fabric;
+    const control::IdentifiedCloth& cloth = proposal.cloth;
     nlohmann::ordered_json json;
-    json["fabric"] = {{"scale", fabric.scale},
-                      {"shape_gain", fabric.shape_gain},
-                      {"gain_N_per_mm_per_deg", fabric.slope_N_per_mm_deg},
-                      {"delay_s", fabric.delay_s},
-                      {"lag_s", fabric.lag_s},
-                      {"noise_relative", fabric.residual_rms_relative},
-                      {"noise_correlation_s", fabric.noise_correlation_s}};
+    json["cloth"] = {{"scale", cloth.scale},
+                     {"shape_gain", cloth.shape_gain},
+                     {"gain_N_per_mm_per_deg", cloth.slope_N_per_mm_deg},
+                     {"delay_s", cloth.delay_s},
+                     {"lag_s", cloth.lag_s},
+                     {"noise_relative", cloth.residual_rms_relative},
+                     {"noise_correlation_s", cloth.noise_correlation_s}};
     json["before"] = side(present, proposal.before);
     json["after"] = side(proposal.proposed, proposal.after);
     if (simulate) {
       const control::StaticLaw law(present);
-      const double target = fabric.scale * std::sqrt(law.minimumStiffness_N_per_mm() * law.maximumStiffness_N_per_mm());
+      const double target = cloth.scale * std::sqrt(law.minimumStiffness_N_per_mm() * law.maximumStiffness_N_per_mm());
       json["before"]["simulated"] = simulated(trial, present, target);
       json["after"]["simulated"] = simulated(trial, proposal.proposed, target);
     }

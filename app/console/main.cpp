@@ -8,11 +8,12 @@
 #include <QTimer>
 #include <cstdio>
 
-#include "app/console/language.h"
-#include "app/console/main_window.h"
-#include "app/console/options.h"
+#include "app/console/shell/language.h"
+#include "app/console/shell/options.h"
+#include "app/console/window/main_window.h"
+#include "app/console/window/places.h"
 #include "core/base/end_signals.h"
-#include "core/station/replace_file.h"
+#include "core/station/profile/replace_file.h"
 
 namespace {
 
@@ -30,7 +31,7 @@ QString ownProfile() {
 
 fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options, const QString& profile_path) {
   fyd::station::StationOptions out = options.station;
-  // Pictures for the manual show the defaults, whatever the operator saved.
+  // Screenshots for the manual show the defaults, whatever the operator saved.
   const bool own = options.profile.isEmpty();
   if (!own || (options.screenshot.isEmpty() && QFileInfo::exists(profile_path))) {
     auto loaded = fyd::station::loadProfile(profile_path.toStdString());
@@ -40,7 +41,7 @@ fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options,
   return out;
 }
 
-/// The name's ending says the format.
+/// The name's extension gives the format.
 fyd::Result<void> savePicture(const QPixmap& picture, const QString& path) {
   QBuffer bytes;
   bytes.open(QIODevice::WriteOnly);
@@ -49,7 +50,7 @@ fyd::Result<void> savePicture(const QPixmap& picture, const QString& path) {
   return fyd::station::replaceFile(path.toStdString(), bytes.data().toStdString());
 }
 
-/// Saves what the window shows, and leaves. Arms only what is simulated: nothing that could move.
+/// Saves a screenshot of the window and quits. Arms only a simulated touchpad, so that no real motor moves.
 void takePictureAfter(fyd::console::MainWindow& window, const Options& options, bool simulated) {
   if (simulated) window.armOnce();
   QTimer::singleShot(static_cast<int>(options.screenshot_after_s * 1000.0), &window,
@@ -67,7 +68,7 @@ int main(int argc, char** argv) {
   // Help and mistakes need no display, so they are dealt with before the application asks for one.
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
-  const auto options = fyd::console::readOptions(arguments);
+  const auto options = fyd::console::readOptions(arguments, fyd::console::placeNames());
   if (!options) return complain(options.error().message, 2);
   if (!options->help.isEmpty()) {
     std::fputs(qPrintable(options->help), stdout);
@@ -83,7 +84,7 @@ int main(int argc, char** argv) {
   if (!session) return complain(session.error().message, 1);
 
   QApplication application(argc, argv);
-  // Pictures show the standard window, whatever was changed in it before.
+  // Screenshots show the standard window, whatever was changed in it before.
   const fyd::console::WindowMemory memory(options->screenshot.isEmpty() ? fyd::console::memoryFile(profile_path)
                                                                         : QString());
   fyd::console::speak(application, fyd::console::chooseLanguage({options->language, memory.language()}));
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
       application, options->theme.value_or(memory.theme().value_or(fyd::widgets::ThemeChoice::system)));
   fyd::console::MainWindow window(std::move(*session), profile_path, options->catalogue, memory);
   if (!options->page.isEmpty()) window.frame()->go(options->page);
-  if (!options->trials.conditions.isEmpty()) (void)window.trials()->plan(options->trials);  // read and found good
+  if (!options->trials.conditions.isEmpty()) (void)window.trials()->plan(options->trials);  // checked by readOptions
   if (!options->review.isEmpty()) window.review(options->review);
   window.show();
   window.start();

@@ -1,5 +1,5 @@
-// Where state (core/base/state.h) becomes bytes and bytes become state: cereal's binary archives, and what keeps bytes
-// that nobody wrote from becoming values that cannot be. Only for the few .cpp files that make an archive.
+// Serialises state (core/base/state.h) to bytes and back: cereal's binary archives, with checks that keep damaged bytes
+// from becoming invalid values. Included only by the few .cpp files that make an archive.
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,10 @@
 #include "core/base/csv.h"
 
 #include <charconv>
-#include <fstream>
 #include <limits>
 
 #include <csv.h>
+#include "core/base/whole_file.h"
 
 namespace fyd {
 namespace {
@@ -118,21 +118,9 @@ Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, c
 }
 
 Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted, EmptyField empty) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fail("{}: cannot be opened for reading", path);
-  constexpr std::size_t kPiece = std::size_t{1} << 16;
-  std::string text;
-  while (file) {
-    const std::size_t before = text.size();
-    text.resize(before + kPiece);
-    file.read(text.data() + before, static_cast<std::streamsize>(kPiece));
-    text.resize(before + static_cast<std::size_t>(file.gcount()));
-    if (text.size() > kLargestCsv_bytes) {
-      return fail("{}: longer than {} MB; expected a table of measurements", path, kLargestCsv_bytes >> 20);
-    }
-  }
-  if (file.bad()) return fail("{}: reading failed", path);
-  return parseCsv(text, path, wanted, empty);
+  const auto text = readWholeFile(path, kLargestCsv_bytes, FileKind::pipe_too);
+  if (!text) return tl::unexpected(text.error());
+  return parseCsv(*text, path, wanted, empty);
 }
 
 }  // namespace fyd

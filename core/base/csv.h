@@ -24,7 +24,7 @@ struct CsvTable {
 enum class EmptyField : std::uint8_t { refused, nan };
 
 /// Reads the named columns, in that order, whatever their order in the file; other columns are ignored.
-/// "nan" (any case) reads as NaN; whether that is allowed is the caller's question.
+/// "nan" (any case) reads as NaN; the caller decides whether that is allowed.
 /// @return an error with file and line for a missing column, text in a number, a short row, or no rows
 [[nodiscard]] Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name,
                                         const std::vector<std::string>& wanted, EmptyField empty = EmptyField::refused);

@@ -13,7 +13,7 @@
 namespace fyd {
 namespace {
 
-// All that a handler may touch.
+// All that the signal handler accesses.
 std::atomic<int> came = 0;
 std::atomic<std::int64_t> came_at_ns = 0;
 std::atomic<int> told = -1;  // the pipe's writing end

@@ -1,9 +1,9 @@
 // Signals that ask a program to end, remembered so that it ends by itself, with its recording closed:
 // SIGINT (Ctrl+C), SIGTERM (logout, shutdown, kill) and SIGHUP (the terminal or the session is gone).
 //
-// SIGINT or SIGTERM a second later or more ends the program at once: the way out when the first is not obeyed. What
-// comes sooner is the same wish once more: a logout sends SIGTERM and SIGHUP together, a shell repeats its terminal's
-// SIGHUP.
+// SIGINT or SIGTERM one second or more after the first ends the program at once, in case it does not react to the
+// first. An earlier one counts as a repetition: a logout sends SIGTERM and SIGHUP together, a shell repeats its
+// terminal's SIGHUP.
 #pragma once
 
 namespace fyd {
@@ -17,7 +17,7 @@ void watchForEnd();
 /// Becomes readable when one comes, for a program that waits for events; -1 before `watchForEnd`.
 [[nodiscard]] int endSignalDescriptor();
 
-/// What a shell sees of a program that a signal has ended.
+/// Exit code that a shell reports for a program ended by a signal.
 [[nodiscard]] constexpr int exitCodeOf(int signal) { return 128 + signal; }
 
 /// A reader that went away (SIGPIPE) and a limit on the size of files (SIGXFSZ) no longer end the program in the middle

@@ -7,9 +7,9 @@
 //     }
 //   };
 //
-// From it follow the row in a recording and its reader (core/session/recording_row.h), the comparison of two runs, the
-// columns of every export, the curves and the manual's tables. A field may be added anywhere: a recording is read by
-// the names, and one that lacks a field gives it the value that a new struct has.
+// From it follow the row in a recording and its reader (core/recording/format/recording_row.h), the comparison of two
+// runs, the columns of every export, the curves and the manual's tables. A field may be added anywhere: a recording is
+// read by the names, and a field missing in one keeps the default of a new struct.
 #pragma once
 
 #include <cstddef>
@@ -41,12 +41,12 @@ struct Field {
     return out;
   }
 
-  std::string_view name;    ///< in files: it stays
+  std::string_view name;    ///< stored in files: it never changes
   std::string_view unit;    ///< "1" for a plain number
   std::string_view help;    ///< a phrase for the manual
   Member member;            ///< pointer to a member, or a function of the struct
   std::string_view count;   ///< of a list: the name of the column that counts its items
-  std::string_view ending;  ///< of the name
+  std::string_view ending;  ///< appended to the name for the column's name
 };
 
 /// An input that has a table of its own: a value with its time, or a list of those that came since the last step.
@@ -64,13 +64,13 @@ struct InputTable {
   }
 
   const char* path;
-  std::size_t number;  ///< its place in a commit: it stays, and a new table takes the next
+  std::size_t number;  ///< its place in a commit: it never changes, and a new table takes the next
   std::string_view help;
   Member member;
   bool often;  ///< may come with nearly every step
 };
 
-/// The fields of T; of what is no struct of ours, stated beside it.
+/// The fields of T; specialised for types that have no fields() of their own.
 template <class T>
 inline constexpr auto kFieldsOf = T::fields();
 template <class T>

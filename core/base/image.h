@@ -1,4 +1,4 @@
-// A picture somebody else owns: rows of 8-bit samples. The core's detector and the camera's
+// View of a picture whose pixels are owned elsewhere: rows of 8-bit samples. The core's detector and the camera's
 // threads pass this, so that neither needs the other's image library.
 #pragma once
 
@@ -16,6 +16,14 @@ struct ImageView {
 
   [[nodiscard]] bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
   [[nodiscard]] const std::uint8_t* row(int y) const { return data + y * stride; }
+};
+
+/// Part of a picture that is looked at, px, inside the picture.
+struct RegionOfInterest {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
 };
 
 }  // namespace fyd

@@ -1,5 +1,5 @@
 // What the program says to a person, as data: a format and its values. English is made of it where it is shown
-// (`text`), another language in the window, by the format (widgets/core_text.h).
+// (`text`), another language in the window, by the format (widgets/basics/core_text.h).
 //
 // A format stands as a literal in one of these calls, where lupdate finds it for those who translate
 // (tests/translations/translations.py):
@@ -9,7 +9,7 @@
 //   sentence("the robot is silent")               words without values: a name in a table, a parameter's help
 //
 // A value is a number, a text that no language changes (a name, a path, an id), or a Message of its own where it is
-// itself words: `say("Not armed: {}.", phrase(toString(lack)))`.
+// itself words: `say("Not armed: {}.", phrase(toString(fault)))`.
 #pragma once
 
 #include <array>
@@ -28,14 +28,14 @@
 
 namespace fyd {
 
-/// The part of the program that speaks; the folder of the source that does decides. Its name (`toString`) is stable:
-/// scripts read it.
+/// The part of the program that a message comes from; the folder of its source file decides. Its name (`toString`) is
+/// stable: scripts read it.
 enum class MessageKind : std::uint8_t {
   command,      ///< the command line or the window itself
   input,        ///< a value or a file that was given: parameters, profiles, tables (core/base)
   device,       ///< touchpad, motors, camera, robot (core/device)
   link,         ///< the connection to the remote site (core/protocol)
-  recording,    ///< recordings, exports, reports and the catalogue (core/session)
+  recording,    ///< recordings, exports, reports and the catalogue (core/recording, replay, export, report, catalogue)
   calibration,  ///< core/calibration
   algorithm,    ///< the step and what it is made of (core/pipeline, control, sensing, signal, texture)
   simulation,   ///< the simulated devices (core/sim)
@@ -54,7 +54,7 @@ struct Message {
   [[nodiscard]] bool empty() const { return format.empty(); }
   /// In English.
   [[nodiscard]] std::string text() const;
-  /// The same words, whoever speaks them.
+  /// Equal format and values; `kind` is not compared.
   friend bool operator==(const Message& a, const Message& b);
 };
 
@@ -102,22 +102,22 @@ namespace message_detail {
 
 constexpr MessageKind kindOf(std::string_view file) {
   using enum MessageKind;
-  constexpr std::array<std::pair<std::string_view, MessageKind>, 11> kRooms{{{"base/", input},
-                                                                             {"device/", device},
-                                                                             {"protocol/", link},
-                                                                             {"session/", recording},
-                                                                             {"calibration/", calibration},
-                                                                             {"pipeline/", algorithm},
-                                                                             {"control/", algorithm},
-                                                                             {"sensing/", algorithm},
-                                                                             {"texture/", algorithm},
-                                                                             {"sim/", simulation},
-                                                                             {"station/", station}}};
+  constexpr auto kModules = std::to_array<std::pair<std::string_view, MessageKind>>({{"base/", input},
+                                                                                     {"calibration/", calibration},
+                                                                                     {"catalogue/", recording},
+                                                                                     {"device/", device},
+                                                                                     {"export/", recording},
+                                                                                     {"protocol/", link},
+                                                                                     {"recording/", recording},
+                                                                                     {"replay/", recording},
+                                                                                     {"report/", recording},
+                                                                                     {"sim/", simulation},
+                                                                                     {"station/", station}});
   constexpr std::string_view kCore = "core/";
   const auto core = file.rfind(kCore);
   if (core == std::string_view::npos) return command;
-  for (const auto& [room, kind] : kRooms) {
-    if (file.substr(core + kCore.size()).starts_with(room)) return kind;
+  for (const auto& [module, kind] : kModules) {
+    if (file.substr(core + kCore.size()).starts_with(module)) return kind;
   }
   return algorithm;
 }
@@ -161,7 +161,7 @@ Value valueOf(T&& from) {
   }
 }
 
-/// What a place for it may ask for: messages and lists (fmt::join) are shown as a text.
+/// Type that a place's format spec is checked against: messages and lists (fmt::join) are shown as a text.
 template <class T>
 using Checked = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, Message> || kIsList<std::remove_cvref_t<T>>,
                                    std::string_view, T>;

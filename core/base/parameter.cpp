@@ -133,7 +133,7 @@ Message describeRange(const Parameter& parameter) {
 
 const Parameter* findParameter(std::span<const Parameter> parameters, std::string_view id) {
   for (const Parameter& parameter : parameters) {
-    if (parameter.id == id) return &parameter;
+    if (parameter.id == id || (!id.empty() && parameter.info.formerly == id)) return &parameter;
   }
   return nullptr;
 }

@@ -1,6 +1,6 @@
 // One description of each parameter, declared beside the code that uses it.
 //
-// A room's parameters are a plain struct whose defaults are its initialisers, with one member template:
+// A module's parameters are a plain struct whose defaults are its initialisers, with one member template:
 //
 //   struct PwmParameters {
 //     double k_vib = 1.0;
@@ -34,7 +34,7 @@ namespace fyd {
 
 enum class ParameterKind : std::uint8_t { real, integer, boolean, choice, list, text };
 
-/// What a room says of a parameter, beside its id and its default.
+/// Description of a parameter, beside its id and its default.
 struct ParameterInfo {
   std::string_view name;        ///< short, for the window, without its unit; only of those that may change live
   std::string_view unit = "1";  ///< "1" for a pure number
@@ -42,12 +42,13 @@ struct ParameterInfo {
   double maximum = std::numeric_limits<double>::infinity();
   std::string_view help;  ///< one sentence, for the window and the manual; `sentence("…")` where the window shows it
   bool live = false;      ///< may change while the pipeline is active
-  /// In recordings made before there was this parameter: the value that gives what they felt like. None: the default.
+  /// Value for recordings made before this parameter existed, so that a replay behaves as they did; none: the default.
   std::optional<double> before_it_was = std::nullopt;
+  std::string_view formerly;  ///< id that it had before and that is still read; empty: none
 };
 
-/// Whom a range binds: what is set now, but not a real that may change while active and was set by an earlier program
-/// or in a replay; it is only marked.
+/// How strictly a range is applied. bind: a value outside is refused. mark: as bind, except for live reals, which may
+/// lie outside because an earlier program or a recording set them; the caller only marks them.
 enum class Ranges : std::uint8_t { bind, mark };
 
 inline constexpr std::size_t kParameterListCapacity = 16;
@@ -56,7 +57,7 @@ using ParameterList = Batch<double, kParameterListCapacity>;
 
 /// One parameter of one instance of a parameter struct. Numbers travel as double, a choice as its index.
 struct Parameter {
-  std::string_view id;  ///< "room.name"
+  std::string_view id;  ///< "module.name"
   ParameterKind kind = ParameterKind::real;
   ParameterInfo info;
   std::span<const std::string_view> choices;  ///< kind choice only
@@ -140,7 +141,7 @@ template <class Parameters>
 [[nodiscard]] bool mayTake(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
 /// The same; the message names id, value and range.
 [[nodiscard]] Result<double> checkParameter(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
-/// Of the value it has.
+/// Whether its present value may be stored.
 [[nodiscard]] bool insideRange(const Parameter& parameter);
 
 /// Whether `text` may be stored: one line of at most kParameterTextLimit bytes. The message names the id.
@@ -153,7 +154,7 @@ template <class Parameters>
 /// The value as `assignParameter` reads it; reals with the digits that round-trip.
 [[nodiscard]] std::string formatParameter(const Parameter& parameter);
 
-/// "0 … 10 1" or "a | b": what may stand there, for messages and tables.
+/// "a number from 0 to 10 N" or "one of a, b": what is allowed, for messages and tables.
 [[nodiscard]] Message describeRange(const Parameter& parameter);
 
 /// nullptr when there is none.

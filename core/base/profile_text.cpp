@@ -30,19 +30,19 @@ std::vector<std::string> parted(std::string_view list, std::string_view by) {
 
 std::vector<ProfileEntry> profileEntries(std::string_view text) {
   std::vector<ProfileEntry> entries;
-  std::string room;
+  std::string module;
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(text.size(), line.size() + 1));
     if (line.starts_with('[') && line.ends_with(']')) {
-      room = line.substr(1, line.size() - 2);
+      module = line.substr(1, line.size() - 2);
       continue;
     }
     const std::size_t equals = line.find(" = ");
-    if (room.empty() || line.starts_with('#') || equals == std::string_view::npos) continue;
+    if (module.empty() || line.starts_with('#') || equals == std::string_view::npos) continue;
     const std::string_view value = line.substr(equals + 3);
     ProfileEntry entry{
-        .id = fmt::format("{}.{}", room, line.substr(0, equals)), .list = value.starts_with('['), .choices = {}};
+        .id = fmt::format("{}.{}", module, line.substr(0, equals)), .list = value.starts_with('['), .choices = {}};
     const std::size_t choices = value.rfind(kChoiceMark);
     if (choices != std::string_view::npos) entry.choices = parted(value.substr(choices + kChoiceMark.size()), ", ");
     entries.push_back(std::move(entry));
@@ -55,13 +55,13 @@ Result<void> parseProfile(std::string_view text, std::string_view source_name, s
   const auto root = parseToml(text, source_name);
   if (!root) return tl::unexpected(root.error());
   std::vector<TomlAssignment> assignments;
-  for (const auto& [room, node] : *root) {
+  for (const auto& [module, node] : *root) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {
       return fail("{}: '{}' stands outside a table; expected a table such as [control]", place(source_name, node),
-                  room.str());
+                  module.str());
     }
-    if (auto read = readTable(*table, room.str(), source_name, parameters, ranges, "fyd params", assignments); !read)
+    if (auto read = readTable(*table, module.str(), source_name, parameters, ranges, "fyd params", assignments); !read)
       return read;
   }
   for (const TomlAssignment& assignment : assignments) assignment.store();
@@ -70,12 +70,12 @@ Result<void> parseProfile(std::string_view text, std::string_view source_name, s
 
 std::string formatProfile(std::span<const Parameter> parameters) {
   std::string out;
-  std::string_view room;
+  std::string_view module;
   for (const Parameter& parameter : parameters) {
     const auto dot = parameter.id.find('.');
-    if (parameter.id.substr(0, dot) != room) {
-      room = parameter.id.substr(0, dot);
-      out += fmt::format("{}[{}]\n", out.empty() ? "" : "\n", room);
+    if (parameter.id.substr(0, dot) != module) {
+      module = parameter.id.substr(0, dot);
+      out += fmt::format("{}[{}]\n", out.empty() ? "" : "\n", module);
     }
     std::string value = formatParameter(parameter);
     if (parameter.kind == ParameterKind::choice || parameter.kind == ParameterKind::text) value = quoted(value);

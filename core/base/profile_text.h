@@ -1,4 +1,4 @@
-// A profile is TOML text: one table per room, one key per parameter. Reading is strict: an unknown key,
+// A profile is TOML text: one table per module, one key per parameter. Reading is strict: an unknown key,
 // a wrong type, a value out of range or not finite is refused with file, line and what is allowed,
 // and then nothing at all is changed.
 #pragma once
@@ -21,7 +21,7 @@ namespace fyd {
 /// Every parameter with its unit and range as a comment, in the form parseProfile reads back equal.
 [[nodiscard]] std::string formatProfile(std::span<const Parameter> parameters);
 
-/// What formatProfile wrote of one parameter, whichever program it was.
+/// One parameter as formatProfile of any program version wrote it.
 struct ProfileEntry {
   std::string id;
   bool list = false;
@@ -30,7 +30,7 @@ struct ProfileEntry {
 
 /// The parameters of a text that formatProfile wrote, in its order, which is that of the program's bindParameters: so
 /// an index that was written beside it is understood by any later program. Lines that formatProfile never writes are
-/// passed over.
+/// skipped.
 [[nodiscard]] std::vector<ProfileEntry> profileEntries(std::string_view text);
 
 }  // namespace fyd

@@ -1,12 +1,12 @@
-// How a class tells its state, once, for saving and restoring it (core/base/archive.h does both): one member template
-// that names all that changes between two steps.
+// How a class declares its state, once, for saving and restoring it (core/base/archive.h does both): one member
+// template that names all that changes between two steps.
 //
 //   template <class Archive>
 //   void serialize(Archive& archive) {
 //     archive(value_, started_, within(index_, kCells - 1), within(mode_, Mode::last), contents(window_));
 //   }
 //
-// What follows from the parameters alone is made anew and left out. No size is ever read: an object is filled as large
+// What follows from the parameters alone is recomputed and left out. No size is ever read: an object is filled as large
 // as it is, so damaged bytes allocate nothing.
 #pragma once
 
@@ -36,7 +36,7 @@ template <class T, class Highest>
   return {value, static_cast<T>(highest)};
 }
 
-/// A counter that something else bounds; here only kept from running over.
+/// A counter that other code bounds; here it is only protected against overflow.
 template <class T>
 [[nodiscard]] Within<T> counter(T& value) {
   return within(value, 1 << 30);

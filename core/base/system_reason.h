@@ -7,7 +7,7 @@
 
 namespace fyd {
 
-/// @param error as `errno` has it; what the system says of it, in English
+/// @param error as in `errno`. @return the system's text for it, in English
 [[nodiscard]] Message systemReason(int error);
 [[nodiscard]] Message systemReason(const std::error_code& error);
 

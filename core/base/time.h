@@ -1,4 +1,4 @@
-// Time as the step sees it: always handed in, never read. Only the station asks the clock.
+// Time as the step sees it: always passed in. The step never reads a clock.
 #pragma once
 
 #include <chrono>

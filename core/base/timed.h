@@ -11,7 +11,7 @@ enum class Freshness : std::uint8_t {
   never,   ///< no value was ever taken
   fresh,   ///< taken within the allowed age
   stale,   ///< older than the allowed age
-  future,  ///< stamped later than now: the clock went backwards, or the source lies
+  future,  ///< stamped later than now: the clock went backwards, or the source's stamp is wrong
 };
 
 /// A state-like input. `count` is 0 until the first value and grows by one with each new one,

@@ -73,11 +73,11 @@ void TomlAssignment::store() const {
   }
 }
 
-Result<void> readTable(const toml::table& table, std::string_view room, std::string_view source_name,
+Result<void> readTable(const toml::table& table, std::string_view module, std::string_view source_name,
                        std::span<const Parameter> parameters, Ranges ranges, std::string_view listed_by,
                        std::vector<TomlAssignment>& read) {
   for (const auto& [key, value] : table) {
-    const std::string id = fmt::format("{}.{}", room, key.str());
+    const std::string id = fmt::format("{}.{}", module, key.str());
     const Parameter* parameter = findParameter(parameters, id);
     if (parameter == nullptr) {
       return fail("{}: unknown parameter '{}'; '{}' lists those there are", place(source_name, value), id, listed_by);

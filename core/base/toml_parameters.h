@@ -1,5 +1,5 @@
-// Tables of a TOML text as parameters: strict, with file, line and what is allowed in every error. For the sources of
-// the readers only: whoever wants a profile or a scene includes those.
+// Tables of a TOML text as parameters: strict, with file, line and what is allowed in every error. Included
+// only by the sources of the readers (profile, scene), not by their callers.
 #pragma once
 
 #include <span>
@@ -30,9 +30,9 @@ struct TomlAssignment {
   void store() const;
 };
 
-/// Every key of the table as the parameter `room.key`, added to what was read. An unknown key, a wrong type, a value
+/// Every key of the table as the parameter `module.key`, added to what was read. An unknown key, a wrong type, a value
 /// out of range or not finite is refused.
-[[nodiscard]] Result<void> readTable(const toml::table& table, std::string_view room, std::string_view source_name,
+[[nodiscard]] Result<void> readTable(const toml::table& table, std::string_view module, std::string_view source_name,
                                      std::span<const Parameter> parameters, Ranges ranges, std::string_view listed_by,
                                      std::vector<TomlAssignment>& read);
 

@@ -1,4 +1,4 @@
-// Physical constants that stand in exactly one place. Angles are degrees, lengths millimetres,
+// Physical constants, each defined here only. Angles are degrees, lengths millimetres,
 // forces newtons, stiffness N/mm unless a name says otherwise.
 #pragma once
 

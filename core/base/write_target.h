@@ -1,5 +1,5 @@
-// What stands under a name that is to be written: only regular files are, never a device, a pipe, a socket or a folder,
-// which a renamed file would silently take the place of.
+// Checks what a name that is to be written refers to: only regular files are written, never a device, a pipe, a socket
+// or a folder, which a renamed file would silently replace.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct WriteTarget {
   gid_t group = 0;
 };
 
-/// @return an error that says what stands there instead of a file, that links run in a circle, or that this user may
-/// not write the file
+/// @return an error: what is there is not a regular file, the links run in a circle, or this user may not write the
+/// file
 [[nodiscard]] Result<WriteTarget> writeTargetOf(const std::string& path);
 
 /// Gives a new file, opened as `descriptor`, mode and owner of the one it is going to replace; a new name needs

@@ -3,26 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "core/calibration/calibration_part.h"
+
 namespace fyd::calibration {
 namespace {
-
-constexpr std::string_view kNoTouch = "no-touch";
-constexpr std::string_view kStiffness = "stiffness";
-constexpr std::string_view kParts[] = {kNoTouch, kStiffness};
-
-struct Dependence {
-  std::string_view part;
-  std::string_view basis;
-  std::string_view tared;  ///< the part's value that a tare changes too; empty: only its calibration does
-};
-constexpr Dependence kDependences[] = {
-    {kNoTouch, "ir", "sensing.ir_offset_mm"},
-    {kNoTouch, "load-cell", "sensing.force_zero_N"},
-    {kStiffness, "encoders", {}},
-    {kStiffness, "load-cell", {}},
-    {kStiffness, "ir", {}},
-    {kStiffness, "cloth", {}},
-};
 
 using Records = std::span<const CalibrationRecord>;
 
@@ -48,11 +32,9 @@ bool isNewer(Records records, const Dependence& rests, std::size_t basis, std::s
 
 }  // namespace
 
-std::span<const std::string_view> dependentParts() { return kParts; }
-
 std::vector<NewerBasis> newerBases(Records records, std::string_view procedure, std::span<const Parameter> parameters) {
   std::vector<NewerBasis> out;
-  for (const Dependence& rests : kDependences) {
+  for (const Dependence& rests : dependences()) {
     if (rests.part != procedure) continue;
     std::set<int> sensors;
     for (const CalibrationRecord& each : records) {
@@ -66,32 +48,16 @@ std::vector<NewerBasis> newerBases(Records records, std::string_view procedure, 
   return out;
 }
 
-Message nameOf(const NewerBasis& basis) {
-  if (basis.procedure == "ir") return say("distance sensor {}", basis.sensor);
-  return basis.procedure == "load-cell" ? say("load cell") : say("encoders");
-}
-
-Message remedyOf(std::string_view procedure) {
-  return procedure == kNoTouch ? say("taken with another curve: take it again")
-                               : say("measured with another calibration: measure it again");
-}
-
 Message describeBases(std::string_view procedure, std::span<const NewerBasis> bases) {
   if (bases.empty()) return {};
   std::vector<Message> names;
-  for (const NewerBasis& each : bases) names.push_back(nameOf(each));
-  return explained(remedyOf(procedure), listed(std::move(names), "{}, {}"));
-}
-
-bool isTared(std::string_view procedure, std::string_view parameter_id) {
-  return std::ranges::any_of(kDependences, [&](const Dependence& rests) {
-    return rests.basis == procedure && !rests.tared.empty() && rests.tared == parameter_id;
-  });
+  for (const NewerBasis& each : bases) names.push_back(partName(each.procedure, each.sensor));
+  return explained(remedyOf(procedure), listed(std::move(names)));
 }
 
 std::vector<AppliedChange> leftBehind(std::string_view procedure, std::span<const Parameter> parameters) {
   std::vector<AppliedChange> out;
-  for (const Dependence& rests : kDependences) {
+  for (const Dependence& rests : dependences()) {
     if (rests.basis != procedure || rests.tared.empty()) continue;
     const Parameter* parameter = findParameter(parameters, rests.tared);
     if (parameter == nullptr) continue;

@@ -8,7 +8,7 @@
 
 #include <toml++/toml.h>
 
-#include "core/calibration/calibration_dependence.h"
+#include "core/calibration/calibration_part.h"
 
 namespace fyd::calibration {
 namespace {

@@ -1,7 +1,7 @@
 // The record of calibrations that goes with a profile: who, when, under which conditions, how well, and what changed.
 //
 // TOML text, `format = 1` first, one [[record]] per accepted calibration, oldest first. It stands in a file of its own
-// beside the profile (lab.toml, lab.calibration.toml), because a profile holds parameters and nothing else. A newer
+// beside the profile (lab.toml, lab.calibration.toml), because a profile holds only parameters. A newer
 // format, an unknown key or a value of the wrong type is refused with file and line.
 #pragma once
 

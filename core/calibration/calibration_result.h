@@ -16,7 +16,7 @@
 namespace fyd::calibration {
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-/// More points than this are refused: nobody measures them, and the search for outliers would take minutes.
+/// More points than this are refused: no real calibration has them, and the search for outliers would take minutes.
 inline constexpr std::size_t kMostPoints = 20'000;
 
 struct Coefficient {
@@ -34,12 +34,12 @@ struct ParameterChange {
 
 struct Verdict {
   bool accepted = false;
-  bool too_few = false;   ///< refused for want of points: more of them help
+  bool too_few = false;   ///< refused because there are too few points: more of them help
   Message reason;         ///< accepted: what was reached; refused: the cause and what to do next
   std::string threshold;  ///< id of the parameter that decided, empty when none did
 };
 
-/// NaN stands for what a refused fit does not know.
+/// NaN: unknown, because the fit was refused.
 struct CalibrationResult {
   std::string procedure;  ///< "ir", "load-cell", …
   Message curve;          ///< the form that was fitted, in words
@@ -66,7 +66,7 @@ struct CalibrationResult {
 /// A result refused before or after its fit; keeps what is known.
 [[nodiscard]] CalibrationResult refused(CalibrationResult result, Message reason, std::string_view threshold = {});
 
-/// The same, for want of points.
+/// The same, because there are too few points.
 [[nodiscard]] CalibrationResult tooFew(CalibrationResult result, Message reason, std::string_view threshold);
 
 /// First point that is not finite or outside lowest…highest: refuses the result and names it.
@@ -74,7 +74,7 @@ struct CalibrationResult {
 [[nodiscard]] bool checkColumn(CalibrationResult& result, std::string_view column, std::span<const double> values,
                                double lowest, double highest);
 
-/// Whether outliers can be the cause of a large error: some, but so few that the rest still says what is right.
+/// Whether outliers can be the cause of a large error: there are some, but few enough that the other points decide.
 [[nodiscard]] bool hasFewOutliers(const CalibrationResult& result);
 
 /// Square root of the mean square, leaving out NaN; NaN when nothing is left.

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/calibration/cross_validation.h"
-#include "core/calibration/least_squares.h"
-#include "core/calibration/outliers.h"
+#include "core/calibration/fit/cross_validation.h"
+#include "core/calibration/fit/least_squares.h"
+#include "core/calibration/fit/outliers.h"
 
 namespace fyd::calibration {
 namespace {
@@ -116,7 +116,7 @@ bool findTurn(CameraCalibration& out, const Frame& f) {
   return true;
 }
 
-/// The points where their shadows lie on the untouched cloth's plane: H/(H − δ) as far from the axis.
+/// The points projected from the lens onto the untouched cloth's plane: H/(H − δ) as far from the axis.
 CameraSamples onThePlane(const CameraSamples& s, double one_over_height) {
   CameraSamples out = s;
   for (std::size_t i = 0; i < s.depth_mm.size(); ++i) {
@@ -214,7 +214,7 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
   good = checkColumn(result, "depth_mm", s.depth_mm, 0.0, kDeepest_mm) && good;
   if (!checkColumn(result, "y_mm", s.y_mm, -kLargest_mm, kLargest_mm) || !good) return out;
 
-  std::vector<std::size_t> different;  // points that repeat an earlier one tell nothing new
+  std::vector<std::size_t> different;  // points that repeat an earlier one add no information
   for (std::size_t i = 0; i < s.x_px.size() && different.size() < static_cast<std::size_t>(p.camera_fewest_points);
        ++i) {
     const bool seen = std::any_of(different.begin(), different.end(), [&](std::size_t j) {

@@ -2,8 +2,8 @@
 //
 //   x = scale_x·u + offset_x,   y = scale_y·v + offset_y        (u to the right, v downward in the picture)
 //
-// A turn of the camera against the target is told from a full affine fit; when it is beyond its own uncertainty the two
-// lines are fitted in the turned frame. The residual angle between the axes (shear) is a diagnostic: a tilted camera.
+// A rotation of the camera against the target is found by a full affine fit; when it exceeds its own uncertainty the
+// two lines are fitted in the turned frame. The residual angle between the axes (shear) shows a tilted camera.
 //
 // Points may lie at a depth δ below the untouched cloth: pressed down, they appear H/(H − δ) as far from the axis,
 // which is taken to be the touchpad's origin as the detector takes it (core/sensing/contact_cloth.h). Where depths
@@ -26,7 +26,7 @@ struct CameraSamples {
 };
 
 struct CameraCalibration {
-  CalibrationResult result;  ///< coefficients: scale_x, scale_y (mm/px), offset_x, offset_y, camera_height (mm) if told
+  CalibrationResult result;  ///< coefficients: scale_x, scale_y (mm/px), offset_x, offset_y, camera_height (mm) if any
   double rotation_deg = kUnknown;  ///< −180…180, as sensing.finger_rotation_deg
   double rotation_error_deg = kUnknown;
   bool rotated = false;  ///< the turn is beyond its uncertainty and part of the fit

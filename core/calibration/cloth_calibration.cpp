@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/calibration/cloth_fit.h"
-#include "core/calibration/cross_validation.h"
+#include "core/calibration/fit/cross_validation.h"
 #include "core/sensing/indentation.h"
 
 namespace fyd::calibration {
@@ -14,7 +14,7 @@ using sensing::ClothEdges;
 
 constexpr std::size_t kMostPresses = 2000;
 constexpr double kFreeLimits = 2.0;           // times the uncertainty that is allowed where all edges are held
-constexpr double kLeastShareLogSigma = 0.05;  // of the radius share: it follows the depth and the place a little
+constexpr double kLeastShareLogSigma = 0.05;  // of the radius share, which depends slightly on depth and place
 constexpr double kLeastRatioLogSigma = 0.04;
 constexpr double kLeastShareSigma = 0.01;
 constexpr double kLeastFreeShareSigma = 0.03;
@@ -22,7 +22,7 @@ constexpr double kLeastFreeRatioLogSigma = 0.3;
 constexpr double kElsewhere = 1.5;      // a share between the sensors is less certain than over one
 constexpr double kClearlyBetter = 1.3;  // times the other edges' error
 
-/// The presses whose sensor under the finger reads; refuses what can be none. @return whether all is well
+/// Takes the presses whose sensor under the finger reads; refuses impossible ones. @return whether all are good
 bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing::IndentationParameters& profile,
                  const CalibrationParameters& p, std::vector<ClothPress>& out) {
   const std::size_t sensors = std::min(profile.ir_x_mm.size(), profile.ir_y_mm.size());
@@ -63,7 +63,7 @@ bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing
   return true;
 }
 
-/// Refuses presses that cannot tell the unknowns. @return whether all is well
+/// Refuses presses that cannot determine the unknowns. @return whether they can
 bool enoughPresses(ClothCalibration& out, const std::vector<ClothPress>& presses, std::size_t sensors,
                    const CalibrationParameters& p) {
   out.sensors.assign(sensors, {});
@@ -110,7 +110,7 @@ bool enoughPresses(ClothCalibration& out, const std::vector<ClothPress>& presses
   return true;
 }
 
-/// The calibrated mode's own doubt of the indentation, relative, over the cloth: a stiffness is as wrong.
+/// Relative uncertainty of the indentation over the cloth, by the calibrated mode itself; the stiffness has the same.
 double doubtOverTheCloth(const sensing::IndentationParameters& calibrated, const ClothSamples& s, std::size_t sensors) {
   constexpr double kDepth_mm = 4.0;
   double area_mm2 = 0.0;
@@ -272,7 +272,7 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
     return out;
   }
   out.stiffness_error = std::max(doubtOverTheCloth(calibrated, s, sensors), rootMeanSquare(errors.relative));
-  // The loop wants a bound, not one standard deviation.
+  // The loop needs a bound, not one standard deviation.
   result.changes.push_back(
       {"control.measurement_bias", fmt::format("{:.3g}", std::min(2.0 * out.stiffness_error, 1.0))});
   result.verdict = {

@@ -1,18 +1,18 @@
-// The cloth's calibration: presses over each sensor tell how the cloth spreads a press, without a depth gauge.
+// The cloth's calibration: presses over each sensor show how the cloth spreads a press, without a depth gauge.
 //
-// A sensor under the finger reads nearly all of the indentation, so it tells how deep the finger is, and the other
-// sensors tell what share of it they see. Two unknowns for the whole cloth follow from all presses together: the radius
+// A sensor under the finger reads nearly all of the indentation, so it gives the depth, and the other sensors give the
+// share of it that they see. Two unknowns for the whole cloth follow from all presses together: the radius
 // share κ (r = κ·√(area/π), core/sensing/contact_cloth.h) and the ratio of the tensions along x and y; the edges, held
 // or free, are those that fit better. Gauss–Newton on
 //
 //   Σ (zᵢⱼ − sᵢ(κ, ratio)·δⱼ)²/σᵢⱼ²,    δⱼ of each press from its own readings
 //
-// What of the stiffness stays unknown (control.measurement_bias) is the doubt that the calibrated mode itself has of
-// the indentation, over nine places of the cloth, with the presses' area; no less than the held-out error beside the
-// finger.
+// The lasting error of the stiffness is the uncertainty that the calibrated mode itself computes for the indentation,
+// over nine places of the cloth, with the presses' area; at least the held-out error beside the finger. Twice that
+// becomes control.measurement_bias.
 //
-// Held-out error: the presses over one sensor are foretold by a fit on the others, what the sensors beside the finger
-// read from the one under it.
+// Held-out error: for the presses over one sensor, a fit on the other presses predicts the readings of the sensors
+// beside the finger from the one under it.
 #pragma once
 
 #include <vector>
@@ -41,8 +41,8 @@ struct ClothCalibration {
   CalibrationResult result;  ///< coefficients: radius share and tension ratio; valid_from…valid_to in mm of indentation
   sensing::ClothEdges edges = sensing::ClothEdges::held;
   double other_edges_rmse = kUnknown;  ///< of the best fit with the other edges
-  double share_sigma = kUnknown;       ///< what the formula leaves of a share
-  double stiffness_error = kUnknown;   ///< relative and lasting, over the cloth: half of what the loop is told
+  double share_sigma = kUnknown;       ///< error of a share that the formula leaves
+  double stiffness_error = kUnknown;   ///< relative and lasting, over the cloth; half of control.measurement_bias
   std::vector<ClothSensor> sensors;
 };
 

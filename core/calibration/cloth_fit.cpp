@@ -9,13 +9,13 @@ namespace {
 
 using sensing::ClothEdges;
 
-constexpr double kHeldShareSigma = 0.01;  // of a share of a held cloth: what makes the weights
+constexpr double kHeldShareSigma = 0.01;  // of a share of a held cloth, for the weights
 constexpr double kFreeShareSigma = 0.04;  // … of one with free edges, which narrows and wrinkles: no linear membrane
-// What is believed before the first press, as logarithms; it counts where the presses say little.
+// Prior, as logarithms; it counts where the presses contain little information.
 constexpr double kUsualRadiusShare = 0.7, kUsualRadiusSpread = 0.3;
 constexpr double kUsualFreeRatio = 12.0, kUsualFreeRatioSpread = 0.25, kUsualRatioSpread = 0.7;
 constexpr double kLeastRadiusShare = 0.35, kMostRadiusShare = 1.3;
-constexpr double kMostHeldRatio = 4.0;  // either way: held all round, a cloth is stretched both ways
+constexpr double kMostHeldRatio = 4.0;  // or its inverse: a cloth held all round is stretched both ways
 constexpr double kLeastFreeRatio = 2.0, kMostFreeRatio = 15.0;
 
 double shareSigma(ClothEdges edges) { return edges == ClothEdges::held ? kHeldShareSigma : kFreeShareSigma; }

@@ -1,6 +1,6 @@
 // The radius share and the tension ratio of a cloth (core/sensing/contact_cloth.h), fitted to presses over the sensors:
-// least squares (Levenberg and Marquardt) on logarithms, each press with an unknown depth of its own, with what is
-// usual as a weak belief.
+// least squares (Levenberg and Marquardt) on logarithms, each press with an unknown depth of its own, with the usual
+// values as a weak prior.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace fyd::calibration {
 
-/// Of a mean of readings: what makes the weights, not the uncertainty.
+/// Noise of a mean of readings; used for the weights, not for the uncertainty.
 inline constexpr double kPressNoise_mm = 0.03;
 
 struct ClothPress {
@@ -39,7 +39,7 @@ class ClothModel {
   /// Adds (reading − share·indentation)/σ of each sensor that reads.
   void residuals(const ClothPress& press, std::size_t sensors, std::vector<double>& out);
 
-  /// What the sensors beside the finger read, foretold by the one under it.
+  /// Readings of the sensors beside the finger, predicted from the one under it.
   struct Foretold {
     double depth_mm = 0.0;
     double error_mm = 0.0;  ///< root mean square over the sensors beside; NaN: none reads
@@ -74,7 +74,7 @@ class ClothFitter {
  private:
   [[nodiscard]] std::vector<double> residuals(const std::vector<ClothPress>& presses, sensing::ClothEdges edges,
                                               ClothUnknowns at) const;
-  /// Takes a place when it is better than the best so far.
+  /// Takes `at` as the best when its cost is lower than the best so far.
   void attempt(ClothFit& best, const std::vector<ClothPress>& presses, sensing::ClothEdges edges,
                ClothUnknowns at) const;
   [[nodiscard]] Eigen::MatrixX2d jacobian(const std::vector<ClothPress>& presses, sensing::ClothEdges edges,

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/calibration/cross_validation.h"
-#include "core/calibration/least_squares.h"
+#include "core/calibration/fit/cross_validation.h"
+#include "core/calibration/fit/least_squares.h"
 
 namespace fyd::calibration {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/calibration/cross_validation.h"
+#include "core/calibration/fit/cross_validation.h"
 #include "core/calibration/ir_choice.h"
 
 namespace fyd::calibration {
@@ -13,7 +13,7 @@ namespace {
 constexpr double kSensorNearest_mm = 40.0, kSensorFarthest_mm = 300.0;
 constexpr double kFoldSigmas = 3.0;
 
-/// Under some 4 cm the sensor's voltage falls again: two distances for one code. Names the first fold, if there is one.
+/// Below about 4 cm the sensor's voltage falls again: two distances for one code. Names the first such pair, if any.
 Message foldIn(const IrSamples& samples, double noise_counts) {
   struct Group {
     double distance = 0.0, sum = 0.0;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/calibration/cross_validation.h"
-#include "core/calibration/outliers.h"
-#include "core/calibration/polynomial_basis.h"
+#include "core/calibration/fit/cross_validation.h"
+#include "core/calibration/fit/outliers.h"
+#include "core/calibration/fit/polynomial_basis.h"
 
 namespace fyd::calibration {
 namespace {

@@ -1,4 +1,4 @@
-// Which curve a distance sensor's points ask for, and which points the others contradict.
+// Chooses the curve that fits a distance sensor's points, and finds the points that the others contradict.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace fyd::calibration {
 /// Distances closer than this are one and the same target.
 inline constexpr double kSameDistance_mm = 0.25;
 
-/// What became of a candidate; for the table beside the chosen one.
+/// Result of one candidate, for the table beside the chosen one.
 struct IrAttempt {
   IrCandidate candidate = IrCandidate::degree2;
   double rmse_mm = kUnknown;

@@ -6,8 +6,8 @@
 
 #include <boost/math/tools/minima.hpp>
 
-#include "core/calibration/least_squares.h"
-#include "core/calibration/polynomial_basis.h"
+#include "core/calibration/fit/least_squares.h"
+#include "core/calibration/fit/polynomial_basis.h"
 
 namespace fyd::calibration {
 namespace {
@@ -72,8 +72,8 @@ Result<IrCurve> fitInverse(IrCurve curve, const IrPoints& points) {
     const auto fit = linearFit(log_room);
     return fit ? (fit->residuals.array().square() * weight.array()).sum() : std::numeric_limits<double>::infinity();
   };
-  // Room between the lowest voltage and the pole: from a thousandth of the span (almost a wall) to a hundred spans
-  // (almost a line). A coarse look first, because the misfit may have two valleys.
+  // Distance from the pole to the lowest voltage: from a thousandth of the span (nearly vertical there) to a hundred
+  // spans (nearly a straight line). A coarse search first, because the misfit may have two minima.
   const double first = std::log(1e-3 * span), last = std::log(1e2 * span), step = (last - first) / 40;
   double best = first;
   double least = std::numeric_limits<double>::infinity();

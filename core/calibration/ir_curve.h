@@ -1,6 +1,6 @@
 // The curves a distance sensor's calibration chooses from, each fitted on a scaled basis.
 //
-//   thesis, scaled   d = s·P(v) + o, with P the thesis polynomial: the datasheet's sensor, a little off
+//   thesis, scaled   d = s·P(v) + o, with P the thesis polynomial: a sensor close to the datasheet's
 //   inverse          d = a/(v + b) + c
 //   polynomial 2…5   d = c₀ + c₁v + …, fitted on Chebyshev polynomials of the span, then written as powers of volts
 //

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/calibration/cross_validation.h"
-#include "core/calibration/least_squares.h"
-#include "core/calibration/outliers.h"
+#include "core/calibration/fit/cross_validation.h"
+#include "core/calibration/fit/least_squares.h"
+#include "core/calibration/fit/outliers.h"
 
 namespace fyd::calibration {
 namespace {
@@ -38,7 +38,7 @@ std::vector<std::size_t> everyRow(std::size_t count) {
   return rows;
 }
 
-/// Residual against order, with the line fitted anew: a drift that rises with the force must not pass as slope.
+/// Residual against order, with the line fitted anew: a drift that rises with the force must not count as slope.
 void findDrift(LoadCellCalibration& out, const Line& line) {
   const Eigen::Index count = line.force.size();
   if (count < 5) return;
@@ -145,7 +145,7 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   }
   const auto rows = everyRow(s.force_N.size());
   const Line line = lineOf(s, rows);
-  // Centred for the numbers' sake: an offset of the values costs no digits then, and is put back below.
+  // Centred for numerical accuracy: an offset of the values then costs no digits; it is put back below.
   const double centre = line.design.col(0).mean();
   Eigen::MatrixXd centred = line.design;
   centred.col(0).array() -= centre;

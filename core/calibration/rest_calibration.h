@@ -1,9 +1,10 @@
-// Calibrations that only look at rest: the accelerometer lying still, and the distances and force of the untouched
-// cloth.
+// Calibrations that use readings at rest only: the accelerometer lying still, and the distances and force of the
+// untouched cloth.
 //
-// The accelerometer's mean is not kept in the profile: the texture takes rest away by itself (texture/rest_removal.h).
-// What is judged is whether the sensor is plausible: still, and 1 g long, or about 0 g where the robot's end takes rest
-// away before it sends (device/robot_preparation.h); exactly 0 without any noise is no sensor.
+// The accelerometer's mean is not kept in the profile: the texture subtracts rest itself (core/texture/rest_removal.h).
+// The calibration judges whether the sensor is plausible: still, and 1 g long, or about 0 g where the robot's end
+// subtracts the rest value before it sends (core/device/robot/robot_preparation.h). Exactly 0 without any noise
+// means that there is no sensor.
 #pragma once
 
 #include <array>

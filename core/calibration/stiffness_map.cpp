@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/calibration/cross_validation.h"
-#include "core/calibration/least_squares.h"
-#include "core/calibration/outliers.h"
-#include "core/calibration/student_quantile.h"
+#include "core/calibration/fit/cross_validation.h"
+#include "core/calibration/fit/least_squares.h"
+#include "core/calibration/fit/outliers.h"
+#include "core/calibration/fit/student_quantile.h"
 
 namespace fyd::calibration {
 namespace {

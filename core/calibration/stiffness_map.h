@@ -1,6 +1,6 @@
 // The stiffness map: which stretch angle gives which stiffness, from presses at known angles.
 //
-//   F = k(angle)·indentation + c, one k per angle, one c for all: c is what is left of a wrong tare
+//   F = k(angle)·indentation + c, one k per angle, one c for all: c is the remaining tare error
 //
 // The slopes become a law that rises strictly with the angle: neighbours that fall within their uncertainty are pooled
 // (isotonic regression, weighted by 1/σ²), a fall beyond it is refused. control.law interpolates the points
@@ -14,7 +14,7 @@
 
 namespace fyd::calibration {
 
-/// The deepest press at an angle is at least this deep; a lesser one is as good as none.
+/// The deepest press at an angle must be at least this deep to determine a stiffness.
 inline constexpr double kLeastPress_mm = 0.5;
 
 struct StiffnessSamples {
@@ -35,7 +35,7 @@ struct AngleStiffness {
 struct StiffnessMap {
   CalibrationResult result;            ///< coefficients: k of each angle; valid_from…valid_to in degrees
   std::vector<AngleStiffness> angles;  ///< rising
-  double force_offset_N = kUnknown;    ///< c; NaN when the presses cannot tell it, then taken as 0
+  double force_offset_N = kUnknown;    ///< c; NaN when the presses cannot determine it, then taken as 0
   double force_offset_error_N = kUnknown;
   std::vector<double> law_angle_deg;  ///< rising; what the control law takes
   std::vector<double> law_stiffness_N_per_mm;
@@ -43,7 +43,8 @@ struct StiffnessMap {
 
 [[nodiscard]] StiffnessMap calibrateStiffness(const StiffnessSamples& samples, const CalibrationParameters& parameters);
 
-/// Says in the verdict and the notes that the indentation was never proven: stiffness is as wrong as the indentation.
+/// Says in the verdict and the notes that no cloth calibration has verified the indentation, whose relative error the
+/// stiffness shares.
 void sayIndentationUnproven(CalibrationResult& result);
 
 /// Weighted isotonic regression by pooling adjacent violators: blocks with their mean place and rising level.

@@ -5,7 +5,7 @@
 namespace fyd::calibration {
 namespace {
 
-/// What identification finds; the other constants of the plant stay.
+/// Changes of the constants that identification finds; the plant's other constants are kept.
 std::vector<ParameterChange> changesTo(texture::FeltPlant found, texture::FeltPlant profile) {
   std::vector<ParameterChange> out;
   const std::vector<Parameter> before = bindParameters(profile);

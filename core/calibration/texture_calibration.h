@@ -1,11 +1,11 @@
-// The way to the finger as a calibration of a profile: core/texture/felt_identification.h with a verdict in words and
-// the parameters texture.plant_* it would change.
+// Calibration of the vibration plant, from duty to finger: core/texture/felt/felt_identification.h with a verdict in
+// words and the parameters texture.plant_* it would change.
 #pragma once
 
 #include <vector>
 
 #include "core/calibration/calibration_result.h"
-#include "core/texture/felt_identification.h"
+#include "core/texture/felt/felt_identification.h"
 
 namespace fyd::calibration {
 
@@ -14,7 +14,7 @@ struct TextureCalibration {
   texture::FeltIdentification identified;  ///< while the verdict is accepted
 };
 
-/// @param profile  what the sweep does not tell: free speed, time constant, position gain, radius
+/// @param profile  what the sweep does not identify: free speed, time constant, position gain, radius
 [[nodiscard]] TextureCalibration calibrateTexture(const std::vector<texture::SweepRow>& sweep,
                                                   const texture::FeltPlant& profile);
 

@@ -13,22 +13,22 @@ constexpr double kSlowest_s = 10.0;
 constexpr double kLeastGainMargin = 2.0;
 constexpr double kLeastPhaseMargin_deg = 60.0;
 
-ControlParameters tuned(const ControlParameters& present, const IdentifiedFabric& fabric, double lambda_s) {
+ControlParameters tuned(const ControlParameters& present, const IdentifiedCloth& cloth, double lambda_s) {
   ControlParameters p = present;
-  p.ki_per_s = 1.0 / (std::max(1.0, fabric.shape_gain) * lambda_s);
+  p.ki_per_s = 1.0 / (std::max(1.0, cloth.shape_gain) * lambda_s);
   p.kp = kMotorLag_s * p.ki_per_s;
   p.kd_s = 0.0;
-  p.measurement_lag_s = fabric.lag_s;
-  p.measurement_delay_s = fabric.delay_s;
-  p.noise_correlation_s = fabric.noise_correlation_s;
+  p.measurement_lag_s = cloth.lag_s;
+  p.measurement_delay_s = cloth.delay_s;
+  p.noise_correlation_s = cloth.noise_correlation_s;
   return p;
 }
 
-bool keepsMargins(const IdentifiedFabric& fabric, const ControlParameters& p) {
+bool keepsMargins(const IdentifiedCloth& cloth, const ControlParameters& p) {
   for (const double gain : {0.7, 1.0, 1.3}) {
     for (const double lag : {0.7, 1.0, 1.3}) {
       for (const double more_delay_s : {0.0, 0.05}) {
-        IdentifiedFabric other = fabric;
+        IdentifiedCloth other = cloth;
         other.shape_gain *= gain;
         other.lag_s *= lag;
         other.delay_s += more_delay_s;
@@ -47,20 +47,20 @@ Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const C
   constexpr double kIdentified = 0.5;  // about half of the time goes into the fit
   const auto ended = [&](double done) { return progress && !progress(done); };
   if (ended(0.0)) return fail("auto-tune: cancelled");
-  const auto fabric = identifyFabric(recording, present);
-  if (!fabric) return tl::unexpected(fabric.error());
+  const auto cloth = identifyCloth(recording, present);
+  if (!cloth) return tl::unexpected(cloth.error());
   for (double lambda_s = kFastest_s; lambda_s <= kSlowest_s; lambda_s *= 1.05) {
     const double tried = math::log(lambda_s / kFastest_s) / math::log(kSlowest_s / kFastest_s);
     if (ended(kIdentified + (1 - kIdentified) * tried)) return fail("auto-tune: cancelled");
-    const ControlParameters proposed = tuned(present, *fabric, lambda_s);
-    if (!keepsMargins(*fabric, proposed)) continue;
-    return TuneProposal{*fabric, proposed, predictLoop(*fabric, present), predictLoop(*fabric, proposed)};
+    const ControlParameters proposed = tuned(present, *cloth, lambda_s);
+    if (!keepsMargins(*cloth, proposed)) continue;
+    return TuneProposal{*cloth, proposed, predictLoop(*cloth, present), predictLoop(*cloth, proposed)};
   }
   return fail(
       "auto-tune: no time constant up to {} s keeps gain margin {} and phase margin {}° (dead time {:.3f} s, lag "
       "{:.3f} s, noise {:.1f} %)",
-      kSlowest_s, kLeastGainMargin, kLeastPhaseMargin_deg, fabric->delay_s, fabric->lag_s,
-      100 * fabric->residual_rms_relative);
+      kSlowest_s, kLeastGainMargin, kLeastPhaseMargin_deg, cloth->delay_s, cloth->lag_s,
+      100 * cloth->residual_rms_relative);
 }
 
 }  // namespace fyd::control

@@ -1,7 +1,7 @@
-// Proposes PID gains from a recorded safe excitation. Proposes only: applying them is the operator's own act.
+// Proposes PID gains from a recorded safe excitation. It never applies them; the operator does.
 //
-// Identified model: fabric_identification.h. The controller takes the measurement's lag and noise off with its observer
-// (stiffness_controller.h), so what is left for the PID is the motors' lag M (Rivera, Morari and Skogestad 1986):
+// Identified model: cloth_identification.h. The controller's observer compensates the measurement's lag and noise
+// (stiffness_controller.h), so the PID sees only the motors' lag M [Rivera 1986]:
 //
 //   ki = 1/(max(1, g)·λ),   kp = kMotorLag_s·ki,   kd = 0
 //
@@ -17,18 +17,18 @@
 namespace fyd::control {
 
 struct TuneProposal {
-  IdentifiedFabric fabric;
+  IdentifiedCloth cloth;
   ControlParameters
       proposed;           ///< the present parameters with kp, ki, kd and what was identified of the sensors replaced
   LoopPrediction before;  ///< with the present parameters
   LoopPrediction after;   ///< with the proposed ones
 };
 
-/// Asked now and then with the share of the work that is done; false ends it.
+/// Called now and then with the completed share of the work, 0…1; returning false cancels it.
 using TuneProgress = std::function<bool(double done)>;
 
-/// @param progress empty: the work goes on to its end
-/// @return the errors of identifyFabric, that no λ up to 10 s keeps the margins, or that `progress` ended it
+/// @param progress empty: no reports, no cancelling
+/// @return the errors of identifyCloth, that no λ up to 10 s keeps the margins, or that `progress` ended it
 [[nodiscard]] Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const ControlParameters& present,
                                                 const TuneProgress& progress = {});
 

@@ -1,4 +1,4 @@
-// Everything of the stretch that an operator or a profile may set.
+// Parameters of the stretch control that an operator or a profile may set.
 #pragma once
 
 #include <array>
@@ -13,22 +13,22 @@ namespace fyd::control {
 
 enum class ControlMode : std::uint8_t {
   normal,  ///< feed-forward from the static law, PID on the relative error; "default" in profiles
-  thesis,  ///< every 100 ms a PI(D) on the error in N/mm around the rest position (thesis §4.1.4)
+  thesis,  ///< every 100 ms a PI(D) on the error in N/mm around the rest position [thesis §4.1.4]
 };
 inline constexpr std::array<std::string_view, 2> kControlModeNames = {"default", "thesis"};
 
 enum class StaticLawKind : std::uint8_t {
   interpolated,   ///< monotone curve through the profile's calibration points
-  thesis,         ///< 314.5 k² − 107 k − 0.3552 (thesis §4.1.4)
-  thesis_linear,  ///< 204.6 k − 23.6 (the authors' later code, another fabric)
+  thesis,         ///< 314.5 k² − 107 k − 0.3552 [thesis §4.1.4]
+  thesis_linear,  ///< 204.6 k − 23.6 (the authors' later code, another cloth)
 };
 inline constexpr std::array<std::string_view, 3> kStaticLawNames = {"interpolated", "thesis", "thesis-linear"};
 
-/// What the loop corrects of a measured difference from the law (scale_trust.h).
+/// How much of a measured difference from the law the loop corrects (scale_trust.h).
 enum class CorrectionRule : std::uint8_t { excess, bounded };
 inline constexpr std::array<std::string_view, 2> kCorrectionRuleNames = {"excess", "bounded"};
 
-/// Beyond whatever the observer can learn (scale_observer.cpp).
+/// No limit in effect: ln(1 + 4) exceeds the largest ln S that the observer can learn (1.5, scale_observer.cpp).
 inline constexpr double kNoCorrectionLimit = 4.0;
 
 struct ControlParameters {
@@ -218,7 +218,7 @@ struct ControlParameters {
   }
 };
 
-/// What single ranges cannot say: lists of equal length, at least two points, both rising; travel not empty.
+/// Checks that single ranges cannot express: lists of equal length, at least two points, both rising; travel not empty.
 /// The message names the parameter and the value. Profiles are checked with this when they are opened.
 [[nodiscard]] Result<void> checkControlParameters(const ControlParameters& parameters);
 

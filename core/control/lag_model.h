@@ -1,4 +1,4 @@
-// What a sensor chain shows of a quantity: dead time T, then a first-order low-pass with time constant τ.
+// Model of a sensor chain: dead time T, then a first-order low-pass with time constant τ.
 #pragma once
 
 #include <array>
@@ -10,11 +10,12 @@ namespace fyd::control {
 
 class LagModel {
  public:
-  /// Live: what is in the line stays in it. Negative or not finite counts as 0.
+  /// May be called while running: the delay line keeps its content. Negative or not finite counts as 0.
   void configure(double delay_s, double lag_s);
-  /// As if `value` had stood for ever.
+  /// Steady state at `value`.
   void reset(double value);
-  /// @param value NaN holds the last
+  /// @param value not finite: the output holds
+  /// @param dt_s not positive: the output holds
   double step(double value, double dt_s);
   [[nodiscard]] double value() const { return value_; }
 
@@ -24,7 +25,7 @@ class LagModel {
   }
 
  private:
-  static constexpr std::size_t kCells = 64;  // the dead time in this many pieces
+  static constexpr std::size_t kCells = 64;  // resolution of the dead time
   std::array<double, kCells> line_{};
   std::size_t next_ = 0;
   double cell_s_ = 0.0;

@@ -18,10 +18,10 @@ using Complex = std::complex<double>;
 
 Complex measurement(Complex s, double delay_s, double lag_s) { return math::exp(-s * delay_s) / (s * lag_s + 1.0); }
 
-Complex loop(double omega, const IdentifiedFabric& fabric, const ControlParameters& p) {
+Complex loop(double omega, const IdentifiedCloth& cloth, const ControlParameters& p) {
   const Complex s(0.0, omega);
   const Complex pid = p.kp + p.ki_per_s / s + p.kd_s * s / (p.derivative_filter_s * s + 1.0);
-  const Complex error = fabric.shape_gain * measurement(s, fabric.delay_s, fabric.lag_s) -
+  const Complex error = cloth.shape_gain * measurement(s, cloth.delay_s, cloth.lag_s) -
                         measurement(s, p.measurement_delay_s, p.measurement_lag_s);
   const double learning_per_s = 1.0 / (2 * p.noise_correlation_s);
   const Complex observed = learning_per_s / (s + learning_per_s);
@@ -61,22 +61,22 @@ Run judge(const std::vector<double>& relative) {
   return run;
 }
 
-Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& parameters, std::vector<LoopPoint>* course) {
+Run runOnModel(const IdentifiedCloth& cloth, const ControlParameters& parameters, std::vector<LoopPoint>* course) {
   constexpr double kSoftness = 0.7;
   constexpr int kThin = 10;
   ControlParameters p = parameters;
-  p.measurement_bias = 0.0;  // the model's measurement is right; what a wrong one may do is no matter of gains
+  p.measurement_bias = 0.0;  // the model's measurement has no lasting error, and gains do not affect one
   p.mode = ControlMode::normal;
   StiffnessController controller(p);
   const StaticLaw& law = controller.law();
   const double middle_k = std::sqrt(law.minimumStiffness_N_per_mm() * law.maximumStiffness_N_per_mm());
   const double target = kSoftness * middle_k;
   const auto stiffnessAt = [&](double angle_deg) {
-    return target * math::pow(law.stiffness_N_per_mm(angle_deg).value / middle_k, fabric.shape_gain);
+    return target * math::pow(law.stiffness_N_per_mm(angle_deg).value / middle_k, cloth.shape_gain);
   };
   double angle_deg = law.minimumAngle_deg();
   LagModel sensor;
-  sensor.configure(fabric.delay_s, fabric.lag_s);
+  sensor.configure(cloth.delay_s, cloth.lag_s);
   sensor.reset(stiffnessAt(angle_deg));
 
   std::vector<double> relative;
@@ -91,7 +91,7 @@ Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& paramete
         controller.step({.now = instantAt(time_s),
                          .target_N_per_mm = target,
                          .measured_N_per_mm = sensor.step(stiffness, kStep_s),
-                         .measured_sigma_N_per_mm = std::max(0.01, fabric.residual_rms_relative) * stiffness,
+                         .measured_sigma_N_per_mm = std::max(0.01, cloth.residual_rms_relative) * stiffness,
                          .observable = true,
                          .measured_angle_deg = angle_deg,
                          .measured_angle_known = true,
@@ -105,7 +105,7 @@ Run runOnModel(const IdentifiedFabric& fabric, const ControlParameters& paramete
 
 }  // namespace
 
-LoopMargins loopMargins(const IdentifiedFabric& fabric, const ControlParameters& p) {
+LoopMargins loopMargins(const IdentifiedCloth& cloth, const ControlParameters& p) {
   constexpr int kPoints = 800;
   constexpr double kSlowest_rad_s = 1e-2, kFastest_rad_s = 1e3;
   LoopMargins margins{std::numeric_limits<double>::infinity(), 180.0};
@@ -115,7 +115,7 @@ LoopMargins loopMargins(const IdentifiedFabric& fabric, const ControlParameters&
   for (int i = 0; i < kPoints; ++i) {
     const double omega =
         kSlowest_rad_s * math::pow(kFastest_rad_s / kSlowest_rad_s, static_cast<double>(i) / (kPoints - 1));
-    const Complex value = loop(omega, fabric, p);
+    const Complex value = loop(omega, cloth, p);
     phase_deg = i == 0 ? math::arg(value) * 180 / std::numbers::pi
                        : last_phase_deg + math::arg(value / last) * 180 / std::numbers::pi;
     if (i > 0) {
@@ -131,11 +131,11 @@ LoopMargins loopMargins(const IdentifiedFabric& fabric, const ControlParameters&
   return margins;
 }
 
-LoopPrediction predictLoop(const IdentifiedFabric& fabric, const ControlParameters& parameters,
+LoopPrediction predictLoop(const IdentifiedCloth& cloth, const ControlParameters& parameters,
                            std::vector<LoopPoint>* course) {
-  const Run run = runOnModel(fabric, parameters, course);
+  const Run run = runOnModel(cloth, parameters, course);
   LoopPrediction prediction;
-  prediction.margins = loopMargins(fabric, parameters);
+  prediction.margins = loopMargins(cloth, parameters);
   prediction.rise_s = run.rise_s;
   prediction.overshoot_percent = run.overshoot_percent;
   prediction.settling_s = run.settling_s;
@@ -145,7 +145,7 @@ LoopPrediction predictLoop(const IdentifiedFabric& fabric, const ControlParamete
   return prediction;
 }
 
-IdentifiedFabric assumedFabric(const ControlParameters& p) {
+IdentifiedCloth assumedCloth(const ControlParameters& p) {
   return {.delay_s = p.measurement_delay_s, .lag_s = p.measurement_lag_s, .noise_correlation_s = p.noise_correlation_s};
 }
 

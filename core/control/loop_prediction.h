@@ -1,4 +1,4 @@
-// What the stiffness loop would do with a set of gains, before anybody feels it.
+// Predicts the stiffness loop's behaviour with a set of gains, before they are used.
 //
 // Margins: of the loop in default mode, linear in logarithms,
 //
@@ -6,16 +6,16 @@
 //   G = e^(−Ts)/(τs + 1),   M = 1/(0.03 s + 1),   O = K/(s + K),  K = 1/(2·Tc)
 //
 // with G the identified measurement, Ĝ the controller's own model of it (control.measurement_*), M the motors and O
-// the observer of the fabric's scale at the quickest it learns once a touch has begun.
-// Course and its figures: the controller itself, run on the identified model with motors at the rate limit, on a cloth
-// 30 % softer than the law says: the case that the loop and not the feed-forward carries. The model's measurement is
-// right on average, so control.measurement_bias counts as 0.
+// the observer of the cloth's scale at the highest rate at which it learns once a touch has begun.
+// Step response and its figures: the controller itself, run on the identified model with motors at the rate limit, on a
+// cloth 30 % softer than the law says, so that the loop and not the feed-forward does the work. The model's measurement
+// is right on average, so control.measurement_bias counts as 0.
 #pragma once
 
 #include <vector>
 
+#include "core/control/cloth_identification.h"
 #include "core/control/control_parameters.h"
-#include "core/control/fabric_identification.h"
 
 namespace fyd::control {
 
@@ -36,19 +36,19 @@ struct LoopPrediction {
 /// One instant of the run.
 struct LoopPoint {
   double time_s = 0.0;
-  double relative = 0.0;     ///< stiffness of the cloth as a share of the target: 1 is there
+  double relative = 0.0;     ///< stiffness of the cloth as a share of the target; 1: target reached
   double stretch_deg = 0.0;  ///< of the rollers
 };
 
 inline constexpr double kMotorLag_s = 0.03;
 
-[[nodiscard]] LoopMargins loopMargins(const IdentifiedFabric& fabric, const ControlParameters& parameters);
-/// @param course when given: every tenth millisecond of the run
-[[nodiscard]] LoopPrediction predictLoop(const IdentifiedFabric& fabric, const ControlParameters& parameters,
+[[nodiscard]] LoopMargins loopMargins(const IdentifiedCloth& cloth, const ControlParameters& parameters);
+/// @param course when given: receives the run, one point every 10 ms
+[[nodiscard]] LoopPrediction predictLoop(const IdentifiedCloth& cloth, const ControlParameters& parameters,
                                          std::vector<LoopPoint>* course = nullptr);
 
-/// What the parameters themselves say of cloth and sensors, while no excitation has said more: the law holds, the
-/// measurement is as the controller believes it to be.
-[[nodiscard]] IdentifiedFabric assumedFabric(const ControlParameters& parameters);
+/// Model from the parameters alone, for use before an excitation was recorded: the law holds exactly, and the
+/// measurement has the lag, delay and noise that the parameters state.
+[[nodiscard]] IdentifiedCloth assumedCloth(const ControlParameters& parameters);
 
 }  // namespace fyd::control

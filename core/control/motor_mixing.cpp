@@ -7,7 +7,7 @@
 namespace fyd::control {
 namespace {
 
-/// Signed distance from the zero on the circle, −2048…2047 counts.
+/// Signed angle from the zero on the circle, −180…180°.
 double angleOf(int counts, int zero_counts, bool inverted) {
   int turned = (counts - zero_counts) % kEncoderCountsPerTurn;
   if (turned < -kEncoderCountsPerTurn / 2) turned += kEncoderCountsPerTurn;

@@ -3,7 +3,7 @@
 //   first = stretch + translation,  second = translation − stretch        (degrees at the rollers)
 //   stretch = (first − second)/2,   translation = (first + second)/2
 //
-// Turning in opposite senses stretches the cloth, in the same sense moves it sideways (thesis §3). References are
+// Turning in opposite senses stretches the cloth, in the same sense moves it sideways [thesis §3]. References are
 // ticks, 4200 for 90°; encoders count 4096 a turn, with the profile's zeros and signs.
 #pragma once
 
@@ -22,7 +22,7 @@ struct RollerAngles {
 };
 
 /// Encoder counts to angles in −180…180° around the profile's zeros: the zero may lie anywhere on the
-/// 12-bit circle, a motor further than half a turn from it is seen one turn off.
+/// 12-bit circle, a motor further than half a turn from it reads one turn off.
 [[nodiscard]] RollerAngles rollerAngles(const MotorFeedback& feedback, const ControlParameters& parameters);
 
 /// Degrees to ticks, rounded, saturated at the int16 the boards take; NaN gives 0.
@@ -34,7 +34,7 @@ class MotorMixing {
   void configure(const ControlParameters& parameters);
 
   /// Writes `command.reference_ticks`. The stretch comes first: when a motor would pass control.motor_limit_deg,
-  /// the translation gives way. A value that is not finite holds its last.
+  /// the translation is reduced. A value that is not finite holds its last.
   void mix(double stretch_deg, double translation_deg, MotorCommand& command);
 
   template <class Archive>

@@ -10,13 +10,13 @@ namespace fyd::control {
 
 inline constexpr std::size_t kMotorCount = 2;
 
-/// Motor references are in ticks, 4200 for 90° (thesis §4.1.4, ANGLE_SF); a tick is not an encoder count.
+/// Motor references are in ticks, 4200 for 90° (ANGLE_SF [thesis §4.1.4]); a tick is not an encoder count.
 inline constexpr double kTicksPerDegree = 4200.0 / 90.0;
 /// AS5045, 12 bit absolute: 0 to one less than this.
 inline constexpr int kEncoderCountsPerTurn = 4096;
 inline constexpr double kEncoderCountsPerDegree = kEncoderCountsPerTurn / 360.0;
 
-/// No board for motors of this size (1.5 A at standstill) carries more: a larger reading is not a current.
+/// A larger reading is not a current: no board for motors of this size (1.5 A at standstill) carries more.
 inline constexpr double kLargestCurrent_mA = 10'000.0;
 
 /// Turning in opposite senses stretches the cloth, in the same sense moves it sideways.

@@ -6,7 +6,7 @@
 namespace fyd::control {
 namespace {
 
-// Far beyond any stiffness, angle or gain that means something; products of three of these stay finite.
+// Far beyond any meaningful stiffness, angle or gain; products of three of these stay finite.
 constexpr double kLargest = 1e12;
 
 double gainOrZero(double gain) { return gain > 0 && std::isfinite(gain) ? std::min(gain, kLargest) : 0.0; }
@@ -33,7 +33,7 @@ Pid::Pid(const PidGains& gains, const PidLimits& limits, double maximum_step_s)
 void Pid::setGains(const PidGains& gains) {
   const PidGains next = sane(gains);
   const double taken_up = integral_ + (gains_.kp - next.kp) * last_error_ - (gains_.kd - next.kd) * derivative_;
-  // An absurd gain must not leave an absurd integral behind.
+  // Very large gains must not leave an integral beyond the limits.
   integral_ = std::clamp(taken_up, std::min(limits_.minimum, integral_), std::max(limits_.maximum, integral_));
   gains_ = next;
 }
@@ -54,7 +54,7 @@ double Pid::step(double setpoint, double measurement, double dt_s, bool integrat
     started_ = true;
     last_measurement_ = y;
   }
-  // Low-passed derivative without a division by dt, which may be as small as it likes.
+  // Low-passed derivative without a division by dt, which may be arbitrarily small.
   derivative_ += ((y - last_measurement_) - derivative_ * dt) / (gains_.derivative_filter_s + dt);
   last_measurement_ = y;
   last_error_ = error;
@@ -73,7 +73,7 @@ void Pid::integrate(double error, double rest, double dt) {
   const double upper = limits_.maximum - rest, lower = limits_.minimum - rest;  // edges as the integrator sees them
   const double reach = limits_.rate_per_s * dt;
   if (error > 0) {
-    if (integral_ < lower) integral_ = lower;  // pinned at the bottom and asked to rise: nothing to unwind
+    if (integral_ < lower) integral_ = lower;  // at the lower limit with a positive error: nothing to unwind
     if (rest + integral_ - output_ > reach) return;
     integral_ = std::max(integral_, std::min(integral_ + gains_.ki * error * dt, upper));
   } else if (error < 0) {

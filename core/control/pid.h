@@ -1,4 +1,4 @@
-// PID that survives bad gains, bad clocks and bad sensors.
+// PID controller whose output stays finite and within its limits for any gains, times and measurements.
 //
 //   u = kp·e + I − kd·ẏ,   İ = ki·e,   e = setpoint − measurement,   ẏ low-passed with time constant Tf
 //
@@ -6,7 +6,7 @@
 // - Conditional anti-windup: at a limit the integrator stops while the error pushes outward; as soon as it points
 //   inward the integrator returns to the limit's edge at once, so nothing has to unwind.
 // - Bumpless: new gains take effect without a step of u (the integrator takes up the difference).
-// - Limits on u and on its rate; NaN, infinity, dt ≤ 0 leave everything as it was; dt above the maximum counts as it.
+// - Limits on u and on its rate; NaN, infinity, dt ≤ 0 leave everything as it was; a larger dt counts as the maximum.
 // - Gains below 0 or not finite count as 0; gains up to 1e12 give a bang-bang between the limits, never an overflow.
 #pragma once
 
@@ -40,7 +40,7 @@ class Pid {
   void setLimits(const PidLimits& limits);
 
   /// One step.
-  /// @param integrate false holds the integrator: the measurement is known but means nothing now
+  /// @param integrate false holds the integrator, for a measurement that does not yet reflect the output
   /// @return u, always finite and within the limits
   double step(double setpoint, double measurement, double dt_s, bool integrate = true);
 

@@ -12,11 +12,11 @@ constexpr double kWanderPerSqrt_s = 0.003;  // q
 constexpr double kUnknownSigma = 0.07;
 constexpr double kLeastSigma = 0.01;
 constexpr double kMostSigma = 1.0;
-constexpr double kLeastShare = 0.35;  // of the variance the sensing reports, which includes what averaging cannot lose
+constexpr double kLeastShare = 0.35;  // of the reported variance, which includes errors that averaging cannot reduce
 constexpr double kMeanTime_s = 0.3;
 constexpr double kVarianceTime_s = 0.4;
 constexpr double kMotionTime_s = 0.08;                     // the sensors' lag is not known better than this
-constexpr double kMostLogScale = 1.5;                      // 4.5 times off the calibration: no cloth, a broken sensor
+constexpr double kMostLogScale = 1.5;                      // 4.5 times off the calibration: a sensor fault
 constexpr double kBelieveFrom = 2.8, kBelieveUntil = 1.0;  // standard deviations
 constexpr double kFade_s = 0.15;
 
@@ -51,7 +51,8 @@ void ScaleObserver::step(double z, double relative_sigma, double law_log, double
     mean_z_ = reading;
   }
   mean_z_ += (reading - mean_z_) * dt_s / (kMeanTime_s + dt_s);
-  // The mean follows correlated noise and so hides a part of its variance; what the sensing says bounds the rest.
+  // The mean follows correlated noise, which makes the scatter about it too small: the factor corrects for that, and a
+  // share of the reported variance is the lower bound.
   const double off = reading - mean_z_;
   const double scatter = off * off * (kMeanTime_s + correlation_s_) / kMeanTime_s;
   reading_variance_ += (scatter - reading_variance_) * dt_s / (kVarianceTime_s + dt_s);
@@ -63,7 +64,7 @@ void ScaleObserver::step(double z, double relative_sigma, double law_log, double
   const double motion = law_log - slow_law_log_;
 
   const double density = 2 * correlation_s_ * (variance + motion * motion);  // r
-  // Exact for a constant r over dt: information adds up.
+  // Exact for a constant r over dt: inverse variances add.
   const double share = variance_ * dt_s / (density + variance_ * dt_s);
   log_scale_ += share * (reading - log_scale_);
   variance_ = std::min((1 - share) * variance_ + kWanderPerSqrt_s * kWanderPerSqrt_s * dt_s, kPriorVariance);

@@ -1,13 +1,16 @@
 // Learns how much stiffer or softer than its calibration the cloth under the finger is, from noisy readings.
 //
-// s = ln S is nearly constant during a touch, the reading's noise is not white: it repeats itself over a correlation
-// time Tc. A Kalman–Bucy filter of s,  ṡ = (P/r)·(z − s),  Ṗ = q² − P²/r,  r = 2·Tc·v,  z = ln k̂ − ln law seen by the
-// sensors. v, the reading's variance, starts from what the sensing says and is then learned from the readings'
+// s = ln S is nearly constant during a touch; the reading's noise is not white but correlated over a time Tc.
+// A Kalman–Bucy filter of s:
+//
+//   ṡ = (P/r)·(z − s),   Ṗ = q² − P²/r,   r = 2·Tc·v,   z = ln k̂ − ln law seen by the sensors
+//
+// v, the reading's variance, starts from the sensing's own sigma and is then learned from the readings'
 // own scatter about their running mean; while the stretch moves, the unknown part of the sensors' lag is added to it.
 //
 // credible(): 0 until |s| stands out of its own uncertainty by 2.8σ, then all of s (faded in over 0.15 s) until it
-// falls below 1σ. So noise does not move a cloth that is as calibrated, one that is not is recognised within a second
-// or two, and nothing hops between the two beliefs.
+// falls below 1σ. So noise causes no correction on a cloth that matches its calibration, one that does not is
+// recognised within one or two seconds, and the result does not switch back and forth.
 #pragma once
 
 namespace fyd::control {
@@ -17,12 +20,12 @@ class ScaleObserver {
   void configure(double correlation_s);
   /// Back to S = 1 ± 25 %.
   void reset();
-  /// A new touch, maybe elsewhere on the cloth: what was learned is believed less.
+  /// A new touch, maybe elsewhere on the cloth: raises the variance of what was learned.
   void beginTouch();
 
   /// One reading of z. Values that are not finite, and dt ≤ 0, change nothing.
-  /// @param relative_sigma of the reading, as the sensing says; not finite or ≤ 0 counts as 7 %
-  /// @param law_log ln law at the present stretch, to see it move
+  /// @param relative_sigma of the reading, from the sensing; not finite or ≤ 0 counts as 7 %
+  /// @param law_log ln law at the present stretch, to detect its motion
   void step(double z, double relative_sigma, double law_log, double dt_s);
 
   [[nodiscard]] double logScale() const { return log_scale_; }
@@ -42,7 +45,7 @@ class ScaleObserver {
   double belief_ = 0.0;           // 0…1
   double mean_z_ = 0.0;           // over kMeanTime_s
   double reading_variance_ = -1;  // v; negative until the first reading
-  double slow_law_log_ = 0.0;     // the law as it was a while ago
+  double slow_law_log_ = 0.0;     // law_log, low-passed over kMotionTime_s
   bool slow_known_ = false;
 };
 

@@ -8,8 +8,8 @@
 namespace fyd::control {
 namespace {
 
-constexpr double kDoubt_s = 1.0;        // of disagreement, until the law drives alone
-constexpr double kAgreeAgain = 0.8;     // of the limit, so that noise at the limit does not change sides
+constexpr double kDoubt_s = 1.0;        // of disagreement, until the law alone is used
+constexpr double kAgreeAgain = 0.8;     // of the limit: hysteresis against noise at the limit
 constexpr double kTrustAgain_s = 0.25;  // of agreement, until the measurement counts fully again
 
 double logOf(double relative) { return std::isfinite(relative) && relative > 0 ? math::log(1.0 + relative) : 0.0; }

@@ -1,7 +1,7 @@
-// How much of what the sensors say of the cloth may move the rollers.
+// How much of the measured difference between cloth and law the loop may correct.
 //
 // s, the logarithm of measured stiffness over calibrated law (scale_observer.h), is the cloth's own difference from its
-// calibration plus what the measurement is off for good. The second part cannot be averaged away, so:
+// calibration plus the measurement's lasting error. The second part cannot be averaged away, so:
 //
 //   excess:   corrected = sign(s)·max(0, |s| − ln(1 + bias))
 //   bounded:  corrected = sign(s)·min(|s|, 2·max(0, |s| − ln(1 + bias)))
@@ -11,7 +11,7 @@
 // the law alone would be. `excess` is what programs before `bounded` did; it leaves `bias` of every cloth uncorrected.
 //
 // A difference beyond `limit` is more than a cloth of this calibration can have: law and measurement contradict each
-// other, one of them is wrong, and the law alone drives until they agree again.
+// other, one of them is wrong, and the law alone is used until they agree again.
 #pragma once
 
 #include "core/control/control_parameters.h"
@@ -28,9 +28,9 @@ class ScaleTrust {
   /// @param log_scale s; not finite counts as 0
   void step(double log_scale, double dt_s);
 
-  /// What the loop may reckon with, a logarithm; within ± ln(1 + limit).
+  /// Logarithm of the scale that the loop may use; within ± ln(1 + limit).
   [[nodiscard]] double logScale() const { return trust_ * corrected_; }
-  /// They have disagreed for so long that the law drives alone.
+  /// Law and measurement have disagreed for so long (1 s) that the law alone is used.
   [[nodiscard]] bool contradicted() const { return contradicted_; }
 
   template <class Archive>

@@ -6,14 +6,14 @@
 namespace fyd::control {
 namespace {
 
-// θ = A k² + B k + C (thesis §4.1.4) and θ = M k + N.
+// θ = A k² + B k + C [thesis §4.1.4] and θ = M k + N.
 constexpr double kA = 314.5, kB = -107.0, kC = -0.3552;
 constexpr double kM = 204.6, kN = -23.6;
 // The range the thesis states for the device; both printed laws rise over all of it.
 constexpr double kPrintedMinimum_N_per_mm = 0.3;
 constexpr double kPrintedMaximum_N_per_mm = 0.9;
 
-/// Tangent at an end from its two slopes, kept from turning round (three-point formula).
+/// Tangent at an end from its two slopes (three-point formula), clamped so that the curve stays monotone.
 double endTangent(double near_width, double far_width, double near_slope, double far_slope) {
   const double tangent =
       ((2 * near_width + far_width) * near_slope - near_width * far_slope) / (near_width + far_width);

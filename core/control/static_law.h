@@ -1,13 +1,13 @@
 // The static stiffness law: which stretch angle gives which stiffness, and back.
 //
-//   interpolated   k(θ): monotone cubic through the calibration points (Fritsch and Butland 1984: the tangents are
+//   interpolated   k(θ): monotone cubic through the calibration points ([Fritsch 1984]: the tangents are
 //                  weighted harmonic means of the neighbouring slopes); it never overshoots between the points, and
 //                  ends at the first and the last
-//   thesis         θ = 314.5 k² − 107 k − 0.3552 (thesis §4.1.4), on the 0.3…0.9 N/mm the thesis states.
-//                  TRAP: −4.2° at 0.3, 158° at 0.9, and up to 10° off the four points it was fitted to
-//   thesis-linear  θ = 204.6 k − 23.6 (the authors' later code): another fabric, 33…59° above the four points
+//   thesis         θ = 314.5 k² − 107 k − 0.3552 [thesis §4.1.4], on the 0.3…0.9 N/mm the thesis states.
+//                  Caution: −4.2° at 0.3, 158° at 0.9, and up to 10° off the four points it was fitted to
+//   thesis-linear  θ = 204.6 k − 23.6 (the authors' later code): another cloth, 33…59° above the four points
 //
-// No allocation anywhere; the cubic's inverse is found by bisection, exact to the last bits.
+// No allocation anywhere; the cubic's inverse is found by bisection, to better than 1e−12°.
 #pragma once
 
 #include <array>

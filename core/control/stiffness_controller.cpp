@@ -9,16 +9,16 @@
 namespace fyd::control {
 namespace {
 
-constexpr double kLongestStep_s = 0.02;  // the station holds after 20 ms without a step (core/pipeline/safety.h)
-// A reference and rollers further apart than this: the motors travel. Friction alone leaves less. They count as
-// travelling a moment longer, until the last degrees are done.
+constexpr double kLongestStep_s = 0.02;  // the step reports a fault after a longer gap (core/pipeline/pipeline.cpp)
+// The motors travel while rollers and reference are further apart than this, which is more than friction leaves, and
+// for a moment longer, until the last degrees are done.
 constexpr double kTravelling_deg = 3.0;
 constexpr double kArriving_s = 0.15;
-// A finger's place and depth, measured 10 to 30 times a second, wander by a few per cent of stiffness.
+// Low-pass for the place factor: place and depth, measured 10 to 30 times a second, make it vary by a few per cent.
 constexpr double kPlaceTime_s = 0.25;
 constexpr double kAtLimit_deg = 0.05;       // half an encoder count
-constexpr double kClampHysteresis = 0.005;  // relative, so that noise does not make the notice flicker
-// The thesis' conditions (§4.1.4).
+constexpr double kClampHysteresis = 0.005;  // relative, so that noise does not toggle the flag
+// The thesis' conditions [thesis §4.1.4].
 constexpr double kThesisLeastStiffness_N_per_mm = 0.1;
 constexpr double kThesisDeadBand_N_per_mm = 0.01;
 constexpr PidLimits kNoWindupLimit{-1e6, 1e6, 1e300};  // the printed PI has none
@@ -122,7 +122,7 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
   output.at_limit = reference_deg_ <= law_.minimumAngle_deg() + kAtLimit_deg ||
                     reference_deg_ >= law_.maximumAngle_deg() - kAtLimit_deg;
   output.correction = parameters_.mode == ControlMode::thesis ? thesis_pid_.output() : pid_.output();
-  output.fabric_scale = math::exp(trust_.logScale());
+  output.cloth_scale = math::exp(trust_.logScale());
   output.measured_scale = math::exp(scale_.credible());
   output.law_contradicted = parameters_.mode == ControlMode::normal && trust_.contradicted();
   output.contradiction_begins = output.law_contradicted && !was_contradicted;

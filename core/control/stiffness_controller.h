@@ -3,21 +3,22 @@
 // Default mode, each step, with k* the target, k̂ the measured stiffness, θ the measured stretch and law(·) the static
 // law in N/mm:
 //
-//   g                                                how much stiffer the cloth is under this finger, at its place and
-//                                                    depth, than where the law was calibrated; slowed, so that the
-//                                                    finger's measured place does not shake the motors
-//   ln S = trust( observer( ln k̂ − ln g − ln law(θ) as the sensors saw it ) )   how much stiffer this cloth is
-//   y = ln S + ln law(θ)                             the stiffness now, without the sensors' noise and lag
-//   c = PID(ln k*/g − y)                             relative correction, with a dead band
-//   stretch = law⁻¹(k*/g·eᶜ)                         within travel and rate limits
+//   g                            place factor: how much stiffer the cloth is under this finger, at its place and depth,
+//                                than where the law was calibrated; low-passed, so that noise of the finger's place
+//                                does not reach the motors
+//   L = lag(ln law(θ))           the law as the sensors see it: with their dead time and lag (lag_model.h)
+//   ln S = trust(observer(ln k̂ − ln g − L))   how much stiffer this cloth is than calibrated
+//   y = ln S + ln law(θ)         the present stiffness, without the sensors' noise and lag
+//   c = PID(ln(k*/g) − y)        relative correction, with a dead band
+//   stretch = law⁻¹(k*/g·eᶜ)     within travel and rate limits
 //
 // Feed-forward makes it fast: it needs no measurement. The logarithm makes the loop's gain the same at every stretch
 // and on every cloth. The observer (scale_observer.h) averages as long as it takes to tell the cloth from the noise,
-// so the PID may be quick without shaking the motors; scale_trust.h keeps what the measurement is off for good out of
-// it. The integrator waits while the motors still travel.
+// so the PID may be quick without passing noise to the motors; scale_trust.h keeps the measurement's lasting error out
+// of the correction. The integrator holds while the motors still travel.
 //
-// Thesis mode (§4.1.4), every 100 ms, if k̂ > 0.1 and |k* − k̂| > 0.01: stretch = PID(k* − k̂) + rest, with rest the
-// static law's angle of the first target.
+// Thesis mode [thesis §4.1.4], every 100 ms, if k̂ > 0.1 and |k* − k̂| > 0.01: stretch = PID(k* − k̂) + rest, with rest
+// the static law's angle of the first target.
 #pragma once
 
 #include "core/base/time.h"
@@ -35,24 +36,24 @@ struct ControlInput {
   double target_N_per_mm = 0.0;    ///< NaN or ≤ 0: none, the stretch stays where it is
   double measured_N_per_mm = 0.0;  ///< used only while observable
   double measured_sigma_N_per_mm = 0.0;
-  double place_factor = 1.0;  ///< g; not finite or ≤ 0: as it was
-  bool observable = false;    ///< the measured stiffness is of now; otherwise what was learned of the cloth stands
+  double place_factor = 1.0;  ///< g; not finite or ≤ 0: the last one is kept
+  bool observable = false;    ///< the measured stiffness is of now; otherwise what was learned of the cloth is kept
   double measured_angle_deg = 0.0;
   bool measured_angle_known = false;
-  bool enabled = false;  ///< false: the reference stands still; the first enabled step starts from there
+  bool enabled = false;  ///< false: the reference is held; the first enabled step starts from the measured angle
 };
 
 struct ControlOutput {
   double stretch_angle_deg = 0.0;  ///< reference, always finite and within travel
   double reachable_target_N_per_mm =
-      0.0;                        ///< nearest to the target this fabric can give, as known so far; NaN: no target
-  bool target_clamped = false;    ///< the target lies outside what the fabric can give
-  bool at_limit = false;          ///< the reference stands at an end of the travel
-  bool holding = false;           ///< no target or not enabled: the reference stands
+      0.0;                        ///< nearest to the target this cloth can give, as known so far; NaN: no target
+  bool target_clamped = false;    ///< the target lies outside what the cloth can give
+  bool at_limit = false;          ///< the reference is at an end of the travel
+  bool holding = false;           ///< no target or not enabled: the reference is held
   double correction = 0.0;        ///< PID's part: relative in default mode, degrees in thesis mode
-  double fabric_scale = 1.0;      ///< S: 1.3 is a cloth 30 % stiffer than calibrated; 1 while not sure
+  double cloth_scale = 1.0;       ///< S: 1.3 is a cloth 30 % stiffer than calibrated; 1 while uncertain
   double measured_scale = 1.0;    ///< S as measured, before trust
-  bool law_contradicted = false;  ///< the measurement asks for more than the calibration allows: the law drives alone
+  bool law_contradicted = false;  ///< the measurement asks for more than the calibration allows: the law alone is used
   bool contradiction_begins = false;
 };
 
@@ -77,7 +78,7 @@ class StiffnessController {
     restore(archive, 1);
     archive(trust_, place_log_, place_known_);
   }
-  /// 1: without place and trust, which then stand as after a reset.
+  /// 1: without place and trust, which are then as after a reset.
   template <class Archive>
   void restore(Archive& archive, std::uint16_t /*version*/) {
     archive(lag_, scale_, pid_, thesis_pid_, reference_deg_, clamped_, still_s_, rest_deg_, rest_known_, was_enabled_,

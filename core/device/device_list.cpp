@@ -40,7 +40,7 @@ std::vector<FoundDevice> find(const std::string& dev, const std::string& by_id,
   for (const std::string& link : filesIn(dev + by_id)) {
     std::error_code problem;
     const fs::path node = fs::canonical(link, problem);
-    if (problem) continue;  // unplugged while we looked
+    if (problem) continue;  // unplugged in the meantime
     out.push_back({.path = link, .node = node.string(), .name = fs::path(link).filename().string(), .problem = {}});
   }
   for (const std::string& node : filesIn(dev)) {

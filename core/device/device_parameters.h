@@ -1,4 +1,4 @@
-// How the console speaks with a real touchpad and its motor board.
+// Parameters of the communication with a real touchpad, its motor board and its camera.
 #pragma once
 
 #include <string_view>
@@ -32,12 +32,12 @@ struct DeviceParameters {
   double camera_freeze_ms = 500.0;
   bool camera_flat_cloth = false;
 
-  // plausibility of what a device says
+  // plausibility of readings
   double stuck_sensor_s = 2.0;
   double frozen_reading_ms = 500.0;
 
-  // Where the names are that belong to a device; not for the profile: tests have their own. Empty: stable_name.h's.
-  // What they point to outlives these parameters.
+  // Folders of the stable device names; not in the profile: tests set their own. Empty: those of stable_name.h.
+  // The text they point to outlives these parameters.
   std::string_view serial_by_id;
   std::string_view cameras_by_id;
 

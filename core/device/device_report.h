@@ -1,4 +1,4 @@
-// What one device says of itself, for the devices page and `fyd devices`: which it is, live values, error counters.
+// Report of one device for the devices page and `fyd devices`: identity, live values, error counters.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class Part : std::uint8_t { touchpad, motor_board, camera, robot };
 struct ReportValue {
   Message name;
   double number = std::numeric_limits<double>::quiet_NaN();
-  std::string unit;  ///< "counts" is a word, the others are signs
+  std::string unit;  ///< "counts" is translated, the others are symbols
   Message text;
 };
 
@@ -34,11 +34,11 @@ struct ErrorCount {
   std::uint64_t count = 0;
 };
 
-/// A control of a camera: what the profile wants and what the source made of it, percent of the driver's range.
+/// A control of a camera: wanted by the profile and read back from the source, percent of the driver's range.
 struct CameraControl {
   Message name;                                              ///< "brightness", "contrast", "exposure"
   double wanted = std::numeric_limits<double>::quiet_NaN();  ///< NaN: left as it is
-  double actual = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the source does not tell
+  double actual = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known from the source
   bool supported = false;
   Message words;  ///< "set to 100 %", "this source has none", …
 };
@@ -48,11 +48,11 @@ struct DeviceReport {
   Message kind;         ///< "simulated", "Modbus TCP", "Modbus RTU", "qbmove", …
   Message description;  ///< which one it is: port, serial number, firmware
   bool ok = false;
-  Message problem;                                           ///< empty when ok; says what to do otherwise
+  Message problem;                                           ///< empty when ok; otherwise with the remedy
   double rate_hz = 0.0;                                      ///< answers or pictures in the last second
   double age_ms = std::numeric_limits<double>::quiet_NaN();  ///< of the newest; NaN before the first
   std::uint64_t errors = 0;                                  ///< exchanges or pictures that failed
-  std::vector<ErrorCount> counters;                          ///< the same by kind, where the device tells them apart
+  std::vector<ErrorCount> counters;                          ///< the same by kind, where the device distinguishes them
   std::vector<ReportValue> values;
   std::vector<CameraControl> controls;  ///< cameras only
 };

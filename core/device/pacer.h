@@ -17,7 +17,7 @@ class Pacer {
 
   [[nodiscard]] double rate_Hz() const { return rate_Hz_; }
 
-  /// Sleeps until the next picture is due. What came due while the caller was busy is not made up for.
+  /// Sleeps until the next picture is due. Pictures that became due while the caller was busy are not made up for.
   void wait() {
     const Instant now = Clock::now();
     due_ += fromSeconds(1.0 / rate_Hz_);

@@ -156,7 +156,7 @@ bool SerialPort::write(std::span<const std::uint8_t> bytes) {
 int SerialPort::read(std::span<std::uint8_t> buffer, Instant deadline) {
   if (!waitFor(file_, POLLIN, deadline)) return 0;
   const ssize_t got = ::read(file_, buffer.data(), buffer.size());
-  if (got > 0) return static_cast<int>(got);  // 0 after a wake-up is a hang-up
+  if (got > 0) return static_cast<int>(got);  // 0 bytes although poll reported data: hang-up
   return got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1;
 }
 

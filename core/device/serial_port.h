@@ -1,5 +1,5 @@
-// A serial port in raw 8N1 mode whose speed is read back after it was set: a driver that cannot do a speed keeps
-// another one and says nothing.
+// A serial port in raw 8N1 mode. Its speed is read back after it was set, because a driver that does not support a
+// speed keeps another one without an error.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace fyd::device {
 
-/// The constant of a speed, B0 when the system knows none.
+/// The termios constant of a speed, B0 when the system has none.
 [[nodiscard]] speed_t speedConstant(int baud);
-/// 0 for a constant that stands for none.
+/// Speed of a constant, Bd; 0 for a constant that is no speed.
 [[nodiscard]] int baudOf(speed_t constant);
 /// @return an error when the port runs at another speed than `baud`
 [[nodiscard]] Result<void> checkSpeed(int file, int baud, const std::string& path);
-/// Keeps other programs of this kind out until the file is closed, also by the process's death.
+/// Locks the port against other processes of this program until the file is closed or the process ends.
 /// @return an error when one of them holds the port
 [[nodiscard]] Result<void> claimPort(int file, const std::string& path);
 /// Why opening `path` failed with `problem` (an errno), and what to do about it.
@@ -37,12 +37,12 @@ class SerialPort {
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] int file() const { return file_; }
-  /// @return false when the port is gone or took nothing for 50 ms
+  /// @return false when the port is gone or accepted no byte for 50 ms
   [[nodiscard]] bool write(std::span<const std::uint8_t> bytes);
   /// Waits until something came or `deadline` has passed. @return bytes read; 0 when none came; −1 when the port is
   /// gone
   [[nodiscard]] int read(std::span<std::uint8_t> buffer, Instant deadline);
-  /// Forgets what has arrived; what is being sent goes on.
+  /// Discards received bytes; pending output is still sent.
   void flush();
 
  private:

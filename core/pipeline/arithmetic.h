@@ -1,11 +1,11 @@
-// The step's arithmetic: which bits the same inputs give. It has a version, so that a recording made with another one
-// is known by it: such a recording cannot replay bit for bit, which is no damage.
+// Version of the step's arithmetic: it decides the exact bits that the same inputs give. A recording made with another
+// version cannot replay bit for bit; that is no sign of damage.
 //
 //   1  exp, log, sin, … of the C library and FFTW's vector code, both chosen by the processor (to revision a4d2b6a)
-//   2  portable functions (core/base/portable_math.h), FFTW without vector code: the same bits on every x86-64
-//   processor
+//   2  portable functions (core/base/portable_math.h), FFTW without vector code: the same
+//      bits on every x86-64 processor
 //
-// What is felt never changes with it: an algorithm that feels different is a new named mode beside the old one.
+// A new version never changes what is felt: an algorithm that feels different is added as a new named mode.
 #pragma once
 
 #include <optional>
@@ -15,15 +15,15 @@ namespace fyd::pipeline {
 
 inline constexpr int kArithmetic = 2;
 
-/// How far a step of this program's arithmetic may lie from one of an older arithmetic.
+/// Largest difference between a step of this program's arithmetic and the same step of an older one.
 struct ArithmeticTolerance {
   int since = 1;              ///< the oldest arithmetic it holds for
   std::string_view name;      ///< what has changed since
   double of_a_field = 0.0;    ///< telemetry, in the field's own unit
-  double of_a_command = 0.0;  ///< whole numbers that a rounding decides: reference in ticks, duty in %
+  double of_a_command = 0.0;  ///< commands, which are rounded: reference in ticks, duty in %
 };
 
-/// Of a recording made with arithmetic `recorded`; none when it is this program's own, or one that it does not know.
+/// Tolerance for a recording made with arithmetic `recorded`; none when that is this program's own or unknown to it.
 [[nodiscard]] constexpr std::optional<ArithmeticTolerance> arithmeticTolerance(int recorded) {
   if (recorded == 1) {
     return ArithmeticTolerance{.since = 1,

@@ -1,25 +1,26 @@
-// What a step can report, one line each. Read several times, each time with another meaning of EVENT: no #pragma once.
+// The events a step can report, one line each. Included several times, each time with another definition of EVENT:
+// no #pragma once.
 //
 //   EVENT(name, number, label, severity, slides_in, weight, said, logged)
 //
-//   number     what a file holds: it stays, and a new line takes the next that is free
-//   label      its name in an exported log                                       (core/session/export_words.cpp)
-//   severity   information, warning or error, as the window tells it             (app/console/views.cpp)
-//   slides_in  whether it is shown over the window; otherwise it goes to the log
-//   weight     in a report and a chart: plain, marked or serious                 (core/session/export_words.cpp)
+//   number     stored in files: it never changes, and a new line takes the next free number
+//   label      its name in an exported log                                       (core/export/export_words.cpp)
+//   severity   information, warning or error, as the window shows it             (app/console/shell/views.cpp)
+//   slides_in  whether it is shown as a notice over the window; otherwise it goes to the log
+//   weight     in a report and a chart: plain, marked or serious                 (core/export/export_words.cpp)
 //   said       the operator's sentence                                           (core/station/notice.cpp)
-//   logged     what an exported log says of it                                   (core/session/export_words.cpp)
+//   logged     what an exported log says of it                                   (core/export/export_words.cpp)
 //
 // Each is an expression of the event `e`; the last two may use the helpers of the file that reads them.
 
 // clang-format off
-EVENT(state_changed, 0, "state changed",  // state, lack
+EVENT(state_changed, 0, "state changed",  // state, fault
       e.state == SafetyState::held ? warning : information, e.state == SafetyState::held,
       e.state == SafetyState::held || e.state == SafetyState::stopped ? serious : plain,
-      stateSentence(e), withLack(toString(e.state), e))
-EVENT(arm_refused, 1, "arm refused",  // lack: what is missing
+      stateSentence(e), withFault(toString(e.state), e))
+EVENT(arm_refused, 1, "arm refused",  // fault: what is missing
       warning, true, plain,
-      say("Not armed: {}. {}", phrase(toString(e.lack)), phrase(remedy(e.lack))), withLack("not armed", e))
+      say("Not armed: {}. {}", phrase(toString(e.fault)), phrase(remedy(e.fault))), withFault("not armed", e))
 EVENT(tare_done, 2, "tare done",  // value: largest change of an offset, mm
       information, true, plain,
       say("Tare done; the largest offset moved by {:.2f} mm.", e.value),

@@ -18,29 +18,29 @@ Judgement InputHealth::judge(const Inputs& in, const HealthContext& now, const S
   const auto stale = [&in](const auto& input, double maximum_age_ms) {
     return input.freshness(in.now, fromSeconds(maximum_age_ms * 1e-3)) != Freshness::fresh;
   };
-  const auto stays = [this, &in](Lack lack, bool bad, double grace_ms) {
-    return graceOf(lack).expired(bad, in.now, grace_ms);
+  const auto stays = [this, &in](Fault fault, bool bad, double grace_ms) {
+    return graceOf(fault).expired(bad, in.now, grace_ms);
   };
-#define LACK(name, number, need, of, help, what, remedy, missing)                               \
-  if (Need::need != Need::robot || now.needs_robot) {                                           \
-    (Need::need == Need::rendering ? out.faults : out.lacks).set(std::size_t{number}, missing); \
+#define FAULT(name, number, need, of, help, what, remedy, missing)                                      \
+  if (Need::need != Need::robot || now.needs_robot) {                                                   \
+    (Need::need == Need::rendering ? out.interruptions : out.faults).set(std::size_t{number}, missing); \
   }
-#include "core/pipeline/lack_list.h"
-#undef LACK
+#include "core/pipeline/fault_list.h"
+#undef FAULT
   return out;
 }
 
-bool InputHealth::devicesLive(const Lacks& lacks) {
-  return !(lacks.test(static_cast<std::size_t>(Lack::motors_stale)) &&
-           lacks.test(static_cast<std::size_t>(Lack::ir_stale)) &&
-           lacks.test(static_cast<std::size_t>(Lack::bridge_stale)));
+bool InputHealth::devicesLive(const FaultSet& faults) {
+  return !(faults.test(static_cast<std::size_t>(Fault::motors_stale)) &&
+           faults.test(static_cast<std::size_t>(Fault::ir_stale)) &&
+           faults.test(static_cast<std::size_t>(Fault::bridge_stale)));
 }
 
-Lack InputHealth::first(const Lacks& lacks) {
-  for (const LackInfo& info : lacksByUrgency()) {
-    if (lacks.test(static_cast<std::size_t>(info.lack))) return info.lack;
+Fault InputHealth::first(const FaultSet& faults) {
+  for (const FaultInfo& info : faultsByUrgency()) {
+    if (faults.test(static_cast<std::size_t>(info.fault))) return info.fault;
   }
-  return Lack::none;
+  return Fault::none;
 }
 
 }  // namespace fyd::pipeline

@@ -11,9 +11,9 @@
 namespace fyd::pipeline {
 
 struct StepParameters;
-using Lacks = std::bitset<kLackCount>;  ///< indexed by the number of a Lack
+using FaultSet = std::bitset<kFaultCount>;  ///< indexed by the number of a Fault
 
-/// What only the step knows of this moment.
+/// Conditions of this moment that the step computes and the inputs alone do not tell.
 struct HealthContext {
   bool bridge_valid = true;        ///< the load cell's value lies in its span
   bool indentation_usable = true;  ///< false only while a finger presses and its indentation cannot be told
@@ -24,35 +24,36 @@ struct HealthContext {
 };
 
 struct Judgement {
-  Lacks lacks;   ///< missing for Active
-  Lacks faults;  ///< what ends rendering, though nothing is missing
+  FaultSet faults;         ///< what is missing for Active
+  FaultSet interruptions;  ///< what ends rendering although no input is missing (Need::rendering)
 };
 
 class InputHealth {
  public:
-  /// Validity (not only age), once it was there, may fail for up to the input's maximum age before it counts.
+  /// A fresh input that was valid once may be invalid for up to its maximum age before that counts.
   [[nodiscard]] Judgement judge(const Inputs& inputs, const HealthContext& context, const StepParameters& limits);
 
   /// Any sensor of the touchpad answers.
-  [[nodiscard]] static bool devicesLive(const Lacks& lacks);
-  /// The most urgent lack; none when complete.
-  [[nodiscard]] static Lack first(const Lacks& lacks);
+  [[nodiscard]] static bool devicesLive(const FaultSet& faults);
+  /// The most urgent fault; none when nothing is missing.
+  [[nodiscard]] static Fault first(const FaultSet& faults);
 
   static constexpr std::uint16_t kStateVersion = 2;
   template <class Archive>
   void serialize(Archive& archive) {
     auto count = static_cast<std::uint8_t>(graces_.size());
-    archive(within(count, kLackCount));
+    archive(within(count, kFaultCount));
     for (std::uint8_t i = 0; i < count; ++i) archive(graces_[i]);
   }
-  /// Version 1 had three graces, without their numbers.
+  /// Version 1 stored three grace timers, without their numbers.
   template <class Archive>
   void restore(Archive& archive, std::uint16_t /*version*/) {
-    archive(graceOf(Lack::camera_blind), graceOf(Lack::ir_invalid), graceOf(Lack::bridge_invalid));
+    archive(graceOf(Fault::camera_blind), graceOf(Fault::ir_invalid), graceOf(Fault::bridge_invalid));
   }
 
  private:
-  /// True once `bad` has held longer than `grace`; without grace until it was good for the first time.
+  /// expired(): true once the input has been bad for longer than `grace_ms`, and always before it was good for the
+  /// first time.
   struct Grace {
     Instant since{};
     bool bad = false;
@@ -64,8 +65,8 @@ class InputHealth {
       archive(since, bad, ever_good);
     }
   };
-  [[nodiscard]] Grace& graceOf(Lack lack) { return graces_[static_cast<std::size_t>(lack)]; }
-  std::array<Grace, kLackCount> graces_;  ///< of those that have one
+  [[nodiscard]] Grace& graceOf(Fault fault) { return graces_[static_cast<std::size_t>(fault)]; }
+  std::array<Grace, kFaultCount> graces_;  ///< indexed by the number of a Fault; only some have a grace time
 };
 
 }  // namespace fyd::pipeline

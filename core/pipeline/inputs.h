@@ -1,4 +1,4 @@
-// Everything the step may know: nothing reaches it by another way, so a recording of these re-runs it bit for bit.
+// All inputs of the step: nothing else reaches it, so a recording of them replays it bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace fyd::pipeline {
 
-/// The numbers are what a file holds: they stay, and a new one takes the next.
+/// Stored in files by number: numbers never change, and a new one takes the next.
 enum class OperatorAction : std::uint8_t {
   arm = 0,                ///< start, or start again after Held or Stopped
   stop = 1,               ///< to Stopped, from anywhere
@@ -50,7 +50,7 @@ struct RobotInputs {
   LinkPhase phase = LinkPhase::none;
   Timed<RobotState> state;
   Timed<RobotMotorReference> motor_reference;
-  Batch<AccelerationSample, kMaximumAccelerationsPerStep> accelerations;
+  Batch<texture::AccelerationSample, kMaximumAccelerationsPerStep> accelerations;
   Batch<RobotCommand, kMaximumCommandsPerStep> commands;
 };
 
@@ -65,7 +65,7 @@ struct Inputs {
   Batch<OperatorCommand, kMaximumCommandsPerStep> commands;
   Batch<ParameterChange, kMaximumCommandsPerStep> changes;
 
-  /// What stands in a step's own row…
+  /// Fields stored in the step's own row.
   static constexpr auto fields() {
     return std::tuple(
         Field("now_ns", "ns", "when the step was", &Inputs::now),
@@ -73,7 +73,7 @@ struct Inputs {
               &Inputs::missed_cycles),
         Field("phase", "1", "LinkPhase: how the robot's link stands", inside(&Inputs::robot, &RobotInputs::phase)));
   }
-  /// …and what it points at.
+  /// Inputs stored in tables of their own; the step's row refers to their rows.
   static constexpr auto tables() {
     const auto robot = [](auto member) { return inside(&Inputs::robot, member); };
     return std::tuple(

@@ -1,4 +1,4 @@
-// What a finger feels of this computer, without asking a robot: a stored surface or a scene.
+// What a finger feels without a robot, computed on this machine: a stored surface or a scene.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace fyd::pipeline {
 
 struct LocalModel {
   std::optional<texture::SurfaceModel> surface;   ///< rendered while no robot is wanted
-  std::shared_ptr<const scene::FeltScene> scene;  ///< in the robot's place; a step goes on with a copy of its own
+  std::shared_ptr<const scene::FeltScene> scene;  ///< replaces the robot; each pipeline works on a copy of its own
 };
 
 }  // namespace fyd::pipeline

@@ -1,4 +1,4 @@
-// What the two ends say to each other, once, as plain structs with units; codecs translate (core/protocol).
+// Messages between touchpad and robot as plain structs with units; the codecs in core/protocol translate them.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace fyd::pipeline {
 
-/// Where a picture showed the finger, as the robot's position, and when it was taken.
+/// Finger position in one picture, converted to a position of the robot, and the picture's capture time.
 struct SeenFinger {
   double x_mm = 0.0;
   double y_mm = 0.0;
@@ -19,13 +19,13 @@ struct SeenFinger {
 };
 
 /// Touchpad → robot. Frame: x right, y back, z up, origin at the camera axis on the untouched cloth;
-/// pressing is negative z (thesis §4.1.1, fact sheet §3).
+/// pressing is negative z [thesis §4.1.1] [authors' program].
 struct TouchMessage {
   Vec3 position_mm;
   bool in_contact = false;  ///< false: the robot holds its x and y
   double force_N = 0.0;     ///< normal force at the finger, ≥ 0
-  /// While a finger touches: what x and y are on their way to. A message that carries its date (FYD Link) says this
-  /// in their place, so that the robot can work out where the finger is now.
+  /// While a finger touches: the position that x and y are moving to. FYD Link, whose messages carry their time, sends
+  /// this in place of x and y, so that the robot can extrapolate to the present.
   std::optional<SeenFinger> seen = std::nullopt;
 };
 
@@ -34,7 +34,7 @@ struct RobotState {
   double stiffness_N_per_mm = 0.0;
   Vec3 position_mm;
   bool button = false;
-  /// Of its tool on what it touches, ≥ 0. NaN: not told (the classic protocol has no place for it).
+  /// Force of its tool on what it touches, ≥ 0. NaN: not sent (the classic protocol has no field for it).
   double force_N = std::numeric_limits<double>::quiet_NaN();
 
   static constexpr auto fields() {
@@ -48,9 +48,6 @@ struct RobotState {
         Field("force_N", "N", "of its tool on what it touches; none where the protocol does not tell it", &R::force_N));
   }
 };
-
-/// Robot → touchpad: one sample of the tri-axial accelerometer, rest already removed by the robot.
-using AccelerationSample = texture::AccelerationSample;
 
 /// Commands the robot's operator sends (the twelve of the classic protocol; value of the classic character − 48).
 enum class RobotCommand : std::uint8_t {
@@ -80,13 +77,13 @@ struct RobotMotorReference {
   }
 };
 
-/// The numbers are what a file holds: they stay, and a new one takes the next.
+/// Stored in files by number: numbers never change, and a new one takes the next.
 enum class LinkPhase : std::uint8_t {
   none = 0,     ///< no robot is wanted
   waiting = 1,  ///< listening for a robot
   running = 2,
-  paused = 3,  ///< negotiated: no loss
-  closed = 4,  ///< the robot said goodbye
+  paused = 3,  ///< by agreement of both ends: not a lost link
+  closed = 4,  ///< the robot ended the connection
   lost = 5,    ///< silence longer than allowed
 };
 

@@ -1,4 +1,4 @@
-// What one step gives.
+// Outputs of one step.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace fyd::pipeline {
 
-/// They stand in event_list.h, with what they carry and all that is said of them anywhere.
+/// Listed in event_list.h, with their values and all their texts.
 enum class EventKind : std::uint8_t {
 #define EVENT(name, number, ...) name = number,
 #include "core/pipeline/event_list.h"
@@ -23,7 +23,7 @@ enum class EventKind : std::uint8_t {
 struct Event {
   EventKind kind = EventKind::state_changed;
   SafetyState state = SafetyState::disconnected;
-  Lack lack = Lack::none;
+  Fault fault = Fault::none;
   std::uint16_t index = 0;
   double value = 0.0;
 
@@ -31,7 +31,7 @@ struct Event {
     return std::tuple(Field("value", "1", "of the event, where it has one", &Event::value),
                       Field("kind", "1", "EventKind: its number", &Event::kind),
                       Field("state", "1", "SafetyState then", &Event::state),
-                      Field("lack", "1", "Lack: what is missing; 0: nothing", &Event::lack),
+                      Field("lack", "1", "Fault: what is missing; 0: nothing", &Event::fault),
                       Field("index", "1", "of a parameter's event: as in /inputs/changes", &Event::index));
   }
 };
@@ -53,7 +53,7 @@ struct Outputs {
   control::MotorCommand motors;
   TouchMessage touch;
   TelemetrySample telemetry;
-  Lacks lacks;      ///< everything missing for Active
+  FaultSet faults;  ///< everything missing for Active
   TareValues tare;  ///< of the event tare_done
   Batch<Event, kMaximumEventsPerStep> events;
 };

@@ -1,10 +1,10 @@
-// The step's parameters, gathered from the rooms that declare them.
+// The step's parameters, gathered from the modules that declare them.
 #pragma once
 
 #include "core/base/message.h"
 #include "core/control/control_parameters.h"
 #include "core/sensing/sensing_parameters.h"
-#include "core/teleop/touchpad_coupling.h"
+#include "core/teleop/coupling/touchpad_coupling.h"
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::pipeline {

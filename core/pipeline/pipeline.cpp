@@ -11,7 +11,7 @@ namespace {
 
 constexpr Duration kLongestGap = std::chrono::milliseconds(20);
 constexpr double kMostMissedPerSecond = 0.05 * 1000.0;
-constexpr double kVibrationStep = 0.1;  // of the robot operator's keys (fact sheet §3)
+constexpr double kVibrationStep = 0.1;  // of the robot operator's keys [authors' program]
 
 }  // namespace
 
@@ -94,7 +94,7 @@ void Pipeline::applyChanges(const Inputs& inputs) {
       case OperatorAction::target_from_robot: target_by_hand_ = false; break;
       case OperatorAction::arm:
       case OperatorAction::fell_silent:
-      case OperatorAction::stop: break;  // stepSafety's
+      case OperatorAction::stop: break;  // handled in stepSafety
     }
   }
 }
@@ -129,7 +129,7 @@ std::string_view Pipeline::parameterOf(RobotCommand command) {
 }
 
 void Pipeline::applyRobotCommands(const Inputs& inputs) {
-  // The touch goes on as it was: the robot that is back stands where the last one left it.
+  // The motion is not reset: a robot that reconnects stands where it was left.
   if (inputs.robot.phase != last_phase_ && inputs.robot.phase == LinkPhase::waiting) robot_sets_reference_ = false;
   for (const RobotCommand command : inputs.robot.commands) {
     report({.kind = EventKind::robot_command, .value = static_cast<double>(command)});
@@ -138,7 +138,7 @@ void Pipeline::applyRobotCommands(const Inputs& inputs) {
       case RobotCommand::vibration_up:
         setParameter(parameterOf(command), [command](const Parameter& k_vib) {
           const double change = command == RobotCommand::vibration_up ? kVibrationStep : -kVibrationStep;
-          const double now = k_vib.value();  // beyond the range only in a replay: it is not pulled into it
+          const double now = k_vib.value();  // outside the range only in a replay; then not clamped to it
           return std::clamp(now + change, std::min(now, k_vib.info.minimum), std::max(now, k_vib.info.maximum));
         });
         break;
@@ -157,7 +157,7 @@ void Pipeline::applyRobotCommands(const Inputs& inputs) {
       case RobotCommand::send_info_and_pause:
       case RobotCommand::resume:
       case RobotCommand::images_on:
-      case RobotCommand::images_off: break;  // the link's
+      case RobotCommand::images_off: break;  // handled by the link
     }
   }
 }
@@ -221,16 +221,16 @@ void Pipeline::judge(const Inputs& inputs) {
        .steps_missed = inputs.missed_cycles > missed_at_second_start_ &&
                        static_cast<double>(inputs.missed_cycles - missed_at_second_start_) > kMostMissedPerSecond},
       parameters_.step);
-  lacks_ = judged.lacks;
   faults_ = judged.faults;
-  outputs_.lacks = lacks_;
+  interruptions_ = judged.interruptions;
+  outputs_.faults = faults_;
 }
 
-std::optional<Lack> Pipeline::fault(const Inputs& inputs) const {
+std::optional<Fault> Pipeline::newFault(const Inputs& inputs) const {
+  if (interruptions_.any()) return InputHealth::first(interruptions_);
+  // This finger also moves a robot whose stiffness is not followed, so its loss is a fault even then.
+  if (inputs.robot.phase == LinkPhase::lost && last_phase_ != LinkPhase::lost) return Fault::robot_lost;
   if (faults_.any()) return InputHealth::first(faults_);
-  // A robot that is moved, though its stiffness is not followed, is still driven by this finger.
-  if (inputs.robot.phase == LinkPhase::lost && last_phase_ != LinkPhase::lost) return Lack::robot_lost;
-  if (lacks_.any()) return InputHealth::first(lacks_);
   return std::nullopt;
 }
 
@@ -240,26 +240,26 @@ void Pipeline::stepSafety(const Inputs& inputs) {
     return std::any_of(inputs.commands.begin(), inputs.commands.end(),
                        [action](const OperatorCommand& command) { return command.action == action; });
   };
-  if (!InputHealth::devicesLive(lacks_)) {
-    safety_.apply(SafetyEvent::devices_gone, InputHealth::first(lacks_));
+  if (!InputHealth::devicesLive(faults_)) {
+    safety_.apply(SafetyEvent::devices_gone, InputHealth::first(faults_));
   } else {
     safety_.apply(SafetyEvent::devices_live);
-    if (const auto why = fault(inputs)) safety_.apply(SafetyEvent::fault, *why);
-    safety_.apply(lacks_.any() ? SafetyEvent::inputs_missing : SafetyEvent::inputs_complete,
-                  InputHealth::first(lacks_));
+    if (const auto why = newFault(inputs)) safety_.apply(SafetyEvent::fault, *why);
+    safety_.apply(faults_.any() ? SafetyEvent::inputs_missing : SafetyEvent::inputs_complete,
+                  InputHealth::first(faults_));
   }
   if (asked(OperatorAction::arm) && !asked(OperatorAction::stop)) {
-    if (lacks_.none()) {
+    if (faults_.none()) {
       safety_.apply(SafetyEvent::arm);
     } else {
-      report({.kind = EventKind::arm_refused, .state = safety_.state(), .lack = InputHealth::first(lacks_)});
+      report({.kind = EventKind::arm_refused, .state = safety_.state(), .fault = InputHealth::first(faults_)});
     }
   }
-  // After an arm, which nobody would take back.
-  if (asked(OperatorAction::fell_silent)) safety_.apply(SafetyEvent::fault, Lack::operator_silent);
+  // After arm: when the window stops answering in the same step, the fault wins.
+  if (asked(OperatorAction::fell_silent)) safety_.apply(SafetyEvent::fault, Fault::operator_silent);
   if (asked(OperatorAction::stop)) safety_.apply(SafetyEvent::stop);
   if (safety_.state() == before) return;
-  report({.kind = EventKind::state_changed, .state = safety_.state(), .lack = safety_.heldBecause()});
+  report({.kind = EventKind::state_changed, .state = safety_.state(), .fault = safety_.heldBecause()});
   if (safety_.state() == SafetyState::active) {
     controller_.reset(rollers_.valid ? rollers_.stretch_deg : kNone);
     robot_sets_reference_ = robot_sets_reference_ && inputs.robot.phase == LinkPhase::running;

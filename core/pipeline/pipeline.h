@@ -3,8 +3,8 @@
 //   sensing   counts, bridge, finger            → force, indentation, stiffness
 //   safety    ages, validity, operator, robot   → state
 //   motion    finger, indentation               → touch message
-//   scene     touch                             → what stands in the robot's place tells (with a scene only)
-//   coupling  what the robot tells, finger      → target
+//   scene     touch                             → simulated robot state (with a scene only)
+//   coupling  robot state, finger               → target
 //   control   target, measured stiffness        → stretch
 //   texture   accelerations, surface or scene   → vibration duty
 //
@@ -34,8 +34,8 @@
 #include "core/sensing/load_cell.h"
 #include "core/sensing/stiffness_estimator.h"
 #include "core/sensing/tare.h"
-#include "core/teleop/touchpad_coupling.h"
-#include "core/texture/finger_prediction.h"
+#include "core/teleop/coupling/touchpad_coupling.h"
+#include "core/texture/felt/finger_prediction.h"
 #include "core/texture/finger_speed.h"
 #include "core/texture/texture_renderer.h"
 #include "core/texture/virtual_texture.h"
@@ -49,7 +49,8 @@ class Pipeline {
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
 
-  /// Nominally every millisecond. Time that stands still or goes back moves nothing and is reported.
+  /// To be called nominally every millisecond. Time that does not advance moves nothing; time that goes back is
+  /// reported as well.
   /// The result is valid until the next call.
   [[nodiscard]] const Outputs& step(const Inputs& inputs);
 
@@ -59,17 +60,16 @@ class Pipeline {
   /// All that the next steps depend on, live parameters, tare and safety state included, as bytes (15 to 45 kB) that
   /// `restoreState` of this program and of later ones reads. Allocates.
   [[nodiscard]] std::string saveState() const;
-  /// Continues where `saveState` stood: the same inputs then give the same outputs bit for bit. This pipeline must have
+  /// Continues from the saved step: the same inputs then give the same outputs bit for bit. This pipeline must have
   /// been made with the same local model and the same parameters, live ones apart.
   /// For replay. A pipeline that drives motors is never restored: the saved state may be Active, and only an operator
   /// arms.
   /// @return an error, and this pipeline as it was, for bytes that are damaged, cut short, too long, hold a parameter
-  /// or
-  ///         a module (or a version of one) that this program does not know, or were saved with other parameters or
-  ///         another local model
+  ///         or a module (or a version of one) that this program does not know, or were saved with other parameters
+  ///         or another local model
   [[nodiscard]] Result<void> restoreState(std::string_view state);
 
-  /// For replay: live values beyond today's range are taken, as the program took them that recorded them.
+  /// For replay: accepts live values outside the present range, as the recording program accepted them.
   void takeRecordedValues() { ranges_ = Ranges::mark; }
 
   /// The scene as it is now; null without one.
@@ -101,10 +101,10 @@ class Pipeline {
   void followRobotReference(const RobotMotorReference& reference);
   void configure();
   [[nodiscard]] double target() const;
-  /// What stands where the robot stands tells it: the scene, or the robot.
+  /// The robot's state: simulated by the scene if there is one, otherwise received from the robot.
   [[nodiscard]] const Timed<RobotState>& told(const Inputs& inputs) const;
   [[nodiscard]] bool rendering(const Inputs& inputs) const;
-  [[nodiscard]] std::optional<Lack> fault(const Inputs& inputs) const;
+  [[nodiscard]] std::optional<Fault> newFault(const Inputs& inputs) const;
   void report(const Event& event) { (void)outputs_.events.push(event); }
 
   // The state, see pipeline_state.cpp.
@@ -161,8 +161,8 @@ class Pipeline {
   teleop::TouchpadCouplingOutput coupled_;
   control::ControlOutput control_;
   texture::TextureOutput texture_;
-  Lacks lacks_;
-  Lacks faults_;
+  FaultSet faults_;
+  FaultSet interruptions_;
   Outputs outputs_;
 };
 

@@ -1,4 +1,5 @@
-// The step's second half: what goes out (control, texture, motion, telemetry). The first half is pipeline.cpp.
+// The step's second half: what goes out (motion, scene, coupling, control, texture, telemetry). The first half is
+// pipeline.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -146,7 +147,7 @@ void Pipeline::writeTelemetry(const Inputs& inputs) {
   out.now = inputs.now;
   out.step = steps_;
   out.state = safety_.state();
-  out.lack = safety_.state() == SafetyState::held ? safety_.heldBecause() : InputHealth::first(lacks_);
+  out.fault = safety_.state() == SafetyState::held ? safety_.heldBecause() : InputHealth::first(faults_);
   out.link = inputs.robot.phase;
   out.contact = indent_.touched;
   if (indent_.touched) {

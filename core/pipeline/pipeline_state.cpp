@@ -1,13 +1,13 @@
 // The whole state of a pipeline as bytes, and back: parameters by their ids, then the modules that change between
-// steps, each with a version of its own. Each class names its members itself (core/base/state.h); here stands the
-// step's list.
+// steps, each with a version of its own. Each class names its members itself (core/base/state.h); the list of modules
+// is here.
 #include <algorithm>
 #include <bit>
 #include <sstream>
 #include <vector>
 
 #include "core/pipeline/pipeline.h"
-#include "core/pipeline/state_seal.h"
+#include "core/pipeline/state_format.h"
 #include "core/scene/felt_scene.h"
 
 namespace fyd::pipeline {
@@ -53,7 +53,8 @@ void writeParameters(StateWriter& archive, std::span<const Parameter> parameters
   }
 }
 
-/// A live parameter takes any value that it could have been given; another must be the one this pipeline was made with.
+/// A live parameter may take any value it could have been set to; any other must have the value this pipeline was made
+/// with.
 Result<void> takeValue(const Parameter& parameter, double own, double saved) {
   if (std::bit_cast<std::uint64_t>(own) == std::bit_cast<std::uint64_t>(saved)) return {};
   if (!parameter.info.live) {
@@ -120,23 +121,23 @@ Result<void> readParameters(StateReader& archive, std::span<const Parameter> par
   return {};
 }
 
-/// The content behind a seal that fits a pipeline with this local model.
-Result<std::string_view> openSeal(std::string_view state, const Digest& local_model) {
-  StateSeal seal;
-  const std::array<char, 8> own_mark = seal.mark;
-  if (state.size() < StateSeal::kBytes) {
-    return fail("state of {} bytes: expected at least {}", state.size(), StateSeal::kBytes);
+/// Checks the header, also against this local model, and returns the content behind it.
+Result<std::string_view> checkedContent(std::string_view state, const Digest& local_model) {
+  StateHeader header;
+  const std::array<char, 8> own_mark = header.mark;
+  if (state.size() < StateHeader::kBytes) {
+    return fail("state of {} bytes: expected at least {}", state.size(), StateHeader::kBytes);
   }
-  std::istringstream stream{std::string(state.substr(0, StateSeal::kBytes))};
+  std::istringstream stream{std::string(state.substr(0, StateHeader::kBytes))};
   StateReader archive(stream);
-  archive(seal);
-  const std::string_view content = state.substr(StateSeal::kBytes);
-  if (seal.mark != own_mark) return fail("these {} bytes are not the state of a pipeline", state.size());
-  if (seal.content_bytes != content.size()) {
-    return fail("state with {} bytes of content: expected {}", content.size(), seal.content_bytes);
+  archive(header);
+  const std::string_view content = state.substr(StateHeader::kBytes);
+  if (header.mark != own_mark) return fail("these {} bytes are not the state of a pipeline", state.size());
+  if (header.content_bytes != content.size()) {
+    return fail("state with {} bytes of content: expected {}", content.size(), header.content_bytes);
   }
-  if (seal.content != digestOf(content)) return fail("state of {} bytes: damaged", state.size());
-  if (seal.local_model != local_model) return fail("state saved with another surface or scene; expected the same");
+  if (header.content != digestOf(content)) return fail("state of {} bytes: damaged", state.size());
+  if (header.local_model != local_model) return fail("state saved with another surface or scene; expected the same");
   return content;
 }
 
@@ -223,13 +224,13 @@ std::string Pipeline::saveState() const {
   std::ostringstream bytes;
   StateWriter archive(bytes);
   writeParameters(archive, bound_);
-  // Reads only: the same list of members serves saving and restoring.
-  return sealed(digestOfLocalModel(surface_, scene_.get()),
-                std::move(bytes).str() + const_cast<Pipeline*>(this)->saveModules());
+  // saveModules only reads; it is not const because saving and restoring share one list of members.
+  return withHeader(digestOfLocalModel(surface_, scene_.get()),
+                    std::move(bytes).str() + const_cast<Pipeline*>(this)->saveModules());
 }
 
 Result<void> Pipeline::restoreState(std::string_view state) {
-  const auto content = openSeal(state, digestOfLocalModel(surface_, scene_.get()));
+  const auto content = checkedContent(state, digestOfLocalModel(surface_, scene_.get()));
   if (!content) return tl::unexpected(content.error());
   const Parameters old_parameters = parameters_;
   const std::string old_modules = saveModules();

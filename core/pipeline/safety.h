@@ -1,4 +1,4 @@
-// The safety states and the one table that moves between them. Part of the pure step, so a replay shows it too.
+// The safety states and their single transition table. Part of the pure step, so a replay reproduces them.
 //
 //   Disconnected → Connected (sensors live, motors off) → Ready (inputs fresh) → Active (rendering)
 //   → Held (something needed went missing; vibration zero, references frozen; latched)
@@ -17,7 +17,7 @@
 
 namespace fyd::pipeline {
 
-/// The numbers are what a file holds: they stay.
+/// Stored in files by number: numbers never change.
 enum class SafetyState : std::uint8_t { disconnected = 0, connected = 1, ready = 2, active = 3, held = 4, stopped = 5 };
 inline constexpr std::size_t kSafetyStateCount = 6;
 
@@ -26,7 +26,7 @@ enum class SafetyEvent : std::uint8_t {
   devices_live,     ///< the touchpad's sensors answer
   inputs_missing,   ///< something the present mode needs is stale, invalid or absent
   inputs_complete,  ///< everything the present mode needs is there
-  fault,            ///< link lost, steps missed, limit, or a needed quantity unavailable, while rendering
+  fault,            ///< link lost, steps missed or a needed quantity unavailable: ends rendering
   arm,              ///< the operator's deliberate start or re-start
   stop,             ///< the operator's stop
 };
@@ -47,66 +47,66 @@ inline constexpr std::size_t kSafetyEventCount = 7;
   return kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(event)];
 }
 
-/// What is missing or went wrong; several may hold at once. They stand in lack_list.h, with all that is said of them
-/// anywhere. The number is what a file holds.
-enum class Lack : std::uint8_t {
+/// What is missing or went wrong; several may hold at once. Listed in fault_list.h with all their texts. Files
+/// store the number.
+enum class Fault : std::uint8_t {
   none = 0,
-#define LACK(name, number, ...) name = number,
-#include "core/pipeline/lack_list.h"
-#undef LACK
+#define FAULT(name, number, ...) name = number,
+#include "core/pipeline/fault_list.h"
+#undef FAULT
 };
-/// One more than the largest number of a Lack.
-inline constexpr std::size_t kLackCount = 1 + std::max({
-#define LACK(name, number, ...) std::size_t{number},
-#include "core/pipeline/lack_list.h"
-#undef LACK
-                                              });
+/// One more than the largest number of a Fault.
+inline constexpr std::size_t kFaultCount = 1 + std::max({
+#define FAULT(name, number, ...) std::size_t{number},
+#include "core/pipeline/fault_list.h"
+#undef FAULT
+                                               });
 
 /// When something is needed.
 enum class Need : std::uint8_t {
   always,
   robot,      ///< while the target comes from the robot
-  rendering,  ///< its lack ends rendering, and keeps nobody from arming
+  rendering,  ///< its fault ends rendering but does not prevent arming
 };
 /// The lines of the readiness list.
 enum class Part : std::uint8_t { none, motors, distances, load_cell, camera, robot, target };
-/// Where a window helps with what is missing.
+/// The window's page that helps to remove a fault.
 enum class Help : std::uint8_t { none, devices, signal, link, target };
 
-struct LackInfo {
-  Lack lack = Lack::none;
+struct FaultInfo {
+  Fault fault = Fault::none;
   Need need = Need::always;
   Part part = Part::none;
   Help help = Help::none;
   std::string_view what;    ///< what is wrong, as a phrase: "the robot is silent"
-  std::string_view remedy;  ///< what the operator does about it: "Check the robot's cable and program."
+  std::string_view remedy;  ///< what the operator does about it: "Check the network and the robot's program."
 };
-/// Of a number that this program does not know, words that say so.
-[[nodiscard]] const LackInfo& infoOf(Lack lack);
+/// For a number that this program does not know: a text that says so.
+[[nodiscard]] const FaultInfo& infoOf(Fault fault);
 /// All of them but none, the most urgent first: of several, the first is shown.
-[[nodiscard]] std::span<const LackInfo> lacksByUrgency();
+[[nodiscard]] std::span<const FaultInfo> faultsByUrgency();
 
 [[nodiscard]] std::string_view toString(SafetyState state);
-[[nodiscard]] inline std::string_view toString(Lack lack) { return infoOf(lack).what; }
-[[nodiscard]] inline std::string_view remedy(Lack lack) { return infoOf(lack).remedy; }
+[[nodiscard]] inline std::string_view toString(Fault fault) { return infoOf(fault).what; }
+[[nodiscard]] inline std::string_view remedy(Fault fault) { return infoOf(fault).remedy; }
 
 /// Keeps the state; every change goes through the table.
 class Safety {
  public:
   /// Applies `event` and remembers `why` when it leads into Held.
-  void apply(SafetyEvent event, Lack why = Lack::none);
+  void apply(SafetyEvent event, Fault why = Fault::none);
   [[nodiscard]] SafetyState state() const { return state_; }
   /// Why the state is Held; none otherwise.
-  [[nodiscard]] Lack heldBecause() const { return held_because_; }
+  [[nodiscard]] Fault heldBecause() const { return held_because_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(within(state_, kSafetyStateCount - 1), within(held_because_, kLackCount - 1));
+    archive(within(state_, kSafetyStateCount - 1), within(held_because_, kFaultCount - 1));
   }
 
  private:
   SafetyState state_ = SafetyState::disconnected;
-  Lack held_because_ = Lack::none;
+  Fault held_because_ = Fault::none;
 };
 
 }  // namespace fyd::pipeline

@@ -7,17 +7,17 @@
 
 #include "core/base/batch.h"
 #include "core/base/parameter.h"
-#include "core/pipeline/state_seal.h"
+#include "core/pipeline/state_format.h"
 
 namespace fyd::pipeline {
 namespace {
 
 constexpr std::string_view kMark = "FYDstate";
-/// The digest by which that program knew its own states: of its version, its parameters and its layout.
+/// Digest of version, parameters and layout that revision a4d2b6a wrote into its states.
 constexpr Digest kProgram{0x05, 0xee, 0xc1, 0x48, 0x11, 0xfb, 0xd2, 0xaa,
                           0xab, 0x63, 0x45, 0x54, 0xdf, 0x01, 0x42, 0x2e};
 constexpr std::size_t kSealBytes = 64;  // mark, program, surface, content, u64 content's length
-constexpr std::array<std::string_view, 4> kRooms{"pipeline.", "sensing.", "control.", "texture."};
+constexpr std::array<std::string_view, 4> kModulePrefixes{"pipeline.", "sensing.", "control.", "texture."};
 constexpr std::array<std::string_view, 10> kModules{"indentation", "stiffness",    "tare",   "controller", "mixing",
                                                     "renderer",    "finger_speed", "health", "safety",     "motion"};
 
@@ -63,7 +63,7 @@ Result<std::string> convertStateOfArithmetic1(std::string_view state, std::span<
   const std::string_view content = state.substr(kSealBytes);
   if (bytesAt<16>(state, 40) != digestOf(content)) return fail("state of {} bytes: damaged", state.size());
   const auto steps = std::ranges::find_if_not(listed, [](const ProfileEntry& entry) {
-    return std::ranges::any_of(kRooms, [&](std::string_view room) { return entry.id.starts_with(room); });
+    return std::ranges::any_of(kModulePrefixes, [&](std::string_view room) { return entry.id.starts_with(room); });
   });
   const std::span<const ProfileEntry> parameters{listed.begin(), steps};
   try {
@@ -82,7 +82,7 @@ Result<std::string> convertStateOfArithmetic1(std::string_view state, std::span<
     for (const std::string_view module : kModules) name(module);
     if (has_surface) name("surface");
     name("step");
-    return sealed(surface, std::move(out).str().append(content.substr(static_cast<std::size_t>(in.tellg()))));
+    return withHeader(surface, std::move(out).str().append(content.substr(static_cast<std::size_t>(in.tellg()))));
   } catch (const std::exception& problem) {
     return fail("state of {} bytes: {}", state.size(), verbatim(problem.what()));
   }

@@ -1,8 +1,8 @@
-// States as revision a4d2b6a saved them, turned into the form of today (state_seal.h).
+// Converts pipeline states saved by revision a4d2b6a to today's format (state_format.h).
 //
-// They named neither parameters nor modules: the parameters' values stood in the order of the program's own list, which
-// the recording's profile tells, then the modules, each in its version 1. What they held is exactly that of the first
-// recordings (arithmetic 1); other revisions before it are refused.
+// That format named neither parameters nor modules: it held the parameters' values in the order of that program's list,
+// which the recording's profile gives, then the modules, each in its version 1. The recordings of arithmetic 1 hold
+// such states; states of earlier revisions are refused.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ namespace fyd::pipeline {
 [[nodiscard]] bool isStateOfArithmetic1(std::string_view state);
 
 /// @param listed the parameters of the profile that was recorded beside it, in its order; others may follow the step's
-/// @return the same state in the form of today; an error for bytes that are damaged or of another revision
+/// @return the same state in today's format; an error for bytes that are damaged or of another revision
 [[nodiscard]] Result<std::string> convertStateOfArithmetic1(std::string_view state,
                                                             std::span<const ProfileEntry> listed);
 

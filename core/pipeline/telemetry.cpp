@@ -5,7 +5,7 @@
 namespace fyd::pipeline {
 namespace {
 
-constexpr std::size_t kInstants = 1;  // the first of the fields
+constexpr std::size_t kInstants = 1;  // now_ns, the first field, is left out
 
 template <std::size_t... I>
 constexpr std::array<TelemetryField, sizeof...(I)> numbers(std::index_sequence<I...>) {

@@ -1,5 +1,5 @@
-// One sample per step, one struct: what the window draws is what the recorder writes is what replay compares.
-// NaN means "there is none": never a zero.
+// Telemetry: one sample per step. The window draws, the recorder writes and replay compares this same struct.
+// NaN means "no value"; 0 is never used for that.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct TelemetrySample {
   Instant now{};
   std::uint64_t step = 0;
   SafetyState state = SafetyState::disconnected;
-  Lack lack = Lack::none;
+  Fault fault = Fault::none;
   LinkPhase link = LinkPhase::none;
 
   bool contact = false;
@@ -79,7 +79,7 @@ struct TelemetrySample {
         Field("t_s", "s", "the station's clock in seconds",
               [](const T& t) { return toSeconds(t.now.time_since_epoch()); }),
         Field("step", "1", "counts from 1", &T::step), Field("state", "1", "SafetyState: its number", &T::state),
-        Field("lack", "1", "Lack: why not ready, or why held; 0: nothing", &T::lack),
+        Field("lack", "1", "Fault: why not ready, or why held; 0: nothing", &T::fault),
         Field("link", "1", "LinkPhase: how the robot's link stands", &T::link),
         Field("contact", "1", "1: the cloth is touched", &T::contact),
         Field("finger_x_mm", "mm", "where the finger is in the touchpad's frame, x right; none without contact",
@@ -162,7 +162,7 @@ struct TelemetryField {
   double (*read)(const TelemetrySample&) = nullptr;
 };
 
-/// All but the exact instant, the time first, in seconds since the clock's origin.
+/// All fields except now_ns; the first is the time in seconds since the clock's origin.
 [[nodiscard]] std::span<const TelemetryField> telemetryFields();
 
 }  // namespace fyd::pipeline

@@ -24,7 +24,7 @@ TouchMessage TouchMotion::step(const MotionInput& input) {
     const Vec3 wanted = anchor_mm_ + finger;
     const Vec3 target{std::clamp(wanted.x, -kWorkspaceHalf_mm.x, kWorkspaceHalf_mm.x),
                       std::clamp(wanted.y, -kWorkspaceHalf_mm.y, kWorkspaceHalf_mm.y), 0.0};
-    // At the workspace's edge the clutch slips, so that turning back moves the robot at once.
+    // At the workspace's edge the anchor follows the finger, so that turning back moves the robot at once.
     if (!input.absolute) anchor_mm_ = target - finger;
     see(target, input);
     position_mm_.x = approach(position_mm_.x, target.x, furthest);

@@ -1,13 +1,13 @@
-// From the finger on the cloth to the position the robot is sent (thesis §4.2, fact sheet §2).
+// From the finger on the cloth to the position the robot is sent [thesis §4.2] [authors' program].
 //
 // Relative (default): a new touch takes hold of the robot where it stands, like a clutch; finger travel along the
 // cloth becomes robot travel. Absolute (thesis): the robot goes where the finger is, with a jump at each new touch.
 // Depth is the indentation in both: pressing is negative z. The position sent never leaves the workspace and never
-// moves faster than the speed limit, whatever comes in. A robot that is lost and comes back finds the position as it
-// left it: one that started anew would lead an arm that kept its place away, with nobody's finger behind it.
+// moves faster than the speed limit, whatever comes in. When a lost robot returns, the position is as it left it:
+// resetting it would move an arm that kept its place although no finger moved.
 //
-// Pictures come 30 times a second, so between two of them the position moves on towards where the last one showed the
-// finger, and is neither there nor then. Beside it stands what the picture showed and when it was taken.
+// Pictures come 30 times a second; between two of them the position moves towards where the last one showed the
+// finger. The message therefore also carries the position in that picture and its capture time (TouchMessage::seen).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace fyd::pipeline {
 /// The authors' declared workspace, half widths, mm.
 inline constexpr Vec3 kWorkspaceHalf_mm{35.0, 25.0, 70.0};
 
-/// How far the robot is led down by a millimetre of indentation: the authors' 2 · 1.5 (fact sheet §2).
+/// Robot travel downward per millimetre of indentation: 2 · 1.5 [authors' program].
 inline constexpr double kRobotTravelForDepth = 3.0;
 
 struct MotionInput {
@@ -42,7 +42,7 @@ class TouchMotion {
  public:
   [[nodiscard]] TouchMessage step(const MotionInput& input);
 
-  static constexpr std::uint16_t kStateVersion = 2;  // 1: without what was seen
+  static constexpr std::uint16_t kStateVersion = 2;  // 1: without seen_
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -58,9 +58,9 @@ class TouchMotion {
   void see(const Vec3& target_mm, const MotionInput& input);
 
   Vec3 position_mm_;
-  Vec3 anchor_mm_;  // position that finger (0, 0) stands for during this touch
+  Vec3 anchor_mm_;  // robot position of the finger position (0, 0) during this touch
   bool touching_ = false;
-  SeenFinger seen_;  // during this touch; no faster than the speed limit from picture to picture
+  SeenFinger seen_;  // newest picture of this touch; the speed limit holds from picture to picture
 };
 
 }  // namespace fyd::pipeline

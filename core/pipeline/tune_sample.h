@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "core/control/fabric_identification.h"
+#include "core/control/cloth_identification.h"
 #include "core/pipeline/telemetry.h"
 
 namespace fyd::pipeline {
 
-/// The law speaks of the middle of the cloth: the measured stiffness is brought there where the place's factor is
+/// The law holds for the middle of the cloth: the measured stiffness is divided by the place factor where that is
 /// known.
 [[nodiscard]] inline control::TuneSample tuneSampleOf(const TelemetrySample& sample, double time_s) {
   const double factor = std::isfinite(sample.stiffness_place_factor) ? sample.stiffness_place_factor : 1.0;

@@ -1,4 +1,5 @@
-// Little-endian numbers into and out of a span of bytes; a write or read past the end is remembered, never done.
+// Little-endian numbers into and out of a span of bytes; a write or read past the end is not done and makes
+// ok() false.
 #pragma once
 
 #include <bit>

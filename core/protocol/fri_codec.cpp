@@ -8,7 +8,7 @@
 namespace fyd::protocol {
 namespace {
 
-// One list of fields for each message, walked by a writer and by a reader, so that the two cannot disagree.
+// One list of fields for each message, used by a writer and by a reader, so that the two cannot disagree.
 
 class Put {
  public:

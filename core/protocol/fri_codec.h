@@ -1,7 +1,7 @@
 // FRI 1.0, the wire between a KUKA LWR's controller (KRC) and a remote computer: UDP, little-endian, 4-byte packing.
 // The KRC sends a measurement every 1…100 ms; the remote answers each with a command that reflects its sequence number.
 //
-// Byte offsets (fact sheet §8), f: 32-bit float, both messages:
+// Byte offsets [KUKA FRI], f: 32-bit float, both messages:
 //   0 u16 sequence · 2 u16 reflected sequence · 4 u16 size · 6 u16 id · 8 f×16 KRL reals · 72 i32×16 KRL integers ·
 //   136 u16 KRL booleans · 138 padding
 // Measurement, 916 bytes, id 0x2006:
@@ -9,11 +9,12 @@
 //   160 f answer rate · 164 f latency · 168 f jitter · 172 f miss rate · 176 u32 misses ·
 //   180 u16 power · 182 u16 control · 184 u16 error · 186 u16 warning · 188 f×7 temperatures ·
 //   216 f×7 joints · 244 f×12 frame · 292 f×7 commanded joints · 320 f×7 joint offsets · 348 f×12 commanded frame ·
-//   396 f×12 frame offset · 444 f×7 torques · 472 f×7 external torques · 500 f×6 tool force-torque (Fx Fy Fz Tz Ty Tx)
-//   · 524 f×42 Jacobian · 692 f×49 mass matrix · 888 f×7 gravity
+//   396 f×12 frame offset · 444 f×7 torques · 472 f×7 external torques ·
+//   500 f×6 tool force-torque (Fx Fy Fz Tz Ty Tx) · 524 f×42 Jacobian (6 × 7) · 692 f×49 mass matrix (7 × 7) ·
+//   888 f×7 gravity
 // Command, 376 bytes, id 0x1005:
-//   140 u32 flags · 144 f×7 joints · 172 f×12 frame · 220 f×7 torques · 248 f×6 force-torque · 272 f×7 joint stiffness
-//   · 300 f×7 joint damping · 328 f×6 Cartesian stiffness · 352 f×6 Cartesian damping
+//   140 u32 flags · 144 f×7 joints · 172 f×12 frame · 220 f×7 torques · 248 f×6 force-torque ·
+//   272 f×7 joint stiffness · 300 f×7 joint damping · 328 f×6 Cartesian stiffness · 352 f×6 Cartesian damping
 //
 // Reading is strict: exact size, size field and id, a known state, quality and strategy, and finite numbers throughout.
 // Units: m, rad, N, Nm, s. Nothing allocates.

@@ -1,4 +1,4 @@
-// The phases of a session as tables, one for each side.
+// The phases of the link as transition tables, one for each side.
 //
 // Touchpad (every protocol):
 //   waiting → running ⇄ paused,   goodbye → closed,   silence → lost (not while paused),   handshake → waiting
@@ -18,9 +18,9 @@
 namespace fyd::protocol {
 
 enum class LinkEvent : std::uint8_t {
-  handshake,  ///< a robot shook hands: a new session
-  state,      ///< a state of the session's robot
-  pause,      ///< negotiated
+  handshake,  ///< a robot completed the handshake: a new link
+  state,      ///< a state of the linked robot
+  pause,      ///< by agreement of both ends
   resume,
   goodbye,
   silence,  ///< longer than allowed
@@ -46,8 +46,8 @@ inline constexpr std::size_t kLinkPhaseCount = 6;
 enum class RobotPhase : std::uint8_t {
   handshake,  ///< the touchpad has not answered yet (or went away)
   running,
-  paused,   ///< negotiated; states and touches go on
-  closing,  ///< after the own goodbye, which is still being said
+  paused,   ///< by agreement of both ends; states and touches go on
+  closing,  ///< the robot's own goodbye is still being sent
   closed,   ///< nothing more is sent
   lost,     ///< silence longer than allowed; the robot holds still
 };
@@ -61,11 +61,11 @@ inline constexpr std::size_t kRobotPhaseCount = 6;
 
 enum class RobotEvent : std::uint8_t {
   answered,  ///< the handshake is complete
-  heard,     ///< anything good of the touchpad
-  pause,     ///< negotiated
+  heard,     ///< any valid datagram of the touchpad
+  pause,     ///< by agreement of both ends
   resume,
-  leave,    ///< the robot's operator ends the session
-  said,     ///< the own goodbye is out
+  leave,    ///< the robot's operator ends the link
+  said,     ///< the robot's own goodbye is sent
   goodbye,  ///< the touchpad's
   silence,  ///< longer than allowed
   give_up,  ///< so long that only a new handshake helps

@@ -1,4 +1,4 @@
-// Positions coded to a workspace and a precision (tele-gesture paper, Eq. 1):
+// Positions coded to a workspace and a precision [tele-gesture Eq. 1]:
 //   points per axis = extent / precision, rounded up;   bits per axis = ⌈log₂ points⌉ of the longest axis.
 //
 // The extent is cut into that many cells of equal length, step = extent / points ≤ precision (within a millionth); the

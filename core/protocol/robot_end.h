@@ -1,4 +1,4 @@
-// The robot's side of a session, whatever the protocol: a state machine without socket or clock.
+// The robot's side of the link, whatever the protocol: a state machine without socket or clock.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace fyd::protocol {
 
-/// What the robot has to say at this moment.
+/// What the robot reports at this moment.
 struct RobotReport {
   Vec3 acceleration_g;                            ///< rest removed
   pipeline::RobotState robot;                     ///< its force: FYD Link only
@@ -25,8 +25,8 @@ struct RobotReport {
 struct RobotReception {
   bool connected = false;  ///< the handshake is complete
   std::optional<pipeline::TouchMessage> touch;
-  /// When the touch was sent and when the finger was seen at its x and y, on our clock. The classic protocol tells
-  /// neither: both are half the cycle before the arrival.
+  /// When the touch was sent and when the finger was seen at its x and y, on the robot's clock. The classic protocol
+  /// sends neither: both are then taken as half the cycle before the arrival.
   Instant touch_sent{};
   Instant touch_seen{};
   bool info = false;   ///< the touchpad described itself
@@ -36,10 +36,10 @@ struct RobotReception {
 struct RobotCounters {
   std::uint64_t acks = 0;  ///< handshakes begun: ACKs, hellos
   std::uint64_t states = 0;
-  std::uint64_t touches = 0;           ///< in turn
+  std::uint64_t touches = 0;           ///< received when due
   std::uint64_t missed_replies = 0;    ///< states whose touch did not come in time
   std::uint64_t cycles_cut_short = 0;  ///< touch came, info or picture did not in time
-  std::uint64_t extra_touches = 0;     ///< when none was due; used all the same, the newest is the best
+  std::uint64_t extra_touches = 0;     ///< received when none was due; used, because the newest is the best
   std::uint64_t infos = 0;
   std::uint64_t images = 0;
   std::uint64_t motor_references = 0;
@@ -57,16 +57,16 @@ class RobotEnd {
   [[nodiscard]] virtual std::span<const Datagram> tick(Instant now, const RobotReport& report) = 0;
   /// Takes one datagram. Does not allocate, whatever arrives.
   [[nodiscard]] virtual RobotReception handle(Bytes datagram, const Endpoint& from, Instant now) = 0;
-  /// Asks for a command, one after another. @return false when sixteen are waiting already
+  /// Queues a command for sending. @return false when sixteen are waiting already
   virtual bool command(pipeline::RobotCommand command) = 0;
 
   [[nodiscard]] virtual RobotPhase phase() const = 0;
-  /// Something of this cycle is still to come; after the farewell: it was not yet said.
+  /// A reply of this cycle is still due; while closing: the goodbye is not yet sent.
   [[nodiscard]] virtual bool replyDue() const = 0;
   [[nodiscard]] virtual const RobotCounters& counters() const = 0;
   /// How the touchpad described itself, valid until the next call; empty: it did not.
   [[nodiscard]] virtual std::string_view boardText() const = 0;
-  /// Why there is no session yet, for the robot's operator; empty when there is one.
+  /// Why there is no link yet, for the robot's operator; empty when there is one.
   [[nodiscard]] virtual std::string_view problem() const = 0;
 };
 

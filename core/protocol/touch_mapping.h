@@ -1,4 +1,4 @@
-// From the touchpad's touch to the robot's target, in the touchpad's frame (thesis §4.2):
+// From the touchpad's touch to the robot's target, in the touchpad's frame [thesis §4.2]:
 //   goal = (s_xy·x, s_xy·y, s_z·z),   target ← w·target + (1 − w)·goal   for each touch received.
 // Out of contact, or with x = y = 0, x and y are held; z > 0 with x and y both non-zero is ignored altogether, as the
 // authors' robot does.

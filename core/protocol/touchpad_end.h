@@ -1,4 +1,4 @@
-// The touchpad's side of a session, whatever the protocol: a state machine without socket or clock. The caller hands
+// The touchpad's side of the link, whatever the protocol: a state machine without socket or clock. The caller hands
 // in each datagram with its sender and arrival time, sends the replies in their order from the one port, calls
 // `advance` at least every few milliseconds and sends what that gives. Nothing of it allocates.
 #pragma once
@@ -23,10 +23,10 @@ struct TouchpadInfo {
   std::array<double, control::kMotorCount> reference_ticks{};  ///< both motors
 };
 
-/// What the touchpad has to say at this moment. Text and image must outlive the sending of the replies.
+/// What the touchpad replies at this moment. Text and image must outlive the sending of the replies.
 struct TouchpadAnswer {
   pipeline::TouchMessage touch;
-  Instant taken{};  ///< when the touch was; the classic protocol has no place for it
+  Instant taken{};  ///< time of the touch; the classic protocol has no field for it
   TouchpadInfo info;
   std::string_view board_text;  ///< cut at the protocol's limit
   Bytes image;                  ///< an encoded picture
@@ -37,11 +37,12 @@ struct TouchpadReception {
   static constexpr std::size_t kMaximumReplies = 64;
   static constexpr std::size_t kMaximumSamples = 32;
 
-  bool session_started = false;  ///< a robot shook hands
+  bool session_started = false;  ///< a robot completed the handshake
   bool was_lost = false;         ///< the silence before this datagram was a loss, though the phase may be running again
-  std::optional<pipeline::RobotState> state;  ///< parts cut away keep their last value
-  /// Oldest first. Classic: taken at the datagram's arrival. FYD Link: taken when the robot says, on our clock.
-  Batch<pipeline::AccelerationSample, kMaximumSamples> accelerations;
+  std::optional<pipeline::RobotState> state;  ///< what a truncated packet misses keeps its last value
+  /// Oldest first. Classic: taken at the datagram's arrival. FYD Link: time as stated by the robot,
+  /// converted to the touchpad's clock.
+  Batch<texture::AccelerationSample, kMaximumSamples> accelerations;
   pipeline::RobotCommand command = pipeline::RobotCommand::none;  ///< for the pipeline to act upon
   std::optional<pipeline::RobotMotorReference> motor_reference;
   Batch<Datagram, kMaximumReplies> replies;  ///< send all, in this order
@@ -75,9 +76,9 @@ struct LinkFigures {
   double jitter_ms = kUnknown;
   double lost_limit_ms = kUnknown;
   double round_trip_ms = kUnknown;    ///< FYD Link only, as the following
-  double clock_offset_ms = kUnknown;  ///< the robot's clock less ours
+  double clock_offset_ms = kUnknown;  ///< the robot's clock less the touchpad's
   double loss_percent = kUnknown;
-  /// How old an acceleration may be when it arrives: way, wait for its batch, jitter.
+  /// How old an acceleration may be when it arrives: transmission, wait for its batch, jitter.
   double sample_delay_ms = kUnknown;
   Batch<RefusalCount, 24> refusals;
 };
@@ -85,16 +86,16 @@ struct LinkFigures {
 class TouchpadEnd {
  public:
   virtual ~TouchpadEnd() = default;
-  /// "classic, not secured", "FYD Link 1, sealed"
+  /// "classic, not secured" or "FYD Link, sealed".
   [[nodiscard]] virtual std::string_view name() const = 0;
 
   /// Takes one datagram. The result, and the bytes its replies point to, are valid until the next call.
   [[nodiscard]] virtual const TouchpadReception& handle(Bytes datagram, const Endpoint& from, Instant now,
                                                         const TouchpadAnswer& answer) = 0;
-  /// Lets time pass: declares a silent peer lost. @return what is to be sent now of its own accord, valid until the
+  /// Advances the time: declares a silent peer lost. @return what is to be sent now without a request, valid until the
   /// next call
   [[nodiscard]] virtual std::span<const Datagram> advance(Instant now, const TouchpadAnswer& answer) = 0;
-  /// The session ends from this side. @return what tells the robot so
+  /// Ends the link from this side. @return the datagrams that tell the robot so
   [[nodiscard]] virtual std::span<const Datagram> farewell(Instant now) = 0;
 
   [[nodiscard]] virtual pipeline::LinkPhase phase() const = 0;

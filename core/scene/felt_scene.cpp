@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/scene/mesh/vector.h"
 #include "core/scene/scene_digest.h"
-#include "core/scene/vector.h"
 
 namespace fyd::scene {
 
@@ -43,11 +43,11 @@ const SceneTouch& FeltScene::step(const Vec3& probe_mm, double time_s) {
   if (known_ && !(dt_s > 0.0)) return touch_;
   known_ = true;
   time_s_ = time_s;
-  const Vec3 way_mm = probe_mm - std::exchange(probe_mm_, probe_mm);
+  const Vec3 force_over_stiffness_mm = probe_mm - std::exchange(probe_mm_, probe_mm);
   touch_ = scene_.step(probe_mm, time_s);
   texture_g_ = 0.0;
   if (!touch_.touching || touch_.body == kNoBody || !textures_[touch_.body] || !(dt_s > 0.0)) return touch_;
-  const Vec3 along_mm = way_mm - dot(way_mm, touch_.normal) * touch_.normal;
+  const Vec3 along_mm = force_over_stiffness_mm - dot(force_over_stiffness_mm, touch_.normal) * touch_.normal;
   texture_g_ = textures_[touch_.body]->step(length(along_mm) / dt_s, length(touch_.force_N));
   return touch_;
 }

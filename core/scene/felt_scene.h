@@ -1,8 +1,8 @@
 // A scene as a finger feels it, step by step: the touch, and the vibration of a finger that slides over what it
 // touches.
 //
-// Frame: the robot's, whose origin is the scene's. Bodies with a stored surface shake the finger by its speed along the
-// body and the force (core/texture/virtual_texture.h), across the surface.
+// Frame: the robot's, whose origin is the scene's. A body with a stored surface adds a vibration along its normal, from
+// the sliding speed and the force (core/texture/virtual_texture.h).
 //
 // A copy starts where the original is and shares what does not change: meshes, trees and what contact models prepare.
 #pragma once
@@ -28,7 +28,7 @@ class FeltScene {
 
   /// Of the last step.
   [[nodiscard]] const SceneTouch& touch() const { return touch_; }
-  /// Of the finger, along the touch's normal, g.
+  /// Acceleration of the finger along the touch's normal, g.
   [[nodiscard]] double texture_g() const { return texture_g_; }
   [[nodiscard]] const Vec3& probe_mm() const { return probe_mm_; }
   [[nodiscard]] const Scene& scene() const { return scene_; }

@@ -4,7 +4,7 @@
 
 namespace fyd::scene {
 
-bool walksOn(const SceneDescription& description, const BodyDescription& of) {
+bool needsWalkableMesh(const SceneDescription& description, const BodyDescription& of) {
   return std::ranges::any_of(description.bodies, [&of](const BodyDescription& body) {
     return !body.soft && body.mesh == of.mesh && body.unit == of.unit;
   });
@@ -17,7 +17,7 @@ Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene) {
     const std::optional<double> accuracy = scene.description.accuracy;
     const TriangleTree& tree = scene.meshes[i]->tree;
     BodyChoice& to = out.emplace_back();
-    if (!body.soft && body.contact != ContactChoice::automatic) {  // stands before the models
+    if (!body.soft && body.contact != ContactChoice::automatic) {  // the enumerator `automatic` comes before the models
       to.model.contact = static_cast<ContactModel>(static_cast<int>(body.contact) - 1);
     } else if (accuracy && body.soft) {
       auto chosen = chooseSoft(tree, materialOf(body), *accuracy);

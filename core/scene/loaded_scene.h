@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/scene/contact_choice.h"
+#include "core/scene/contact/contact_choice.h"
 #include "core/scene/scene.h"
-#include "core/scene/soft_choice.h"
+#include "core/scene/soft/soft_choice.h"
 #include "core/texture/surface_model.h"
 
 namespace fyd::scene {
@@ -21,10 +21,10 @@ struct LoadedScene {
   std::vector<std::optional<texture::SurfaceModel>> textures;  ///< of each body
 };
 
-/// Whether any rigid body of the description has this body's mesh: it must then be a mesh to walk on.
-[[nodiscard]] bool walksOn(const SceneDescription& description, const BodyDescription& of);
+/// Whether any rigid body of the description uses this body's mesh: its SearchedMesh then needs `walkable`.
+[[nodiscard]] bool needsWalkableMesh(const SceneDescription& description, const BodyDescription& of);
 
-/// What the description leaves open: as measured for the scene's accuracy; vicinity and kUsualPoints without one.
+/// What the description leaves open: chosen by trials for the scene's accuracy; vicinity and kUsualPoints without one.
 struct BodyChoice {
   BodyModel model;
   std::optional<ContactChoiceReport> contact;  ///< of a rigid body, where it was chosen

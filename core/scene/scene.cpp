@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "core/base/portable_math.h"
-#include "core/scene/vector.h"
+#include "core/scene/mesh/vector.h"
 
 namespace fyd::scene {
 namespace {
 
-constexpr double kMargin = 0.1;  // of the mean reach of a body: how far a haptic point moves between two looks around
+constexpr double kMargin = 0.1;  // of the bodies' mean reach: way of the haptic point after which wake() runs again
 
 Vec3 three(const ParameterList& list) { return list.size() == 3 ? Vec3{list[0], list[1], list[2]} : Vec3{}; }
 
@@ -73,7 +73,7 @@ Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<c
                               .static_friction = from.static_friction,
                               .kinetic_friction = from.kinetic_friction},
                       ContactSettings{.model = model.contact, .radius_mm = from.radius_mm, .reach_mm = from.depth_mm});
-  // Within a body, or as deep under an open mesh as it acts, or as far away as the finger is thick.
+  // The mesh's bounding sphere, plus how deep under an open mesh it acts, plus the finger's radius.
   const double reach_mm = around_mm + contact.settings().reach_mm + contact.settings().radius_mm;
   const NearestPoint nearest(*with->walkable);
   return Body{Placement(from), std::move(with), std::move(contact), nearest, middle_mm, reach_mm};

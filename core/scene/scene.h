@@ -1,7 +1,7 @@
 // A haptic scene as it is stepped: the bodies that its description names and a haptic point among them.
 //
-// What is not named is not there: a scene of one body holds one mesh and one contact. A body that the haptic point is
-// not near sleeps: it is looked at again only after the point, or the body itself, may have come near.
+// A scene of one body holds one mesh and one contact. A body that is not near the haptic point sleeps: it is checked
+// again only after the point, or the body itself, may have come near.
 //
 // Forces of several bodies add up. The stiffness felt is that along the force: Σ k (n·f)². The contact that is reported
 // is the one with the largest force; of two equal ones the body that stands first.
@@ -16,18 +16,18 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/scene/contact.h"
-#include "core/scene/nearest_point.h"
+#include "core/scene/contact/contact.h"
+#include "core/scene/mesh/nearest_point.h"
 #include "core/scene/scene_description.h"
 #include "core/scene/scene_gestures.h"
-#include "core/scene/soft_body.h"
+#include "core/scene/soft/soft_body.h"
 
 namespace fyd::scene {
 
-/// A body's mesh with what its searches need. Immutable, shared by any number of bodies, and where it is: trees point
-/// to their mesh.
+/// A body's mesh with what its searches need. Immutable and shared by any number of bodies; not copied or moved, as the
+/// trees point to the mesh.
 struct SearchedMesh {
-  /// @param walks whether a rigid body is among them
+  /// @param walks whether a rigid body uses it: only those need `walkable`
   explicit SearchedMesh(Mesh from, bool walks = true) : mesh(std::move(from)), tree(mesh) {
     if (walks) walkable.emplace(tree);
   }
@@ -76,8 +76,8 @@ class Scene {
                                            std::vector<std::shared_ptr<const SearchedMesh>> meshes,
                                            const std::vector<BodyModel>& models);
 
-  /// One step; allocates nothing. A haptic point or a time that is no number touches nothing and moves nothing; where
-  /// time stands still or goes back, the last touch is given again.
+  /// One step; allocates nothing. A haptic point or a time that is no number touches nothing and moves nothing; if
+  /// `time_s` did not increase, the last touch is returned again.
   /// @param time_s of the caller's clock; bodies fly from where they are at the first step
   SceneTouch step(const Vec3& probe_mm, double time_s);
 
@@ -93,9 +93,9 @@ class Scene {
   }
   /// Of a soft body.
   [[nodiscard]] const SoftBody* soft(std::size_t body) const { return std::get_if<SoftBody>(&bodies_[body].touched); }
-  /// For a picture.
+  /// For drawing.
   [[nodiscard]] const SceneGestures& gestures() const { return gestures_; }
-  /// Of memory, with meshes and trees; what several bodies share is counted once.
+  /// Memory in use, with meshes and trees; a mesh that several bodies share is counted once.
   [[nodiscard]] std::size_t bytes() const;
   /// Of one body, with what it shares.
   [[nodiscard]] std::size_t bytes(std::size_t body) const;
@@ -125,7 +125,7 @@ class Scene {
     double reach_mm = 0.0;                // from it, beyond which nothing is felt
     bool awake = false;
 
-    /// @param dt_s 0 at the first step: a soft body then stands still
+    /// @param dt_s 0 at the first step: a soft body is then not stepped
     [[nodiscard]] Contact touch(const Vec3& probe_mm, const Vec3& velocity_mm_per_s, double dt_s);
   };
 

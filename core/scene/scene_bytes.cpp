@@ -57,8 +57,8 @@ Result<FeltScene> unpack(const json& from) {
       auto mesh = Mesh::build({.vertices = itemsOf<Vec3>(stored.at("vertices_mm"), "vertices_mm"),
                                .triangles = itemsOf<Triangle>(stored.at("triangles"), "triangles")});
       if (!mesh) return tl::unexpected(mesh.error());
-      meshes[which] = std::make_shared<const SearchedMesh>(std::move(*mesh),
-                                                           walksOn(loaded->description, loaded->description.bodies[i]));
+      meshes[which] = std::make_shared<const SearchedMesh>(
+          std::move(*mesh), needsWalkableMesh(loaded->description, loaded->description.bodies[i]));
     }
     loaded->meshes.push_back(meshes[which]);
     auto& texture = loaded->textures.emplace_back();

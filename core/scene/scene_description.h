@@ -1,4 +1,4 @@
-// What a scene file says: bodies and gestures. What it does not name is not there.
+// The content of a scene file: bodies and gestures.
 //
 // TOML: [scene], any number of [[body]], and the gestures: [swords] with [fencing], [ball] with [serve], [palpation]
 // with [plane]. A gesture is there if its first table is. Each table is a list of parameters (core/base/parameter.h),
@@ -13,11 +13,11 @@
 
 #include "core/base/error.h"
 #include "core/base/parameter.h"
-#include "core/scene/ball.h"
-#include "core/scene/mesh_text.h"
-#include "core/scene/palpation.h"
-#include "core/scene/soft_material.h"
-#include "core/scene/swords.h"
+#include "core/scene/gesture/ball.h"
+#include "core/scene/gesture/palpation.h"
+#include "core/scene/gesture/swords.h"
+#include "core/scene/mesh/mesh_text.h"
+#include "core/scene/soft/soft_material.h"
 
 namespace fyd::scene {
 

@@ -1,4 +1,4 @@
-// A short word for what a scene feels like, the same on every machine: two copies with the same word feel the same.
+// A digest of what a scene feels like, the same on every machine: two scenes with the same digest feel the same.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace fyd::scene {
 
-/// BLAKE2b (RFC 7693), 16 bytes in hexadecimal, of every value of the description, the meshes' vertices and triangles
-/// as they are stepped, and the stored surfaces. Comments, the order of keys, names and paths do not enter.
+/// BLAKE2b [RFC 7693], 16 bytes in hexadecimal, of every value of the description, the meshes' vertices and triangles
+/// as they are stepped, and the stored surfaces. Comments, key order, names and paths have no influence.
 [[nodiscard]] std::string digestOf(const LoadedScene& scene);
 
 }  // namespace fyd::scene

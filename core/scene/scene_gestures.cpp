@@ -1,11 +1,11 @@
 #include "core/scene/scene_gestures.h"
 
-#include "core/scene/vector.h"
+#include "core/scene/mesh/vector.h"
 
 namespace fyd::scene {
 namespace {
 
-/// Of two pushes the larger is reported.
+/// Adds a force. Proxy, normal, depth and stiffness become those of the larger force.
 void add(SceneTouch& touch, const Vec3& force_N, const Vec3& proxy_mm, const Vec3& normal, double depth_mm,
          double stiffness_N_per_mm) {
   const bool larger = !touch.touching || length(force_N) > length(touch.force_N);
@@ -63,7 +63,7 @@ void SceneGestures::play(const Vec3& probe_mm, double dt_s, SceneTouch& touch) {
   RacketPose racket;
   racket.centre_mm = probe_mm;
   const BallStep felt = stepBall(ball_game_, *ball_, racket, dt_s);
-  // A ball is a blow, not a depth: nothing is told of a stiffness.
+  // A ball gives an impulse, no depth: depth and stiffness are reported as 0.
   if (length(felt.force_N) > 0.0) add(touch, felt.force_N, felt.point_mm, unit(felt.force_N), 0.0, 0.0);
 }
 
@@ -76,7 +76,7 @@ void SceneGestures::palpate(const Vec3& probe_mm, double dt_s, bool with_bodies,
     inputs.measured_N = dot(touch.force_N, touch.normal);
   }
   palpated_ = stepPalpation(palpation_, *palpating_, inputs, dt_s);
-  if (with_bodies) {  // their force along the normal is there already
+  if (with_bodies) {  // the bodies' normal force is already in touch.force_N
     touch.force_N = touch.force_N + palpated_->tangential_N;
   } else if (palpated_->touching) {
     const Vec3 normal = unit(inputs.touch.normal);

@@ -1,23 +1,45 @@
-// The tele-gesture paper's three gestures in a scene, where the haptic point is
-//   swords      the grip of a sword that points along x, `fencing.scale` times as far out; the other player stands
-//   still ball        the middle of a racket that looks up palpation   the probe: on the bodies of the scene, or on the
-//   plane where it has none
-// Only those that the description names are there.
+// The tele-gesture paper's three gestures in a scene. The haptic point is
+//   swords      the grip of a sword that points along x, at `fencing.scale` times the point's position; the other
+//               player does not move
+//   ball        the centre of a racket whose normal points along +z
+//   palpation   the probe: on the bodies of the scene, or on the plane if the scene has no body
+// Only the gestures that the description names exist.
 #pragma once
+
+#include <cstddef>
 
 #include <optional>
 
 #include "core/scene/scene_description.h"
-#include "core/scene/scene_touch.h"
 
 namespace fyd::scene {
+
+inline constexpr std::size_t kNoBody = static_cast<std::size_t>(-1);
+
+/// What the haptic point of a scene feels.
+struct SceneTouch {
+  bool touching = false;
+  Vec3 force_N;   ///< on the haptic point
+  Vec3 proxy_mm;  ///< of what pushes most; the haptic point if nothing is touched
+  Vec3 normal;
+  double depth_mm = 0.0;
+  double stiffness_N_per_mm = 0.0;  ///< along the force; 0 if nothing is touched
+  std::size_t body = kNoBody;       ///< that pushes most; kNoBody: a gesture, or nothing is touched
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    std::uint64_t number = body;
+    archive(touching, force_N, proxy_mm, normal, depth_mm, stiffness_N_per_mm, number);
+    body = static_cast<std::size_t>(number);
+  }
+};
 
 class SceneGestures {
  public:
   SceneGestures() = default;
   explicit SceneGestures(const SceneDescription& description);
 
-  /// Adds what they make the haptic point feel to what the bodies do. @param dt_s > 0 @param with_bodies of the scene
+  /// Adds the gestures' forces to those of the bodies. @param dt_s > 0 @param with_bodies whether the scene has any
   void step(const Vec3& probe_mm, double dt_s, bool with_bodies, SceneTouch& touch);
 
   /// As of the last step.

@@ -9,7 +9,7 @@ SceneStage::SceneStage(std::shared_ptr<const LoadedScene> scene) : scene_(std::m
 
 void SceneStage::show(const FeltScene& felt) {
   const Scene& scene = felt.scene();
-  if (moment_.stepped && scene.time_s() - moment_.time_s < kShown_s) return;
+  if (moment_.stepped && scene.time_s() - moment_.time_s < kPublishPeriod_s) return;
   moment_.stepped = true;
   moment_.time_s = scene.time_s();
   moment_.point_mm = felt.probe_mm();

@@ -1,4 +1,5 @@
-// A scene as it is shown: what of it stands, and its newest moment, from the thread that steps it to one that draws it.
+// A scene as it is shown: its description and placements, and its newest state, passed from the thread that steps it to
+// the one that draws it.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,7 @@ namespace fyd::scene {
 
 /// Frame and units: the scene's, mm and N.
 struct SceneMoment {
-  bool stepped = false;  ///< false: nobody has touched the scene yet, and the rest says nothing
+  bool stepped = false;  ///< false: the scene has not been stepped yet; the other members have no meaning
   double time_s = 0.0;   ///< since the first step; bodies fly with it
   Vec3 point_mm;         ///< the haptic point
   SceneTouch touch;
@@ -30,11 +31,11 @@ class SceneStage {
   /// Of each body, at time 0.
   [[nodiscard]] const std::vector<Placement>& placements() const { return placements_; }
 
-  /// By the thread that steps: the first moment, and each that is kShown_s or more after the one shown before.
+  /// For the thread that steps: publishes the first moment, and each that is kPublishPeriod_s or more after the last published.
   void show(const FeltScene& scene);
   void show(const SceneMoment& moment) { newest_.write(moment); }
-  static constexpr double kShown_s = 0.016;
-  /// By one thread that draws; valid until its next call.
+  static constexpr double kPublishPeriod_s = 0.016;
+  /// For one thread that draws; valid until its next call.
   [[nodiscard]] const SceneMoment& newest() { return newest_.read(); }
 
  private:

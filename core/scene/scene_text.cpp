@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/base/toml_parameters.h"
+#include "core/scene/mesh/vector.h"
 #include "core/scene/scene_description.h"
-#include "core/scene/vector.h"
 
 namespace fyd::scene {
 namespace {

@@ -16,7 +16,7 @@ struct BlobMeasure {
   double x = 0.0;        ///< centroid, column of the working grid
   double y = 0.0;
   double contrast = 0.0;  ///< D, 0…1
-  double edge_px = 0.0;   ///< standard deviation of the edge's blur, about
+  double edge_px = 0.0;   ///< standard deviation of the edge's blur, approximate
 };
 
 class BlobMeter {

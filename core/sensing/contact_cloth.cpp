@@ -11,22 +11,22 @@ namespace {
 
 constexpr double kUnknownRadiusSigma = 1.1;  // of ln r: a fingertip looks like 1 to 7 mm
 constexpr double kRadiusSigma_mm = 0.1;      // of the contact's radius from its area
-constexpr double kLeastOwn = 0.006;          // a share's own error over the sensor
+constexpr double kLeastOwn = 0.006;          // own error of a share with the finger over the sensor
 constexpr double kWiden_per_mm = 0.085;      // w, from finite strain; nearly the same for every finger and stretch
 constexpr double kWidenFrom = 1.0,
                  kWidenTo = 1.5;  // contact radii from its middle between which the sensors see it widen
 constexpr double kDeepest_mm = 15.0;
 constexpr double kLeastCompliance = 0.05;
-constexpr double kLeastLevel = 0.5;  // of 2πU: nearer to the frame the finger nearly fills the cloth
-constexpr double kMiddleRadius_mm =
-    2.8;  // of the contact under a sphere of 8 mm, 3 mm deep, with what it is wider from afar
-// Beside the frame a deep press is no wider, as seen by the sensors or by the force, than a part of its distance to it.
+constexpr double kLeastLevel = 0.5;       // of 2πU: nearer to the frame the finger nearly fills the cloth
+constexpr double kMiddleRadius_mm = 2.8;  // contact radius under a sphere of 8 mm pressed 3 mm deep, widening included
+// Near the frame the effective radius, as seen by the sensors or by the force, is limited to this part of the distance
+// to the frame.
 constexpr double kWidestForShares = 1.2;
 constexpr double kWidestForForce = 0.6;
 constexpr double kComplianceDoubt = 0.03;  // of its logarithm, far from the frame …
 constexpr double kFrameDoubt = 0.1;        // … and where its neighbourhood limits the radius
 
-/// The smaller of the two, without a corner between them.
+/// Smooth minimum of the two.
 double within(double radius, double widest) {
   return radius / std::sqrt(std::sqrt(1.0 + math::square(math::square(radius / widest))));
 }
@@ -80,7 +80,7 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
     const MembraneShare here = press.share(positions_[i].x_mm, positions_[i].y_mm);
     const double there = other.share(positions_[i].x_mm, positions_[i].y_mm).value;
     shares_[i] = {.value = here.value,
-                  // Where the finger nearly fills the cloth the slope has no end; a share is at most 1.
+                  // Where the finger nearly fills the cloth this derivative is unbounded; a share is at most 1.
                   .by_radius = std::clamp(here.per_log_radius * sigma, -1.0, 1.0),
                   .by_ratio = there - here.value,
                   .own = share_sigma_ + (kLeastOwn - share_sigma_) * here.value};

@@ -1,13 +1,13 @@
-// What each distance sensor sees of a press by a round finger, and what of that is not known.
+// Share of the indentation that each distance sensor sees under a round finger, and the uncertainty of that share.
 //
 //   zᵢ = −sᵢ(x, y, r)·δ,    r = κ·√(area/π)·(1 + w·δ/2πU)
 //
 // The shares sᵢ are those of a stretched membrane (membrane.h) with the cloth's tension ratio and edges. A deep press
-// stretches the cloth under the finger more than elsewhere, the more the steeper (δ/2πU), so that the finger looks
-// wider from afar: w; beside the contact it does not. They are wrong by what nobody measured: κ follows the finger's
-// form (0.6 for a sphere, 1 for a flat disc), the tension ratio the way the cloth was clamped, and a part of its own
-// remains for each sensor, because a cloth pressed deep is no linear membrane. Errors of κ and of the ratio move all
-// shares together; a longer look averages none of the three away.
+// stretches the cloth under the finger more than elsewhere, in proportion to its slope (δ/2πU); to distant sensors the
+// finger then looks wider (factor w), to sensors beside the contact it does not. The shares have three unknown errors:
+// κ depends on the finger's form (0.6 for a sphere, 1 for a flat disc), the tension ratio on how the cloth was clamped,
+// and each sensor has an error of its own, because a deeply pressed cloth is not a linear membrane. Errors of κ and of
+// the ratio are common to all sensors; averaging over time reduces none of the three.
 //
 // No allocation; the same bits on every processor.
 #pragma once
@@ -16,7 +16,7 @@
 #include <limits>
 #include <span>
 
-#include "core/sensing/fabric_plane.h"
+#include "core/sensing/cloth_plane.h"
 #include "core/sensing/indentation_parameters.h"
 #include "core/sensing/membrane.h"
 
@@ -33,7 +33,7 @@ struct Contact {
 /// plane. A height that is not finite or not above δ removes nothing.
 [[nodiscard]] Contact withoutPerspective(const Contact& seen, double indentation_mm, double camera_height_mm);
 
-/// What one sensor says of a press: how far the cloth came nearer to it.
+/// One sensor's reading of a press: how far the cloth came nearer to it.
 struct Drop {
   double drop_mm = 0.0;
   double sigma_mm = 0.0;  ///< noise of the reading
@@ -43,23 +43,23 @@ struct Drop {
 /// Indentation from all drops of one moment.
 struct ClothDepth {
   double indentation_mm = 0.0;
-  double variance_mm2 = std::numeric_limits<double>::infinity();  ///< noise and doubt; infinite: no sensor told
+  double variance_mm2 = std::numeric_limits<double>::infinity();  ///< of noise and shares; infinite: no usable sensor
 };
 
 class ContactCloth {
  public:
   explicit ContactCloth(const IndentationParameters& parameters = {});
 
-  /// Shares for a finger here and this deep; kept until the next.
+  /// Computes the shares for a finger at this place and depth; kept until the next call.
   void press(const Contact& contact, double indentation_mm);
 
-  /// Least squares whose weights know the noise and, for the depth found so far, the doubt of each share.
+  /// Least squares, weighted by the noise and, at the depth found so far, by the uncertainty of each share.
   /// @param drops one per sensor
   [[nodiscard]] ClothDepth solve(const Contact& contact, std::span<const Drop> drops);
 
   [[nodiscard]] std::size_t sensors() const { return sensors_; }
   [[nodiscard]] double share(std::size_t sensor) const { return shares_[sensor].value; }
-  /// Standard deviation of one sensor's share, all that is not known together.
+  /// Standard deviation of one sensor's share, from all three errors.
   [[nodiscard]] double doubt(std::size_t sensor) const;
   /// Standard deviation of Σ wᵢ·sᵢ.
   [[nodiscard]] double doubt(std::span<const double> weights) const;

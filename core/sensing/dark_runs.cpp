@@ -74,7 +74,7 @@ void DarkRuns::addRow(int y, const std::uint8_t* marks) {
 
 void DarkRuns::finish() {
   blobs_.clear();
-  // A root stands before all that hang on it, so one walk in order gives every run its blob.
+  // A root precedes all its descendants, so one pass in order gives every run its blob.
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     DarkRun& run = runs_[i];
     if (run.blob == static_cast<std::int32_t>(i)) {

@@ -138,13 +138,13 @@ void AdaptiveFinger::coverCells() {
   }
 }
 
-/// @return whether the light the pass went by was near enough to this picture's own
+/// @return whether the light that the pass used matches this picture's
 bool AdaptiveFinger::learnLight() {
   float darkest_share = 1.0F;
   if (light_known_) {
     coverCells();
     for (std::size_t i = 0; i < cells_.size(); ++i) cell_light_[i] = light_.at(cells_[i].u, cells_[i].v);
-    // Bare cells that moved with the light must still look like the light; otherwise start anew.
+    // Most uncovered cells must still match the learned light; otherwise it is learned anew.
     std::size_t off = 0;
     std::size_t bare = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {

@@ -12,7 +12,8 @@
 #include "core/base/image.h"
 #include "core/sensing/blob_measure.h"
 #include "core/sensing/dark_runs.h"
-#include "core/sensing/finger_detector.h"
+#include "core/sensing/finger_parameters.h"
+#include "core/sensing/finger_types.h"
 #include "core/sensing/light_surface.h"
 
 namespace fyd::sensing {
@@ -58,7 +59,7 @@ class AdaptiveFinger {
   LightSurface light_;
   bool light_known_ = false;
   float mark_below_ = 0.85F;  // of the light: darker pixels are marked
-  bool has_last_ = false;     // a recent finger, at
+  bool has_last_ = false;     // a recent finger is known, at (last_x_, last_y_)
   double last_x_ = 0.0;
   double last_y_ = 0.0;
   int since_last_ = 0;  // pictures
@@ -69,7 +70,7 @@ class AdaptiveFinger {
   DarkRuns runs_;
   BlobMeter meter_;
   std::vector<LightSurface::Cell> cells_;
-  std::vector<float> cell_light_;           // that the pass went by
+  std::vector<float> cell_light_;           // that the pass used
   std::vector<std::uint16_t> column_sums_;  // of the present row of cells
   std::vector<std::uint8_t> column_least_;
   std::vector<std::uint8_t> column_most_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/sensing/finger_adaptive.h"
 #include "core/sensing/finger_thesis.h"
@@ -16,7 +15,7 @@ struct FingerDetector::State {
   AdaptiveFinger adaptive;
   ThesisFinger thesis;
   FingerDetection last;  // thesis mode holds its position
-  bool seen = false;     // the region below is that of a picture
+  bool seen = false;     // `region` is that of the last picture, which was usable
 };
 
 FingerDetector::FingerDetector(const FingerParameters& parameters) : state_(std::make_unique<State>()) {
@@ -93,15 +92,6 @@ void FingerDetector::drawOverlay(std::span<std::uint8_t> mask) const {
       for (int x = run.begin * stride; x < std::min(run.end * stride, s.region.width); ++x) put(x, y, value);
     }
   }
-}
-
-void toMillimetres(const FingerParameters& parameters, double u_px, double v_px, double& x_mm, double& y_mm) {
-  const double across =
-      (u_px - parameters.centre_x_px) * parameters.scale_x_mm_per_px * (parameters.mirror ? -1.0 : 1.0);
-  const double back = -(v_px - parameters.centre_y_px) * parameters.scale_y_mm_per_px;
-  const double angle = parameters.rotation_deg * std::numbers::pi / 180.0;
-  x_mm = std::cos(angle) * across - std::sin(angle) * back;
-  y_mm = std::sin(angle) * across + std::cos(angle) * back;
 }
 
 }  // namespace fyd::sensing

@@ -1,17 +1,18 @@
-// Finds the finger in a picture of the cloth seen from below (thesis §4.1.1).
+// Finds the finger in a picture of the cloth seen from below [thesis §4.1.1].
 //
 // adaptive (default): the cloth's light B(u, v) is a smooth surface fitted to the picture's own cells; a pixel's
 //   darkness is d = 1 − I/B; pixels darker than half the finger's darkness D form runs, runs form connected blobs,
-//   and of several blobs the one nearest the last finger is taken. Then, around that blob only,
-//   area = Σd/D and centroid = Σd·(u, v)/Σd: sums that blur does not change.
+//   and of several blobs the one nearest the last finger is taken, without one the largest. Then, around that blob
+//   only, area = Σd/D and centroid = Σd·(u, v)/Σd: sums that blur does not change.
 // thesis: ROI → 160 × 120 → grey < threshold; area is the count; contact when area > minimum;
 //   centroid weighted by exp(−(I−µ)²/2σ²) with µ the darkest value and σ = (max − min)/5.
 //   σ = 0 is answered with flat_picture (the printed code divides by zero); position is kept while there is no contact.
 //
-// px → mm: x = ±(u − u₀)·sx, y = −(v − v₀)·sy, then turned by the rotation.
+// px → mm, adaptive: x = ±(u − u₀)·sx, y = −(v − v₀)·sy, then turned by the rotation.
+// px → mm, thesis: the printed 0.46875 mm/px of the 160 × 120 picture, about its middle.
 //
 // Used by one thread at a time. Allocates only at the first picture and when its size changes. Never throws for
-// any picture; what is wrong with one stands in the reason.
+// any picture; the reason says what is wrong with one.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +24,6 @@
 #include "core/sensing/finger_types.h"
 
 namespace fyd::sensing {
-
-/// Part of the picture the detector looks at, px, inside the picture.
-struct RegionOfInterest {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
 
 class FingerDetector {
  public:
@@ -58,8 +51,5 @@ class FingerDetector {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// Picture to touchpad, as described above.
-void toMillimetres(const FingerParameters& parameters, double u_px, double v_px, double& x_mm, double& y_mm);
 
 }  // namespace fyd::sensing

@@ -1,7 +1,9 @@
-// Parameters of the finger detector (thesis §4.1.1; fact sheet §2).
+// Parameters of the finger detector [thesis §4.1.1] [authors' program].
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "core/base/message.h"
@@ -130,5 +132,15 @@ struct FingerParameters {
                .live = true});
   }
 };
+
+/// From a place in the picture to one on the cloth: x = ±(u − u₀)·sx, y = −(v − v₀)·sy, then turned by the rotation.
+inline void toMillimetres(const FingerParameters& parameters, double u_px, double v_px, double& x_mm, double& y_mm) {
+  const double across =
+      (u_px - parameters.centre_x_px) * parameters.scale_x_mm_per_px * (parameters.mirror ? -1.0 : 1.0);
+  const double back = -(v_px - parameters.centre_y_px) * parameters.scale_y_mm_per_px;
+  const double angle = parameters.rotation_deg * std::numbers::pi / 180.0;
+  x_mm = std::cos(angle) * across - std::sin(angle) * back;
+  y_mm = std::sin(angle) * across + std::cos(angle) * back;
+}
 
 }  // namespace fyd::sensing

@@ -1,10 +1,11 @@
-// The finger detector as printed (thesis §4.1.1), call by call with OpenCV. See finger_detector.h.
+// The finger detector as printed [thesis §4.1.1], with the same OpenCV calls. See finger_detector.h.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
 
 #include "core/base/image.h"
-#include "core/sensing/finger_detector.h"
+#include "core/sensing/finger_parameters.h"
+#include "core/sensing/finger_types.h"
 
 namespace fyd::sensing {
 

@@ -1,4 +1,4 @@
-// What the finger detector says of one picture (thesis §4.1.1).
+// Result of the finger detector for one picture [thesis §4.1.1].
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace fyd::sensing {
 
-/// The numbers are what a file holds: they stay, and a new one takes the next.
+/// Stored in files by number: numbers never change, and a new one takes the next.
 enum class FingerReason : std::uint8_t {
   found = 0,          ///< a finger, all is well
   no_finger = 1,      ///< the picture is good and shows none
   too_small = 2,      ///< something dark, smaller than the minimum area
   at_edge = 3,        ///< a finger, cut by the edge of the region of interest
-  several = 4,        ///< several blobs; the one nearest the last was taken
+  several = 4,        ///< several blobs; the one nearest the last finger was taken
   flat_picture = 5,   ///< darkest and brightest pixel are equal: nothing to weigh
   black_picture = 6,  ///< no light
   saturated = 7,      ///< (nearly) every pixel at the top of the scale

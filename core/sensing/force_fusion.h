@@ -1,9 +1,9 @@
 // Indentation through the force: δ = c·F, with the compliance c = 1/k of this touch learnt from the distance sensors.
 //
-// Whatever the finger does, force and indentation do it together; only c is unknown, and c changes no faster than the
-// motors stretch the cloth. So each distance reading z = s·δ + noise becomes one of c, z = (s·F)·c + noise, averaged
-// over the whole touch, and the load cell, quick and quiet, says at once how deep the finger is. Distance sensors alone
-// must choose between noise and lag (indentation_filter.h).
+// Force and indentation rise and fall together; only c is unknown, and c changes no faster than the motors stretch the
+// cloth. So each distance reading z = s·δ + noise becomes a reading of c, z = (s·F)·c + noise, averaged over the whole
+// touch, and the load cell, which has little lag and noise, gives the indentation at once. The distance sensors alone
+// force a choice between noise and lag (indentation_filter.h).
 //
 // When distance and force contradict each other for long (a dead load cell, a hand on the cover), the force is not
 // used for the rest of the touch.
@@ -22,7 +22,8 @@ class ForceFusion {
  public:
   ForceFusion();
 
-  /// A new touch: the compliance is anything a fabric display has (0.3 to 0.9 N/mm, thesis §4.1.4, generously).
+  /// A new touch: the compliance starts in the middle of the device's range (0.3 to 0.9 N/mm [thesis §4.1.4]), with a
+  /// wide uncertainty.
   void restart();
 
   /// The newest force, N; repeated counts are ignored, NaN makes the fusion unusable until the next number.
@@ -31,7 +32,7 @@ class ForceFusion {
   /// Distance readings taken at `taken`: z = h·δ, as in IndentationFilter.
   void update(double dt_s, Instant taken, std::span<const IndentationFilter::Measurement> measurements);
 
-  /// Compares with what the distance sensors alone say.
+  /// Compares with the indentation from the distance sensors alone.
   void compare(double dt_s, double indentation_mm, double sigma_mm);
 
   /// A force is there, and nothing contradicts it.

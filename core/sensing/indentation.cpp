@@ -15,7 +15,7 @@ constexpr std::uint32_t kFewestForMembrane = 2;  // so that one can contradict t
 constexpr double kInconsistent = 4.0;            // squared standard deviations
 constexpr std::uint32_t kStuckReadings = 60;     // 1 s at 60 Hz without one changed count …
 constexpr double kStuckTravel_counts = 200.0;    // … while the others went this far
-constexpr double kSeenDepthShare = 0.3;          // of a new reading: 50 ms
+constexpr double kSeenDepthShare = 0.3;          // weight of a new reading: time constant 50 ms
 constexpr double kLowest_mm = -20.0;
 constexpr double kHighest_mm = 100.0;
 
@@ -224,8 +224,8 @@ Contact IndentationEstimator::contactOf(const FingerDetection& finger) const {
 }
 
 void IndentationEstimator::updateContact(double dt_s, Instant taken, const FingerDetection& finger) {
-  // Depth moves the place, place the compliance, and that the depth: beside the frame this circle closes on itself
-  // unless it is followed slowly.
+  // Depth changes the place, place the compliance, and compliance the depth: near the frame this feedback is unstable
+  // without the low-pass.
   seen_depth_mm_ += kSeenDepthShare * (estimate_.indentation_mm - seen_depth_mm_);
   cloth_.press(contactOf(finger), estimate_.indentation_mm);
   relative_compliance_ = cloth_.relativeCompliance();

@@ -1,15 +1,14 @@
-// Indentation of the cloth under the finger from distance sensors beside it (thesis §4.1.2).
+// Indentation of the cloth under the finger from distance sensors beside it [thesis §4.1.2].
 //
 // contact: as membrane, with the radius from the area that the camera sees, the camera's perspective removed, and with
-//   the doubt of what the model does not know (contact_cloth.h). The force tells of the compliance at the middle of the
-//   cloth; place and contact make it that of here.
-// membrane: each sensor sees its own share of the indentation δ, zᵢ = dᵢ − offsetᵢ = −sᵢ(x, y)·δ, with sᵢ
-// from
-//   membrane.h at the camera's (x, y). Two Kalman filters of δ, one for a finger that holds and one for a finger
-//   that moves, share their beliefs at each reading (interacting multiple models); readings far from what
-//   both expect are left out until they persist.
-//   While the load cell tells the force, the two filters only watch, and δ = c·F with the touch's compliance c learnt
-//   from the same readings (force_fusion.h).
+//   the uncertainty of the shares (contact_cloth.h). The force fusion learns the compliance at the middle of the cloth;
+//   place and contact area convert it to that under the finger.
+// membrane: each sensor sees its own share of the indentation δ, zᵢ = dᵢ − offsetᵢ = −sᵢ(x, y)·δ, with sᵢ from
+//   membrane.h at the camera's (x, y). Two Kalman filters of δ, one for a finger that holds and one for a finger that
+//   moves, mix their estimates at each reading (interacting multiple models); readings far from what the moving one
+//   expects are left out until they persist.
+//   While the load cell gives a force, the two filters serve only as a check, and δ = c·F with the touch's compliance c
+//   learnt from the same readings (force_fusion.h).
 // thesis: plane through the sensors at (x, y), accepted when it moved < 2 mm, smoothed 0.8/0.2. As printed, the gate
 //   can shut for good; here it opens again after five readings that agree with each other. Three valid sensors are
 //   needed.
@@ -25,8 +24,8 @@
 #include <string_view>
 
 #include "core/base/timed.h"
+#include "core/sensing/cloth_plane.h"
 #include "core/sensing/contact_cloth.h"
-#include "core/sensing/fabric_plane.h"
 #include "core/sensing/finger_types.h"
 #include "core/sensing/force_fusion.h"
 #include "core/sensing/indentation_filter.h"
@@ -111,7 +110,7 @@ class IndentationEstimator {
 
   void reset();
 
-  /// 2: relative compliance and doubt of the contact mode; 3: doubt of that, depth of the picture
+  /// 2: adds relative_compliance_ and doubt_; 3: adds compliance_doubt_ and seen_depth_mm_
   static constexpr std::uint16_t kStateVersion = 3;
 
   template <class Archive>
@@ -158,7 +157,7 @@ class IndentationEstimator {
   [[nodiscard]] std::uint32_t usedMask() const;
   [[nodiscard]] bool enoughSensors();
 
-  static constexpr double kShapeError = 0.02;  // of δ: what the membrane's formula leaves for a disc
+  static constexpr double kShapeError = 0.02;  // relative error of δ that the membrane's formula leaves for a disc
 
   IndentationParameters parameters_;
   Duration ir_maximum_age_ = std::chrono::milliseconds(100);
@@ -172,17 +171,17 @@ class IndentationEstimator {
   std::array<double, kMaximumIrSensors> others_travel_{};     // counts the others moved meanwhile
   Membrane membrane_;
   ContactCloth cloth_;
-  FabricPlane plane_;
+  ClothPlane plane_;
   std::uint32_t plane_mask_ = 0;
   double condition_number_ = 0.0;
   std::array<double, kMaximumIrSensors> shapes_{};  // at the finger's last position
   double shapes_x_mm_ = 0.0;
   double shapes_y_mm_ = 0.0;
   bool shapes_known_ = false;
-  double relative_compliance_ = 1.0;  // contact: of the last readings' place
-  double doubt_ = kShapeError;        // of δ, as a part of it: what the shares leave
-  double compliance_doubt_ = 0.0;     // of that, of its logarithm
-  double seen_depth_mm_ = 0.0;        // contact: the depth that the picture's perspective is removed with
+  double relative_compliance_ = 1.0;  // contact: at the place of the last readings
+  double doubt_ = kShapeError;        // relative standard deviation of δ from the shares' errors
+  double compliance_doubt_ = 0.0;     // standard deviation of ln relative_compliance_
+  double seen_depth_mm_ = 0.0;        // contact: low-passed depth, to remove the picture's perspective
   IndentationFilter filter_;
   ForceFusion fusion_;
   ThesisSmoother smoother_;

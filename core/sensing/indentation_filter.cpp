@@ -13,7 +13,7 @@ constexpr double kMoves_s = 0.2;  // … and moves
 constexpr double kLongestStep_s = 1.0;
 constexpr double kLargest_mm = 200.0;  // beyond any cloth: keeps the arithmetic finite
 constexpr double kOutlier = 5.0;       // standard deviations from what a moving finger allows
-constexpr int kPersistent = 4;         // an outlier this often in a row is the truth
+constexpr int kPersistent = 4;         // after so many outliers in a row, readings are accepted
 constexpr double kDisagreementShare = 0.05;
 
 }  // namespace
@@ -38,7 +38,7 @@ double IndentationFilter::sigma_mm() const { return std::sqrt(variance_); }
 void IndentationFilter::update(double dt_s, std::span<Measurement> measurements) {
   mix(std::isfinite(dt_s) ? std::clamp(dt_s, 0.0, kLongestStep_s) : 0.0);
 
-  // Outliers against what the wider belief allows, judged before any reading is used.
+  // Outliers are judged against the moving filter's estimate, which is the wider one, before any reading is used.
   const Belief& wide = belief_[1];
   bool any_left_out = false;
   for (Measurement& m : measurements) {

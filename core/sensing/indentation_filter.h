@@ -8,7 +8,7 @@
 
 namespace fyd::sensing {
 
-/// Indentation δ as a random walk with two paces, holding and moving; each reading z = h·δ + noise.
+/// Indentation δ as a random walk with two intensities, holding and moving; each reading z = h·δ + noise.
 /// A new touch starts at 0 ± the starting uncertainty. All results are finite for any input.
 class IndentationFilter {
  public:
@@ -19,7 +19,7 @@ class IndentationFilter {
     bool used = false;      ///< set by update: false when left out as an outlier
   };
 
-  /// The start is what a new touch is believed to be before its first reading; it takes effect with `restart`.
+  /// The start is the prior of a new touch, before its first reading; it takes effect with `restart`.
   void configure(double holding_mm_per_sqrt_s, double moving_mm_per_sqrt_s, double start_mm = 0.0,
                  double start_sigma_mm = kStartSigma_mm, double start_holding = 0.1);
   void restart();

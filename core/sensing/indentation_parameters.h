@@ -1,4 +1,4 @@
-// Parameters of the distance sensors and of the indentation under the finger (thesis §4.1.2).
+// Parameters of the distance sensors and of the indentation under the finger [thesis §4.1.2].
 #pragma once
 
 #include <array>

@@ -1,3 +1,4 @@
+// Texts of IndentationReason.
 #include "core/sensing/indentation.h"
 
 #include "core/base/message.h"

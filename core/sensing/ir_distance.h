@@ -1,11 +1,11 @@
-// One infrared distance sensor: ADC code to millimetres (thesis §2.1, §4.1.2; fact sheet §2).
+// One infrared distance sensor: ADC code to millimetres [thesis §2.1, §4.1.2] [GP2Y0A41SK0F].
 //
 //   v = 3.3·code/4096
 //   polynomial   d = c₀ + c₁v + … + cₙvⁿ      (mm)
-//   inverse      d = c₀/(v + c₁) + c₂         (mm; the physics of triangulation: three figures say it all)
+//   inverse      d = c₀/(v + c₁) + c₂         (mm; triangulation: three coefficients suffice)
 //
 // Without a calibration the curve is the thesis polynomial. A code outside the valid span gives no distance
-// (NaN): beyond it the polynomial turns negative or claims 790 mm. TRAP kept out of the way: no clamping.
+// (NaN) and is never clamped to the span: beyond it the polynomial turns negative or gives up to 790 mm.
 #pragma once
 
 #include <array>

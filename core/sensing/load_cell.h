@@ -1,8 +1,8 @@
-// Load cell to newtons (thesis §4.1.3): F = (1004.8805·value − 20.2512)/1000 · g, less the tare.
+// Load cell to newtons [thesis §4.1.3]: F = (1004.8805·value − 20.2512)/1000 · g, less the tare.
 // value is the bridge's mV/V (an API in V/V needs × 1000).
 //
-// Two bounds: the converter's end, ±7.77 mV/V at gain 128, where a reading says no more than "beyond" (an open wire, a
-// torn bridge), and the configured span of the cell itself. As delivered that is ±2 mV/V, 2.5 times the cell's rated
+// Two bounds: the converter's end, ±7.77 mV/V at gain 128, where a reading means only "out of range" (an open wire, a
+// broken bridge), and the configured span of the cell itself. As delivered that is ±2 mV/V, 2.5 times the cell's rated
 // 0.8 mV/V (7.65 N): a cell of this kind breaks at 1.5 times its rating, so nothing sound reads more.
 #pragma once
 

@@ -129,7 +129,8 @@ void Membrane::Press::setEffectiveRadius(double radius_mm) {
   const Membrane& m = *membrane_;
   if (!known_ || !std::isfinite(radius_mm)) return;
   const double r = std::clamp(radius_mm, kLeastRadius_mm, kWidestPart * std::min(m.half_width_mm_, m.half_depth_mm_));
-  // A circle on the cloth is an ellipse in the scaled plane, and that looks like a disc of half its axes' sum.
+  // A circle on the cloth is an ellipse in the scaled plane; from afar it acts like a disc whose radius is the mean of
+  // the semi-axes.
   const double scaled = r * 0.5 * (m.scale_x_ + m.scale_y_);
   dipole_ = -2.0 * kPi * scaled * scaled;
   const double bend = dipole_ * (along_ * along_ + across_ * across_);

@@ -85,10 +85,6 @@ class Membrane {
   /// Distance to the nearest edge that is held; negative outside.
   [[nodiscard]] double toHeldEdge(double x_mm, double y_mm) const;
 
-  [[nodiscard]] double halfWidth_mm() const { return half_width_mm_; }
-  [[nodiscard]] double halfDepth_mm() const { return half_depth_mm_; }
-  [[nodiscard]] double fingerRadius_mm() const { return finger_radius_mm_; }
-
  private:
   struct Place {
     double along = 0.0;   // of the strip, from its end

@@ -9,13 +9,13 @@
 
 namespace fyd::sensing {
 
-/// IR distance sensors the house can carry (the touchpad of the thesis has three).
+/// Largest number of IR distance sensors of a touchpad (the thesis' has three).
 inline constexpr std::size_t kMaximumIrSensors = 8;
 
-/// Codes of the distance sensors (thesis §4.1.2).
+/// Codes of the distance sensors [thesis §4.1.2].
 using IrCounts = Batch<std::uint16_t, kMaximumIrSensors>;
 
-/// Load-cell bridge (thesis §4.1.3).
+/// Load-cell bridge [thesis §4.1.3].
 struct BridgeReading {
   double value_mV_per_V = 0.0;
 

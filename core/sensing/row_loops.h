@@ -1,5 +1,5 @@
-// Inner loops of the adaptive finger detector's pass over one row. The rows never overlap; saying so lets the
-// compiler take 16 pixels at a time.
+// Inner loops of the adaptive finger detector's pass over one row. The rows never overlap; `__restrict__` says so and
+// lets the compiler process 16 pixels at a time.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ inline std::uint8_t mark(const std::uint8_t* __restrict__ grey, const std::uint8
   return any;
 }
 
-/// Light, cut to whole greys.
+/// Light, truncated to whole grey values.
 inline void toLimits(const float* __restrict__ light, int count, std::uint8_t* __restrict__ limits) {
   for (int x = 0; x < count; ++x) limits[x] = static_cast<std::uint8_t>(static_cast<int>(std::min(light[x], 255.0F)));
 }

@@ -1,4 +1,4 @@
-// The room's parameters, gathered.
+// All parameters of the sensing module.
 #pragma once
 
 #include "core/sensing/finger_parameters.h"

@@ -1,10 +1,10 @@
-// Stiffness of the cloth under the finger from force and indentation sampled at different rates (thesis §4.1.4).
+// Stiffness of the cloth under the finger from force and indentation sampled at different rates [thesis §4.1.4].
 //
 // slope (default): F = k·δ + c + noise. A Kalman filter of (k, c): k wanders at a given pace, because the motors change
-//   it while the finger holds still; c, the rest of a wrong tare, starts at 0 with a small uncertainty at each touch,
+//   it while the finger holds still; c, the remaining tare error, starts at 0 with a small uncertainty at each touch,
 //   so that it is used only when δ varies enough to tell it from k. Outliers weigh less (Huber). The reported
 //   uncertainty adds the indentation's own, which is common to all samples of a press: σ² = P + (kσ_δ/δ)².
-// thesis: k = F/δ, held while δ is too small to divide by (TRAP: δ → 0).
+// thesis: k = F/δ, held while δ is too small to divide by.
 //
 // "Not observable" while untouched, while force or indentation is too small, invalid or stale, or while the
 // uncertainty is above the limit; then the last value is held. A new touch starts afresh.

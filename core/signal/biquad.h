@@ -12,8 +12,8 @@ struct BiquadCoefficients {
 };
 
 /// Direct form I, evaluated strictly from left to right as the equation above is written: with b = (g, −2g, g) the
-/// forward part of a constant input is then exactly zero, and the state of a finished sound is exactly zero too,
-/// because outputs below 1e-30 are flushed (denormals would cost hundreds of cycles each).
+/// forward part of a constant input is then exactly zero, and after the end of a signal the state becomes exactly zero
+/// too, because outputs below 1e-30 are flushed (denormals would cost hundreds of cycles each).
 template <class Real = double>
 class Biquad {
  public:
@@ -40,7 +40,7 @@ class Biquad {
   }
 
   void reset() { x1_ = x2_ = y1_ = y2_ = Real(0); }
-  /// As if `x` had stood at the input for ever and a high-pass had settled to zero.
+  /// Steady state of a high-pass with the constant input `x`: its output is zero.
   void settleAt(Real x) {
     x1_ = x2_ = x;
     y1_ = y2_ = Real(0);

@@ -12,7 +12,7 @@ namespace fyd::signal {
 /// @param corner_Hz is brought into 1e-6 … 0.49 of `sample_rate_Hz`
 [[nodiscard]] BiquadCoefficients highPass(double corner_Hz, double sample_rate_Hz);
 
-/// As printed in the thesis (§4.1.4) for 1 kHz: Σb = 1e-4 leaves gravity a gain of +0.0039 (−48 dB); the passband
+/// As printed for 1 kHz [thesis §4.1.4]: Σb = 1e-4 leaves gravity a gain of +0.0039 (−48 dB); the passband
 /// is inverted (−0.998 at Nyquist); −3 dB at 0.0783 of the sample rate whatever that is.
 [[nodiscard]] constexpr BiquadCoefficients thesisHighPass() {
   return {.b0 = -0.7162, .b1 = 1.433, .b2 = -0.7163, .a1 = -1.372, .a2 = 0.4998};

@@ -1,4 +1,4 @@
-// The impulse response of minimum phase that has a given gain, by folding the real cepstrum to its causal half
+// Minimum-phase impulse response of a given gain, by folding the real cepstrum to its causal half
 // (Oppenheim and Schafer, Discrete-Time Signal Processing, homomorphic systems).
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace fyd::signal {
 
-/// @param fft of even length; bins() hold the natural logarithm of the gain, which time() holds as a response then.
-///     Allocates nothing.
+/// @param fft of even length. In: bins() hold the natural logarithm of the gain. Out: time() holds the impulse
+///   response. Allocates nothing.
 void minimumPhase(RealFft& fft);
 
 }  // namespace fyd::signal

@@ -18,7 +18,7 @@ class Resonator {
 
   /// Variance at the output per unit variance of white noise at the input: g·k / (1 + g·k + g²).
   [[nodiscard]] double noisePower() const { return g_ * k_ / (1.0 + g_ * k_ + g_ * g_); }
-  /// |H|² at a frequency, for fits: (g·k·w)² … evaluated on the bilinear-warped axis w = tan(π·f/rate).
+  /// |H|² at a frequency, for fits: k²w²/((1 − w²)² + k²w²) with w = tan(π·f/rate)/g.
   [[nodiscard]] double powerGain(double frequency_Hz, double sample_rate_Hz) const;
 
   template <class Archive>

@@ -1,5 +1,5 @@
 // Which frequencies a signal holds, and when: Hann-weighted transforms of short segments, half overlapped. For
-// pictures; allocates. A level is the amplitude of the sine that would read so, in the signal's own unit:
+// display; allocates. A level is the amplitude of the sine that would read so, in the signal's own unit:
 //
 //   A(k) = 2·|X(k)| / Σ w(n)      (DC and Nyquist: half of that)      x: the segment less its mean
 //

@@ -1,4 +1,4 @@
-// Power spectral density by Welch's method. Offline: allocates.
+// Power spectral density by Welch's method [Welch 1967]. Offline: allocates.
 #pragma once
 
 #include <span>

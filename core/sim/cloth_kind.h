@@ -1,4 +1,4 @@
-// Which cloth is simulated, and which finger presses it.
+// Kinds of simulated cloth and of fingers that press it.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace fyd::sim {
 
-/// ideal: stiffness the same everywhere and at every depth, shape by the estimator's own formula.
+/// ideal: the same stiffness at every place and depth, shape by the estimator's own formula.
 /// membrane: four edges held. rollers: held left and right by the rollers, front and back free. Both solved in finite
 /// strain.
 enum class ClothKind : std::uint8_t { ideal, membrane, rollers };

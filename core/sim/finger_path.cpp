@@ -11,7 +11,7 @@ struct Pose {
   double time_s, x_mm, y_mm, indentation_mm;
 };
 
-// Presses held, a press pulsed, strokes to and fro, a deep press; every 0 is a lifted finger.
+// Held presses, a pulsed press, strokes to and fro, a deep press: t_s, x_mm, y_mm, indentation_mm (0: lifted).
 constexpr std::array<Pose, 25> kDemonstration = {{
     {0.0, -25, 10, 0},  {0.5, -25, 10, 0},  {0.9, -25, 10, 5}, {1.6, -25, 10, 5}, {2.0, -25, 10, 0},
     {2.4, 20, -12, 0},  {2.8, 20, -12, 6},  {3.4, 20, -12, 6}, {3.7, 20, -12, 3}, {4.2, 20, -12, 6},
@@ -73,7 +73,7 @@ FingerState FingerPath::at(double time_s) const {
   const auto after = std::upper_bound(knots_.begin(), knots_.end(), t,
                                       [](double time, const Knot& knot) { return time < knot.time_s; });
   const Knot& a = *(after - 1);
-  if (after == knots_.end()) {  // the seam before the path repeats
+  if (after == knots_.end()) {  // the pause before the path repeats
     FingerState waiting = a.state;
     if (t > a.time_s) {
       waiting.lifted = true;

@@ -30,14 +30,14 @@ class FingerPath {
 
   /// A recording with columns t_s, x_mm, y_mm, z_mm (z up). One whose x and y lie within ±45 × ±30 mm and whose z lies
   /// within −8 … 20 mm is taken as it stands, indentation = −z. Any other is centred and scaled into that area, x and
-  /// y by one factor; its z is mapped so that the lowest value is 8 mm deep and the highest 30 % of the samples
+  /// y by the same factor; its z is mapped so that the lowest value is 8 mm deep and the highest 30 % of the samples
   /// do not touch. A row whose x, y and z are all NaN is a lifted finger. After the end the finger stays lifted for
   /// 0.5 s and the recording starts again.
   /// @return an error with file and line for any other NaN, values beyond 10⁶ mm, time that does not increase, and
   ///         all that readCsv refuses
   [[nodiscard]] static Result<FingerPath> fromCsv(const std::string& path);
 
-  /// Straight between knots, which are rows of a file or a program's own. After the last one as fromCsv.
+  /// Linear between knots. After the last one as fromCsv.
   /// @param knots times rising from 0; one and more
   struct Knot {
     double time_s = 0.0;
@@ -49,7 +49,7 @@ class FingerPath {
   /// @param speed above 0
   [[nodiscard]] FingerPath played(double speed, bool loop) const;
 
-  /// The finger at a time since the start, in s; straight between two rows; O(log n), without allocation.
+  /// The finger at a time since the start, in s; linear between two rows; O(log n), without allocation.
   /// Before 0 and for NaN: the first row.
   [[nodiscard]] FingerState at(double time_s) const;
 

@@ -10,7 +10,7 @@ namespace fyd::sim {
 namespace {
 
 constexpr double kSeam_s = 0.5;   // lifted between the end and the next start
-constexpr double kLargest = 1e6;  // mm and, as a time, s × 1000
+constexpr double kLargest = 1e6;  // mm; times may be 1000 times this, s
 constexpr double kHighestAsItStands_mm = 20.0;
 constexpr double kShareInContact = 0.7;
 
@@ -121,7 +121,7 @@ Result<FingerPath> FingerPath::fromCsv(const std::string& path) {
   for (std::size_t row = 0; row < table->rows(); ++row) {
     const double z = table->values[3][row];
     if (std::isnan(z)) {
-      state.lifted = true;  // where it was last
+      state.lifted = true;  // x and y stay as they were
       state.indentation_mm = 0.0;
     } else {
       state = fit.apply(table->values[1][row], table->values[2][row], z);

@@ -1,5 +1,5 @@
-// Constants of the simulated way from a duty to the finger (finger_vibration.h). Stated, not measured: nothing of it
-// was tried on hardware.
+// Parameters of the simulated path from a motor's duty to the finger's acceleration (finger_vibration.h). The defaults
+// are assumptions, not measured on hardware.
 #pragma once
 
 #include "core/base/parameter.h"

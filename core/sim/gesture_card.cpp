@@ -9,6 +9,7 @@
 #include <toml++/toml.h>
 
 #include "core/base/csv.h"
+#include "core/base/whole_file.h"
 
 namespace fyd::sim {
 namespace {
@@ -178,15 +179,9 @@ Result<GestureCard> trimmed(const GestureCard& card, double from_s, double to_s)
 }
 
 Result<GestureCard> readGestureFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fail("{}: cannot be opened for reading", path);
-  std::string text(kLargestCard_bytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kLargestCard_bytes) {
-    return fail("{}: more than {} bytes: no gesture card is that large", path, kLargestCard_bytes);
-  }
-  return parseGesture(text, path);
+  const auto text = readWholeFile(path, kLargestCard_bytes, FileKind::pipe_too);
+  if (!text) return tl::unexpected(text.error());
+  return parseGesture(*text, path);
 }
 
 Result<FingerPath> readFingerFile(const std::string& path) {

@@ -1,9 +1,9 @@
-// What the simulated robot touches: how stiff it is, how it damps, and how its surface shakes a tool drawn over it.
+// Materials under the simulated robot's tool: stiffness, damping, and the vibration of a tool drawn over the surface.
 //
 // Surface: the acceleration at the tool is a sum of waves fixed to the surface, met at the frequency v/λ when the
 // tool travels at v, and of a broadband part; each axis has its own share and phase. Amplitudes grow with
 // v/(v + 30 mm/s) and √(F/1 N), so that nothing moves at rest or without contact.
-// The figures are plausible and invented: no recording stands behind them.
+// The values are plausible assumptions, not taken from recordings.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ struct MaterialProperties {
   double broadband_g = 0.0;  ///< RMS of each axis' broadband part, likewise
 };
 
-/// Fabric's reach is 0.50–0.715 N/mm: sponge is softer and wood stiffer than any touchpad can show.
+/// The cloth's range is 0.50–0.715 N/mm: sponge is softer and wood stiffer than the touchpad can render.
 [[nodiscard]] const MaterialProperties& propertiesOf(Material material);
 
 }  // namespace fyd::sim

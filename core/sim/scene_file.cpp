@@ -1,11 +1,11 @@
 #include "core/sim/scene_file.h"
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <utility>
 
 #include "core/base/system_reason.h"
+#include "core/base/whole_file.h"
 
 namespace fyd::sim {
 namespace {
@@ -13,28 +13,13 @@ namespace {
 constexpr std::uintmax_t kLargestMesh_bytes = 4ULL << 30;
 constexpr std::uintmax_t kLargestScene_bytes = 1 << 20;
 
-Result<std::string> readFile(const std::string& path, std::uintmax_t largest_bytes) {
-  std::error_code problem;
-  const auto kind = std::filesystem::status(path, problem).type();
-  if (problem) return fail("{}: cannot be read: {}", path, systemReason(problem));
-  if (kind != std::filesystem::file_type::regular) return fail("{}: no regular file", path);
-  const std::uintmax_t size = std::filesystem::file_size(path, problem);
-  if (problem) return fail("{}: cannot be read: {}", path, systemReason(problem));
-  if (size > largest_bytes) return fail("{}: {} bytes; expected at most {}", path, size, largest_bytes);
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(size, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (!file) return fail("{}: cannot be read", path);
-  return bytes;
-}
-
 }  // namespace
 
 Result<scene::Mesh> openMesh(const std::string& path, scene::LengthUnit unit) {
   const auto format = scene::meshFormatOf(path);
   if (!format) return tl::unexpected(format.error());
   auto soup = [&]() -> Result<scene::TriangleSoup> {
-    const auto bytes = readFile(path, kLargestMesh_bytes);
+    const auto bytes = readWholeFile(path, kLargestMesh_bytes);
     if (!bytes) return tl::unexpected(bytes.error());
     auto parsed = scene::parseMesh(*bytes, *format, unit);
     if (!parsed) return fail(about(path, parsed.error().message));
@@ -47,7 +32,7 @@ Result<scene::Mesh> openMesh(const std::string& path, scene::LengthUnit unit) {
 }
 
 Result<scene::LoadedScene> openScene(const std::string& path) {
-  const auto text = readFile(path, kLargestScene_bytes);
+  const auto text = readWholeFile(path, kLargestScene_bytes);
   if (!text) return tl::unexpected(text.error());
   auto description = scene::parseScene(*text, path);
   if (!description) return tl::unexpected(description.error());
@@ -62,13 +47,13 @@ Result<scene::LoadedScene> openScene(const std::string& path) {
     if (!mesh) {
       auto read = openMesh(file, body.unit);
       if (!read) return fail(about(path, read.error().message));
-      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read), walksOn(out.description, body));
+      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read), needsWalkableMesh(out.description, body));
     }
     out.meshes.push_back(mesh);
     auto& texture = out.textures.emplace_back();
     if (body.texture.empty()) continue;
     const std::string stored = (folder / body.texture).string();
-    const auto surface = readFile(stored, kLargestScene_bytes);
+    const auto surface = readWholeFile(stored, kLargestScene_bytes);
     if (!surface) return fail(about(path, surface.error().message));
     auto model = texture::parseSurface(*surface, stored);
     if (!model) return tl::unexpected(model.error());

@@ -1,4 +1,4 @@
-// Meshes and scenes from files: opened here, understood in core/scene.
+// Meshes and scenes from files: opened here, parsed in core/scene.
 #pragma once
 
 #include <string>

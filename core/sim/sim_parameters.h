@@ -1,5 +1,5 @@
 // Parameters of the simulated touchpad, its camera and the simulated robot arm. The defaults are a well-behaved
-// device; the "plant truth" options (spread, hysteresis, friction, delays, noise) make it unkind for tests.
+// device; options for spread, hysteresis, friction, delays and noise make it harder to control and measure, for tests.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ struct SimParameters {
   // cloth and finger
   ClothKind cloth = ClothKind::membrane;
   FingerKind finger = FingerKind::sphere;
-  double fabric_stiffness_scale = 1.0;
-  double fabric_slackens_percent_per_min = 0.0;
-  double fabric_hysteresis = 0.0;
-  double fabric_viscosity_ms = 0.0;
+  double cloth_stiffness_scale = 1.0;
+  double cloth_slackens_percent_per_min = 0.0;
+  double cloth_hysteresis = 0.0;
+  double cloth_viscosity_ms = 0.0;
   double cloth_height_mm = 100.0;
 
   // motors
@@ -69,21 +69,28 @@ struct SimParameters {
               .before_it_was = 0});
     v.choice("sim.finger", finger, kFingerNames,
              {.help = "What presses a cloth that is not ideal: a sphere of 8 mm, a tilted capsule or a flat disc."});
-    v.real("sim.fabric_stiffness_scale", fabric_stiffness_scale,
-           {.minimum = 0.7, .maximum = 1.3, .help = "Factor on the stiffness of the nominal fabric."});
-    v.real("sim.fabric_slackens_percent_per_min", fabric_slackens_percent_per_min,
+    v.real("sim.cloth_stiffness_scale", cloth_stiffness_scale,
+           {.minimum = 0.7,
+            .maximum = 1.3,
+            .help = "Factor on the stiffness of the nominal cloth.",
+            .formerly = "sim.fabric_stiffness_scale"});
+    v.real("sim.cloth_slackens_percent_per_min", cloth_slackens_percent_per_min,
            {.unit = "%/min",
             .minimum = 0,
             .maximum = 600,
-            .help = "Part of its stiffness that the cloth loses each minute, down to a third."});
-    v.real(
-        "sim.fabric_hysteresis", fabric_hysteresis,
-        {.minimum = 0, .maximum = 0.3, .help = "Share of the force added on the way down and missing on the way up."});
-    v.real("sim.fabric_viscosity_ms", fabric_viscosity_ms,
+            .help = "Part of its stiffness that the cloth loses each minute, down to a third.",
+            .formerly = "sim.fabric_slackens_percent_per_min"});
+    v.real("sim.cloth_hysteresis", cloth_hysteresis,
+           {.minimum = 0,
+            .maximum = 0.3,
+            .help = "Share of the force added on the way down and missing on the way up.",
+            .formerly = "sim.fabric_hysteresis"});
+    v.real("sim.cloth_viscosity_ms", cloth_viscosity_ms,
            {.unit = "ms",
             .minimum = 0,
             .maximum = 100,
-            .help = "Time by which the force runs ahead of the slow press: viscosity over stiffness."});
+            .help = "Time by which the force runs ahead of the slow press: viscosity over stiffness.",
+            .formerly = "sim.fabric_viscosity_ms"});
     v.real(
         "sim.cloth_height_mm", cloth_height_mm,
         {.unit = "mm", .minimum = 60, .maximum = 150, .help = "Height of the untouched cloth above the IR sensors."});

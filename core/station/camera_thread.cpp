@@ -4,7 +4,7 @@
 
 #include <condition_variable>
 
-#include "core/device/camera_controls.h"
+#include "core/device/camera/camera_controls.h"
 
 namespace fyd::station {
 namespace {
@@ -104,7 +104,7 @@ device::DeviceReport CameraThread::report(Instant now) const {
                     {.name = say("finger"), .text = phrase(sensing::toString(view_.finger.reason))}};
     }
   }
-  fillIn(out, monitor_.status(now));
+  monitor_.fillIn(out, now);
   return out;
 }
 
@@ -117,7 +117,7 @@ void CameraThread::failed(const Message& problem) {
   if (monitor_.failed(problem)) spdlog::warn("Camera: {}", problem.text());
 }
 
-// A picture equal to the last one says nothing of the present: it is not handed on, so that the finger's age grows.
+// A picture identical to the last one carries no new measurement: it is not handed on, so that the finger's age grows.
 void CameraThread::process(device::CameraFrame frame) {
   const bool was_frozen = frozen_.frozen();
   if (!live_ || frozen_.isNews(frame.picture, frame.taken)) {
@@ -147,7 +147,7 @@ void CameraThread::detect(device::CameraFrame frame) {
   finger.write(newest_);
   monitor_.succeeded(frame.taken);
 
-  const sensing::RegionOfInterest region = detector_.region();
+  const RegionOfInterest region = detector_.region();
   view.region = cv::Rect(region.x, region.y, region.width, region.height);
   view.finger_mask.create(region.height, region.width, CV_8UC1);
   detector_.drawOverlay({view.finger_mask.data, view.finger_mask.total()});

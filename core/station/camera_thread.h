@@ -8,11 +8,12 @@
 #include <thread>
 
 #include "core/base/latest_value.h"
-#include "core/device/camera.h"
+#include "core/device/camera/camera.h"
+#include "core/device/camera/frozen_picture.h"
 #include "core/device/device_parameters.h"
-#include "core/device/frozen_picture.h"
+#include "core/device/part_monitor.h"
 #include "core/sensing/finger_detector.h"
-#include "core/station/part_monitor.h"
+#include "core/station/camera_view.h"
 
 namespace fyd::station {
 
@@ -35,7 +36,7 @@ class CameraThread {
 
   LatestValue<Timed<sensing::FingerDetection>> finger;  ///< read by the haptic loop
   [[nodiscard]] CameraView view() const;
-  [[nodiscard]] PartStatus status(Instant now) const { return monitor_.status(now); }
+  [[nodiscard]] device::DeviceReport status(Instant now) const { return monitor_.report(now); }
   [[nodiscard]] device::DeviceReport report(Instant now) const;
 
  private:
@@ -50,10 +51,10 @@ class CameraThread {
   Observer observer_;
   sensing::FingerDetector detector_;
   Timed<sensing::FingerDetection> newest_;
-  PartMonitor monitor_;
+  device::PartMonitor monitor_;
   device::FrozenPicture frozen_;
   bool live_ = false;
-  const bool flat_cloth_;  // so that a picture of one grey shows an untouched one
+  const bool flat_cloth_;  // an untouched cloth then gives a uniformly grey picture
   mutable std::mutex mutex_;
   CameraView view_;
   device::DeviceReport report_;

@@ -16,7 +16,9 @@ bool identifies(device::DeviceTest test) {
   return test == device::DeviceTest::breakaway || test == device::DeviceTest::chirp;
 }
 
-bool has(const pipeline::Lacks& lacks, pipeline::Lack lack) { return lacks.test(static_cast<std::size_t>(lack)); }
+bool has(const pipeline::FaultSet& faults, pipeline::Fault fault) {
+  return faults.test(static_cast<std::size_t>(fault));
+}
 
 }  // namespace
 
@@ -80,7 +82,7 @@ DeviceTestStatus DeviceTestRunner::status() const {
 DeviceTestRunner::End DeviceTestRunner::refusal(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs) {
   using enum pipeline::SafetyState;
   const pipeline::SafetyState state = outputs.telemetry.state;
-  if (has(outputs.lacks, pipeline::Lack::motors_stale) || inputs.motors.count == 0) return End::motors_silent;
+  if (has(outputs.faults, pipeline::Fault::motors_stale) || inputs.motors.count == 0) return End::motors_silent;
   return (state == connected || state == ready || state == stopped) && !outputs.motors.active ? End::none
                                                                                               : End::not_now;
 }
@@ -105,7 +107,7 @@ bool DeviceTestRunner::follows(Duration elapsed, const std::array<double, contro
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     double away = wanted[i] - motor_deg[i];
     if (sweep) {
-      // Until the first step the motor is on its way to its own zero, and anything but silence is well.
+      // Until the first step the motor is on its way to its own zero, and any valid angle is accepted.
       const double turned =
           elapsed < kFirstStep ? 0.0 : std::abs(std::remainder(motor_deg[i] - swept_from_deg_[i], 360.0));
       away = std::isfinite(motor_deg[i]) ? std::abs(wanted[i]) - turned : motor_deg[i];
@@ -132,7 +134,7 @@ void DeviceTestRunner::begin(const pipeline::Inputs& inputs, const pipeline::Out
   const bool within = test == device::DeviceTest::sweep || std::ranges::all_of(motor_deg, [&](double angle) {
                         return std::abs(angle) <= parameters.motor_limit_deg;
                       });
-  if (!within) {  // asked here, because a refusal in words would allocate
+  if (!within) {  // checked here, because an error with a text would allocate
     end(End::beyond_limit);
     return;
   }

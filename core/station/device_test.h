@@ -1,10 +1,9 @@
 // Runs a device test on an operator's held button, on the haptic loop and only while nothing else may move a motor.
 //
-// It runs in Connected, Ready and Stopped. It ends by itself, and by: the button's release or 0.5 s without a sign of
-// it, any stop or arm, any change of the safety state, a motor board that falls silent, 20 ms without a step, a motor
-// 10° away from where it was sent. Nothing starts it again but the next press. A sweep believes neither zero nor sign
-// of an encoder: there a motor must turn as far as it was sent from the first step of the sweep on, whichever way it
-// counts.
+// It runs in Connected, Ready and Stopped. It ends by itself, and by: the button's release or 0.5 s without `keep`,
+// any stop or arm, any change of the safety state, a motor board that falls silent, 20 ms without a step, a motor
+// 10° away from where it was sent. Only the next press starts it again. A sweep relies on neither the zero nor the
+// sign of an encoder: from its first step on, a motor must turn as far as commanded, in either direction.
 #pragma once
 
 #include <atomic>
@@ -12,14 +11,14 @@
 #include <string>
 
 #include "core/control/control_parameters.h"
-#include "core/device/test_motion.h"
+#include "core/device/touchpad/test_motion.h"
 #include "core/pipeline/inputs.h"
 #include "core/pipeline/outputs.h"
 #include "core/station/sweep_tape.h"
 
 namespace fyd::station {
 
-/// As an operator reads it.
+/// The state of the device test, for the operator's display.
 struct DeviceTestStatus {
   bool running = false;
   device::DeviceTest test = device::DeviceTest::motor_1;     ///< the last one asked for
@@ -27,12 +26,12 @@ struct DeviceTestStatus {
   bool finished = false;                                     ///< the last one came to its end
   Message words;                                             ///< "running", or how the last one ended; empty before it
   std::array<double, control::kMotorCount> commanded_deg{};  ///< where the motors are sent; of the running one
-  bool resting = false;                                      ///< and stand there since 0.3 s
+  bool resting = false;                                      ///< the command has not changed for 0.3 s
 };
 
 class DeviceTestRunner {
  public:
-  static constexpr Duration kHold = std::chrono::milliseconds(500);  ///< longest silence of a held button
+  static constexpr Duration kHold = std::chrono::milliseconds(500);  ///< longest time between two calls of `keep`
 
   // the operator's thread
   /// @param stretch_deg where `stretch` and `chirp` go, within control.travel_minimum_deg and travel_maximum_deg
@@ -42,7 +41,7 @@ class DeviceTestRunner {
   void keep(Instant now) { kept_.store(now.time_since_epoch().count(), std::memory_order_relaxed); }
   void stop() { request_.store(0, std::memory_order_release); }
   [[nodiscard]] DeviceTestStatus status() const;
-  /// What breakaway and chirp saw. To be asked several times a second while they run, and once a little later.
+  /// Rows measured by breakaway and chirp. To be called several times a second while they run, and once shortly after.
   [[nodiscard]] std::vector<texture::SweepRow> sweep() {
     tape_.gather();
     return tape_.rows();
@@ -97,7 +96,7 @@ class DeviceTestRunner {
   // the loop's
   std::uint32_t seen_ = 0;  // the last request it took up
   std::optional<device::TestMotion> motion_;
-  std::array<double, control::kMotorCount> swept_from_deg_{};  // what the encoders said at the sweep's first rest
+  std::array<double, control::kMotorCount> swept_from_deg_{};  // encoder angles at the sweep's first rest
   Instant started_{};
   Instant last_step_{};
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;

@@ -1,4 +1,5 @@
-// Calls a function at 1 kHz on absolute time, with the best priority the system grants, and keeps count.
+// Calls a function at 1 kHz on absolute time, with the highest priority the system grants, and counts steps
+// and missed cycles.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ namespace fyd::station {
 
 inline constexpr Duration kHapticPeriod = std::chrono::milliseconds(1);
 
-/// Times of the last steps, written by the loop, read by anyone: figures, not a record.
+/// Durations of the last steps, written by the loop, read by any thread; for statistics only.
 class StepTimes {
  public:
   static constexpr std::size_t kCapacity = 10'000;
@@ -27,6 +28,14 @@ class StepTimes {
  private:
   std::array<std::atomic<std::uint32_t>, kCapacity> times_ns_{};
   std::atomic<std::uint64_t> count_{0};
+};
+
+struct LoopStatus {
+  std::uint64_t steps = 0;
+  std::uint64_t missed_cycles = 0;
+  double step_ns_p50 = 0.0;  ///< over the last 10 000 steps
+  double step_ns_p99 = 0.0;
+  bool real_time = false;  ///< SCHED_FIFO granted
 };
 
 class HapticLoop {

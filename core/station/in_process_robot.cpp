@@ -1,6 +1,6 @@
 #include "core/station/in_process_robot.h"
 
-#include "core/sim/robot_arm.h"
+#include "core/sim/robot/robot_arm.h"
 #include "core/station/real_time.h"
 
 namespace fyd::station {
@@ -9,13 +9,13 @@ Result<std::unique_ptr<InProcessRobot>> InProcessRobot::open(const protocol::End
                                                              const sim::SimParameters& parameters,
                                                              const std::string& predictor) {
   auto any_port = protocol::parseEndpoint("127.0.0.1:0");
-  sim::SimulatedRobotOptions options;
+  device::RobotRunnerOptions options;
   options.touchpad = touchpad;
   options.bind = *any_port;
   const auto following = device::followingNamed(predictor);
   if (!following) return tl::unexpected(following.error());
   options.reference.predictor = *following;
-  auto robot = sim::SimulatedRobot::open(options, std::make_unique<sim::RobotArm>(parameters));
+  auto robot = device::RobotRunner::open(options, std::make_unique<sim::RobotArm>(parameters));
   if (!robot) return tl::unexpected(robot.error());
   return std::unique_ptr<InProcessRobot>(new InProcessRobot(std::move(*robot)));
 }

@@ -4,27 +4,27 @@
 #include <memory>
 #include <thread>
 
+#include "core/device/robot/robot_runner.h"
 #include "core/protocol/endpoint.h"
 #include "core/sim/sim_parameters.h"
-#include "core/sim/simulated_robot.h"
 
 namespace fyd::station {
 
 class InProcessRobot {
  public:
-  /// @param predictor how it leads its arm, as device::followingNamed takes it
+  /// @param predictor how it leads its arm; a name that device::followingNamed knows
   [[nodiscard]] static Result<std::unique_ptr<InProcessRobot>> open(const protocol::Endpoint& touchpad,
                                                                     const sim::SimParameters& parameters,
                                                                     const std::string& predictor);
   ~InProcessRobot() { shutDown(); }
   void start();
   void shutDown();
-  [[nodiscard]] sim::SimulatedRobotStatus status() const { return robot_->status(); }
+  [[nodiscard]] device::RobotRunnerStatus status() const { return robot_->status(); }
 
  private:
-  explicit InProcessRobot(std::unique_ptr<sim::SimulatedRobot> robot) : robot_(std::move(robot)) {}
+  explicit InProcessRobot(std::unique_ptr<device::RobotRunner> robot) : robot_(std::move(robot)) {}
 
-  std::unique_ptr<sim::SimulatedRobot> robot_;
+  std::unique_ptr<device::RobotRunner> robot_;
   std::jthread thread_;
 };
 

@@ -2,9 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
-#include "core/protocol/classic_touchpad_end.h"
-#include "core/protocol/described_scene.h"
-#include "core/protocol/link_touchpad_end.h"
+#include "core/protocol/classic/classic_touchpad_end.h"
+#include "core/protocol/link/described_scene.h"
+#include "core/protocol/link/link_touchpad_end.h"
 #include "core/station/real_time.h"
 
 namespace fyd::station {
@@ -127,7 +127,7 @@ void LinkThread::take(const protocol::TouchpadReception& reception, Instant now)
 
 void LinkThread::publish(Instant now) {
   const protocol::LinkFigures figures = end_->figures(now);
-  // In coarse steps, so that the texture's delay is not changed at every breath of the network.
+  // In coarse steps, so that the texture's delay does not follow every small change of the network's delay.
   newest_.sample_delay_ms =
       std::isfinite(figures.sample_delay_ms) ? kDelayStep_ms * std::ceil(figures.sample_delay_ms / kDelayStep_ms) : 0.0;
   const std::lock_guard lock(status_mutex_);
@@ -148,8 +148,8 @@ LinkStatus LinkThread::status() const {
   return status_;
 }
 
-PartStatus LinkThread::part(Instant now) const {
-  PartStatus part = monitor_.status(now);
+device::DeviceReport LinkThread::part(Instant now) const {
+  device::DeviceReport part = monitor_.report(now);
   const LinkStatus link = status();
   switch (link.phase) {
     case pipeline::LinkPhase::waiting:

@@ -1,4 +1,4 @@
-// The link thread: owns the socket, answers the robot at once with the newest touch, passes on what it said.
+// The link thread: owns the socket, answers the robot at once with the newest touch, passes on what it sends.
 #pragma once
 
 #include <atomic>
@@ -9,16 +9,17 @@
 
 #include "core/base/latest_value.h"
 #include "core/base/ring.h"
+#include "core/device/part_monitor.h"
 #include "core/pipeline/inputs.h"
-#include "core/protocol/link_keys.h"
+#include "core/protocol/link/link_keys.h"
 #include "core/protocol/link_parameters.h"
 #include "core/protocol/touchpad_end.h"
 #include "core/protocol/udp_socket.h"
-#include "core/station/part_monitor.h"
+#include "core/station/link_status.h"
 
 namespace fyd::station {
 
-/// What the loop has to say to the robot.
+/// What the haptic loop sends to the robot.
 struct Announcement {
   pipeline::TouchMessage touch;
   Instant taken{};
@@ -26,10 +27,10 @@ struct Announcement {
   control::MotorCommand motors;
 };
 
-/// State-like part of what the robot said; the streams go through the rings.
+/// The latest state values from the robot; its streams go through the rings.
 struct LinkSnapshot {
   pipeline::LinkPhase phase = pipeline::LinkPhase::waiting;
-  std::uint64_t losses = 0;  ///< grows with each loss, also one that was over before the loop looked
+  std::uint64_t losses = 0;  ///< increases with each link loss, even one that ended before the loop read it
   Timed<pipeline::RobotState> state;
   Timed<pipeline::RobotMotorReference> motor_reference;
   double sample_delay_ms = 0.0;  ///< how long the texture must wait for accelerations; 0: for none (classic)
@@ -39,7 +40,7 @@ class LinkThread {
  public:
   /// @param key of FYD Link; nothing: the classic protocol, not secured
   /// @param scene digest of the scene that is felt here; empty: none
-  /// @return an error when the address is taken or not there
+  /// @return an error when the address is in use or does not exist
   [[nodiscard]] static Result<std::unique_ptr<LinkThread>> open(
       const protocol::Endpoint& local, const protocol::LinkParameters& parameters,
       const std::optional<protocol::LinkKey>& key = std::nullopt, std::string scene = {});
@@ -47,10 +48,10 @@ class LinkThread {
   void start();
   void shutDown();
 
-  LatestValue<Announcement> announcement;                  ///< written by the haptic loop
-  LatestValue<LinkSnapshot> snapshot;                      ///< read by the haptic loop
-  Ring<pipeline::AccelerationSample> accelerations{1024};  ///< read by the haptic loop
-  Ring<pipeline::RobotCommand> commands{64};               ///< read by the haptic loop
+  LatestValue<Announcement> announcement;                 ///< written by the haptic loop
+  LatestValue<LinkSnapshot> snapshot;                     ///< read by the haptic loop
+  Ring<texture::AccelerationSample> accelerations{1024};  ///< read by the haptic loop
+  Ring<pipeline::RobotCommand> commands{64};              ///< read by the haptic loop
 
   /// The camera thread asks this before it spends time on encoding.
   [[nodiscard]] bool wantsImages() const { return wants_images_.load(std::memory_order_relaxed); }
@@ -58,7 +59,7 @@ class LinkThread {
 
   [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
   [[nodiscard]] LinkStatus status() const;
-  [[nodiscard]] PartStatus part(Instant now) const;
+  [[nodiscard]] device::DeviceReport part(Instant now) const;
 
  private:
   LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured, std::string scene);
@@ -79,7 +80,7 @@ class LinkThread {
   std::vector<std::uint8_t> image_;  // the link thread's own
   std::uint64_t lost_samples_ = 0;
   std::uint64_t send_failures_ = 0;
-  PartMonitor monitor_;
+  device::PartMonitor monitor_;
   mutable std::mutex status_mutex_;
   LinkStatus status_;
   std::jthread thread_;

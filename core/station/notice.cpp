@@ -25,7 +25,7 @@ Message stateSentence(const pipeline::Event& event) {
   using enum pipeline::SafetyState;
   const Message name = phrase(toString(event.state));
   switch (event.state) {
-    case held: return say("{}: {}. {} Then re-arm.", name, phrase(toString(event.lack)), phrase(remedy(event.lack)));
+    case held: return say("{}: {}. {} Then re-arm.", name, phrase(toString(event.fault)), phrase(remedy(event.fault)));
     case stopped: return say("{} by the operator. Motors are off. Arm to start again.", name);
     case active: return say("{}: rendering.", name);
     case ready: return say("{}: everything needed is there. Arm to start.", name);

@@ -5,9 +5,17 @@
 #include <string>
 
 #include "core/base/parameter.h"
+#include "core/base/time.h"
 #include "core/pipeline/outputs.h"
 
 namespace fyd::station {
+
+/// An event with its time, and as a sentence.
+struct Notice {
+  Instant when{};
+  pipeline::Event event;
+  Message message;
+};
 
 /// @param parameters the step's, for the names behind indices
 [[nodiscard]] Message describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters);

@@ -1,9 +1,8 @@
-// The readiness list: what must hold before arming, in the operator's words.
-#include "core/station/station_impl.h"
+#include "core/station/readiness.h"
 
 namespace fyd::station {
 
-std::vector<ReadinessLine> Station::readiness() const {
+std::vector<ReadinessLine> readinessOf(const pipeline::FaultSet& faults, bool has_robot) {
   using pipeline::Part;
   struct Line {
     Part part;
@@ -17,17 +16,16 @@ std::vector<ReadinessLine> Station::readiness() const {
       Line{Part::robot, sentence("Robot connected")},
       Line{Part::target, sentence("Stiffness target known")},
   };
-  const pipeline::Lacks lacks(impl_->lacks.load(std::memory_order_relaxed));
   std::vector<ReadinessLine> out;
   for (const Line& line : kLines) {
-    if (line.part == Part::robot && !impl_->link) continue;
+    if (line.part == Part::robot && !has_robot) continue;
     ReadinessLine shown{.what = phrase(line.what), .ok = true};
-    for (const pipeline::LackInfo& info : pipeline::lacksByUrgency()) {
-      if (info.part != line.part || !lacks.test(static_cast<std::size_t>(info.lack))) continue;
+    for (const pipeline::FaultInfo& info : pipeline::faultsByUrgency()) {
+      if (info.part != line.part || !faults.test(static_cast<std::size_t>(info.fault))) continue;
       shown.ok = false;
       shown.why = phrase(info.what);
       shown.remedy = phrase(info.remedy);
-      shown.lack = info.lack;
+      shown.fault = info.fault;
       break;
     }
     out.push_back(std::move(shown));

@@ -1,15 +1,15 @@
-// Asks the system for a real-time place for the calling thread; without the right to one the thread runs as it is.
+// Requests real-time scheduling for the calling thread; without permission the thread keeps its normal priority.
 #pragma once
 
 namespace fyd::station {
 
-/// Places of the station's threads, the most urgent first (SCHED_FIFO priorities).
+/// SCHED_FIFO priorities of the station's threads, the most urgent first.
 enum class Urgency : int { haptic = 80, link = 75, device = 70, robot = 60 };
 
 /// @return whether it was granted
 bool askForRealTime(Urgency urgency);
 
-/// Keeps what the process has in memory from being paged out, where the allowance for that is unlimited.
+/// Locks the process' memory against paging where RLIMIT_MEMLOCK is unlimited.
 void lockMemory();
 
 }  // namespace fyd::station

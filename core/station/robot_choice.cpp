@@ -1,7 +1,7 @@
 #include "core/station/robot_choice.h"
 
-#include "core/device/touch_reference.h"
-#include "core/protocol/link_key_file.h"
+#include "core/device/robot/touch_reference.h"
+#include "core/protocol/link/link_key_file.h"
 
 namespace fyd::station {
 namespace {

@@ -1,4 +1,4 @@
-// Which robot a station is to have, read from the words an operator gives.
+// Which robot a station uses, parsed from the operator's --robot option.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 
 #include "core/base/error.h"
 #include "core/protocol/endpoint.h"
-#include "core/protocol/link_keys.h"
+#include "core/protocol/link/link_keys.h"
 
 namespace fyd::station {
 
 struct RobotChoice {
   bool in_process = false;                   ///< the simulated one, in a thread of this process
-  std::string predictor = "default";         ///< how that one leads its arm, as device::followingNamed takes it
-  std::string scene;                         ///< file of the scene that is felt in a robot's place; empty: none
+  std::string predictor = "default";         ///< how that one leads its arm; a name that device::followingNamed knows
+  std::string scene;                         ///< file of the scene that is touched instead of a robot; empty: none
   std::optional<protocol::Endpoint> listen;  ///< where the link listens; nothing: no robot
   std::optional<protocol::LinkKey> key;      ///< of FYD Link; nothing: the classic protocol
 };

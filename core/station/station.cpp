@@ -1,73 +1,23 @@
 #include "core/station/station.h"
 
-#include <fstream>
-#include <iterator>
-#include <opencv2/core/utility.hpp>
+#include <spdlog/spdlog.h>
 
-#include "core/device/camera_source.h"
-#include "core/device/touchpad_source.h"
-#include "core/scene/felt_scene.h"
-#include "core/session/recorded_camera.h"
-#include "core/session/recorded_touchpad.h"
-#include "core/sim/gesture_card.h"
-#include "core/sim/scene_file.h"
-#include "core/sim/simulated_camera.h"
-#include "core/sim/simulated_touchpad.h"
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/base/profile_text.h"
+#include "core/scene/scene_stage.h"
+#include "core/station/haptic_thread.h"
+#include "core/station/in_process_robot.h"
 #include "core/station/notice.h"
+#include "core/station/readiness.h"
 #include "core/station/robot_choice.h"
-#include "core/station/station_impl.h"
+#include "core/station/station_sources.h"
 
 namespace fyd::station {
 namespace {
 
-constexpr std::string_view kSimulated = "simulated";
-
-Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& path) {
-  if (path.empty()) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fail("{}: cannot be opened for reading", path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  auto model = texture::parseSurface(text, path);
-  if (!model) return tl::unexpected(model.error());
-  return std::move(*model);
-}
-
-Result<pipeline::LocalModel> readLocalModel(const std::string& surface, const std::string& scene, double rate_Hz) {
-  pipeline::LocalModel local;
-  auto stored = readSurface(surface);
-  if (!stored) return tl::unexpected(stored.error());
-  local.surface = std::move(*stored);
-  if (scene.empty()) return local;
-  auto felt = sim::openFeltScene(scene, rate_Hz);
-  if (!felt) return tl::unexpected(felt.error());
-  local.scene = std::make_shared<const scene::FeltScene>(std::move(*felt));
-  return local;
-}
-
-Result<sim::FingerPath> readFinger(const std::string& path) {
-  if (path.empty()) return sim::FingerPath::demonstration();
-  return sim::readFingerFile(path);
-}
-
-Result<std::unique_ptr<device::Touchpad>> makeTouchpad(const StationOptions& options,
-                                                       const std::shared_ptr<sim::TouchpadWorld>& world,
-                                                       const std::shared_ptr<session::PlaybackStart>& playback) {
-  if (world)
-    return device::withMotors(std::make_unique<sim::SimulatedTouchpad>(world), options.motors, options.profile.device);
-  if (options.camera.empty()) return fail("camera: none given; only the simulated touchpad has a simulated camera");
-  if (!options.finger_csv.empty()) {
-    return fail("finger '{}': only the simulated touchpad has a simulated finger", options.finger_csv);
-  }
-  if (const auto recording = session::recordingOf(options.touchpad)) {
-    if (options.motors.empty()) return session::RecordedTouchpad::open(*recording, playback);
-    return fail("motors '{}': a recording drives no motors", options.motors);
-  }
-  auto touchpad = device::openTouchpad(options.touchpad, options.profile.device);
-  if (!touchpad) return touchpad;
-  return device::withMotors(std::move(*touchpad), options.motors, options.profile.device);
-}
-
-session::StationDescription describeForRecording(const StationOptions& options) {
+recording::StationDescription describeForRecording(const StationOptions& options) {
   return {.touchpad = options.touchpad + (options.motors.empty() ? "" : " with " + options.motors),
           .camera = options.camera.empty() ? std::string(kSimulated) : options.camera,
           .robot = options.robot};
@@ -75,43 +25,68 @@ session::StationDescription describeForRecording(const StationOptions& options) 
 
 }  // namespace
 
-StationOptions withProfileSources(StationOptions options) {
-  const SourceParameters& sources = options.profile.sources;
-  if (options.touchpad.empty()) {
-    options.touchpad = sources.touchpad;
-    if (options.motors.empty()) options.motors = sources.motors;
-    if (options.camera.empty()) options.camera = sources.camera;
+struct Station::Impl {
+  Impl(const StationOptions& options, const pipeline::LocalModel& local, std::shared_ptr<sim::TouchpadWorld> simulated,
+       std::unique_ptr<device::Touchpad> opened_touchpad, const std::shared_ptr<replay::PlaybackStart>& playback)
+      : profile(options.profile),
+        bound(bindParameters(profile)),
+        haptic(options.profile.step, local, bound),
+        recorder(options.profile.session, options.profile.step, local, describeForRecording(options), recorderSource()),
+        world(std::move(simulated)),
+        errors(world, options.camera.empty()),
+        touchpad(std::move(opened_touchpad), options.profile.device),
+        camera(options.camera.empty() ? say("simulated camera") : verbatim(options.camera),
+               cameraOpener(options, world, playback), options.profile.step.sensing.finger, options.profile.device) {
+    camera.observe([this](const CameraView& view) { onPicture(view); });
   }
-  if (options.robot.empty()) {
-    options.robot = sources.robot;
-    if (options.key_file.empty()) options.key_file = sources.key_file;
+
+  void onPicture(const CameraView& view);
+  /// What the recorder asks for while the operator's thread waits for it, and of the link once a second.
+  [[nodiscard]] recording::StationSource recorderSource();
+
+  Profile profile;               // the operator's thread's: with every change asked for
+  std::vector<Parameter> bound;  // to it
+
+  HapticThread haptic;
+  recording::Recorder recorder;
+  std::shared_ptr<sim::TouchpadWorld> world;  // none with a real touchpad
+  SimulationErrors errors;
+  TouchpadThread touchpad;
+  CameraThread camera;
+  std::unique_ptr<LinkThread> link;  // none without a robot
+  std::unique_ptr<InProcessRobot> robot;
+  std::string predictor;                     // of that one
+  std::shared_ptr<scene::SceneStage> stage;  // none without a scene in this process
+};
+
+void Station::Impl::onPicture(const CameraView& view) {
+  recorder.offerPicture(view.picture, view.region, view.finger, view.taken, view.number);
+  if (link && link->wantsImages()) {
+    std::vector<std::uint8_t> encoded;
+    cv::imencode(".jpg", view.picture, encoded);
+    link->offerImage(std::move(encoded));
   }
-  return options;
+  errors.addPicture(view);
 }
 
-Station::Impl::Impl(const StationOptions& options, const pipeline::LocalModel& local,
-                    std::shared_ptr<sim::TouchpadWorld> simulated_world,
-                    std::unique_ptr<device::Touchpad> opened_touchpad,
-                    const std::shared_ptr<session::PlaybackStart>& playback)
-    : profile(options.profile),
-      bound(bindParameters(profile)),
-      pipeline(options.profile.step, local),
-      recorder(options.profile.session, options.profile.step, local, describeForRecording(options), recorderSource()),
-      world(std::move(simulated_world)),
-      touchpad(std::move(opened_touchpad), options.profile.device),
-      camera(
-          options.camera.empty() ? say("simulated camera") : verbatim(options.camera),
-          [source = options.camera, shared = world, device = options.profile.device,
-           playback]() -> Result<std::unique_ptr<device::Camera>> {
-            if (source.empty()) return std::make_unique<sim::SimulatedCamera>(shared);
-            if (const auto recording = session::recordingOf(source)) {
-              return session::RecordedCamera::open(*recording, playback);
-            }
-            return device::openCamera(source, device);
-          },
-          options.profile.step.sensing.finger, options.profile.device),
-      simulated_camera(options.camera.empty()) {
-  camera.observe([this](const CameraView& view) { onPicture(view); });
+recording::StationSource Station::Impl::recorderSource() {
+  return {.profile =
+              [this](const pipeline::Parameters& step) {
+                Profile recorded = profile;
+                recorded.step = step;
+                return formatProfile(bindParameters(recorded));
+              },
+          .link = [this]() -> std::optional<recording::LinkRow> {
+            if (!link) return std::nullopt;
+            const LinkStatus status = link->status();
+            return recording::LinkRow{.when = Clock::now(),
+                                      .round_trip_ms = status.figures.round_trip_ms,
+                                      .jitter_ms = status.figures.jitter_ms,
+                                      .loss_percent = status.figures.loss_percent,
+                                      .states_received = status.states_received,
+                                      .touches_sent = status.touches_sent,
+                                      .refused = status.refused};
+          }};
 }
 
 Station::Station(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -120,7 +95,7 @@ Station::~Station() { shutDown(); }
 
 Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   StationOptions options = withProfileSources(asked);
-  if (options.camera.empty() && session::recordingOf(options.touchpad)) options.camera = options.touchpad;
+  if (options.camera.empty() && replay::recordingOf(options.touchpad)) options.camera = options.touchpad;
   cv::setNumThreads(1);  // replay must not depend on how many cores there are
   auto finger = readFinger(options.finger_csv);
   if (!finger) return tl::unexpected(finger.error());
@@ -139,8 +114,8 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   if (options.touchpad == kSimulated) {
     world = std::make_shared<sim::TouchpadWorld>(options.profile.sim, std::move(*finger), Clock::now());
   }
-  const auto playback = std::make_shared<session::PlaybackStart>();
-  auto touchpad = makeTouchpad(options, world, playback);
+  const auto playback = std::make_shared<replay::PlaybackStart>();
+  auto touchpad = openTouchpad(options, world, playback);
   if (!touchpad) return tl::unexpected(touchpad.error());
 
   auto impl = std::make_unique<Impl>(options, *local, std::move(world), std::move(*touchpad), playback);
@@ -150,7 +125,7 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
     if (!link) return tl::unexpected(link.error());
     impl->link = std::move(*link);
   } else if (!local->scene) {
-    (void)impl->commands.push(
+    (void)impl->haptic.commands.push(
         {.action = pipeline::OperatorAction::target_by_hand, .value = options.profile.step.step.hand_target_N_per_mm});
   }
   if (choice->in_process) {
@@ -172,28 +147,27 @@ void Station::start() {
   impl_->camera.start();
   if (impl_->link) impl_->link->start();
   if (impl_->robot) impl_->robot->start();
-  impl_->loop_thread = std::jthread([impl = impl_.get()](const std::stop_token& stop) {
-    impl->loop.run(stop, [impl](Instant now, std::uint64_t missed_cycles) { impl->cycle(now, missed_cycles); });
-  });
+  impl_->haptic.start({.touchpad = impl_->touchpad,
+                       .camera = impl_->camera,
+                       .link = impl_->link.get(),
+                       .stage = impl_->stage.get(),
+                       .recorder = impl_->recorder});
 }
 
 void Station::shutDown() {
   if (impl_->robot) impl_->robot->shutDown();
-  if (impl_->loop_thread.joinable()) {
-    impl_->loop_thread.request_stop();
-    impl_->loop_thread.join();
-  }
+  impl_->haptic.shutDown();
   impl_->touchpad.shutDown();
   impl_->camera.shutDown();
   if (impl_->link) impl_->link->shutDown();
   impl_->recorder.shutDown();
 }
 
-bool Station::command(const pipeline::OperatorCommand& command) { return impl_->commands.push(command); }
+bool Station::command(const pipeline::OperatorCommand& command) { return impl_->haptic.commands.push(command); }
 
-void Station::windowAlive() { impl_->window.alive(Clock::now()); }
+void Station::windowAlive() { impl_->haptic.window.alive(Clock::now()); }
 
-void Station::requestStop() { impl_->stop_requested.store(true, std::memory_order_release); }
+void Station::requestStop() { impl_->haptic.requestStop(); }
 
 Result<void> Station::setParameter(std::string_view id, double value) {
   const Parameter* parameter = findParameter(impl_->bound, id);
@@ -201,7 +175,7 @@ Result<void> Station::setParameter(std::string_view id, double value) {
   if (!parameter->info.live) return fail("{} cannot change while the station runs", id);
   if (auto checked = checkParameter(*parameter, value); !checked) return tl::unexpected(checked.error());
   const auto index = static_cast<std::uint16_t>(parameter - impl_->bound.data());
-  if (!impl_->changes.push({.index = index, .value = value})) return fail("{}: too many changes at once", id);
+  if (!impl_->haptic.changes.push({.index = index, .value = value})) return fail("{}: too many changes at once", id);
   parameter->set(value);
   if (id.starts_with("sensing.finger_")) impl_->camera.configure(impl_->profile.step.sensing.finger);
   return {};
@@ -209,26 +183,25 @@ Result<void> Station::setParameter(std::string_view id, double value) {
 
 Profile Station::currentProfile() const {
   Profile profile = impl_->profile;
-  if (impl_->tares.load(std::memory_order_acquire) > 0) {
-    const pipeline::TareValues& tare = impl_->tare.read();
-    profile.step.sensing.indentation.ir_offset_mm = tare.ir_offset_mm;
-    profile.step.sensing.load_cell.zero_N = tare.force_zero_N;
+  if (const pipeline::TareValues* tare = impl_->haptic.tare()) {
+    profile.step.sensing.indentation.ir_offset_mm = tare->ir_offset_mm;
+    profile.step.sensing.load_cell.zero_N = tare->force_zero_N;
   }
   return profile;
 }
 
 std::size_t Station::takeTelemetry(std::span<pipeline::TelemetrySample> out) {
-  const std::size_t taken = impl_->telemetry.pop(out.data(), out.size());
-  for (const pipeline::TelemetrySample& sample : out.first(taken)) impl_->compareWithTruth(sample);
+  const std::size_t taken = impl_->haptic.telemetry.pop(out.data(), out.size());
+  for (const pipeline::TelemetrySample& sample : out.first(taken)) impl_->errors.addSample(sample);
   return taken;
 }
 
-std::uint64_t Station::telemetryLost() const { return impl_->telemetry_lost.load(std::memory_order_relaxed); }
+std::uint64_t Station::telemetryLost() const { return impl_->haptic.telemetryLost(); }
 
 std::vector<Notice> Station::takeNotices() {
   std::vector<Notice> out;
   TimedEvent event;
-  while (impl_->events.pop(event)) {
+  while (impl_->haptic.events.pop(event)) {
     out.push_back({.when = event.when, .event = event.event, .message = describeEvent(event.event, impl_->bound)});
     // What the robot's operator changed belongs to the profile as well.
     if (event.event.kind == pipeline::EventKind::parameter_changed && event.event.index < impl_->bound.size()) {
@@ -248,34 +221,23 @@ StationStatus Station::status() const {
     out.parts.push_back(impl_->link->part(now));
     out.link = impl_->link->status();
     if (impl_->robot) {
-      const sim::SimulatedRobotStatus robot = impl_->robot->status();
-      out.link.led = LedArm{.predictor = impl_->predictor,
-                            .arrived_mm = robot.arrived_mm,
-                            .target_mm = robot.target_mm,
-                            .error_mm = robot.reference.error_mm,
-                            .horizon_ms = robot.reference.horizon_ms};
+      const device::RobotRunnerStatus robot = impl_->robot->status();
+      out.link.led = PredictedArm{.predictor = impl_->predictor,
+                                  .arrived_mm = robot.arrived_mm,
+                                  .target_mm = robot.target_mm,
+                                  .error_mm = robot.reference.error_mm,
+                                  .horizon_ms = robot.reference.horizon_ms};
     }
   } else if (impl_->stage) {
     out.link.protocol = say("scene {}", impl_->stage->scene().description.settings.name);
   } else {
     out.link.protocol = say("none");
   }
-  const StepTimes::Figures times = impl_->step_times.figures();
-  out.loop = {.steps = impl_->loop.cycles(),
-              .missed_cycles = impl_->loop.missedCycles(),
-              .step_ns_p50 = times.p50_ns,
-              .step_ns_p99 = times.p99_ns,
-              .real_time = impl_->loop.realTime()};
+  out.loop = impl_->haptic.status();
   return out;
 }
 
-SimulationTruth Station::simulationTruth() const {
-  const std::lock_guard lock(impl_->truth_mutex);
-  return {.available = impl_->world != nullptr,
-          .finger_error_mm_rms = impl_->finger_error.rms(),
-          .indentation_error_mm_rms = impl_->indentation_error.rms(),
-          .felt_g_rms = impl_->felt_g.rms()};
-}
+SimulationTruth Station::simulationTruth() const { return impl_->errors.truth(); }
 
 void Station::moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) {
   if (!impl_->world) return;
@@ -294,5 +256,42 @@ void Station::releaseSimulatedFinger() {
 bool Station::simulated() const { return impl_->world != nullptr; }
 
 std::shared_ptr<scene::SceneStage> Station::scene() const { return impl_->stage; }
+
+std::vector<device::DeviceReport> Station::devices() const {
+  const Instant now = Clock::now();
+  std::vector<device::DeviceReport> out = impl_->touchpad.reports(now);
+  out.push_back(impl_->camera.report(now));
+  return out;
+}
+
+Result<void> Station::startDeviceTest(device::DeviceTest test, double stretch_deg) {
+  auto started = impl_->haptic.device_test.start(test, Clock::now(), stretch_deg);
+  if (started) spdlog::info("Device test '{}' started", device::kDeviceTestNames[static_cast<std::size_t>(test)]);
+  return started;
+}
+
+void Station::keepDeviceTest() { impl_->haptic.device_test.keep(Clock::now()); }
+
+void Station::stopDeviceTest() { impl_->haptic.device_test.stop(); }
+
+DeviceTestStatus Station::deviceTestStatus() const { return impl_->haptic.device_test.status(); }
+
+std::vector<texture::SweepRow> Station::deviceTestSweep() { return impl_->haptic.device_test.sweep(); }
+
+Result<void> Station::startRecording(const recording::RecordingRequest& request) {
+  return impl_->recorder.begin(request);
+}
+
+Result<void> Station::stopRecording() { return impl_->recorder.end(); }
+
+Result<void> Station::note(recording::NoteKind kind, const std::string& text) {
+  return impl_->recorder.note(kind, text);
+}
+
+recording::RecorderStatus Station::recorderStatus() const { return impl_->recorder.status(); }
+
+std::vector<ReadinessLine> Station::readiness() const {
+  return readinessOf(impl_->haptic.faults(), impl_->link != nullptr);
+}
 
 }  // namespace fyd::station

@@ -17,9 +17,9 @@ struct Axis {
 constexpr std::array kAxes = {Axis{[](const Vec3& v) { return v.x; }}, Axis{[](const Vec3& v) { return v.y; }},
                               Axis{[](const Vec3& v) { return v.z; }}};
 
-/// Between its neighbours in time; NaN: there are none near.
-double valueAt(const std::vector<pipeline::AccelerationSample>& samples, const Axis& axis, Instant when) {
-  const auto after = std::ranges::lower_bound(samples, when, {}, &pipeline::AccelerationSample::taken);
+/// Linear interpolation between the neighbours in time; NaN when they are more than kFarthest apart.
+double valueAt(const std::vector<texture::AccelerationSample>& samples, const Axis& axis, Instant when) {
+  const auto after = std::ranges::lower_bound(samples, when, {}, &texture::AccelerationSample::taken);
   if (after == samples.end() || after == samples.begin()) return pipeline::kNone;
   const auto before = std::prev(after);
   if (after->taken - before->taken > kFarthest) return pipeline::kNone;
@@ -42,7 +42,7 @@ double varianceOf(const std::vector<double>& values) {
 
 void SweepTape::add(const pipeline::Inputs& inputs, const control::MotorCommand& command, int experiment,
                     Duration since_start, double stretch_deg) {
-  for (const pipeline::AccelerationSample& sample : inputs.robot.accelerations) (void)samples_.push(sample);
+  for (const texture::AccelerationSample& sample : inputs.robot.accelerations) (void)samples_.push(sample);
   if (experiment == 0) return;
   Moment moment{.row = {.t_s = toSeconds(since_start), .part = experiment, .stretch_deg = stretch_deg},
                 .at = inputs.now};
@@ -62,7 +62,7 @@ void SweepTape::restart() {
 
 void SweepTape::gather() {
   moments_.consume_all([this](const Moment& moment) { gathered_.push_back(moment); });
-  samples_.consume_all([this](const pipeline::AccelerationSample& sample) {
+  samples_.consume_all([this](const texture::AccelerationSample& sample) {
     if (measured_.empty() || sample.taken > measured_.back().taken) measured_.push_back(sample);
   });
 }

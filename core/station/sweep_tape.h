@@ -1,4 +1,4 @@
-// What the haptic loop sees while a device test identifies the way to the finger: duties, encoders and accelerations,
+// Measurements of a device test that identifies the dynamics from motor to finger: duties, encoders and accelerations,
 // from the loop to the operator's thread, and there as rows of one millisecond.
 //
 // Accelerations come late and in batches; each row gets what was measured at its own time, along the axis that moved
@@ -10,13 +10,13 @@
 
 #include "core/base/ring.h"
 #include "core/pipeline/inputs.h"
-#include "core/texture/plant_sweep.h"
+#include "core/texture/felt/plant_sweep.h"
 
 namespace fyd::station {
 
 class SweepTape {
  public:
-  /// The loop's. Allocation-free; what the operator's thread does not fetch for 16 s is lost.
+  /// The loop's. Allocation-free; rows that the operator's thread does not fetch within 16 s are lost.
   /// @param experiment of the test, from 1; @param since_start of the test
   void add(const pipeline::Inputs& inputs, const control::MotorCommand& command, int experiment, Duration since_start,
            double stretch_deg);
@@ -37,11 +37,11 @@ class SweepTape {
   static constexpr std::size_t kMoments = 16'384;
 
   Ring<Moment> moments_{kMoments};
-  Ring<pipeline::AccelerationSample> samples_{2 * kMoments};
+  Ring<texture::AccelerationSample> samples_{2 * kMoments};
 
   // the operator's
   std::vector<Moment> gathered_;
-  std::vector<pipeline::AccelerationSample> measured_;
+  std::vector<texture::AccelerationSample> measured_;
 };
 
 }  // namespace fyd::station

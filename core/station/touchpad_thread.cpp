@@ -7,6 +7,7 @@
 namespace fyd::station {
 namespace {
 
+constexpr Duration kSilence = std::chrono::milliseconds(500);
 constexpr Duration kFirstRetry = std::chrono::milliseconds(20);
 constexpr Duration kLongestRetry = std::chrono::milliseconds(500);
 constexpr Duration kReportPeriod = std::chrono::milliseconds(16);  // as often as a distance sensor measures
@@ -23,7 +24,7 @@ TouchpadThread::TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const
     : touchpad_(std::move(touchpad)),
       plausibility_(parameters),
       frozen_(parameters),
-      monitor_(device::Part::touchpad, touchpad_->description(), PartMonitor::kSilence) {}
+      monitor_(device::Part::touchpad, touchpad_->description(), kSilence) {}
 
 TouchpadThread::~TouchpadThread() { shutDown(); }
 
@@ -37,7 +38,7 @@ void TouchpadThread::shutDown() {
   thread_.join();
 }
 
-// Duties that waited while the device did not answer are of no more use.
+// Duties that waited while the device did not answer are discarded.
 void TouchpadThread::takeDuties() {
   std::array<device::VibrationDuty, 64> batch;
   while (const std::size_t taken = duties.pop(batch.data(), batch.size())) {
@@ -51,11 +52,7 @@ void TouchpadThread::report(Instant now) {
   Message complaint = touchpad_->complaint();
   if (complaint.empty()) complaint = plausibility_.complaint();
   if (complaint.empty()) complaint = frozen_.complaint();
-  if (complaint.empty()) {
-    monitor_.succeeded(now);
-  } else if (monitor_.complained(complaint, now)) {
-    spdlog::warn("Touchpad: {}", complaint.text());
-  }
+  if (monitor_.succeeded(now, complaint)) spdlog::warn("Touchpad: {}", complaint.text());
 }
 
 void TouchpadThread::publishReports(Instant now) {
@@ -72,7 +69,7 @@ std::vector<device::DeviceReport> TouchpadThread::reports(Instant now) const {
     const std::lock_guard lock(reports_mutex_);
     out = reports_;
   }
-  if (out.size() == 1) fillIn(out.front(), monitor_.status(now));
+  if (out.size() == 1) monitor_.fillIn(out.front(), now);
   return out;
 }
 

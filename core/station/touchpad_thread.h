@@ -1,5 +1,5 @@
-// The device thread: exchanges with the touchpad at its own pace and is the last guard of the motors. When the haptic
-// loop has written no command for 20 ms, vibration goes to zero and the references stay.
+// The device thread: exchanges with the touchpad at its own rate and applies the command timeout. When the haptic loop
+// has written no command for 20 ms, vibration goes to zero and the references stay.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 #include "core/base/latest_value.h"
 #include "core/base/ring.h"
 #include "core/control/motor_types.h"
-#include "core/device/frozen_readings.h"
-#include "core/device/plausibility.h"
-#include "core/device/touchpad.h"
-#include "core/station/part_monitor.h"
+#include "core/device/part_monitor.h"
+#include "core/device/touchpad/frozen_readings.h"
+#include "core/device/touchpad/plausibility.h"
+#include "core/device/touchpad/touchpad.h"
 
 namespace fyd::station {
 
@@ -25,7 +25,7 @@ struct StampedMotorCommand {
 
 inline constexpr Duration kCommandTimeout = std::chrono::milliseconds(20);
 
-/// What goes to the motors at `now` when `stamped` is the newest command there is.
+/// The command sent to the motors at `now` when `stamped` is the newest one.
 [[nodiscard]] control::MotorCommand guardedCommand(const StampedMotorCommand& stamped, Instant now);
 
 class TouchpadThread {
@@ -40,7 +40,7 @@ class TouchpadThread {
   LatestValue<StampedMotorCommand> command;        ///< written by the haptic loop
   Ring<device::VibrationDuty> duties{256};         ///< written by the haptic loop, one a step
   LatestValue<device::TouchpadReadings> readings;  ///< read by the haptic loop
-  [[nodiscard]] PartStatus status(Instant now) const { return monitor_.status(now); }
+  [[nodiscard]] device::DeviceReport status(Instant now) const { return monitor_.report(now); }
   /// What it consists of; a touchpad of one device has the status' rate, age and problem.
   [[nodiscard]] std::vector<device::DeviceReport> reports(Instant now) const;
 
@@ -53,7 +53,7 @@ class TouchpadThread {
   std::unique_ptr<device::Touchpad> touchpad_;
   device::Plausibility plausibility_;
   device::FrozenReadings frozen_;
-  PartMonitor monitor_;
+  device::PartMonitor monitor_;
   bool answering_ = false;
   Instant reports_due_{};
   mutable std::mutex reports_mutex_;

@@ -1,7 +1,7 @@
 // Whether the window that drives a session still answers.
 //
-// Nobody is waited for before the first sign of life: a headless session has no window. One silence is told once, and
-// the next only after another sign of life.
+// Watching begins with the first heartbeat: a headless session has no window. Each silence is reported once, the next
+// only after another heartbeat.
 #pragma once
 
 #include <atomic>

@@ -6,7 +6,7 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr std::uint32_t kMostAhead = 100'000;  // samples: more have not been missed in any silence
+constexpr std::uint32_t kMostAhead = 100'000;  // samples: a larger gap is an error, not a silence
 
 bool finite(const DeadbandValues& values) {
   return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });
@@ -68,7 +68,7 @@ void DeadbandReceiver::receive(const DeadbandPacket& packet) {
   }
   if (newest_ > 0 && last > newest_ && last - newest_ > kMostAhead) return;
   for (const DeadbandSample& each : packet) {
-    if (newest_ >= kKept && each.number <= newest_ - kKept) continue;  // its place is taken
+    if (newest_ >= kKept && each.number <= newest_ - kKept) continue;  // its slot holds a newer one
     samples_[each.number % kKept] = each;
     newest_ = std::max(newest_, each.number);
   }
@@ -90,7 +90,7 @@ const DeadbandSample* DeadbandReceiver::after(const DeadbandSample& sample) cons
 DeadbandReceiver::Answer DeadbandReceiver::at(double time_s) const {
   const DeadbandSample* last = before(time_s);
   if (last == nullptr) return {};
-  // Between two neighbours all is known. Where the next one is missing, it may have been sent before this moment.
+  // Between two consecutive samples all is known. A next one that is missing may have been sent before this moment.
   const bool known = after(*last) != nullptr || time_s == last->date_s;
   return {.value = last->at(time_s), .slope = last->slope, .known = known};
 }

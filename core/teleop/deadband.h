@@ -1,17 +1,17 @@
-// Sends only what can be felt, and tells the receiver what it may rely on.
+// Perceptual deadband: sends only changes that can be felt, and tells the receiver which values it may rely on.
 //
-// A sample is sent when a channel has left the band around what the receiver makes of the sample before (Weber):
+// A sample is sent when a channel has left the band around the receiver's extrapolation of the last sample (Weber):
 //
 //   a level (a force)     |x − sent| > max(floor, fraction · |sent|)
 //   a place that moves    |x − (sent + slope · t)| > max(floor, fraction · |slope| · kContinued_s)
 //
-// so a place goes on at the speed it was sent with, and the speed may be wrong by the fraction for 50 ms. Without a
-// change a sample is sent 20, 40, 80 … ms after the last one, at most `refresh` apart. Samples are numbered, and a
-// packet carries the last of them, so a lost packet is made up for by a later one.
+// so a position is extrapolated at the speed it was sent with, and the speed may be wrong by the fraction for 50 ms.
+// Without a change a sample is sent 20, 40, 80 … ms after the last one, at most `refresh` apart. Samples are numbered,
+// and a packet carries the last few of them, so a lost packet is made up for by a later one.
 //
-// The receiver answers for a moment: with what the sample before it says, and with `known` when no sample up to that
-// moment is missing. Where it is known the error is at most the band, whatever was lost, shuffled or doubled: what is
-// missing is said, never guessed. A receiver that asks 150 ms back knows nearly all of it at 20 % loss.
+// For any moment the receiver gives the value by the last sample before it, and sets `known` when no sample up to that
+// moment is missing. Where it is known the error is at most the band, whatever was lost, reordered or duplicated.
+// 150 ms after a moment nearly every value is known at 20 % loss.
 #pragma once
 
 #include <array>
@@ -26,11 +26,11 @@ namespace fyd::teleop {
 struct DeadbandChannel {
   double fraction = 0.10;  ///< of the value sent last, 0 … 1
   double floor = 0.0;      ///< in the channel's unit, 0 and more: smaller differences are never sent
-  bool moves = false;      ///< a place, which goes on at its slope; otherwise a level, which stays
+  bool moves = false;      ///< a position, extrapolated with its slope; otherwise a level, which stays
 
   static constexpr double kContinued_s = 0.050;
 
-  /// How far the true value may be from what is made of a sample.
+  /// Largest distance of the true value from the extrapolation of a sample.
   [[nodiscard]] double band(double value, double slope) const;
 };
 
@@ -42,9 +42,9 @@ struct DeadbandSample {
   std::uint32_t number = 0;  ///< from 1
   double date_s = 0.0;
   DeadbandValues value{};
-  DeadbandValues slope{};  ///< a second; of levels 0
+  DeadbandValues slope{};  ///< per second; 0 for levels
 
-  /// What is made of it for a moment after it.
+  /// The values extrapolated to a moment after it.
   [[nodiscard]] DeadbandValues at(double time_s) const;
 };
 
@@ -55,7 +55,7 @@ class DeadbandSender {
  public:
   static constexpr double kFirstRepeat_s = 0.020, kRefresh_s = 0.100;
 
-  /// @param channels of those that are not used the values are 0
+  /// @param channels the values of unused ones are 0
   /// @param history samples in a packet, 1 … kMostDeadbandHistory
   explicit DeadbandSender(const DeadbandChannels& channels, double refresh_s = kRefresh_s,
                           std::size_t history = kMostDeadbandHistory)
@@ -66,8 +66,8 @@ class DeadbandSender {
   /// @return what to send now, if anything
   [[nodiscard]] std::optional<DeadbandPacket> step(double time_s, const DeadbandValues& values,
                                                    const DeadbandValues& slopes = {}, bool must = false);
-  /// What the steps of the message have made of the newest sample, where it is not told as it was given: the band is
-  /// about what the receiver reads.
+  /// Replaces the newest sample by its values after the message's quantisation: the band is around what the receiver
+  /// reads.
   void told(const DeadbandValues& values, const DeadbandValues& slopes);
 
  private:
@@ -81,18 +81,18 @@ class DeadbandSender {
 
 class DeadbandReceiver {
  public:
-  /// In any order, any number of times. What is not finite, or numbered far ahead, is passed over.
+  /// In any order, any number of times. Samples that are not finite, or numbered far ahead, are ignored.
   void receive(const DeadbandPacket& packet);
 
   struct Answer {
     DeadbandValues value{};
     DeadbandValues slope{};
-    bool known = false;  ///< nothing before that moment is missing
+    bool known = false;  ///< no sample before that moment is missing
   };
-  /// What was sent for this moment; zeros and not known before the first sample.
+  /// The values for this moment; zeros and not known before the first sample.
   [[nodiscard]] Answer at(double time_s) const;
-  /// Where a place was between two samples: the cubic curve that has both their values and slopes, held within the band
-  /// of what `at` answers; its error is at most twice the band, and mostly far less.
+  /// A position between two samples: the cubic curve with both their values and slopes, limited to the band around the
+  /// value of `at`; its error is at most twice the band, and mostly far less.
   /// @return nothing where it is not known
   [[nodiscard]] std::optional<double> place(double time_s, std::size_t channel, const DeadbandChannel& as_sent) const;
 

@@ -1,4 +1,4 @@
-// One sample of the robot's tri-axial accelerometer, the raw material of texture.
+// One sample of the robot's tri-axial accelerometer, the input of texture rendering.
 #pragma once
 
 #include "core/base/fields.h"

@@ -14,9 +14,9 @@ class Chain {
   void reset();
 
   /// @param acceleration_g finite
-  /// @param resumed  first sample after a gap: the high-pass starts as if it had always stood there
+  /// @param resumed  first sample after a gap: the high-pass starts in its steady state at this value
   [[nodiscard]] double step(const Vec3& acceleration_g, bool resumed);
-  /// One sample of a gap: silence into the method.
+  /// One sample of a gap: the method gets zero.
   [[nodiscard]] double stepGap();
 
   /// Behind the high-pass, newest; zero in a gap.

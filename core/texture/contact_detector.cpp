@@ -30,7 +30,6 @@ void ContactDetector::reset() {
   touching_ = slipping_ = false;
 }
 
-double ContactDetector::envelope_g() const { return std::sqrt(fast_); }
 double ContactDetector::threshold_g() const {
   return std::max(parameters_.threshold_ratio * std::sqrt(floor_), parameters_.minimum_g);
 }

@@ -1,4 +1,4 @@
-// Touch and slip onset from acceleration alone (the idea is the thesis' chapter 8, the method is our own).
+// Touch and slip onset from acceleration alone (the idea is the thesis' chapter 8, the method is this project's).
 //
 //   h      = second-order high-pass of each axis (corner_Hz)
 //   fast²  = mean of |h|² over 4 ms,   slow² = mean of |h|² over 25 ms   (both exponential)
@@ -6,8 +6,8 @@
 //   threshold = max(threshold_ratio · floor, minimum_g)
 //
 // Touch: fast rises above the threshold out of quiet.
-// Slip onset: after a touch, its first 25 ms (the knock itself) not counted, fast stays above the threshold for
-// `slip_ms` with no pause of 10 ms. A knock that rings out does not count: while it decays, fast² < slow²/4.
+// Slip onset: after a touch, its first 25 ms (the impact itself) not counted, fast stays above the threshold for
+// `slip_ms` with no pause of 10 ms. The decay of an impact does not count: while it decays, fast² < slow²/4.
 // Acceleration does not tell a still contact from none: `release_ms` of quiet ends it.
 #pragma once
 
@@ -38,8 +38,6 @@ class ContactDetector {
   void reset();
 
   [[nodiscard]] bool touching() const { return touching_; }
-  [[nodiscard]] bool slipping() const { return slipping_; }
-  [[nodiscard]] double envelope_g() const;
   [[nodiscard]] double threshold_g() const;
 
  private:

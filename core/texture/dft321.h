@@ -1,5 +1,4 @@
-// DFT321: one signal with the energy of three axes in every band (thesis §5.3; Landin, Romano, McMahan, Kuchenbecker
-// 2010).
+// DFT321: one signal with the energy of three axes in every band [thesis §5.3] [Landin 2010].
 //
 //   frame of N samples → DFT of each axis → Â(k) by the phase rule (phase_rule.h) → inverse DFT
 //
@@ -7,10 +6,9 @@
 // (Parseval); the edges of blocks show.
 // Overlapped (hop a smaller divisor of N, usually N/2): √Hann before and after, scaled so that the overlapping windows
 // add up to 1 everywhere. Neighbouring frames disagree about phases and so cancel a little (2–15 % of the energy); a
-// spectral equaliser behind it gives that back (spectral_equaliser.h).
+// spectral equaliser behind it restores that (spectral_equaliser.h).
 //
-// The delay is N − 1 samples, constant: the newest sample of a frame is the last that the frame's oldest output waits
-// for.
+// The delay is N − 1 samples, constant: a frame's oldest output is ready when its newest sample has arrived.
 #pragma once
 
 #include <array>
@@ -75,9 +73,9 @@ class Dft321 final : public Method {
   int oldest_ = 0;              // of delayed_
 };
 
-/// DFT321 as the thesis' program did it (§4.1.4), for comparison: its buffer takes N + 1 samples and drops the last,
-/// each block is followed by one sample of silence (the cycle in which it computes), and the phase is 0 where the sum
-/// of the axes vanishes. Delay N + 1 samples; one sample in N + 1 is lost.
+/// DFT321 as the thesis' program did it [thesis §4.1.4], for comparison: its buffer takes N + 1 samples and drops the
+/// last, each block is followed by one sample of silence (the cycle in which it computes), and the phase is 0 where the
+/// sum of the axes vanishes. Delay N + 1 samples; one sample in N + 1 is lost.
 class ThesisDft321 final : public Method {
  public:
   explicit ThesisDft321(int frame);

@@ -1,11 +1,7 @@
 // A method turns three axes of vibration into one signal, sample by sample.
 #pragma once
 
-#include <memory>
-
-#include "core/base/error.h"
 #include "core/base/vec3.h"
-#include "core/texture/texture_parameters.h"
 
 namespace fyd::texture {
 
@@ -27,12 +23,5 @@ class Method {
 
 /// Largest frame a short-time method accepts.
 inline constexpr int kMaximumFrame = 4096;
-
-/// Makes any method with any frame, for programs and tests; the renderer makes its own set.
-/// @param frame  of dft321 and dft321_thesis: 2…4096 samples
-/// @param hop    of dft321: the frame (blocks) or a smaller divisor of it (overlapped)
-/// @return an error that says what of frame and hop was refused
-[[nodiscard]] Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame,
-                                                         int hop);
 
 }  // namespace fyd::texture

@@ -1,4 +1,5 @@
-// Every method at every frame, made at once, so that switching needs no memory: one bank plays while another fades in.
+// Every method at every frame, made at construction, so that switching allocates nothing: one bank plays while another
+// fades in.
 #pragma once
 
 #include <array>
@@ -72,5 +73,12 @@ class MethodBank {
   std::array<std::array<std::unique_ptr<Dft321>, kHopNames.size()>, kFrameNames.size()> framed_;
   Chain chain_;
 };
+
+/// Makes any method with any frame, for programs and tests; the renderer makes its own set.
+/// @param frame  of dft321 and dft321_thesis: 2…4096 samples
+/// @param hop    of dft321: the frame (blocks) or a smaller divisor of it (overlapped)
+/// @return an error that says what of frame and hop was refused
+[[nodiscard]] Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame,
+                                                         int hop);
 
 }  // namespace fyd::texture

@@ -8,7 +8,7 @@
 
 namespace fyd::texture {
 
-/// The z axis alone (normal to the surface). No delay; blind to the other two.
+/// The z axis alone (normal to the surface). No delay; ignores the other two.
 class SingleAxis final : public Method {
  public:
   [[nodiscard]] double step(const Vec3& filtered_g) override { return filtered_g.z; }
@@ -19,7 +19,7 @@ class SingleAxis final : public Method {
   void serialize(Archive&) {}
 };
 
-/// Sum of components (thesis §5.3): x + y + z. No delay; axes in antiphase cancel.
+/// Sum of components [thesis §5.3]: x + y + z. No delay; axes in antiphase cancel.
 class SumOfComponents final : public Method {
  public:
   [[nodiscard]] double step(const Vec3& filtered_g) override { return filtered_g.x + filtered_g.y + filtered_g.z; }
@@ -30,7 +30,7 @@ class SumOfComponents final : public Method {
   void serialize(Archive&) {}
 };
 
-/// √(x² + y² + z²), less its own mean over 0.1 s (a motor cannot play a mean). No delay; frequencies come out doubled
+/// √(x² + y² + z²), less its own mean over 0.1 s (a motor cannot render a mean). No delay; frequencies come out doubled
 /// and most of the energy goes with the mean.
 class Magnitude final : public Method {
  public:
@@ -69,11 +69,11 @@ class PrincipalAxis final : public Method {
   Vec3 axis_;
 };
 
-/// Our own, without delay: a fixed unequal mix x + 0.6·y + 0.36·z, recoloured by the spectral equaliser so that each
-/// band has the energy of the three axes together. Unequal weights cancel neither equal axes in antiphase nor equal
-/// axes with different delays, which the equaliser could not undo; only motion with x + 0.6·y + 0.36·z = 0 at all times
-/// stays silent. The equaliser needs about 50 ms of a new signal to learn its spectrum; before, the mix passes as it
-/// is.
+/// This project's own, without delay: a fixed unequal mix x + 0.6·y + 0.36·z, recoloured by the spectral equaliser so
+/// that each band has the energy of the three axes together. Unequal weights cancel neither equal axes in antiphase nor
+/// equal axes with different delays, which the equaliser could not undo; only motion with x + 0.6·y + 0.36·z = 0 at all
+/// times stays silent. The equaliser needs about 50 ms of a new signal to learn its spectrum; before, the mix passes as
+/// it is.
 class Recolour final : public Method {
  public:
   explicit Recolour(double sample_rate_Hz) : equaliser_(sample_rate_Hz) {}

@@ -27,7 +27,7 @@ Bin antiphaseDirection(Bin x, Bin y, Bin z, double magnitude) {
 
 Bin combineAxes(Bin x, Bin y, Bin z) {
   const double energy = std::norm(x) + std::norm(y) + std::norm(z);
-  // Below this the squares are denormal: nothing anybody could feel, and slow to compute with.
+  // Below this the squares are denormal: far below perception, and slow to compute with.
   if (!(energy > 1e-280)) return {};
   const Bin sum = x + y + z;
   const double sum_energy = std::norm(sum);

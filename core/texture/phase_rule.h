@@ -1,9 +1,9 @@
 // One bin of DFT321: the magnitude that keeps the energy of three axes, and a phase.
 //
-//   |Â| = √(Σ|Aᵢ|²),   phase of S = ΣAᵢ   (thesis §5.3, after Landin et al. 2010)
+//   |Â| = √(Σ|Aᵢ|²),   phase of S = ΣAᵢ   [thesis §5.3] [Landin 2010]
 //
 // The phase is undefined at S = 0 (axes in antiphase), where the printed rule turns 1e-9 of noise into the whole
-// amplitude. Ours, with s = |S| / (10⁻³·|Â|):
+// amplitude. The rule here, with s = |S| / (10⁻³·|Â|):
 //
 //   s ≥ 1:  the definition, exactly
 //   s < 1:  the direction of  s²·S/|S| + (1 − s²)·T/|T|,   T = (p, q)·(cos 15°, sin 15°)

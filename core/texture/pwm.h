@@ -1,4 +1,4 @@
-// From the texture signal to a duty cycle in % (thesis §4.1.4). The sign is the turning direction.
+// From the texture signal to a duty cycle in % [thesis §4.1.4]. The sign is the turning direction.
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/csv.h"
+#include "core/base/median.h"
 
 namespace fyd::texture {
 namespace {
@@ -49,10 +50,7 @@ double medianSpacing(const std::vector<double>& times_s) {
   for (std::size_t i = 1; i < times_s.size(); ++i) {
     if (times_s[i] > times_s[i - 1]) spacings.push_back(times_s[i] - times_s[i - 1]);
   }
-  if (spacings.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>((spacings.size() - 1) / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  return median(std::move(spacings), Middle::lower);  // a gap beside one spacing does not count
 }
 
 Result<void> checkTimes(const CsvTable& table, std::string_view source_name) {
@@ -82,7 +80,7 @@ Result<Recording> parseRecording(std::string_view text, std::string_view source_
   }
   Recording out;
   out.start_s = timed ? table->values[0].front() : 0.0;
-  // To a millionth of a hertz: the differences of printed times are no exacter.
+  // To a millionth of a hertz: the differences of printed times are no more exact.
   out.rate_Hz = timed ? std::round(1e6 / medianSpacing(table->values[0])) * 1e-6 : rate_Hz;
   if (!(out.rate_Hz > 0.0)) {
     if (!(rate_Hz > 0.0)) return fail("{}: fewer than two different times: the sample rate is unknown", source_name);
@@ -110,13 +108,13 @@ Result<UniformRecording> makeUniform(const Recording& recording, double rate_Hz)
     return fail("recorded at {} Hz: {} Hz is less than 1/{} of that", recording.rate_Hz, rate_Hz, kLargestReduction);
   }
   UniformStream stream(rate_Hz);
-  const double delay_s = 1.5 / recording.rate_Hz;  // so that a straight line has its other end
+  const double delay_s = 1.5 / recording.rate_Hz;  // so that the later sample of an interpolation has arrived
   stream.configure(1e3 * delay_s, 1.5e3 / std::min(rate_Hz, recording.rate_Hz));
   out.steps.reserve(static_cast<std::size_t>(count));
   std::size_t next = 0;
   const Instant first = recording.samples.front().taken;
   for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
-    // Asked three quarters of a period after the sample: its period is over then, and half a period of jitter forgiven.
+    // Asked three quarters of a period after the sample: its period is over then, with half a period of jitter allowed.
     const Instant now = first + fromSeconds((static_cast<double>(n) + 0.75) / rate_Hz + delay_s);
     const std::size_t from = next;
     while (next < recording.samples.size() && recording.samples[next].taken <= now) ++next;

@@ -15,13 +15,13 @@ namespace {
 
 constexpr double kSpectrumTime_s = 0.3;
 constexpr double kTrimTime_s = 0.5;
-constexpr double kFewestSpectrum = 300.0;  // samples: at a low rate too, an average needs something to average
+constexpr double kFewestSpectrum = 300.0;  // samples that the spectra average over at least, for low rates
 constexpr double kFewestTrim = 500.0;
 constexpr double kFloor = 1e-4;  // of the strongest bin: nothing weaker is boosted
 const double kLargestLogGain = 18.0 / 20.0 * std::numbers::ln10;
 constexpr double kLargestTrim = 1.4142135623730951;  // 3 dB
 constexpr double kSilence = 1e-30;                   // g²: below, smoothed powers become exactly zero
-// Frame power of about 1e-6 g RMS, far below any sensor's noise: spectra fainter than this teach nothing.
+// Frame power of about 1e-6 g RMS, far below any sensor's noise: spectra fainter than this are not learned from.
 constexpr double kFaint = 1e-10;
 
 using Taps = Eigen::Map<Eigen::ArrayXd>;

@@ -9,7 +9,7 @@
 // and filters B with the minimum-phase filter of magnitude G (real cepstrum folded to its causal half), 64 taps,
 // gliding from one set to the next. Minimum phase: the first tap answers at once, so an impulse is not delayed; what G
 // adds is ringing of at most 63 samples. A slow gain (0.5 s, within ±3 dB) on top takes out the bias that a ratio of
-// two noisy estimates has. With axes that need no correction G is 1 and the filter a plain wire.
+// two noisy estimates has. With axes that need no correction G is 1 and the filter changes nothing.
 //
 // Costs about 0.1 µs a sample; the work of a frame is divided over two steps. Allocation-free after construction.
 #pragma once

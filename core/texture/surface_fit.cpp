@@ -1,3 +1,4 @@
+// Fit of a surface model to a recording.
 #include <algorithm>
 #include <cmath>
 

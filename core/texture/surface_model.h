@@ -54,7 +54,7 @@ struct FitConditions {
 
 /// Bands of a third of an octave from 20 Hz (or a tenth of a rate too low for that; below is the hand's own motion) to
 /// 0.4 of the rate. Their powers come closest to the sum of the axes' Welch spectra, less each axis' mean, in the
-/// Kullback-Leibler sense, by multiplicative updates (Lee and Seung 2001), which keep them positive. Bands under −50 dB
+/// Kullback-Leibler sense, by multiplicative updates [Lee 2001], which keep them positive. Bands under −50 dB
 /// of the strongest are left out. One recording does not tell exponents: they stay at their defaults.
 /// @return an error when the recording is shorter than 64 samples, silent, or a condition is out of range
 [[nodiscard]] Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const double> y_g,

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/archive.h"
-#include "core/texture/felt_mapping.h"
+#include "core/texture/felt/felt_mapping.h"
 #include "core/texture/method_bank.h"
 #include "core/texture/pwm.h"
 #include "core/texture/uniform_stream.h"
@@ -14,7 +14,7 @@
 namespace fyd::texture {
 namespace {
 
-// A new filter needs a few periods of its corner, a new method its delay, before it may be heard.
+// A new filter needs a few periods of its corner, a new method its delay, before it may be felt.
 constexpr int kSettlingSamples = 32;
 // The mapping felt finds the gain of a surface before it takes over from another one.
 constexpr int kFeltLearns = 150;
@@ -115,7 +115,7 @@ struct TextureRenderer::State {
     felt.reset();
   }
 
-  /// Mapping felt in place of what `out` has, or the way there or back.
+  /// Replaces the duties in `out` by those of the mapping felt, or crossfades to or from it.
   void blendFelt(double signal_g, double position_share_percent, TextureOutput& out) {
     const double goal = wantsFelt() ? 1.0 : 0.0;
     if (felt_share == 0.0 && goal == 0.0) {
@@ -126,7 +126,7 @@ struct TextureRenderer::State {
     felt_unheard = std::max(felt_unheard - 1, 0);
     if (goal == 0.0 || felt_unheard == 0) felt_share = glide(felt_share, goal, fadeShare(), 1.0);
     FeltSettings settings = feltSettingsOf(parameters);
-    settings.gain = pwm.k_vib;  // they glide
+    settings.gain = pwm.k_vib;  // the gliding values
     settings.maximum_percent = pwm.maximum_percent;
     felt.configure(settings);
     felt.setStretch(stretch_deg);
@@ -192,7 +192,7 @@ struct TextureRenderer::State {
   double full_scale_span_g = 0.0;
   std::uint64_t clipped = 0;
   double felt_share = 0.0;  // 0: pwm.h, 1: felt
-  int felt_unheard = 0;     // samples that it still learns the surface before it is heard
+  int felt_unheard = 0;     // samples for which it still learns the surface before it is felt
   double stretch_deg = std::numeric_limits<double>::quiet_NaN();
   FeltMapping felt;
 };

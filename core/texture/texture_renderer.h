@@ -21,7 +21,7 @@
 #include "core/base/time.h"
 #include "core/base/vec3.h"
 #include "core/texture/acceleration_sample.h"
-#include "core/texture/felt_plant.h"
+#include "core/texture/felt/felt_plant.h"
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::texture {
@@ -30,10 +30,10 @@ struct TextureOutput {
   double signal_g = 0.0;  ///< after high-pass and method, before PWM; finite
   /// Of each motor; ±maximum at most, and ±100 together with the position share. Equal but with mapping felt.
   std::array<double, kFeltMotors> duty_percent{};
-  double wanted_g = 0.0;  ///< wanted at the finger; the signal itself where the mapping knows no finger
+  double wanted_g = 0.0;  ///< wanted at the finger; the signal itself with the mappings of pwm.h
   bool limited = false;   ///< this step's duty was cut by a limit
   Vec3 filtered_g;        ///< behind the high-pass, newest
-  double delay_ms = 0.0;  ///< of input delay and method together; laying the grid adds up to one period
+  double delay_ms = 0.0;  ///< of input delay and method together; the stream's grid adds up to one period
   bool gap = false;       ///< no acceleration for this instant
   bool position_share_known = false;
   std::uint64_t clipped = 0;          ///< steps whose duty a limit cut, since the start
@@ -52,7 +52,7 @@ class TextureRenderer {
   /// Applies live changes, gliding. `sample_rate_Hz` is taken at construction only.
   void configure(const TextureParameters& parameters);
 
-  /// Of the rollers now, which moves the cloth's resonance; NaN: unknown.
+  /// Present stretch of the rollers, which shifts the cloth's resonance; NaN: unknown.
   void setStretch(double stretch_deg);
 
   /// @param new_samples    since the last call, in any number; older and repeated ones are refused and counted
@@ -66,7 +66,7 @@ class TextureRenderer {
   /// Silence; counters stay.
   void reset();
 
-  /// For the archives of core/base/archive.h. Version 1 knew no mapping felt.
+  /// For the archives of core/base/archive.h. Version 1: without the mapping felt.
   static constexpr std::uint16_t kStateVersion = 2;
   template <class Archive>
   void serialize(Archive& archive);

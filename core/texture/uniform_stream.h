@@ -1,17 +1,16 @@
 // From time-stamped samples, in bunches, repeated or missing, to one sample per step.
 //
 // The stream's own grid advances by exactly one period T = 1/rate per step and stays `delay` to `delay` + T behind the
-// caller's clock (one period further away from it, the grid is set anew). At the start and after a gap it is laid so
-// that the first sample stands in the middle of its period: a sensor at this rate then gives one sample per period in
+// caller's clock (one period further away from it, the grid is set anew). At the start and after a gap it is set so
+// that the first sample lies in the middle of its period: a sensor at this rate then gives one sample per period in
 // spite of ±T/2 of jitter. One step takes what is stamped within its period (g − T, g]:
 //
 //   one sample              → that sample, unchanged (its time is off by at most T/2)
-//   several                 → their mean: a box of T, which is also the guard against aliases of a faster sensor; a
-//   sensor's
-//                             repeated readings (the robot's loop is faster than its accelerometer) weigh as they came
+//   several                 → their mean: a box filter of T, which also reduces the aliases of a faster sensor;
+//                             each of a sensor's repeated readings counts (the robot's loop is faster than it)
 //   none, but its two neighbours are at most `maximum_gap` apart
 //                           → the straight line between them at the middle of the period (clocks that slip)
-//   none otherwise          → a gap: the step says so and has no value. Nothing is invented.
+//   none otherwise          → a gap: the step says so and has no value; nothing is made up
 //
 // Refused and counted: values not finite or beyond ±1000 g, stamps before the newest one, stamps more than 1 ms in
 // the future, samples whose period is already past, and what does not fit the queue of 256.

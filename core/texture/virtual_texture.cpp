@@ -38,7 +38,7 @@ void VirtualTexture::reset() {
   until_retune_ = 0;
 }
 
-// SplitMix64 (Steele, Lea, Flood 2014); uniform in ±√3, so of variance 1. Its distribution does not show behind a
+// SplitMix64 [Steele 2014]; uniform in ±√3, so of variance 1. Its distribution does not show behind a
 // band-pass.
 double VirtualTexture::white() {
   random_ += 0x9E3779B97F4A7C15ULL;

@@ -1,4 +1,4 @@
-// A stored surface rendered from the finger's speed and force, when there is no robot (thesis §7.3).
+// A stored surface rendered from the finger's speed and force, when there is no robot [thesis §7.3].
 //
 // The surface is a sum of noise bands. Band k has its centre at f_k = v / wavelength_mm (a pattern that passes faster
 // under a faster finger) or at a fixed frequency_Hz (a resonance), a quality factor Q_k, and
@@ -27,7 +27,7 @@ class VirtualTexture {
   VirtualTexture(const SurfaceModel& model, double sample_rate_Hz, std::uint64_t seed = 1);
 
   /// The next sample of the texture signal, in g. Speed and force that are not finite or negative count as 0;
-  /// both glide over 5 ms, so that a camera's steps are not heard.
+  /// both glide over 5 ms, so that a camera's steps are not felt.
   [[nodiscard]] double step(double speed_mm_s, double force_N);
   void reset();
 
@@ -40,7 +40,7 @@ class VirtualTexture {
   }
 
  private:
-  static constexpr int kRetuneEvery = 8;  // samples: tangents are dear, and nothing moves that fast
+  static constexpr int kRetuneEvery = 8;  // samples: tuning is expensive, and nothing changes that fast
 
   struct Band {
     SurfaceBand surface;

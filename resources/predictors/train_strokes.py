@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Trains the perceptron of the learned forecast (core/teleop/learned_forecast.h) on recorded finger strokes.
+"""Trains the perceptron of the learned forecast (core/teleop/prediction/learned_forecast.h) on recorded finger strokes.
 
   train_strokes.py FOLDER [--leave-out PERSON] [--out FILE] [--epochs N] [--seed I]
 
@@ -38,7 +38,7 @@ def at(stroke, time_s):
 
 
 def samples(stroke):
-    """Inputs and targets at each row, in the frame of the motion; as core/teleop/learned_forecast.cpp makes them."""
+    """Inputs and targets at each row, in the frame of the motion; as core/teleop/prediction/learned_forecast.cpp makes them."""
     now = stroke[:, 0]
     lagged = at(stroke, now[:, None] - STEP_s * np.arange(LAGS + 1))
     steps = lagged[:, :-1] - lagged[:, 1:]

@@ -1316,8 +1316,8 @@ mm</translation>
         <translation>Capteur de distance</translation>
     </message>
     <message>
-        <source>Distance sensor %1</source>
-        <translation>Capteur de distance %1</translation>
+        <source>Distance sensor {}</source>
+        <translation>Capteur de distance {}</translation>
     </message>
     <message>
         <source>Distance sensor's curve of volts, as its form says; empty: the thesis polynomial.</source>
@@ -2646,10 +2646,6 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Modbus TCP {}: cannot listen: {}</source>
         <translation>Modbus TCP {} : écoute impossible : {}</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: no socket: {}</source>
-        <translation>Modbus TCP : pas de socket : {}</translation>
     </message>
     <message>
         <source>Motion depth scale</source>
@@ -5612,10 +5608,6 @@ Pour commencer : %1</translation>
         <translation>lectures de distance absentes ou trop vieilles</translation>
     </message>
     <message>
-        <source>distance sensor {}</source>
-        <translation>capteur de distance {}</translation>
-    </message>
-    <message>
         <source>distance sensor {} did not read in any press</source>
         <translation>le capteur de distance {} n'a rien lu dans aucun appui</translation>
     </message>
@@ -5678,10 +5670,6 @@ Pour commencer : %1</translation>
     <message>
         <source>encoder {} stands still although its motor was sent {:.0f}° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
         <translation>le codeur {} reste immobile bien que son moteur ait été envoyé {:.0f}° plus loin : vérifier l'alimentation des moteurs et le câble du codeur ; arrêter, puis armer de nouveau</translation>
-    </message>
-    <message>
-        <source>encoders</source>
-        <translation>codeurs</translation>
     </message>
     <message>
         <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
@@ -6497,7 +6485,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no scene is shared</source>
-        <translation>aucune scène n’est partagée</translation>
+        <translation>aucune scène n'est partagée</translation>
     </message>
     <message>
         <source>no stiffness target</source>
@@ -8436,16 +8424,12 @@ Pour commencer : %1</translation>
         <translation>{} : ne peut pas être nommé {} : {}</translation>
     </message>
     <message>
-        <source>{}: cannot be opened for reading</source>
-        <translation>{} : impossible à ouvrir en lecture</translation>
-    </message>
-    <message>
         <source>{}: cannot be opened: {}</source>
         <translation>{} : impossible à ouvrir : {}</translation>
     </message>
     <message>
-        <source>{}: cannot be read</source>
-        <translation>{} : ne peut pas être lu</translation>
+        <source>{}: cannot be read: it is no file</source>
+        <translation>{} : illisible : ce n'est pas un fichier</translation>
     </message>
     <message>
         <source>{}: cannot be read: {}</source>
@@ -8640,16 +8624,8 @@ Pour commencer : %1</translation>
         <translation>{} : verrouillé par un autre programme depuis plus de {} s ; il est ouvert dans {}</translation>
     </message>
     <message>
-        <source>{}: longer than {} MB; expected a table of measurements</source>
-        <translation>{} : plus long que {} Mo ; attendu une table de mesures</translation>
-    </message>
-    <message>
         <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>
         <translation>{} : fait par une version plus récente de ce programme (tables {}, celui-ci connaît {})</translation>
-    </message>
-    <message>
-        <source>{}: more than {} bytes: no gesture card is that large</source>
-        <translation>{} : plus de {} octets : aucune carte de geste n'est aussi grande</translation>
     </message>
     <message>
         <source>{}: name of {} bytes: expected 1 to {} that can be printed</source>
@@ -8682,10 +8658,6 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: no pseudo-terminal to be had: {}</source>
         <translation>{} : pas de pseudo-terminal disponible : {}</translation>
-    </message>
-    <message>
-        <source>{}: no regular file</source>
-        <translation>{} : pas un fichier ordinaire</translation>
     </message>
     <message>
         <source>{}: no such parameter</source>
@@ -8810,10 +8782,6 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: pseudo-terminal: {}</source>
         <translation>{} : pseudo-terminal : {}</translation>
-    </message>
-    <message>
-        <source>{}: reading failed</source>
-        <translation>{} : échec de la lecture</translation>
     </message>
     <message>
         <source>{}: reads differently each time; copy it to another disk first</source>
@@ -9116,28 +9084,12 @@ Pour commencer : %1</translation>
         <translation>{} : {} octets avec des caractères de commande ; attendu {}</translation>
     </message>
     <message>
-        <source>{}: {} bytes; a preset has at most {}</source>
-        <translation>{} : {} octets ; un préréglage en a au plus {}</translation>
-    </message>
-    <message>
-        <source>{}: {} bytes; a profile has at most {}</source>
-        <translation>{} : {} octets ; un profil en a au plus {}</translation>
-    </message>
-    <message>
-        <source>{}: {} bytes; at most {}: move it away, a new one will be begun</source>
-        <translation>{} : {} octets ; au plus {} : le déplacer, un nouveau sera commencé</translation>
-    </message>
-    <message>
-        <source>{}: {} bytes; expected at most {}</source>
-        <translation>{} : {} octets ; attendu au plus {}</translation>
+        <source>{}: {} bytes, expected at most {}</source>
+        <translation>{} : {} octets, au plus {} attendus</translation>
     </message>
     <message>
         <source>{}: {} bytes; expected {}</source>
         <translation>{} : {} octets ; attendu {}</translation>
-    </message>
-    <message>
-        <source>{}: {} bytes; notes have at most {}</source>
-        <translation>{} : {} octets ; les notes en ont au plus {}</translation>
     </message>
     <message>
         <source>{}: {} cannot change while the station runs; a preset holds live parameters only</source>

@@ -1316,8 +1316,8 @@ mm</translation>
         <translation>Sensore di distanza</translation>
     </message>
     <message>
-        <source>Distance sensor %1</source>
-        <translation>Sensore di distanza %1</translation>
+        <source>Distance sensor {}</source>
+        <translation>Sensore di distanza {}</translation>
     </message>
     <message>
         <source>Distance sensor's curve of volts, as its form says; empty: the thesis polynomial.</source>
@@ -2646,10 +2646,6 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Modbus TCP {}: cannot listen: {}</source>
         <translation>Modbus TCP {}: ascolto impossibile: {}</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: no socket: {}</source>
-        <translation>Modbus TCP: nessun socket: {}</translation>
     </message>
     <message>
         <source>Motion depth scale</source>
@@ -5612,10 +5608,6 @@ Per cominciare: %1</translation>
         <translation>letture di distanza assenti o troppo vecchie</translation>
     </message>
     <message>
-        <source>distance sensor {}</source>
-        <translation>sensore di distanza {}</translation>
-    </message>
-    <message>
         <source>distance sensor {} did not read in any press</source>
         <translation>il sensore di distanza {} non ha letto in nessuna pressione</translation>
     </message>
@@ -5678,10 +5670,6 @@ Per cominciare: %1</translation>
     <message>
         <source>encoder {} stands still although its motor was sent {:.0f}° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
         <translation>l'encoder {} è fermo benché il suo motore sia stato mandato {:.0f}° più in là: controllare l'alimentazione dei motori e il cavo dell'encoder; fermare, poi armare di nuovo</translation>
-    </message>
-    <message>
-        <source>encoders</source>
-        <translation>encoder</translation>
     </message>
     <message>
         <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
@@ -8436,16 +8424,12 @@ Per cominciare: %1</translation>
         <translation>{}: non può essere chiamato {}: {}</translation>
     </message>
     <message>
-        <source>{}: cannot be opened for reading</source>
-        <translation>{}: non si può aprire in lettura</translation>
-    </message>
-    <message>
         <source>{}: cannot be opened: {}</source>
         <translation>{}: non si può aprire: {}</translation>
     </message>
     <message>
-        <source>{}: cannot be read</source>
-        <translation>{}: non può essere letto</translation>
+        <source>{}: cannot be read: it is no file</source>
+        <translation>{}: non può essere letto: non è un file</translation>
     </message>
     <message>
         <source>{}: cannot be read: {}</source>
@@ -8640,16 +8624,8 @@ Per cominciare: %1</translation>
         <translation>{}: bloccato da un altro programma da più di {} s; è aperto in {}</translation>
     </message>
     <message>
-        <source>{}: longer than {} MB; expected a table of measurements</source>
-        <translation>{}: più lungo di {} MB; attesa una tabella di misure</translation>
-    </message>
-    <message>
         <source>{}: made by a newer version of this program (tables {}, this one knows {})</source>
         <translation>{}: creato da una versione più nuova di questo programma (tabelle {}, questo conosce {})</translation>
-    </message>
-    <message>
-        <source>{}: more than {} bytes: no gesture card is that large</source>
-        <translation>{}: più di {} byte: nessuna scheda di gesto è così grande</translation>
     </message>
     <message>
         <source>{}: name of {} bytes: expected 1 to {} that can be printed</source>
@@ -8682,10 +8658,6 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: no pseudo-terminal to be had: {}</source>
         <translation>{}: nessuno pseudo-terminale disponibile: {}</translation>
-    </message>
-    <message>
-        <source>{}: no regular file</source>
-        <translation>{}: non è un file regolare</translation>
     </message>
     <message>
         <source>{}: no such parameter</source>
@@ -8810,10 +8782,6 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: pseudo-terminal: {}</source>
         <translation>{}: pseudo-terminale: {}</translation>
-    </message>
-    <message>
-        <source>{}: reading failed</source>
-        <translation>{}: lettura non riuscita</translation>
     </message>
     <message>
         <source>{}: reads differently each time; copy it to another disk first</source>
@@ -9116,28 +9084,12 @@ Per cominciare: %1</translation>
         <translation>{}: {} byte con caratteri di controllo; atteso {}</translation>
     </message>
     <message>
-        <source>{}: {} bytes; a preset has at most {}</source>
-        <translation>{}: {} byte; una preselezione ne ha al più {}</translation>
-    </message>
-    <message>
-        <source>{}: {} bytes; a profile has at most {}</source>
-        <translation>{}: {} byte; un profilo ne ha al più {}</translation>
-    </message>
-    <message>
-        <source>{}: {} bytes; at most {}: move it away, a new one will be begun</source>
-        <translation>{}: {} byte; al più {}: spostarlo, ne inizierà uno nuovo</translation>
-    </message>
-    <message>
-        <source>{}: {} bytes; expected at most {}</source>
-        <translation>{}: {} byte; attesi al più {}</translation>
+        <source>{}: {} bytes, expected at most {}</source>
+        <translation>{}: {} byte, attesi al massimo {}</translation>
     </message>
     <message>
         <source>{}: {} bytes; expected {}</source>
         <translation>{}: {} byte; atteso {}</translation>
-    </message>
-    <message>
-        <source>{}: {} bytes; notes have at most {}</source>
-        <translation>{}: {} byte; le note ne hanno al più {}</translation>
     </message>
     <message>
         <source>{}: {} cannot change while the station runs; a preset holds live parameters only</source>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails on a function whose bits depend on the processor in what a replay computes again.
 
-The C library chooses exp, log, sin, … by the processor; the rooms of the step use core/base/portable_math.h in their
+The C library chooses exp, log, sin, … by the processor; the modules of the step use core/base/portable_math.h in their
 place. Looked for in the compiled objects, so that nothing inlined from a header is missed.
 
   check_arithmetic.py NM COMPILER OBJECT…
@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-ROOMS = ("base", "signal", "sensing", "control", "texture", "teleop", "scene", "pipeline")
+MODULES = ("base", "signal", "sensing", "control", "texture", "teleop", "scene", "pipeline")
 # What a replay does not compute again: the finger's detection and a file's mesh are inputs; test signals are for benches.
 OUTSIDE = {"finger_adaptive.cpp.o", "finger_detector.cpp.o", "finger_thesis.cpp.o", "blob_measure.cpp.o",
            "test_signals.cpp.o", "mesh_text.cpp.o"}
@@ -30,13 +30,13 @@ def undefined(nm, file):
 def problems(nm, objects):
     found, seen = [], 0
     for file in map(pathlib.Path, objects):
-        if file.parent.name not in ROOMS or file.name in OUTSIDE:
+        if file.parent.name not in MODULES or file.name in OUTSIDE:
             continue
         seen += 1
         found += [f"{file.parent.name}/{file.name}: calls {name}; expected that of core/base/portable_math.h"
                   for name in sorted(undefined(nm, file) & FORBIDDEN)]
     if seen < 50:
-        found.append(f"only {seen} objects of the step's rooms were given; expected 50 and more")
+        found.append(f"only {seen} objects of the step's modules were given; expected 50 and more")
     return found
 
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "core/session/recording_format.h"
-#include "tests/unit/session/recording_damage.h"
-#include "tests/unit/session/recording_samples.h"
+#include "core/recording/format/recording_format.h"
+#include "tests/unit/recording/recording_damage.h"
+#include "tests/unit/recording/recording_samples.h"
 
 namespace fyd::attack {
 
@@ -36,11 +36,11 @@ inline unsigned long argument(int count, char** words, int index, unsigned long 
 }
 
 /// Whether what the record does not name as missing is what the plain step of its number was.
-inline bool isPlainWhereThere(const session::StepRecord& record) {
-  using session::Table;
-  session::StepRecord truth = session::samples::plainStep(record.telemetry.step - 1);
-  session::StepRecord kept = record;
-  const auto lost = [&](Table table) { return (record.missing & session::bitOf(table)) != 0; };
+inline bool isPlainWhereThere(const recording::StepRecord& record) {
+  using recording::Table;
+  recording::StepRecord truth = recording::samples::plainStep(record.telemetry.step - 1);
+  recording::StepRecord kept = record;
+  const auto lost = [&](Table table) { return (record.missing & recording::bitOf(table)) != 0; };
   if (lost(Table::motors)) kept.motors = truth.motors;
   pipeline::Inputs& in = kept.inputs;
   if (lost(Table::finger)) in.finger = truth.inputs.finger;
@@ -49,7 +49,7 @@ inline bool isPlainWhereThere(const session::StepRecord& record) {
   if (lost(Table::motor_feedback)) in.motors = truth.inputs.motors;
   if (lost(Table::robot_state)) in.robot.state = truth.inputs.robot.state;
   if (lost(Table::motor_reference)) in.robot.motor_reference = truth.inputs.robot.motor_reference;
-  return static_cast<bool>(session::samples::sameRecord(kept, truth));
+  return static_cast<bool>(recording::samples::sameRecord(kept, truth));
 }
 
 }  // namespace fyd::attack

@@ -3,19 +3,21 @@
 // keeps what can be proven and names the rest.
 //   attack_corrupt_recordings COUNT SEED      at full length: attack_corrupt_recordings 300 1
 #include "attack.h"
-#include "core/session/recording_crc.h"
-#include "core/session/recording_health.h"
-#include "core/session/recording_place.h"
-#include "core/session/recording_writer_on_disk.h"
-#include "core/session/recover.h"
-#include "core/session/verify.h"
-#include "tests/integration/session/remembering_disk.h"
+#include "core/base/checksum.h"
+#include "core/recording/file/recording_disk.h"
+#include "core/recording/file/recording_place.h"
+#include "core/recording/reader/recording_health.h"
+#include "core/recording/recovery/recover.h"
+#include "core/recording/recovery/verify.h"
+#include "core/recording/writer/recording_writer.h"
+#include "tests/integration/recording/remembering_disk.h"
+#include "tests/reference_crc.h"
 
 namespace {
 
 using namespace fyd;
-using namespace fyd::session;
-using namespace fyd::session::samples;
+using namespace fyd::recording;
+using namespace recording::samples;
 
 constexpr std::uint64_t kRows = 4100;
 
@@ -58,14 +60,14 @@ Original killedOne(const std::string& file) {
 
 /// Cut just after the journal of its last commit was synced; of what it holds any part has reached its place.
 Original cutOne(const std::string& file, std::mt19937& random) {
-  const auto disk = std::make_shared<RememberingDisk>();
+  const auto disk = std::make_shared<LoggingDisk>();
   {
     auto writer = createRecording(file, header(), disk);
     fill(**writer, kRows);
   }
   std::size_t last_sync = disk->calls.size();
   while (!disk->calls[last_sync - 1].sync) --last_sync;
-  std::vector<RememberingDisk::Call> calls;
+  std::vector<LoggingDisk::Call> calls;
   for (std::size_t i = 0; i < disk->calls.size(); ++i)
     if (i < last_sync || random() % 2 == 0) calls.push_back(disk->calls[i]);
   calls.push_back({.sync = true});
@@ -122,7 +124,7 @@ bool commitsAreSound(const std::string& file) {
   bool sound = H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()) >= 0;
   for (const CommitRow& row : rows)
     sound =
-        sound && row.own_crc == crc32cInSoftware(std::as_bytes(std::span(&row, 1)).first(offsetof(CommitRow, own_crc)));
+        sound && row.own_crc == referenceCrc32c(std::as_bytes(std::span(&row, 1)).first(offsetof(CommitRow, own_crc)));
   H5Sclose(space);
   H5Tclose(type);
   H5Dclose(set);

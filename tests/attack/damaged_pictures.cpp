@@ -13,10 +13,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/device/camera.h"
-#include "core/device/picture_decoder.h"
+#include "core/device/camera/camera.h"
+#include "core/device/camera/picture_decoder.h"
 #include "core/sensing/finger_detector.h"
-#include "core/sim/simulated_camera.h"
+#include "core/sim/touchpad/simulated_camera.h"
 
 namespace {
 

@@ -18,15 +18,15 @@
 
 #include "core/base/csv.h"
 #include "core/base/units.h"
-#include "core/device/frozen_picture.h"
-#include "core/device/frozen_readings.h"
-#include "core/device/picture_decoder.h"
-#include "core/device/plausibility.h"
+#include "core/device/camera/frozen_picture.h"
+#include "core/device/camera/picture_decoder.h"
+#include "core/device/touchpad/frozen_readings.h"
+#include "core/device/touchpad/plausibility.h"
 #include "core/pipeline/pipeline.h"
-#include "core/protocol/drive_state.h"
-#include "core/protocol/register_codec.h"
+#include "core/protocol/registers/drive_state.h"
+#include "core/protocol/registers/register_codec.h"
 #include "core/sensing/finger_detector.h"
-#include "core/sim/simulated_camera.h"
+#include "core/sim/touchpad/simulated_camera.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ namespace fs = std::filesystem;
 
 struct Recordings {
   std::vector<std::pair<std::string, sim::FingerPath>> fingers;
-  std::vector<pipeline::AccelerationSample> accelerations;
+  std::vector<texture::AccelerationSample> accelerations;
   std::uint64_t forces = 0;
   double largest_force_N = 0.0;
 };
@@ -209,7 +209,7 @@ void session(const std::string& name, const sim::FingerPath& finger, const Recor
     world->command(command);
     ++counts.steps;
     if (i > 500 && outputs.telemetry.state != pipeline::SafetyState::active) {
-      fired(name, hours, fmt::format("{}: {}", toString(outputs.telemetry.state), toString(outputs.telemetry.lack)));
+      fired(name, hours, fmt::format("{}: {}", toString(outputs.telemetry.state), toString(outputs.telemetry.fault)));
     }
   }
 }

@@ -10,9 +10,9 @@
 #include <optional>
 #include <random>
 
-#include "core/device/frozen_readings.h"
-#include "core/device/modbus_touchpad.h"
-#include "core/device/plausibility.h"
+#include "core/device/touchpad/frozen_readings.h"
+#include "core/device/touchpad/modbus_touchpad.h"
+#include "core/device/touchpad/plausibility.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/attack/hostile_device.h"
 
@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
     ++states[std::string(toString(outputs.telemetry.state))];
     if (!attacking && calm == 2000 && outputs.telemetry.state != pipeline::SafetyState::active) {
       violated(sent, fmt::format("a healthy device again, and the session is not Active: {}; {}; {}",
-                                 toString(outputs.telemetry.lack), touchpad.complaint().text(),
+                                 toString(outputs.telemetry.fault), touchpad.complaint().text(),
                                  plausibility.complaint().text()));
     }
   }

@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/device/fri_check.h"
+#include "core/device/robot/fri_check.h"
 #include "core/sim/finger_path.h"
-#include "core/sim/robot_arm.h"
+#include "core/sim/robot/robot_arm.h"
 #include "tests/unit/device/played_krc.h"
 
 namespace {
@@ -59,7 +59,7 @@ PlayedKrcOptions optionsOf(Chance& chance, double tick_s) {
 bool attack(std::uint64_t seed, double tick_s, Worst& worst) {
   Chance chance{std::mt19937_64(seed)};
   const PlayedKrcOptions options = optionsOf(chance, tick_s);
-  PlayedKrc krc(options);
+  FakeKrc krc(options);
 
   WildTargets targets(options.seed);
   while (krc.time_s() < kRun_s) {

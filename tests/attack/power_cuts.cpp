@@ -2,18 +2,19 @@
 // Nothing that was acknowledged is lost or wrong, the recovery makes the file whole, and HDF5 itself opens it.
 //   attack_power_cuts COUNT SEED      at full length: attack_power_cuts 300 1 (cuts of each kind of disk)
 #include "attack.h"
-#include "core/session/recording_place.h"
-#include "core/session/recording_repair.h"
-#include "core/session/recording_writer_on_disk.h"
-#include "core/session/recover.h"
-#include "core/session/verify.h"
-#include "tests/integration/session/remembering_disk.h"
+#include "core/recording/file/recording_disk.h"
+#include "core/recording/file/recording_place.h"
+#include "core/recording/recovery/recording_repair.h"
+#include "core/recording/recovery/recover.h"
+#include "core/recording/recovery/verify.h"
+#include "core/recording/writer/recording_writer.h"
+#include "tests/integration/recording/remembering_disk.h"
 
 namespace {
 
 using namespace fyd;
-using namespace fyd::session;
-using namespace fyd::session::samples;
+using namespace fyd::recording;
+using namespace recording::samples;
 using Bytes = std::vector<std::byte>;
 
 constexpr std::uint64_t kRows = 2600;
@@ -25,7 +26,7 @@ struct Acknowledged {
 
 /// What a recorder asked of its disk, and when it said that so many steps are safe.
 struct Session {
-  std::shared_ptr<RememberingDisk> disk = std::make_shared<RememberingDisk>();
+  std::shared_ptr<LoggingDisk> disk = std::make_shared<LoggingDisk>();
   std::vector<Acknowledged> acknowledged;
 
   explicit Session(const std::string& file) {
@@ -43,7 +44,7 @@ struct Session {
 };
 
 /// A moment of those from `first` on; every second time just before a sync, when most is at stake.
-std::size_t momentOf(const std::vector<RememberingDisk::Call>& calls, std::size_t first, std::mt19937& random) {
+std::size_t momentOf(const std::vector<LoggingDisk::Call>& calls, std::size_t first, std::mt19937& random) {
   std::size_t end = first + random() % (calls.size() - first + 1);
   if (random() % 2 == 0)
     while (end < calls.size() && !calls[end].sync) ++end;
@@ -87,7 +88,7 @@ int main(int count, char** words) {
       put(partialOf(file), left);
       expectRows(report, partialOf(file), rows, nullptr);
       // The recovery's own power goes too.
-      const auto mending = std::make_shared<RememberingDisk>();
+      const auto mending = std::make_shared<LoggingDisk>();
       report.expect(finishRecording(partialOf(file), mending).has_value(), "could not be finished");
       const std::size_t second = momentOf(mending->calls, 0, random);
       put(partialOf(file), diskAfterCut(mending->calls, second, sector_bytes, random, left));

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "core/protocol/classic_touchpad_end.h"
+#include "core/protocol/classic/classic_touchpad_end.h"
 
 namespace fyd::protocol {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <sodium/crypto_aead_chacha20poly1305.h>
 
-#include "core/protocol/link_codec.h"
-#include "core/protocol/link_handshake.h"
+#include "core/protocol/link/link_codec.h"
+#include "core/protocol/link/link_handshake.h"
 
 namespace fyd::protocol {
 namespace {

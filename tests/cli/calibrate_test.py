@@ -152,13 +152,13 @@ class Calibrate(fyd.Case):
                           "lamp off", "--json")
         self.assertEqual(found["written_to"], profile)
         self.assertEqual(found["to_do_again"], [
-            {"part": "no-touch", "why": "taken with another curve: take it again (distance sensor 2)"}])
+            {"part": "no-touch", "why": "taken with another curve: take it again (Distance sensor 2)"}])
         self.assertNotIn("sensing.ir_offset_mm", [change["id"] for change in found["changes"]])
         table = self.write("table.csv", f"{TABLE}\n{code},{code},{code},0,0,,\n")
         sensed, = self.json("sense", "--table", table, "--profile", profile, "--json")
         self.assertAlmostEqual(sensed["distance_mm"][1], 100, delta=1)
         self.assertGreater(abs(sensed["distance_mm"][0] - 100), 2)
-        again = "no-touch: taken with another curve: take it again (distance sensor 2)"
+        again = "no-touch: taken with another curve: take it again (Distance sensor 2)"
         sense = ["sense", "--table", table, "--profile", profile]
         self.assertIn(again, fyd.run(*sense).stderr)
         self.assertEqual("", fyd.run(*sense, "--set", "sensing.ir_offset_mm=[100, 99.5, 100]").stderr)  # a tare since
@@ -208,7 +208,7 @@ class Calibrate(fyd.Case):
         for text, words in [("adc,distance_mm\n1,2\nx,3\n", ":3:"), ("adc\n1\n", "distance_mm"), ("", "empty"),
                             ("adc,distance_mm\n", "no rows"), ("adc,distance_mm\n1e999,3\n", ":2:")]:
             self.assertIn(words, self.refused(1, "calibrate", "ir", self.write("bad.csv", text), "--json"))
-        self.assertIn("cannot be opened", self.refused(1, "calibrate", "camera", self.path("none.csv")))
+        self.assertIn("cannot be read", self.refused(1, "calibrate", "camera", self.path("none.csv")))
 
     def test_too_few_repeated_and_scattered_points_say_what_to_do(self):
         few = self.csv("few.csv", "adc,distance_mm", [(thesis_adc(d), d) for d in [40, 60, 100, 150]])

@@ -57,10 +57,10 @@ class JsonErrors(unittest.TestCase):
                 (("session", "recover", nowhere, "--json"), "recording", nowhere),
                 (("session", "export", nowhere, nowhere + ".csv", "--json"), "input", nowhere),
                 (("calibrate", "load-cell", nowhere, "--json"), "input", nowhere),
-                (("station", "--simulate", "--profile", nowhere, "--json"), "station", nowhere),
+                (("station", "--simulate", "--profile", nowhere, "--json"), "input", nowhere),
                 (("station", "--simulate", "--set", "control.kd=x", "--json"), None, "control.kd"),
-                (("params", "--profile", nowhere, "--json"), "station", nowhere),
-                (("texture", "render", nowhere, "--json"), "command", nowhere)):
+                (("params", "--profile", nowhere, "--json"), "input", nowhere),
+                (("texture", "render", nowhere, "--json"), "input", nowhere)):
             with self.subTest(" ".join(arguments)):
                 code = 2 if kind is None else 1
                 document, error, said = self.error_of(code, *arguments)

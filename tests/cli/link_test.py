@@ -10,7 +10,7 @@ import fyd
 
 class Budget(fyd.Case):
     def test_the_papers_numbers(self):
-        # Eq. 1: 160 mm / 0.02 mm = 8000 points, 13 bits; Eq. 2: 64 kbit/s · 10 ms = 640 bits.
+        # [tele-gesture Eq. 1]: 160 mm / 0.02 mm = 8000 points, 13 bits; [tele-gesture Eq. 2]: 64 kbit/s · 10 ms = 640 bits.
         result = self.json("budget", "--workspace", "160x130x130", "--precision", 0.02, "--flow", 64000, "--period", 10, "--json")
         self.assertEqual(result["points_per_axis"], 8000)
         self.assertEqual(result["bits_per_axis"], 13)

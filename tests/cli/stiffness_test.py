@@ -68,10 +68,21 @@ class Stiffness(fyd.Case):
         self.assertIn("control.law_angle_deg", self.refused(1, "stiffness", "--target", "0.6", "--profile", profile))
 
 
+class FormerNames(fyd.Case):
+    def test_a_former_name_works_and_the_present_one_is_named(self):
+        done = fyd.run("params", "sim.cloth_hysteresis", "--set", "sim.fabric_hysteresis=0.1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("sim.fabric_hysteresis is called sim.cloth_hysteresis now", done.stderr)
+        self.assertIn("sim.cloth_hysteresis = 0.1", done.stdout)
+        asked = fyd.run("params", "sim.fabric_hysteresis")
+        self.assertIn("sim.fabric_hysteresis is called sim.cloth_hysteresis now", asked.stderr)
+        self.assertIn("sim.cloth_hysteresis = 0", asked.stdout)
+
+
 class Tune(fyd.Case):
     def test_proposes_and_changes_nothing(self):
         proposal = self.json("tune", "--plant-scale", 1.2, "--json")
-        self.assertAlmostEqual(proposal["fabric"]["scale"], 1.2, delta=0.08)
+        self.assertAlmostEqual(proposal["cloth"]["scale"], 1.2, delta=0.08)
         self.assertIs(proposal["applied"], False)
         for side in ("before", "after"):
             self.assertGreater(proposal[side]["ki"], 0)

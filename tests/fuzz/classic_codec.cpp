@@ -1,5 +1,5 @@
 // Every decoder of the classic codec on any bytes: refused, or well-formed and stable when written and read again.
-#include "core/protocol/classic_codec.h"
+#include "core/protocol/classic/classic_codec.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Ticks, commands and datagrams in any order: the robot's end never sends but what the protocol allows.
-#include "core/protocol/classic_robot_end.h"
+#include "core/protocol/classic/classic_robot_end.h"
 
 #include "tests/fuzz/fuzz.h"
 

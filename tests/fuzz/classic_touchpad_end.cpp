@@ -1,5 +1,5 @@
 // Sequences of datagrams from several senders with time passing between them: one touch for each state, none else.
-#include "core/protocol/classic_touchpad_end.h"
+#include "core/protocol/classic/classic_touchpad_end.h"
 
 #include "tests/fuzz/fuzz.h"
 

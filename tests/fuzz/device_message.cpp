@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/sim/desktop_arm.h"
-#include "core/sim/teleop_end.h"
+#include "core/sim/teleop/desktop_arm.h"
+#include "core/sim/teleop/teleop_end.h"
+#include "core/teleop/coupling/coupling_choice.h"
+#include "core/teleop/prediction/predictor_choice.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fyd;

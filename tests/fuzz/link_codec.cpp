@@ -1,7 +1,7 @@
 // Every decoder of FYD Link's messages on any bytes: refused, or in range and the same bytes when written again.
-#include "core/protocol/link_codec.h"
+#include "core/protocol/link/link_codec.h"
 
-#include "core/protocol/link_handshake.h"
+#include "core/protocol/link/link_handshake.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fyd;

@@ -1,5 +1,5 @@
 // Key files and pairing codes from any text: an error, or a key that writes itself as what was read.
-#include "core/protocol/link_keys.h"
+#include "core/protocol/link/link_keys.h"
 
 #include "tests/fuzz/fuzz.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/protocol/byte_io.h"
-#include "core/protocol/link_robot_end.h"
-#include "core/protocol/link_touchpad_end.h"
+#include "core/protocol/link/link_robot_end.h"
+#include "core/protocol/link/link_touchpad_end.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace fyd::fuzz {

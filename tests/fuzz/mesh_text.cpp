@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "core/scene/contact.h"
-#include "core/scene/mesh_text.h"
-#include "core/scene/nearest_point.h"
-#include "core/scene/vector.h"
+#include "core/scene/contact/contact.h"
+#include "core/scene/mesh/mesh_text.h"
+#include "core/scene/mesh/nearest_point.h"
+#include "core/scene/mesh/vector.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fyd;

@@ -1,9 +1,9 @@
 // Registers and motor-board bytes of any content: refused, or well-formed and stable when written and read again.
 #include <cmath>
 
-#include "core/protocol/drive_state.h"
 #include "core/protocol/qbmove_codec.h"
-#include "core/protocol/register_codec.h"
+#include "core/protocol/registers/drive_state.h"
+#include "core/protocol/registers/register_codec.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fyd;

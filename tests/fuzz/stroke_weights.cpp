@@ -2,8 +2,9 @@
 #include <cmath>
 #include <string>
 
-#include "core/teleop/learned_forecast.h"
-#include "core/teleop/stroke_weights.h"
+#include "core/teleop/prediction/learned_forecast.h"
+#include "core/teleop/prediction/predictor_choice.h"
+#include "core/teleop/prediction/stroke_weights.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace fyd;

@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "core/protocol/link_key_file.h"
-#include "core/sim/robot_arm.h"
-#include "core/sim/simulated_robot.h"
+#include "core/device/robot/robot_runner.h"
+#include "core/protocol/link/link_key_file.h"
+#include "core/sim/robot/robot_arm.h"
 #include "core/station/station.h"
 
 namespace {
@@ -51,7 +51,7 @@ Act set(double at_s, std::string id, double value) {
             if (const auto done = s.setParameter(id, value); !done) throw std::runtime_error(done.error().text());
           }};
 }
-Act note(double at_s, session::NoteKind kind, std::string text) {
+Act note(double at_s, recording::NoteKind kind, std::string text) {
   return {at_s, [=](station::Station& s) { (void)s.note(kind, text); }};
 }
 
@@ -71,9 +71,9 @@ std::map<std::string, Scene> scenes(const std::string& surface) {
   out["changes"] = {
       .acts = {set(0.1, "control.kp", 20.0), set(0.2, "texture.k_vib", 1.7), set(0.3, "texture.dead_zone_percent", 5.0),
                command(0.4, OperatorAction::target_by_hand, 0.55), set(0.5, "pipeline.hand_target_N_per_mm", 0.68),
-               set(0.6, "texture.method", 1.0), note(0.7, session::NoteKind::note, "softer now"),
+               set(0.6, "texture.method", 1.0), note(0.7, recording::NoteKind::note, "softer now"),
                set(0.8, "control.ki", 8.0), command(0.9, OperatorAction::target_from_robot),
-               note(1.0, session::NoteKind::bookmark, "")},
+               note(1.0, recording::NoteKind::bookmark, "")},
       .states = {SafetyState::active}};
   out["held"] = {.acts = {command(1.0, OperatorAction::arm),
                           {1.2, [](station::Station& s) { s.requestStop(); }},
@@ -131,14 +131,14 @@ std::string record(const std::string& folder, const std::string& name, const Sce
   if (!opened) giveUp(opened.error().text());
   station::Station& station = **opened;
   station.start();
-  std::unique_ptr<sim::SimulatedRobot> arm;
+  std::unique_ptr<device::RobotRunner> arm;
   std::jthread arm_thread;
   if (link) {
-    sim::SimulatedRobotOptions robot;
+    device::RobotRunnerOptions robot;
     robot.touchpad = *protocol::parseEndpoint(station.status().link.local);
     robot.bind = *protocol::parseEndpoint("127.0.0.2:0");
     robot.key = key;
-    arm = std::move(*sim::SimulatedRobot::open(robot, std::make_unique<sim::RobotArm>(profile.sim)));
+    arm = std::move(*device::RobotRunner::open(robot, std::make_unique<sim::RobotArm>(profile.sim)));
     arm_thread = std::jthread([&arm](const std::stop_token& stop) { arm->run(stop); });
   }
   if (scene.robot == "none") {

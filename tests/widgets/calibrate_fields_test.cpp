@@ -1,9 +1,9 @@
 // Every field of the place "Calibrate" with entries that are none: said in words, taken as no point, and nothing
 // breaks.
-#include "core/station/calibration_file.h"
+#include "core/station/profile/calibration_file.h"
 #include "tests/widgets/calibrating.h"
 #include "tests/widgets/suite.h"
-#include "widgets/number_text.h"
+#include "widgets/basics/number_text.h"
 
 namespace fyd::tests {
 namespace {

@@ -2,9 +2,9 @@
 // ages in the readiness list; and the whole of it on the simulated touchpad.
 #include <fstream>
 
-#include "app/console/calibrate_ages.h"
-#include "app/console/calibrate_records.h"
-#include "core/station/calibration_file.h"
+#include "app/console/calibrate/calibrate_records.h"
+#include "app/console/shell/calibration_ages.h"
+#include "core/station/profile/calibration_file.h"
 #include "tests/widgets/calibrating.h"
 #include "tests/widgets/simulated_touchpad.h"
 #include "tests/widgets/suite.h"

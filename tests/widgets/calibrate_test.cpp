@@ -2,11 +2,11 @@
 // that move, what is missing, what "Accept" writes and what "Discard" leaves alone.
 #include <fstream>
 
-#include "app/console/calibrate_records.h"
-#include "core/sim/cloth.h"
-#include "core/sim/ir_sensor.h"
-#include "core/sim/picture.h"
-#include "core/station/calibration_file.h"
+#include "app/console/shell/calibration_ages.h"
+#include "core/sim/cloth/cloth.h"
+#include "core/sim/touchpad/ir_sensor.h"
+#include "core/sim/touchpad/picture.h"
+#include "core/station/profile/calibration_file.h"
 #include "tests/widgets/calibrating.h"
 #include "tests/widgets/suite.h"
 
@@ -182,7 +182,7 @@ class CalibrateTest : public QObject {
     QCOMPARE(records->front().sensor, 2);
     QVERIFY(c.partText("sensor 2").contains(QLatin1String("calibrated today")));
     // The offset was taken with the former curve, tared or not: said in amber, here and before arming, until a tare.
-    const QString again = QStringLiteral("taken with another curve: take it again (distance sensor 2)");
+    const QString again = QStringLiteral("taken with another curve: take it again (Distance sensor 2)");
     QVERIFY2(c.partText("No-touch").contains(again), qPrintable(c.partText("No-touch")));
     for (int i = 0; i < c.page->parts()->count(); ++i) {
       const bool amber = c.page->parts()->item(i)->foreground().color() == widgets::theme().warning;

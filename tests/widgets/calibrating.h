@@ -1,7 +1,7 @@
 // The place "Calibrate" on a scripted session, with its hands: what the tests type, click and hold there.
 #pragma once
 
-#include "app/console/calibrate_page.h"
+#include "app/console/calibrate/calibrate_page.h"
 #include "core/base/units.h"
 #include "tests/widgets/scripted_session.h"
 

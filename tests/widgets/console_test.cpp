@@ -1,6 +1,7 @@
 // The whole window on a scripted session: what keys and clicks ask of it, what it shows of what it hears.
-#include "app/console/options.h"
-#include "app/console/views.h"
+#include "app/console/shell/options.h"
+#include "app/console/shell/views.h"
+#include "app/console/window/places.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
 
@@ -338,12 +339,13 @@ class ConsoleTest : public QObject {
           QStringList{QStringLiteral("--touchpad"), QStringLiteral("modbus-tcp:10.0.0.7:502"),
                       QStringLiteral("--simulate")},
           QStringList{QStringLiteral("--nonsense")}, QStringList{QStringLiteral("stray")}}) {
-      const auto options = console::readOptions(QStringList{program} + wrong);
+      const auto options = console::readOptions(QStringList{program} + wrong, console::placeNames());
       QVERIFY(!options.has_value());
       const QString name = wrong.first().mid(wrong.first().startsWith(QLatin1String("--")) ? 2 : 0);
       QVERIFY(QString::fromStdString(options.error().text()).contains(name));
     }
-    const auto options = console::readOptions({program, QStringLiteral("--theme"), QStringLiteral("light")});
+    const auto options =
+        console::readOptions({program, QStringLiteral("--theme"), QStringLiteral("light")}, console::placeNames());
     QVERIFY(options.has_value() && options->theme == widgets::ThemeChoice::light && !options->station.record);
     const auto resolved = station::withProfileSources(options->station);
     QVERIFY(resolved.robot == "simulated" && resolved.touchpad == "simulated");
@@ -352,7 +354,8 @@ class ConsoleTest : public QObject {
          QStringLiteral("qbmove:/dev/ttyUSB0"), QStringLiteral("--surface"), QStringLiteral("wood.toml"),
          QStringLiteral("--record"), QStringLiteral("s.h5"), QStringLiteral("--operator"), QStringLiteral("MM"),
          QStringLiteral("--subject"), QStringLiteral("S07"), QStringLiteral("--tag"), QStringLiteral("pilot"),
-         QStringLiteral("--tag"), QStringLiteral("left hand"), QStringLiteral("--page"), QStringLiteral("devices")});
+         QStringLiteral("--tag"), QStringLiteral("left hand"), QStringLiteral("--page"), QStringLiteral("devices")},
+        console::placeNames());
     QVERIFY2(more.has_value(), more ? "" : more.error().text().c_str());
     QCOMPARE(more->station.touchpad, std::string("modbus-tcp:10.0.0.7:502"));
     QCOMPARE(more->station.motors, std::string("qbmove:/dev/ttyUSB0"));

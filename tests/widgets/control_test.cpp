@@ -1,17 +1,17 @@
 // State bar, hold button, camera, readiness, notices and log, each alone.
 #include "tests/widgets/suite.h"
 #include "tests/widgets/wait.h"
-#include "widgets/camera_panel.h"
-#include "widgets/icon.h"
-#include "widgets/log_view.h"
-#include "widgets/notice_stack.h"
-#include "widgets/readiness_list.h"
-#include "widgets/state_bar.h"
-#include "widgets/state_text.h"
+#include "widgets/basics/icon.h"
+#include "widgets/devices/camera_panel.h"
+#include "widgets/status/log_view.h"
+#include "widgets/status/notice_stack.h"
+#include "widgets/status/readiness_list.h"
+#include "widgets/status/state_bar.h"
+#include "widgets/status/state_text.h"
 
 namespace fyd::tests {
 
-using pipeline::Lack;
+using pipeline::Fault;
 using pipeline::SafetyState;
 
 class ControlTest : public QObject {
@@ -74,8 +74,8 @@ class ControlTest : public QObject {
 
   void everyStateSaysWhatWhyAndWhatToDo() {
     for (std::size_t s = 0; s < pipeline::kSafetyStateCount; ++s) {
-      for (std::size_t l = 0; l < pipeline::kLackCount; ++l) {
-        const auto words = widgets::describeState(static_cast<SafetyState>(s), static_cast<Lack>(l));
+      for (std::size_t l = 0; l < pipeline::kFaultCount; ++l) {
+        const auto words = widgets::describeState(static_cast<SafetyState>(s), static_cast<Fault>(l));
         QVERIFY(!words.word.isEmpty() && !words.why.isEmpty() && words.why.endsWith(QLatin1Char('.')));
         QVERIFY(!widgets::icon(words.icon).isNull());
         const bool latched =
@@ -90,11 +90,11 @@ class ControlTest : public QObject {
     bar.show();
     QCOMPARE(bar.stateWord(), QStringLiteral("Starting"));
     QVERIFY(!bar.armButton()->isEnabled());
-    bar.showState(SafetyState::held, Lack::robot_lost);
+    bar.showState(SafetyState::held, Fault::robot_lost);
     QCOMPARE(bar.stateWord(), QStringLiteral("Held"));
     QVERIFY(bar.stateReason().contains(QStringLiteral("robot is silent")));
     QCOMPARE(bar.armButton()->text(), QStringLiteral("Hold to re-arm"));
-    bar.showState(SafetyState::active, Lack::none);
+    bar.showState(SafetyState::active, Fault::none);
     QVERIFY(!bar.armButton()->isEnabled());
     bar.showSilence(true);
     QCOMPARE(bar.stateWord(), QStringLiteral("Unknown"));

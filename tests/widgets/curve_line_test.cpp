@@ -4,7 +4,7 @@
 #include <random>
 
 #include "tests/widgets/suite.h"
-#include "widgets/curve_line.h"
+#include "widgets/curves/curve_line.h"
 
 namespace fyd::tests {
 namespace {

@@ -4,11 +4,11 @@
 
 #include "tests/widgets/suite.h"
 #include "tests/widgets/wait.h"
-#include "widgets/curve_buffer.h"
-#include "widgets/curve_view.h"
-#include "widgets/number_text.h"
-#include "widgets/recent_value.h"
-#include "widgets/value_range.h"
+#include "widgets/basics/number_text.h"
+#include "widgets/curves/curve_buffer.h"
+#include "widgets/curves/curve_view.h"
+#include "widgets/curves/recent_value.h"
+#include "widgets/curves/value_range.h"
 
 namespace fyd::tests {
 namespace {

@@ -10,11 +10,11 @@
 
 #include <qcustomplot.h>
 
-#include "app/console/review_source.h"
+#include "app/console/review/review_source.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
-#include "widgets/curve_catalogue.h"
-#include "widgets/curve_picture.h"
+#include "widgets/curves/curve_catalogue.h"
+#include "widgets/curves/curve_picture.h"
 
 namespace fyd::tests {
 namespace {

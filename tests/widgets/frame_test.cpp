@@ -2,6 +2,7 @@
 // motors that last only while a button is held, and a search that stops nothing.
 #include <atomic>
 
+#include "app/console/window/places.h"
 #include "tests/widgets/device_reports.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
@@ -30,7 +31,8 @@ console::DevicesPage* devicesOf(const Fixture& f) {
 }
 
 QToolButton* railButton(const Fixture& f, const char* place) {
-  return f.window->frame()->rail()->findChild<QToolButton*>(QStringLiteral("rail_place.") + QLatin1String(place));
+  return f.window->frame()->navigationBar()->findChild<QToolButton*>(QStringLiteral("navigation_place.") +
+                                                                     QLatin1String(place));
 }
 
 }  // namespace
@@ -54,7 +56,7 @@ class FrameTest : public QObject {
     QTest::keyClick(railButton(f, "devices"), Qt::Key_Space);
     QVERIFY(devicesOf(f)->isVisible());
     QVERIFY(f.window->operate()->curves()->following());  // the space bar was the button's
-    for (QToolButton* each : f.window->frame()->rail()->findChildren<QToolButton*>()) {
+    for (QToolButton* each : f.window->frame()->navigationBar()->findChildren<QToolButton*>()) {
       QVERIFY(!each->accessibleName().isEmpty() && !each->text().isEmpty() && !each->icon().isNull());
       QVERIFY2(each->toolTip().contains(QLatin1String("Ctrl+")), qPrintable(each->toolTip()));
     }

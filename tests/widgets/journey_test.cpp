@@ -1,7 +1,7 @@
 // A day's work in one window on the simulated touchpad, by keys and clicks: the first start, calibrate everything,
 // tune, run and record, stop, review, export, and the next morning. What is looked at is what the operator sees.
-#include "app/console/review_page.h"
-#include "app/console/tune_page.h"
+#include "app/console/review/review_page.h"
+#include "app/console/tune/tune_page.h"
 #include "tests/widgets/simulated_touchpad.h"
 #include "tests/widgets/suite.h"
 
@@ -125,8 +125,8 @@ void calibrateEverything(const Day& day) {
     const QString before = page->parts()->currentItem()->text();
     // The curves before it have moved what the untouched cloth reads.
     const bool moved = before.contains(QLatin1String("No-touch"));
-    QVERIFY2(before.contains(moved ? QLatin1String("take it again (distance sensor 1, distance sensor 2, "
-                                                   "distance sensor 3, load cell)")
+    QVERIFY2(before.contains(moved ? QLatin1String("take it again (Distance sensor 1; Distance sensor 2; "
+                                                   "Distance sensor 3; Load cell)")
                                    : QLatin1String("never calibrated")),
              qPrintable(before));
     if (before.contains(QLatin1String("Stiffness map"))) {
@@ -231,7 +231,7 @@ void openTheRecording(const Day& day, const console::ReviewPage& page) {
 
 /// What the curves say of two marks, by the clock of what was recorded: each cycle that the machine missed between two
 /// rows lengthens the way from one to the other.
-QString timeBetween(const session::Recording& recording, std::uint64_t first_row, std::size_t rows) {
+QString timeBetween(const recording::Recording& recording, std::uint64_t first_row, std::size_t rows) {
   std::vector<pipeline::TelemetrySample> read(rows + 1);
   const auto done = recording.telemetry(first_row, read);
   if (!done) return QString::fromStdString(done.error().text());

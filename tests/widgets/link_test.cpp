@@ -1,7 +1,7 @@
 // The link's panel: what it says of every protocol, where it opens, and when and how the robot is changed.
-#include "app/console/views.h"
+#include "app/console/shell/views.h"
 #include "core/protocol/endpoint.h"
-#include "core/protocol/link_key_file.h"
+#include "core/protocol/link/link_key_file.h"
 #include "core/protocol/udp_socket.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
@@ -108,11 +108,11 @@ class LinkTest : public QObject {
     panel.setLink(console::toLink(status));
     QCOMPARE(valueOf(panel, "Predictor"), QStringLiteral("not told by this robot"));
     QVERIFY(valueOf(panel, "Prediction error").isEmpty());
-    status.link.led = station::LedArm{.predictor = "order1",
-                                      .arrived_mm = {12.34, -4.0, -2.06},
-                                      .target_mm = {14.0, -3.5, -2.0},
-                                      .error_mm = 0.973,
-                                      .horizon_ms = 46.2};
+    status.link.led = station::PredictedArm{.predictor = "order1",
+                                            .arrived_mm = {12.34, -4.0, -2.06},
+                                            .target_mm = {14.0, -3.5, -2.0},
+                                            .error_mm = 0.973,
+                                            .horizon_ms = 46.2};
     panel.setLink(console::toLink(status));
     QCOMPARE(valueOf(panel, "Predictor"), QStringLiteral("order1"));
     QCOMPARE(valueOf(panel, "Predicted ahead"), QStringLiteral("46 ms"));

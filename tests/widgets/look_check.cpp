@@ -19,7 +19,7 @@
 
 #include <qcustomplot.h>
 
-#include "widgets/heading_table.h"
+#include "widgets/basics/heading_table.h"
 
 namespace fyd::tests {
 namespace {

@@ -1,8 +1,9 @@
 // Every page in three languages and both themes at the scale of this process (QT_SCALE_FACTOR): nothing cut off,
 // nothing over anything else, at 1280×720. With FYD_LOOKS_FOLDER the pictures are kept, for people.
-#include "app/console/calibrate_page.h"
-#include "app/console/language.h"
-#include "app/console/tune_page.h"
+#include "app/console/calibrate/calibrate_page.h"
+#include "app/console/shell/language.h"
+#include "app/console/tune/tune_page.h"
+#include "app/console/window/places.h"
 #include "tests/widgets/device_reports.h"
 #include "tests/widgets/look_check.h"
 #include "tests/widgets/reviewing.h"
@@ -18,7 +19,7 @@ class LooksTest : public QObject {
     QTest::addColumn<widgets::ThemeChoice>("theme");
     for (const console::Language& each : console::languages()) {
       for (const auto theme : {widgets::ThemeChoice::dark, widgets::ThemeChoice::light}) {
-        const QString name = QLatin1String(each.code) + QLatin1Char('-') + console::themeWord(theme);
+        const QString name = QLatin1String(each.code) + QLatin1Char('-') + widgets::themeWord(theme);
         QTest::newRow(qPrintable(name)) << QString::fromLatin1(each.code) << theme;
       }
     }
@@ -43,7 +44,7 @@ class LooksTest : public QObject {
     pipeline::TelemetrySample sample;
     sample.now = instantAt(1.0);
     sample.state = pipeline::SafetyState::held;
-    sample.lack = pipeline::Lack::steps_missed;  // the longest of the reasons
+    sample.fault = pipeline::Fault::steps_missed;  // the longest of the reasons
     f.session->telemetry.push_back(sample);
     f.window->feed().pump();
     QCOMPARE(f.window->size(), QSize(1280, 720));
@@ -68,7 +69,7 @@ class LooksTest : public QObject {
     f.window->review(makeRecording(f.folder, QStringLiteral("session.h5")));
     look(f, "review-recording");
     auto* review = qobject_cast<console::ReviewPage*>(f.window->frame()->page(QStringLiteral("review")));
-    widgets::WorkBar* bar = review->work()->add();
+    widgets::ProgressBar* bar = review->work()->add();
     bar->begin(QStringLiteral("session.h5"));
     bar->setDone(1.0);
     WAIT_FOR(bar->isVisible());

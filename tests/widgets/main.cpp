@@ -1,5 +1,5 @@
 #include "tests/widgets/suite.h"
-#include "widgets/theme.h"
+#include "widgets/basics/theme.h"
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);

@@ -1,9 +1,10 @@
 // The window's manners: languages, layouts that come back, a settings file that is damaged, the manual, and a walk over
 // every control of every place: named, with its unit, reached by the Tab key, and seen to have the focus.
-#include "app/console/command_palette.h"
-#include "app/console/language.h"
-#include "app/console/manual.h"
-#include "app/console/review_page.h"
+#include "app/console/review/review_page.h"
+#include "app/console/shell/language.h"
+#include "app/console/window/command_palette.h"
+#include "app/console/window/manual.h"
+#include "app/console/window/places.h"
 #include "core/device/serial_port.h"
 #include "core/pipeline/parameters.h"
 #include "core/station/notice.h"
@@ -11,9 +12,9 @@
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
-#include "widgets/core_text.h"
-#include "widgets/number_text.h"
-#include "widgets/state_text.h"
+#include "widgets/basics/core_text.h"
+#include "widgets/basics/number_text.h"
+#include "widgets/status/state_text.h"
 
 namespace fyd::tests {
 namespace {
@@ -87,14 +88,14 @@ class MannersTest : public QObject {
     for (const console::Language& language : console::languages()) {
       if (QLatin1String(language.code) == QLatin1String("en")) continue;
       const Speaking other(language.code);
-      for (std::size_t i = 0; i < pipeline::kLackCount; ++i) {
-        const auto lack = static_cast<pipeline::Lack>(i);
-        const QString phrase = QString::fromUtf8(toString(lack).data());
-        QVERIFY2(widgets::coreText(toString(lack)) != phrase, toString(lack).data());
+      for (std::size_t i = 0; i < pipeline::kFaultCount; ++i) {
+        const auto fault = static_cast<pipeline::Fault>(i);
+        const QString phrase = QString::fromUtf8(toString(fault).data());
+        QVERIFY2(widgets::coreText(toString(fault)) != phrase, toString(fault).data());
         pipeline::Event event{.kind = pipeline::EventKind::state_changed, .state = pipeline::SafetyState::held};
-        event.lack = lack;
+        event.fault = fault;
         const QString translated = widgets::coreText(station::describeEvent(event, {}));
-        QVERIFY2(!translated.contains(phrase) && translated.contains(widgets::coreText(toString(lack))),
+        QVERIFY2(!translated.contains(phrase) && translated.contains(widgets::coreText(toString(fault))),
                  qPrintable(translated));
       }
       const QString clamped =
@@ -169,7 +170,7 @@ class MannersTest : public QObject {
 
   void whatIfExplainsEveryParameterInEveryLanguage() {
     const auto tips = [] {
-      widgets::WorkBars bars(nullptr);
+      widgets::ProgressBars bars(nullptr);
       const console::WhatIfPanel panel(&bars);
       QStringList out;
       for (int i = 0; i < panel.parameter()->count(); ++i) {

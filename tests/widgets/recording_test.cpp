@@ -5,7 +5,7 @@
 
 namespace fyd::tests {
 
-using session::RecorderState;
+using recording::RecorderState;
 
 namespace {
 
@@ -59,7 +59,7 @@ class RecordingTest : public QObject {
     QTest::keyClicks(f.form->notesField(), QStringLiteral("first try"));
     QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
     QCOMPARE(f.session->recordings.size(), std::size_t{1});
-    const session::RecordingRequest& asked = f.session->recordings[0];
+    const recording::RecordingRequest& asked = f.session->recordings[0];
     QCOMPARE(asked.path, f.folder.filePath(QStringLiteral("new folder/one.h5")).toStdString());
     QCOMPARE(asked.operator_name, std::string("M. Muster"));
     QCOMPARE(asked.subject, std::string("S07"));
@@ -140,10 +140,10 @@ class RecordingTest : public QObject {
     write(f.form->noteField(), QStringLiteral("  cloth  changed "));
     QTest::keyClick(f.form->noteField(), Qt::Key_Return);
     QTest::keyClick(f.form->noteField(), Qt::Key_Return);  // an empty line is no note
-    using Noted = std::pair<session::NoteKind, std::string>;
-    QCOMPARE(f.session->notes, (std::vector<Noted>{{session::NoteKind::bookmark, "Marker 1"},
-                                                   {session::NoteKind::bookmark, "Marker 2"},
-                                                   {session::NoteKind::note, "cloth changed"}}));
+    using Noted = std::pair<recording::NoteKind, std::string>;
+    QCOMPARE(f.session->notes, (std::vector<Noted>{{recording::NoteKind::bookmark, "Marker 1"},
+                                                   {recording::NoteKind::bookmark, "Marker 2"},
+                                                   {recording::NoteKind::note, "cloth changed"}}));
   }
 
   void lostSamplesAreAnErrorAndToldOnce() {

@@ -4,7 +4,7 @@
 
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/suite.h"
-#include "widgets/number_text.h"
+#include "widgets/basics/number_text.h"
 
 namespace fyd::tests {
 
@@ -98,20 +98,20 @@ class ReviewTest : public QObject {
     QTest::keyClick(f.page->noteField(), Qt::Key_Return);
     f.key(Qt::Key_B);
     QCOMPARE(f.page->notes()->rowCount(), 2);
-    const auto notes = session::readReviewNotes(f.path.toStdString());
+    const auto notes = recording::readReviewNotes(f.path.toStdString());
     QVERIFY2(notes, notes ? "" : notes.error().text().c_str());
     QCOMPARE(notes->size(), std::size_t{2});
     QCOMPARE(QString::fromStdString(notes->front().text), QStringLiteral("feels soft <b>"));
     recording.seek(0);
     QVERIFY(recording.readAll() == before);
     // A damaged file of notes is told, and not written over without a word.
-    QFile beside(QString::fromStdString(session::reviewNotesPath(f.path.toStdString())));
+    QFile beside(QString::fromStdString(recording::reviewNotesPath(f.path.toStdString())));
     QVERIFY(beside.open(QIODevice::WriteOnly));
     beside.write("{\"notes\": [{\"kind\": 3}]}");
     beside.close();
     f.page->open(f.path);
     QVERIFY(f.told().contains(QStringLiteral("note 1")));
-    f.page->writeNote(session::NoteKind::note, QStringLiteral("one more"));
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("one more"));
     QVERIFY(beside.open(QIODevice::ReadOnly));
     QVERIFY(beside.readAll().startsWith("{\"notes\": [{\"kind\": 3}]}"));
   }
@@ -143,13 +143,13 @@ class ReviewTest : public QObject {
     QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(f.told().contains(QStringLiteral("nothing is being recorded")));
     QCOMPARE(f.window->trials()->begun(), std::size_t{0});
-    f.session->recorder.state = session::RecorderState::recording;
+    f.session->recorder.state = recording::RecorderState::recording;
     for (int press = 0; press < 6; ++press)
       QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(f.session->notes.size(), std::size_t{8});  // four trials, each begun and ended
     for (std::size_t i = 0; i < 8; i += 2) {
-      QVERIFY(f.session->notes[i].first == session::NoteKind::trial_start);
-      QVERIFY(f.session->notes[i + 1].first == session::NoteKind::trial_end);
+      QVERIFY(f.session->notes[i].first == recording::NoteKind::trial_start);
+      QVERIFY(f.session->notes[i + 1].first == recording::NoteKind::trial_end);
       QCOMPARE(f.session->notes[i].second, f.session->notes[i + 1].second);
     }
     QVERIFY(f.told().contains(QStringLiteral("All 4")));

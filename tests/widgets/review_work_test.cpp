@@ -4,17 +4,17 @@
 #include <atomic>
 #include <thread>
 
-#include "core/session/catalogue.h"
-#include "core/session/recording_hdf5.h"
+#include "core/catalogue/catalogue.h"
+#include "core/recording/file/recording_hdf5.h"
 #include "core/sim/gesture_card.h"
-#include "tests/unit/session/recording_damage.h"
+#include "tests/unit/recording/recording_damage.h"
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
 namespace {
 
-using widgets::WorkBar;
+using widgets::ProgressBar;
 
 /// While it lives no other thread reads a recording: work that was begun is not over before it is looked at.
 using Halt = std::unique_lock<std::recursive_mutex>;
@@ -32,14 +32,14 @@ struct WorkFixture : ReviewFixture {
     return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
   }
   /// The newest, once it is seen.
-  [[nodiscard]] WorkBar* bar() const {
+  [[nodiscard]] ProgressBar* bar() const {
     if (page->work()->running().empty()) return nullptr;
-    WorkBar* newest = page->work()->running().back();
+    ProgressBar* newest = page->work()->running().back();
     return QTest::qWaitFor([newest] { return newest->isVisible(); }, kPatience_ms) ? newest : nullptr;
   }
   /// As an operator does it; what ran may go on then, and ends.
   void cancelByClick(Halt& halt) {
-    WorkBar* newest = bar();
+    ProgressBar* newest = bar();
     QVERIFY(newest != nullptr);
     QTest::mouseClick(newest->cancelButton(), Qt::LeftButton);
     QVERIFY(!newest->cancelButton()->isEnabled());
@@ -65,12 +65,12 @@ class ReviewWorkTest : public QObject {
   Q_OBJECT
  private slots:
   void aBarSaysHowLongItWillTakeOnceItCanTell() {
-    QCOMPARE(WorkBar::shareText(0, 60.0), QStringLiteral("0 %"));
-    QCOMPARE(WorkBar::shareText(50, 1.0), QStringLiteral("50 %"));
-    QCOMPARE(WorkBar::shareText(25, 60.0), QStringLiteral("25 % · 3 min left"));
-    QCOMPARE(WorkBar::shareText(90, 60.0), QStringLiteral("90 % · less than 1 min left"));
-    QCOMPARE(WorkBar::shareText(100, 60.0), QStringLiteral("100 %"));
-    QCOMPARE(WorkBar::shareText(50, std::nan("")), QStringLiteral("50 %"));
+    QCOMPARE(ProgressBar::shareText(0, 60.0), QStringLiteral("0 %"));
+    QCOMPARE(ProgressBar::shareText(50, 1.0), QStringLiteral("50 %"));
+    QCOMPARE(ProgressBar::shareText(25, 60.0), QStringLiteral("25 % · 3 min left"));
+    QCOMPARE(ProgressBar::shareText(90, 60.0), QStringLiteral("90 % · less than 1 min left"));
+    QCOMPARE(ProgressBar::shareText(100, 60.0), QStringLiteral("100 %"));
+    QCOMPARE(ProgressBar::shareText(50, std::nan("")), QStringLiteral("50 %"));
   }
 
   void anExportSaysHowFarItIs() {
@@ -120,7 +120,7 @@ class ReviewWorkTest : public QObject {
     for (const char* name : {"csv", "mat", "mcap", "html"}) {
       const QString ending = QString::fromLatin1(name);
       const QStringList before = f.files();
-      Halt halt = session::hdf5Lock();
+      Halt halt = recording::hdf5Lock();
       f.page->exports()->exportAs(ending);
       QVERIFY(f.bar() != nullptr);
       QVERIFY(f.bar()->words().contains(QStringLiteral("session.") + ending));
@@ -141,7 +141,7 @@ class ReviewWorkTest : public QObject {
     const QStringList before = f.files();
     f.cancelByKey();
     QVERIFY(f.told().contains(QStringLiteral("Nothing is running")));
-    Halt halt = session::hdf5Lock();
+    Halt halt = recording::hdf5Lock();
     f.page->exports()->exportAs(QStringLiteral("csv"));
     f.page->exports()->exportAs(QStringLiteral("mat"));
     const auto bars = f.page->work()->running();
@@ -157,7 +157,7 @@ class ReviewWorkTest : public QObject {
 
   void searchesAndFiguresAreCancelled() {
     WorkFixture f;
-    Halt halt = session::hdf5Lock();
+    Halt halt = recording::hdf5Lock();
     f.page->open(f.path);
     QVERIFY(f.bar() != nullptr && f.bar()->words().contains(QStringLiteral("touches in session.h5")));
     f.cancelByClick(halt);
@@ -193,7 +193,7 @@ class ReviewWorkTest : public QObject {
     ReviewFixture f;
     console::SessionList* list = f.page->list();
     const auto record = [&](const char* id, const char* started) {
-      auto catalogue = session::Catalogue::open({});
+      auto catalogue = catalogue::Catalogue::open({});
       return catalogue && catalogue->add({.id = id,
                                           .path = f.folder.filePath(QLatin1String(id)).toStdString(),
                                           .station = "here",
@@ -231,7 +231,7 @@ class ReviewWorkTest : public QObject {
     QVERIFY(QDir(f.folder.path()).mkdir(QStringLiteral("crashed")));
     const QString file = makeRecording(f.folder, QStringLiteral("crashed/killed.h5"), kPress, true);
     {
-      auto catalogue = session::Catalogue::open({});
+      auto catalogue = catalogue::Catalogue::open({});
       QVERIFY2(catalogue, catalogue ? "" : catalogue.error().text().c_str());
       QVERIFY(catalogue->addFolder(f.folder.filePath(QStringLiteral("crashed")).toStdString()));
     }
@@ -264,7 +264,7 @@ class ReviewWorkTest : public QObject {
     const QByteArray before = contentOf(file);
     const QStringList files = f.files();
 
-    Halt halt = session::hdf5Lock();
+    Halt halt = recording::hdf5Lock();
     QTest::mouseClick(f.page->recoverButton(), Qt::LeftButton);
     QVERIFY(f.bar() != nullptr && f.bar()->words().contains(QStringLiteral("Recovering killed.h5.partial")));
     f.cancelByClick(halt);
@@ -284,7 +284,7 @@ class ReviewWorkTest : public QObject {
     WorkFixture f;
     const QString file = makeRecording(f.folder, QStringLiteral("turned.h5"), kPress);
     const std::string path = file.toStdString();
-    session::samples::turnBit(path, session::samples::commitAt(path, 3) + 50, 2);
+    recording::samples::flipBit(path, recording::samples::commitAt(path, 3) + 50, 2);
     f.page->open(file);
     f.waitForTouches();
     QVERIFY2(f.page->title().contains(QStringLiteral("damaged")), qPrintable(f.page->title()));
@@ -300,7 +300,7 @@ class ReviewWorkTest : public QObject {
   void stepsWhoseInputsAreLostAreKeptAndSaid() {
     WorkFixture f;
     const std::string path = f.path.toStdString();
-    session::samples::turnBit(path, session::samples::chunkOf(path, "/inputs/motor_reference", 0).first + 9, 2);
+    recording::samples::flipBit(path, recording::samples::chunkOf(path, "/inputs/motor_reference", 0).first + 9, 2);
     f.page->list()->path()->setText(f.path);
     QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
     QTRY_VERIFY(f.told().contains(QStringLiteral("all 6000 samples are saved")));
@@ -312,14 +312,14 @@ class ReviewWorkTest : public QObject {
 
   void whatIsLostIsSaidAndTheDamagedFileIsKept() {
     ReviewFixture f;
-    session::samples::damageChunk(f.path.toStdString(), "/telemetry", 7);
+    recording::samples::damageChunk(f.path.toStdString(), "/telemetry", 7);
     const QByteArray bytes = contentOf(f.path);
     f.page->list()->path()->setText(f.path);
     QTest::mouseClick(f.page->list()->recoverButton(), Qt::LeftButton);
     WAIT_FOR(f.told().contains(QStringLiteral("could not be read")));
     QVERIFY(f.told().contains(QStringLiteral("session.h5.damaged")));
     QVERIFY(contentOf(f.path + QStringLiteral(".damaged")) == bytes);
-    const auto saved = session::Recording::open(f.path.toStdString());
+    const auto saved = recording::Recording::open(f.path.toStdString());
     QVERIFY(saved && (*saved)->info().committed_samples < kRows && (*saved)->info().committed_samples > kRows / 2);
 
     const QString nothing = f.folder.filePath(QStringLiteral("letter.h5"));
@@ -348,7 +348,7 @@ class ReviewWorkTest : public QObject {
     std::atomic<bool> held = false;
     std::atomic<bool> ended = false;
     const std::jthread other([&](const std::stop_token& stop) {
-      const Halt halt = session::hdf5Lock();
+      const Halt halt = recording::hdf5Lock();
       held = true;
       const Instant end = Clock::now() + std::chrono::milliseconds(kPatience_ms);
       while (!ended && !stop.stop_requested() && Clock::now() < end) {
@@ -363,8 +363,8 @@ class ReviewWorkTest : public QObject {
     const auto bars = f.page->work()->running();
     QCOMPARE(bars.size(), std::size_t{6});
     std::size_t still_running = bars.size();
-    for (const WorkBar* bar : bars) {
-      QObject::connect(bar, &WorkBar::shownChanged, [&, bar] {
+    for (const ProgressBar* bar : bars) {
+      QObject::connect(bar, &ProgressBar::shownChanged, [&, bar] {
         if (!bar->running() && --still_running == 0) ended = true;
       });
     }

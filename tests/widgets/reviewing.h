@@ -1,9 +1,9 @@
 // The place "Review" with a recording made here, whose numbers are known, and its hands.
 #pragma once
 
-#include "app/console/review_page.h"
+#include "app/console/review/review_page.h"
+#include "core/recording/writer/recording_writer.h"
 #include "core/sensing/tare.h"
-#include "core/session/recording_writer.h"
 #include "tests/widgets/scripted_session.h"
 
 namespace fyd::tests {
@@ -11,8 +11,8 @@ namespace fyd::tests {
 inline constexpr std::uint64_t kRows = 6000;
 inline constexpr std::uint64_t kPress = 2000, kRelease = 4000, kSpike = 5321;
 
-inline session::StepRecord row(std::uint64_t i, std::uint64_t press) {
-  session::StepRecord record;
+inline recording::StepRecord row(std::uint64_t i, std::uint64_t press) {
+  recording::StepRecord record;
   const Instant now = Instant(std::chrono::seconds(100)) + std::chrono::milliseconds(i);
   record.inputs.now = record.telemetry.now = now;
   record.telemetry.step = i + 1;
@@ -36,16 +36,16 @@ inline session::StepRecord row(std::uint64_t i, std::uint64_t press) {
 inline QString makeRecording(const QTemporaryDir& folder, const QString& name, std::uint64_t press = kPress,
                              bool killed = false, bool tared = false) {
   const QString path = folder.filePath(name);
-  session::RecordingHeader header{.id = std::string(32, 'a'),
-                                  .started_utc = "2026-11-21T10:00:00.000Z",
-                                  .started = Instant(std::chrono::seconds(100)),
-                                  .operator_name = "M. Muster",
-                                  .subject = "S07"};
-  auto writer = session::RecordingWriter::create(path.toStdString(), header);
+  recording::RecordingHeader header{.id = std::string(32, 'a'),
+                                    .started_utc = "2026-11-21T10:00:00.000Z",
+                                    .started = Instant(std::chrono::seconds(100)),
+                                    .operator_name = "M. Muster",
+                                    .subject = "S07"};
+  auto writer = recording::RecordingWriter::create(path.toStdString(), header);
   if (!writer) qFatal("%s", writer.error().text().c_str());
   bool good = true;
   for (std::uint64_t i = 0; i < kRows; ++i) {
-    session::StepRecord record = row(i, press);
+    recording::StepRecord record = row(i, press);
     const pipeline::Event touched{.kind = pipeline::EventKind::tare_failed,
                                   .value = static_cast<double>(sensing::TareState::touched)};
     if (tared && i == kSpike) good = good && record.events.push(touched);

@@ -6,9 +6,9 @@
 
 #include "tests/widgets/suite.h"
 #include "tests/widgets/wait.h"
-#include "widgets/scene_marks.h"
-#include "widgets/scene_view.h"
-#include "widgets/theme.h"
+#include "widgets/basics/theme.h"
+#include "widgets/scene/scene_marks.h"
+#include "widgets/scene/scene_view.h"
 
 namespace fyd::tests {
 namespace {

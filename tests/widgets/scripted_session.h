@@ -1,8 +1,8 @@
 // A session that plays what a test scripts and notes what it was asked, and a window on it.
 #pragma once
 
-#include "app/console/devices_page.h"
-#include "app/console/main_window.h"
+#include "app/console/devices/devices_page.h"
+#include "app/console/window/main_window.h"
 #include "tests/widgets/wait.h"
 
 namespace fyd::tests {
@@ -55,23 +55,23 @@ class ScriptedSession : public console::Session {
   }
   station::DeviceTestStatus deviceTestStatus() const override { return test_status; }
   std::vector<texture::SweepRow> deviceTestSweep() override { return sweep; }
-  Result<void> startRecording(const session::RecordingRequest& request) override {
+  Result<void> startRecording(const recording::RecordingRequest& request) override {
     if (refuses) return fail("{}: refused by the script", request.path);
     recordings.push_back(request);
-    recorder = {.state = session::RecorderState::recording, .path = request.path};
+    recorder = {.state = recording::RecorderState::recording, .path = request.path};
     return {};
   }
   Result<void> stopRecording() override {
     ++recording_stops;
-    recorder.state = session::RecorderState::idle;
+    recorder.state = recording::RecorderState::idle;
     if (refuses) return fail("{}: refused by the script", recorder.path);
     return {};
   }
-  Result<void> note(session::NoteKind kind, const std::string& text) override {
+  Result<void> note(recording::NoteKind kind, const std::string& text) override {
     notes.emplace_back(kind, text);
     return {};
   }
-  session::RecorderStatus recorderStatus() const override { return recorder; }
+  recording::RecorderStatus recorderStatus() const override { return recorder; }
   void moveSimulatedFinger(double x_mm, double y_mm, double indentation_mm) override {
     finger = {x_mm, y_mm, indentation_mm};
   }
@@ -132,9 +132,9 @@ class ScriptedSession : public console::Session {
   std::vector<fyd::texture::SweepRow> sweep;  ///< what the loop saw of the device test
   int keeps = 0;
   int test_stops = 0;
-  session::RecorderStatus recorder;
-  std::vector<session::RecordingRequest> recordings;
-  std::vector<std::pair<session::NoteKind, std::string>> notes;
+  recording::RecorderStatus recorder;
+  std::vector<recording::RecordingRequest> recordings;
+  std::vector<std::pair<recording::NoteKind, std::string>> notes;
   int recording_stops = 0;
   int stops = 0;
   int beats = 0;

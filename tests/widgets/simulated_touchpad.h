@@ -2,7 +2,7 @@
 // station takes its hand off: whatever moves is asked for again, as an operator would.
 #pragma once
 
-#include "app/console/calibrate_page.h"
+#include "app/console/calibrate/calibrate_page.h"
 #include "tests/widgets/scripted_session.h"
 
 namespace fyd::tests {

@@ -1,6 +1,6 @@
 // The place "Tune" on a scripted session: find and change, undo, compare, presets, step response, auto-tune; what the
 // station confirms and what it does not; the readiness list's buttons.
-#include "app/console/tune_page.h"
+#include "app/console/tune/tune_page.h"
 #include "core/control/static_law.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
@@ -355,7 +355,7 @@ class TuneTest : public QObject {
     f.page->proposal()->sources()->setCurrentIndex(1);
     click(f.page->proposal()->startButton());
     WAIT_FOR(f.page->proposal()->hasProposal());
-    QVERIFY(std::abs(f.page->study().proposal()->fabric.scale - 1.1) < 0.02);
+    QVERIFY(std::abs(f.page->study().proposal()->cloth.scale - 1.1) < 0.02);
     f.page->study().listen(std::span(samples).first(10));  // time goes back: another session
     QCOMPARE(f.page->study().heard(), std::size_t{1});
   }
@@ -394,12 +394,12 @@ class TuneTest : public QObject {
                          .ok = false,
                          .why = say("the motor board is silent"),
                          .remedy = say("Check the touchpad's power and its serial cable."),
-                         .lack = pipeline::Lack::motors_stale},
+                         .fault = pipeline::Fault::motors_stale},
                         {.what = say("Stiffness target known"),
                          .ok = false,
                          .why = say("no stiffness target"),
                          .remedy = say("Choose the robot's stiffness or set one by hand."),
-                         .lack = pipeline::Lack::no_target},
+                         .fault = pipeline::Fault::no_target},
                         {.what = say("Camera sees"), .ok = true}};
     f.window->feed().pump();
     const widgets::ReadinessList* list = f.window->operate()->readiness();

@@ -1,7 +1,7 @@
 // The tuning panel: slider, field and parameter are one; bad entries change nothing; every change can be undone.
 #include "tests/widgets/suite.h"
 #include "tests/widgets/wait.h"
-#include "widgets/tuning_panel.h"
+#include "widgets/tuning/tuning_panel.h"
 
 namespace fyd::tests {
 namespace {

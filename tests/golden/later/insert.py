@@ -24,11 +24,11 @@ CHANGES = {
         "                                 .depth_scale = step.motion_depth_scale,\n":
             "                                 .depth_scale = step.motion_depth_scale * step.inserted_gain,\n",
     },
-    # A lack in the middle of the order of urgency: one line, with a number of its own.
-    "core/pipeline/lack_list.h": {
-        "LACK(bridge_stale, ":
-            'LACK(inserted, 16, always, load_cell, signal, sentence("inserted"), sentence("Nothing."), false)\n'
-            "LACK(bridge_stale, ",
+    # A fault in the middle of the order of urgency: one line, with a number of its own.
+    "core/pipeline/fault_list.h": {
+        "FAULT(bridge_stale, ":
+            'FAULT(inserted, 16, always, load_cell, signal, sentence("inserted"), sentence("Nothing."), false)\n'
+            "FAULT(bridge_stale, ",
     },
     # An event in the middle of the list: one line, with a number of its own.
     "core/pipeline/event_list.h": {

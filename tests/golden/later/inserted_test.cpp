@@ -1,4 +1,4 @@
-// The golden recordings in a program that has one parameter, one lack and one event more, in the middle of their lists:
+// The golden recordings in a program that has one parameter, one fault and one event more, in the middle of their lists:
 // they are read as they were meant, and replay bit for bit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,14 +6,14 @@
 #include <filesystem>
 
 #include "core/pipeline/parameters.h"
-#include "core/session/recording.h"
-#include "core/session/replay.h"
+#include "core/recording/reader/recording.h"
+#include "core/replay/replay.h"
 
-namespace fyd::session {
+namespace fyd::recording {
 namespace {
 
 using pipeline::EventKind;
-using pipeline::Lack;
+using pipeline::Fault;
 
 const std::filesystem::path kGolden = std::filesystem::path(FYD_TEST_DATA) / "recordings";
 
@@ -60,7 +60,7 @@ TEST(Inserted, TheGoldensReplayBitForBit) {
   for (const auto& file : recordings("arithmetic_2")) {
     const auto recording = open(file);
     ASSERT_TRUE(recording);
-    const auto result = replay(*recording, {});
+    const auto result = replay::replay(*recording, {});
     ASSERT_TRUE(result) << file << ": " << result.error().text();
     EXPECT_TRUE(result->identical) << file << ": " << result->different << " differ, first "
                                    << result->first_difference_s << " s " << result->first_difference_field;
@@ -73,7 +73,7 @@ TEST(Inserted, ThoseOfTheArithmeticBeforeReplayWithinItsTolerance) {
   for (const auto& file : recordings("arithmetic_1")) {
     const auto recording = open(file);
     ASSERT_TRUE(recording);
-    const auto result = replay(*recording, {});
+    const auto result = replay::replay(*recording, {});
     ASSERT_TRUE(result) << file << ": " << result.error().text();
     ASSERT_TRUE(result->tolerance);
     EXPECT_EQ(result->samples, result->of) << file;
@@ -87,7 +87,7 @@ TEST(Inserted, WithTodaysValueOfTheParameterTheyWouldFeelOtherwise) {
   for (const char* name : {"classic", "surface", "thesis"}) {
     const auto recording = open(kGolden / "arithmetic_2" / (std::string(name) + ".h5"));
     ASSERT_TRUE(recording);
-    const auto result = replay(*recording, {.settings = {"pipeline.inserted_gain=2"}});
+    const auto result = replay::replay(*recording, {.settings = {"pipeline.inserted_gain=2"}});
     ASSERT_TRUE(result) << result.error().text();
     EXPECT_FALSE(result->from_rest);
     EXPECT_GT(result->different, 100U) << name;
@@ -106,18 +106,18 @@ TEST(Inserted, WhatWasChangedWhileRecordingIsReadByItsName) {
   }
 }
 
-TEST(Inserted, LacksAndEventsAreReadByTheirNumbers) {
+TEST(Inserted, FaultsAndEventsAreReadByTheirNumbers) {
   for (const char* arithmetic : {"arithmetic_1", "arithmetic_2"}) {
     const auto held = open(kGolden / arithmetic / "held.h5");
     ASSERT_TRUE(held);
-    std::vector<Lack> lacks;
+    std::vector<Fault> faults;
     const auto events = held->events();
     for (const EventRow& row : *events) {
       EXPECT_EQ(row.event.kind, EventKind::state_changed);
-      if (row.event.state == pipeline::SafetyState::held) lacks.push_back(row.event.lack);
+      if (row.event.state == pipeline::SafetyState::held) faults.push_back(row.event.fault);
     }
-    EXPECT_THAT(lacks, testing::ElementsAre(Lack::operator_silent));
-    EXPECT_EQ(toString(Lack::operator_silent), "the window did not answer for half a second");
+    EXPECT_THAT(faults, testing::ElementsAre(Fault::operator_silent));
+    EXPECT_EQ(toString(Fault::operator_silent), "the window did not answer for half a second");
 
     const auto tare = open(kGolden / arithmetic / "tare.h5");
     ASSERT_TRUE(tare);
@@ -127,4 +127,4 @@ TEST(Inserted, LacksAndEventsAreReadByTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace fyd::session
+}  // namespace fyd::recording

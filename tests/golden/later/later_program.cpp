@@ -1,6 +1,6 @@
 // A program with more inputs than this one (insert.py): recordings of today in its hands, and its own.
 //
-//   later_program replay FILE     JSON: whether it is identical, and what of its inputs the recording lacks
+//   later_program replay FILE     JSON: whether it is identical, and what of its inputs the recording faults
 //   later_program copy FILE OUT   writes the recording anew, with its own inputs in it; OUT.partial is left as a crash
 //                                 leaves it
 #include <nlohmann/json.hpp>
@@ -9,10 +9,10 @@
 #include <cstring>
 #include <vector>
 
-#include "core/session/recording_salvage.h"
-#include "core/session/recording_writer.h"
-#include "core/session/replay.h"
-#include "core/session/verify.h"
+#include "core/recording/reader/recording_salvage.h"
+#include "core/recording/recovery/verify.h"
+#include "core/recording/writer/recording_writer.h"
+#include "core/replay/replay.h"
 
 namespace {
 
@@ -28,30 +28,30 @@ void orFail(const Result<void>& result) {
 }
 
 void replayed(const std::string& path) {
-  const auto recording = orFail(session::Recording::open(path));
+  const auto recording = orFail(recording::Recording::open(path));
   const auto first = orFail(recording->step(0)).inputs;
-  const auto result = orFail(session::replay(*recording, {}, {}));
+  const auto result = orFail(replay::replay(*recording, {}, {}));
   const nlohmann::json out = {
       {"identical", result.identical},
       {"beyond_tolerance", result.beyond_tolerance},
-      {"intact", orFail(session::verify(path, {})).intact()},
+      {"intact", orFail(recording::verify(path, {})).intact()},
       {"samples", result.samples},
-      {"lacking", recording->info().lacking_columns},
+      {"lacking", recording->info().missing_columns},
       {"values", {first.finger.value.inserted_mm2, first.inserted_K, first.inserted.value.value_K}},
       {"count", first.inserted.count}};
   std::puts(out.dump().c_str());
 }
 
 void copied(const std::string& from, const std::string& to) {
-  const auto recording = orFail(session::openDamaged(from));  // steps as they stand in the file
+  const auto recording = orFail(recording::DamagedRecording::open(from));  // steps as they stand in the file
   // What the file has no columns for is what the step gives.
   std::vector<pipeline::TelemetrySample> filled;
-  (void)orFail(session::replay(*orFail(session::Recording::open(from)), {},
-                               [&filled](const auto&, const auto& recorded) { filled.push_back(recorded); }));
-  auto writer = orFail(session::RecordingWriter::create(to, recording->info().header));
-  session::KnownDamage damage;
+  (void)orFail(replay::replay(*orFail(recording::Recording::open(from)), {},
+                              [&filled](const auto&, const auto& recorded) { filled.push_back(recorded); }));
+  auto writer = orFail(recording::RecordingWriter::create(to, recording->info().header));
+  recording::KnownDamage damage;
   for (std::uint64_t row = 0; row < recording->info().committed_samples; ++row) {
-    auto record = orFail(session::damagedStep(*recording, row, damage));
+    auto record = orFail(recording->damagedStep(row, damage));
     record.telemetry = filled.at(row);
     pipeline::Inputs& in = record.inputs;
     in.finger.value.inserted_mm2 = 100.5;

@@ -1,4 +1,4 @@
-// The limits as the controller sees them: in its own ticks, through jitter, loss and late messages.
+// The motion limits, judged at the robot controller: in its own ticks, with jitter, loss and late messages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ TEST(FriLimits, AreKeptInTheControllersTicks) {
   for (const MotionLimits& limits : {kSlow, MotionLimits{}}) {
     for (const double tick_s : kTicks_s) {
       SCOPED_TRACE(fmt::format("tick {} s, speed {} mm/s", tick_s, limits.speed_mm_s));
-      PlayedKrc krc({.tick_s = tick_s, .limits = limits});
+      FakeKrc krc({.tick_s = tick_s, .limits = limits});
       krc.run(8.0, WildTargets(5));
       EXPECT_EQ(krc.violation(), "");
       EXPECT_EQ(krc.judgement.held, 0U);
@@ -35,13 +35,13 @@ TEST(FriLimits, AreKeptThroughJitterLossLateMessagesAndPauses) {
   for (const double tick_s : kTicks_s) {
     for (const std::uint64_t seed : {1, 2, 3}) {
       SCOPED_TRACE(fmt::format("tick {} s, seed {}", tick_s, seed));
-      PlayedKrc krc({.tick_s = tick_s,
-                     .delay_s = 0.1 * tick_s,
-                     .jitter_s = 0.3 * tick_s,
-                     .loss = 0.01,
-                     .late = 0.01,
-                     .pause = 0.001,
-                     .seed = seed});
+      FakeKrc krc({.tick_s = tick_s,
+                   .delay_s = 0.1 * tick_s,
+                   .jitter_s = 0.3 * tick_s,
+                   .loss = 0.01,
+                   .late = 0.01,
+                   .pause = 0.001,
+                   .seed = seed});
       krc.run(1500 * tick_s + 4.0, WildTargets(seed));
       EXPECT_EQ(krc.violation(), "");
       EXPECT_GT(krc.judgement.held, 5U);
@@ -53,7 +53,7 @@ TEST(FriLimits, AreKeptThroughJitterLossLateMessagesAndPauses) {
 TEST(FriLimits, AreKeptThroughNonsenseWhichIsNeverAnswered) {
   for (const double tick_s : kTicks_s) {
     SCOPED_TRACE(tick_s);
-    PlayedKrc krc({.tick_s = tick_s, .nonsense = 0.02, .seed = 9});
+    FakeKrc krc({.tick_s = tick_s, .nonsense = 0.02, .seed = 9});
     krc.run(2000 * tick_s + 2.0, WildTargets(9));
     EXPECT_EQ(krc.violation(), "");
     EXPECT_GT(krc.fri->counters().impossible, 20U);
@@ -62,7 +62,7 @@ TEST(FriLimits, AreKeptThroughNonsenseWhichIsNeverAnswered) {
 }
 
 TEST(FriLimits, AnArmThatIsNotObeyedForAWhileStartsAnewFromRest) {
-  PlayedKrc krc({.tick_s = 0.001});
+  FakeKrc krc({.tick_s = 0.001});
   krc.run(1.0, strokes);
   krc.answers_obeyed = false;
   krc.run(0.05, strokes);
@@ -74,7 +74,7 @@ TEST(FriLimits, AnArmThatIsNotObeyedForAWhileStartsAnewFromRest) {
 }
 
 TEST(FriLimits, AControllerThatNeverTakesAnAnswerIsNamed) {
-  PlayedKrc krc({.tick_s = 0.001});
+  FakeKrc krc({.tick_s = 0.001});
   krc.answers_obeyed = false;
   krc.run(0.5, [](double) { return Vec3{10, 10, -10}; });
   EXPECT_THAT(krc.judgement.last_problem, HasSubstr("none of the last 100 answers shows in its commanded frame"));
@@ -82,7 +82,7 @@ TEST(FriLimits, AControllerThatNeverTakesAnAnswerIsNamed) {
 }
 
 TEST(FriLimits, TheCommandedPlaceMayStandInTheFramesOffset) {
-  PlayedKrc krc({.tick_s = 0.005, .in_offset = true});
+  FakeKrc krc({.tick_s = 0.005, .in_offset = true});
   krc.run(3.0, [](double) { return Vec3{20, 0, 0}; });
   EXPECT_EQ(krc.violation(), "");
   EXPECT_NEAR(krc.commanded_mm().y, -20.0, 1e-3);
@@ -90,7 +90,7 @@ TEST(FriLimits, TheCommandedPlaceMayStandInTheFramesOffset) {
 
 // Half the tick it states would be twice the speed.
 TEST(FriLimits, ATickThatIsStatedTooLongIsCorrectedByTheTimeStamps) {
-  PlayedKrc krc({.tick_s = 0.002, .stated_s = 0.01});
+  FakeKrc krc({.tick_s = 0.002, .stated_s = 0.01});
   krc.monitor_s = 0.5;
   krc.run(4.0, WildTargets(7));
   EXPECT_EQ(krc.violation(), "");
@@ -98,7 +98,7 @@ TEST(FriLimits, ATickThatIsStatedTooLongIsCorrectedByTheTimeStamps) {
 }
 
 TEST(FriLimits, WithoutATickTheShortestIsTaken) {
-  PlayedKrc krc({.tick_s = 0.005, .stamps = false});
+  FakeKrc krc({.tick_s = 0.005, .stamps = false});
   krc.measurement.measurement_period_s = krc.measurement.command_period_s = 0.0F;
   krc.run(4.0, WildTargets(7));
   EXPECT_EQ(krc.violation(), "");
@@ -108,7 +108,7 @@ TEST(FriLimits, WithoutATickTheShortestIsTaken) {
 TEST(FriLimits, ALostQualityBrakesWithinTheLimitsAndItsReturnStartsFromRest) {
   for (const double tick_s : kTicks_s) {
     SCOPED_TRACE(tick_s);
-    PlayedKrc krc({.tick_s = tick_s});
+    FakeKrc krc({.tick_s = tick_s});
     krc.run(1.0, strokes);
     krc.measurement.quality = FriQuality::bad;
     const double before = krc.judgement.travelled_mm;
@@ -129,7 +129,7 @@ TEST(FriLimits, ALostQualityBrakesWithinTheLimitsAndItsReturnStartsFromRest) {
 TEST(FriLimits, AStopBrakesWithinTheLimits) {
   for (const double tick_s : kTicks_s) {
     SCOPED_TRACE(tick_s);
-    PlayedKrc krc({.tick_s = tick_s});
+    FakeKrc krc({.tick_s = tick_s});
     krc.run(1.0, strokes);
     EXPECT_FALSE(krc.followed->atRest());
     krc.followed->comeToRest();

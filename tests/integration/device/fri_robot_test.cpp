@@ -1,5 +1,5 @@
-// The remote side of FRI against a controller that the test plays by hand, over real sockets.
-#include "core/device/fri_robot.h"
+// The remote side of FRI against a controller scripted by the test, over real sockets.
+#include "core/device/robot/fri_robot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -322,7 +322,7 @@ TEST(AxisMap, MapsThereAndBack) {
   EXPECT_EQ(AxisMap{}.toBase(ours), (Vec3{-2, -1, 3}));
   for (const char* text : {"x,y,z", "-y,x,z", "z,-x,-y", "-x,-z,y"}) {
     const AxisMap map = parseAxisMap(text).value();
-    EXPECT_EQ(map.toOurs(map.toBase(ours)), ours) << text;
+    EXPECT_EQ(map.toTouchpad(map.toBase(ours)), ours) << text;
   }
   EXPECT_EQ(parseAxisMap("z,-x,y")->toBase(ours), (Vec3{3, -1, 2}));
   for (const char* text : {"", "x,y", "x,x,z", "x,y,w", "x,y,z,", "x y z", "--x,y,z"}) {

@@ -1,8 +1,8 @@
-// The Modbus client against a device that does what it should not.
+// The Modbus client against a device that misbehaves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/device/modbus_touchpad.h"
+#include "core/device/touchpad/modbus_touchpad.h"
 #include "tests/integration/device/scripted_modbus_device.h"
 
 namespace fyd::device {

@@ -1,4 +1,4 @@
-// A Modbus TCP device whose every answer a test decides; framing by libmodbus alone, none of the project's server.
+// A Modbus TCP device whose answers a test scripts; it uses only libmodbus, nothing of the project's server.
 #pragma once
 
 #include <array>
@@ -11,15 +11,15 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "core/protocol/drive_state.h"
-#include "core/protocol/register_codec.h"
+#include "core/protocol/registers/drive_state.h"
+#include "core/protocol/registers/register_codec.h"
 
 namespace fyd::device {
 
 class ScriptedModbusDevice {
  public:
   static constexpr int kClose = -1;    ///< closes the connection in place of an answer
-  static constexpr int kSilence = -2;  ///< says nothing
+  static constexpr int kSilence = -2;  ///< sends no answer
   /// Called for each transaction of function 0x17 with its number from 1, after the write took effect.
   /// @return 0, or an exception code, or one of the above
   using Script = std::function<int(ScriptedModbusDevice& device, int transaction)>;
@@ -49,7 +49,7 @@ class ScriptedModbusDevice {
   [[nodiscard]] std::string address() const { return fmt::format("modbus-tcp:127.0.0.1:{}", port_); }
   std::uint16_t* registers() { return mapping_->tab_registers; }
 
-  // What it says; the script may change it.
+  // Its data; the script may change them.
   protocol::DeviceIdentity identity;
   protocol::DeviceState state;
   protocol::Drive drive;

@@ -1,4 +1,4 @@
-// Real sockets on loopback.
+// UDP sockets on the loopback interface.
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/bench/allocation_count.h"
-#include "core/protocol/classic_robot_end.h"
-#include "core/protocol/classic_touchpad_end.h"
+#include "app/bench/parts/allocation_count.h"
+#include "core/protocol/classic/classic_robot_end.h"
+#include "core/protocol/classic/classic_touchpad_end.h"
 #include "core/protocol/udp_socket.h"
 #include "tests/wait.h"
 

@@ -1,5 +1,5 @@
 // The controller's simulator and the robot end in one process, over real sockets.
-#include "core/sim/krc.h"
+#include "core/sim/robot/krc.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <functional>
 #include <thread>
 
-#include "core/device/fri_robot.h"
-#include "core/device/robot_runner.h"
+#include "core/device/robot/fri_robot.h"
+#include "core/device/robot/robot_runner.h"
 #include "tests/wait.h"
 
 namespace fyd::sim {
@@ -86,8 +86,9 @@ TEST(Krc, AModeThatEndsStopsTheProbeAndNothingLeapsWhenItReturns) {
                .modes = {{1.1, FriState::monitor}, {1.4, FriState::command}, {2.0, FriState::off}}},
               {.probe = {.dwell_s = 0.2}});
     ASSERT_TRUE(comesTrue("the mode off", [&] { return pair.krc->status().mode == FriState::off; }));
-    ASSERT_TRUE(comesTrue("the word for it",
-                          [&] { return pair.runner->status().robot_problem.text().find("KRC off") != std::string::npos; }));
+    ASSERT_TRUE(comesTrue("the word for it", [&] {
+      return pair.runner->status().robot_problem.text().find("KRC off") != std::string::npos;
+    }));
     pair.stop();
     robot = pair.runner->status();
     krc = pair.krc->status();

@@ -1,7 +1,7 @@
-// FYD Link with the whole step behind it, in virtual time: what a lost link does to motors and vibration.
+// FYD Link with the whole step behind it, in virtual time: the effect of a lost link on motors and vibration.
 #include <gtest/gtest.h>
 
-#include "core/sim/lockstep.h"
+#include "core/sim/touchpad/lockstep.h"
 #include "tests/unit/protocol/link_pair.h"
 
 namespace fyd::sim {

@@ -1,5 +1,5 @@
-// The relay between real sockets: both ways, several callers, and what it counts.
-#include "core/sim/network_relay.h"
+// The relay between real sockets: both directions, several clients, and its counters.
+#include "core/sim/network/network_relay.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

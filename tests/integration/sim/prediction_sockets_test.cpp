@@ -1,5 +1,5 @@
-// Prediction over real sockets: what is sent is treated as a bad network would (network_emulator.h), in virtual time,
-// and then goes through the kernel. The robot end led by touches over FYD Link, and two linked devices.
+// Prediction over real sockets: messages pass an emulated bad network (network_emulator.h), in virtual time, and then
+// the kernel. The robot end led by touches over FYD Link, and two linked devices.
 #include <cmath>
 #include <map>
 #include <string>
@@ -7,15 +7,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/device/following_robot.h"
-#include "core/device/touch_reference.h"
-#include "core/protocol/link_robot_end.h"
-#include "core/protocol/link_touchpad_end.h"
+#include "core/device/robot/following_robot.h"
+#include "core/device/robot/touch_reference.h"
+#include "core/protocol/link/link_robot_end.h"
+#include "core/protocol/link/link_touchpad_end.h"
 #include "core/protocol/udp_socket.h"
-#include "core/sim/desktop_arm.h"
-#include "core/sim/network_emulator.h"
-#include "core/sim/robot_arm.h"
-#include "core/sim/teleop_end.h"
+#include "core/sim/network/network_emulator.h"
+#include "core/sim/robot/robot_arm.h"
+#include "core/sim/teleop/desktop_arm.h"
+#include "core/sim/teleop/teleop_end.h"
 
 namespace fyd::sim {
 namespace {

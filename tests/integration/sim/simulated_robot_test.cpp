@@ -1,13 +1,13 @@
 // The simulated robot over real sockets, against the touchpad's end of the protocol.
-#include "core/sim/simulated_robot.h"
+#include "core/device/robot/robot_runner.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <thread>
 
-#include "core/protocol/classic_touchpad_end.h"
-#include "core/sim/robot_arm.h"
+#include "core/protocol/classic/classic_touchpad_end.h"
+#include "core/sim/robot/robot_arm.h"
 #include "tests/wait.h"
 
 namespace fyd::sim {
@@ -69,19 +69,20 @@ SimParameters quiet(double stiffness_N_per_mm) {
   return parameters;
 }
 
-std::unique_ptr<SimulatedRobot> makeRobot(const protocol::Endpoint& touchpad, SimulatedRobotOptions options = {},
-                                          const SimParameters& parameters = quiet(0.6)) {
+std::unique_ptr<device::RobotRunner> makeRobot(const protocol::Endpoint& touchpad,
+                                               device::RobotRunnerOptions options = {},
+                                               const SimParameters& parameters = quiet(0.6)) {
   options.touchpad = touchpad;
   options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
   options.link.reply_timeout = std::chrono::seconds(5);  // a busy machine's pauses are no missed replies here
   options.farewell = std::chrono::seconds(5);
-  return SimulatedRobot::open(options, std::make_unique<RobotArm>(parameters)).value();
+  return device::RobotRunner::open(options, std::make_unique<RobotArm>(parameters)).value();
 }
 
 TEST(SimulatedRobot, KnowsItsMaterialBeforeItConnects) {
   for (const double stiffness : {0.3, 0.6, 0.9}) {
     const auto robot = makeRobot(protocol::parseEndpoint("127.0.0.1:9").value(), {}, quiet(stiffness));
-    const SimulatedRobotStatus status = robot->status();
+    const device::RobotRunnerStatus status = robot->status();
     EXPECT_EQ(status.probe_outcome, device::ProbeOutcome::measured) << stiffness;
     EXPECT_NEAR(status.probed_stiffness_N_per_mm, stiffness, 0.02 * stiffness);
     EXPECT_LT(status.readings.position_mm.norm(), 1.0);
@@ -101,14 +102,14 @@ TEST(SimulatedRobot, ExchangesInStepAndFollowsTheFinger) {
   const auto robot = makeRobot(touchpad.local());
   std::jthread thread([&](const std::stop_token& stop) { robot->run(stop); });
   EXPECT_TRUE(comesTrue("the arm under the finger, and 50 states", [&] {
-    const SimulatedRobotStatus now = robot->status();
+    const device::RobotRunnerStatus now = robot->status();
     return now.counters.states > 50U && std::abs(now.readings.position_mm.x - 6.0) < 0.5 &&
            std::abs(now.readings.position_mm.y - 3.0) < 0.5;
   }));
   thread.request_stop();
   thread.join();
   touchpad.stop();
-  const SimulatedRobotStatus status = robot->status();
+  const device::RobotRunnerStatus status = robot->status();
   EXPECT_EQ(status.counters.touches, status.counters.states);
   EXPECT_EQ(status.counters.missed_replies, 0U);
   EXPECT_EQ(status.connections, 1U);
@@ -121,7 +122,7 @@ TEST(SimulatedRobot, ExchangesInStepAndFollowsTheFinger) {
 
 TEST(SimulatedRobot, GivesItsCommandsInOrderAndEndsAfterDisconnect) {
   AnsweringTouchpad touchpad;
-  SimulatedRobotOptions options;
+  device::RobotRunnerOptions options;
   options.link.closing = milliseconds(100);
   options.motor_reference = {.first_ticks = 933, .second_ticks = -933};
   options.commands = {{.at_s = 0.2, .command = RobotCommand::disconnect},
@@ -144,13 +145,13 @@ TEST(SimulatedRobot, ReconnectsWhenTheTouchpadGoesAwayAndReturns) {
   // At an address of its own, so that nobody is given its port meanwhile.
   auto first = std::make_unique<AnsweringTouchpad>(protocol::parseEndpoint("127.0.0.78:0").value());
   const protocol::Endpoint address = first->local();
-  SimulatedRobotOptions options;
+  device::RobotRunnerOptions options;
   options.link.ack_retry = milliseconds(50);
   options.touchpad = address;
   options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
   options.link.reply_timeout = milliseconds(20);
   options.link.misses_until_lost = 3;
-  const auto robot = SimulatedRobot::open(options, std::make_unique<RobotArm>(quiet(0.6))).value();
+  const auto robot = device::RobotRunner::open(options, std::make_unique<RobotArm>(quiet(0.6))).value();
   std::jthread thread([&](const std::stop_token& stop) { robot->run(stop); });
   ASSERT_TRUE(comesTrue("the first connection", [&] { return robot->status().connections >= 1U; }));
   first->stop();
@@ -184,14 +185,14 @@ TEST(SimulatedRobot, KeepsItsLimitsFromCycleToCycleAndComesToRestWhenItIsStopped
   for (const double rate_Hz : {1000.0, 300.0}) {
     AnsweringTouchpad touchpad;
     std::vector<Vec3> told;
-    SimulatedRobotOptions options;
+    device::RobotRunnerOptions options;
     options.touchpad = touchpad.local();
     options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
     options.rate_Hz = rate_Hz;
     options.probe_material = false;
     options.reference.mapping.scale_xy = 5.0;  // 30 mm to go, which takes more than a second
     options.limits = {.speed_mm_s = 30.0, .acceleration_mm_s2 = 100.0, .jerk_mm_s3 = 1000.0};
-    const auto robot = SimulatedRobot::open(options, std::make_unique<NotingArm>(told)).value();
+    const auto robot = device::RobotRunner::open(options, std::make_unique<NotingArm>(told)).value();
     told.clear();  // of the preparation, whose ticks are others
     robot->run({}, milliseconds(400));
     touchpad.stop();
@@ -217,8 +218,8 @@ TEST(SimulatedRobot, KeepsItsLimitsFromCycleToCycleAndComesToRestWhenItIsStopped
 }
 
 TEST(SimulatedRobot, WrongOptionsAreRefusedWithTheirValue) {
-  const auto message = [](SimulatedRobotOptions options) {
-    const auto robot = SimulatedRobot::open(options, std::make_unique<RobotArm>(SimParameters{}));
+  const auto message = [](device::RobotRunnerOptions options) {
+    const auto robot = device::RobotRunner::open(options, std::make_unique<RobotArm>(SimParameters{}));
     return robot ? std::string("opened") : robot.error().text();
   };
   const auto any = protocol::parseEndpoint("127.0.0.2:0").value();

@@ -1,5 +1,5 @@
 // The stiffness loop through the whole simulated chain, judged on the cloth's true stiffness.
-#include "core/sim/stiffness_trial.h"
+#include "core/sim/trial/stiffness_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "core/control/auto_tune.h"
-#include "core/sim/cloth.h"
-#include "core/sim/lockstep.h"
+#include "core/sim/cloth/cloth.h"
+#include "core/sim/touchpad/lockstep.h"
 
 namespace fyd::sim {
 namespace {
@@ -31,7 +31,7 @@ StiffnessTrial trusting() {
 TrialResult trialOf(double target, double scale, int seed, double duration_s = 8.0) {
   StiffnessTrial trial = trusting();
   trial.target_N_per_mm = target;
-  trial.sim.fabric_stiffness_scale = scale;
+  trial.sim.cloth_stiffness_scale = scale;
   trial.sim.seed = seed;
   trial.duration_s = duration_s;
   return runTrial(trial);
@@ -85,13 +85,13 @@ TEST(StiffnessTrial, MonteCarloOfUnkindPlantsIsStable) {
   for (int run = 0; run < 200; ++run) {
     StiffnessTrial trial = ideal();
     trial.target_N_per_mm = 0.4 + 0.45 * uniform(random);
-    trial.sim.fabric_stiffness_scale = 0.7 + 0.6 * uniform(random);
+    trial.sim.cloth_stiffness_scale = 0.7 + 0.6 * uniform(random);
     trial.sim.motor_friction_percent = 20 * uniform(random);
     scaleNoise(trial.sim, 3 * uniform(random));
     delaySensors(trial.sim, 100 * uniform(random));
     trial.sim.seed = run;
     trial.duration_s = 5;
-    EXPECT_TRUE(runTrial(trial).stable) << run << " scale " << trial.sim.fabric_stiffness_scale << " target "
+    EXPECT_TRUE(runTrial(trial).stable) << run << " scale " << trial.sim.cloth_stiffness_scale << " target "
                                         << trial.target_N_per_mm;
   }
 }
@@ -160,7 +160,7 @@ TEST(StiffnessTrial, OnAClothSolvedElsewhereTheTargetIsMetWhereTheFingerIs) {
 TEST(StiffnessTrial, AsShippedAClothFarFromItsLawIsCorrectedWhole) {
   for (const auto& [scale, target] : {std::pair{1.3, 0.75}, {0.7, 0.42}}) {
     StiffnessTrial trial = ideal();
-    trial.sim.fabric_stiffness_scale = scale;
+    trial.sim.cloth_stiffness_scale = scale;
     trial.target_N_per_mm = target;
     EXPECT_LE(runTrial(trial).steady_error_percent, 6.0) << scale;
     trial.parameters.control.correction = control::CorrectionRule::excess;
@@ -173,7 +173,7 @@ TEST(StiffnessTrial, AClothThatSlackensDuringTheSessionIsNoticed) {
   options.draw_pictures = false;
   options.robot_stiffness_N_per_mm = std::numeric_limits<double>::quiet_NaN();
   options.parameters.step.hand_target_N_per_mm = 0.7;
-  options.sim.fabric_slackens_percent_per_min = 120;
+  options.sim.cloth_slackens_percent_per_min = 120;
   Lockstep lockstep(options);
   double out_of_reach_s = 0.0, contradicted_s = 0.0;
   lockstep.run(45.0, [&](const pipeline::Outputs& outputs) {
@@ -225,10 +225,10 @@ TEST(StiffnessTrial, StableMeansBoundedAndNotOscillating) {
 
 TEST(StiffnessTrial, AutoTuneOnTheSimulatedChainProposesAStableLoop) {
   StiffnessTrial trial = trusting();
-  trial.sim.fabric_stiffness_scale = 1.15;
+  trial.sim.cloth_stiffness_scale = 1.15;
   const auto proposal = control::proposeGains(recordExcitation(trial), trial.parameters.control);
   ASSERT_TRUE(proposal) << proposal.error().text();
-  EXPECT_NEAR(proposal->fabric.scale, 1.15, 0.06);
+  EXPECT_NEAR(proposal->cloth.scale, 1.15, 0.06);
   EXPECT_TRUE(proposal->after.stable);
   trial.parameters.control = proposal->proposed;
   trial.target_N_per_mm = 0.7;

@@ -1,5 +1,5 @@
 // Two linked devices over real sockets: started and stopped in any order, with one of them lost.
-#include "core/sim/teleop_end.h"
+#include "core/sim/teleop/teleop_end.h"
 
 #include <cmath>
 #include <thread>
@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "core/protocol/udp_socket.h"
-#include "core/sim/desktop_arm.h"
+#include "core/sim/teleop/desktop_arm.h"
+#include "core/teleop/coupling/coupling_choice.h"
+#include "core/teleop/prediction/predictor_choice.h"
 
 namespace fyd::sim {
 namespace {

@@ -1,5 +1,5 @@
 // The real drivers against the simulator's servers: TCP sockets and pseudo-terminals, with every fault.
-#include "core/sim/touchpad_process.h"
+#include "core/sim/server/touchpad_process.h"
 
 #include <filesystem>
 
@@ -9,10 +9,10 @@
 #include <unistd.h>
 #include <opencv2/core.hpp>
 
-#include "core/device/camera_source.h"
-#include "core/device/combined_touchpad.h"
-#include "core/device/modbus_touchpad.h"
-#include "core/device/touchpad_source.h"
+#include "core/device/camera/camera_source.h"
+#include "core/device/touchpad/combined_touchpad.h"
+#include "core/device/touchpad/modbus_touchpad.h"
+#include "core/device/touchpad/touchpad_source.h"
 #include "tests/wait.h"
 
 namespace fyd::sim {

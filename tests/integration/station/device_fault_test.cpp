@@ -1,5 +1,5 @@
-// Every fault of the simulated touchpad on every backend, cables that come out, and the test buttons, through a whole
-// station. Waits end as soon as what they wait for has come.
+// Every fault of the simulated touchpad on every backend, unplugged cables, and the test buttons, through a whole
+// station. Waits end as soon as their condition holds.
 #include "tests/integration/station/device_rig.h"
 
 namespace fyd::station {
@@ -16,8 +16,8 @@ constexpr const char* kCamera = "Camera sees";
 
 struct Cell {
   TouchpadFault fault;
-  const char* lack;   ///< line of the readiness list that must go; nullptr: nothing that is needed goes
-  const char* words;  ///< that the part's problem must contain meanwhile
+  const char* missing;  ///< line of the readiness list that must go; nullptr: nothing that is needed goes
+  const char* words;    ///< that the part's problem must contain meanwhile
   double seconds = 1.2;
 };
 
@@ -71,15 +71,15 @@ testing::AssertionResult begins(DeviceRig& rig, const Cell& cell, std::string_vi
 
 /// The fault holds the session, and is named.
 void expectHeld(DeviceRig& rig, const Cell& cell) {
-  bool lacking = false;
+  bool missing = false;
   bool named = cell.words == nullptr;
   EXPECT_TRUE(begins(rig, cell, "the fault to hold the session and be named",
                      [&] {
-                       lacking = lacking || !rig.lineOk(cell.lack);
+                       missing = missing || !rig.lineOk(cell.missing);
                        named = named || rig.told(cell.words);
-                       return lacking && named && rig.state != SafetyState::active;
+                       return missing && named && rig.state != SafetyState::active;
                      }))
-      << "lacking " << lacking << ", named " << named;
+      << "missing " << missing << ", named " << named;
 }
 
 TEST_P(EveryBackend, EveryFaultHoldsIsNamedAndNothingReArmsAfterIt) {
@@ -87,11 +87,11 @@ TEST_P(EveryBackend, EveryFaultHoldsIsNamedAndNothingReArmsAfterIt) {
   ASSERT_TRUE(rig.well());
   for (Cell cell : GetParam() == Backend::mjpeg ? kCameraCells : kTouchpadCells) {
     // A motor board of its own obeys whatever the touchpad's motors do.
-    if (GetParam() == Backend::qbmove && cell.fault == TouchpadFault::disobedience) cell.lack = nullptr;
+    if (GetParam() == Backend::qbmove && cell.fault == TouchpadFault::disobedience) cell.missing = nullptr;
     const std::string name(sim::kTouchpadFaultNames[static_cast<std::size_t>(cell.fault)]);
     SCOPED_TRACE(name);
     ASSERT_TRUE(rig.armed());
-    if (cell.lack == nullptr) {  // the step does without it
+    if (cell.missing == nullptr) {  // the step does without it
       if (*cell.words == '\0') {
         rig.inject(cell.fault, cell.seconds);
       } else {

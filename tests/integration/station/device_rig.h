@@ -1,4 +1,4 @@
-// A whole station on real drivers, beside the simulated touchpad that it reaches through real protocols.
+// A whole station on real drivers, connected through the real protocols to a simulated touchpad.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 #include <unistd.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/sim/picture.h"
-#include "core/sim/touchpad_process.h"
+#include "core/sim/server/touchpad_process.h"
+#include "core/sim/touchpad/picture.h"
 #include "core/station/station.h"
 #include "tests/wait.h"
 
@@ -21,7 +21,7 @@ namespace fyd::station {
 enum class Backend : std::uint8_t { modbus_tcp, modbus_rtu, qbmove, mjpeg };
 inline constexpr std::array<const char*, 4> kBackendNames = {"modbus_tcp", "modbus_rtu", "qbmove", "mjpeg"};
 
-/// What was warned of, to be searched.
+/// Keeps the logged warnings, to be searched.
 class LogKeeper final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   [[nodiscard]] bool has(std::string_view words) {
@@ -53,7 +53,7 @@ class DeviceRig {
     startPeer();
     StationOptions options;
     options.robot = "none";
-    // A test machine may stand still for longer than a real one.
+    // A test machine may pause for longer than a real one.
     options.profile.step.step.motors_maximum_age_ms = 400.0;
     options.profile.step.step.ir_maximum_age_ms = 500.0;
     options.profile.step.step.bridge_maximum_age_ms = 500.0;
@@ -61,7 +61,7 @@ class DeviceRig {
     options.profile.device.watchdog_ms = 1000.0;
     options.profile.device.qbmove_timeout_ms = 100.0;
     options.profile.device.qbmove_watchdog_ms = 1000.0;
-    // Pictures that are 250 ms late come every 250 ms: that must be too old for long enough to be seen.
+    // Pictures that are 250 ms late come every 250 ms: the limit is below that, so that the test sees them as stale.
     options.profile.step.step.finger_maximum_age_ms = 150.0;
     options.profile.device.stuck_sensor_s = 1.0;
     options.profile.device.serial_by_id = by_id_;
@@ -78,7 +78,7 @@ class DeviceRig {
   DeviceRig(const DeviceRig&) = delete;
   DeviceRig& operator=(const DeviceRig&) = delete;
 
-  /// The simulated touchpad's side, again at the same addresses. Serial lines come back on another port: only the name
+  /// Starts the simulated touchpad, again at the same addresses. Serial lines come back on another port: only the name
   /// that belongs to the device leads there.
   void startPeer() {
     namespace fs = std::filesystem;
@@ -113,10 +113,12 @@ class DeviceRig {
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "by-id")) std::filesystem::remove(entry);
   }
 
-  [[nodiscard]] PartStatus part() const { return station->status().parts[backend_ == Backend::mjpeg ? 1 : 0]; }
+  [[nodiscard]] device::DeviceReport part() const {
+    return station->status().parts[backend_ == Backend::mjpeg ? 1 : 0];
+  }
   /// Whether a problem with these words is shown, or was since `inject`: many last for a few milliseconds only.
   [[nodiscard]] bool told(std::string_view words) const {
-    const PartStatus now = part();
+    const device::DeviceReport now = part();
     return (!now.ok && now.problem.text().find(words) != std::string::npos) || log_->has(words);
   }
   void inject(sim::TouchpadFault fault, double seconds) {
@@ -161,19 +163,19 @@ class DeviceRig {
     if (!came) came << "; state " << toString(state) << ", " << part().problem.text();
     return came;
   }
-  /// Until that many steps later: what they could do, they have done.
+  /// Waits for that many more steps, so that their effects have occurred.
   [[nodiscard]] testing::AssertionResult pass(std::uint64_t steps) {
     const std::uint64_t end = samples + steps;
     return wait(fmt::format("{} steps", steps), [&] { return samples >= end; });
   }
-  /// Everything answers; switched-off motors are given free as their device says: "stop, then arm again".
+  /// Waits until everything answers; switched-off motors are released as their device asks: "stop, then arm again".
   [[nodiscard]] testing::AssertionResult well() {
     return wait("every device and line of the readiness list", [this] {
       if (part().problem.text().find("stop, then arm again") != std::string::npos) station->requestStop();
       return allOk();
     });
   }
-  /// Arms, again when a pause of the machine held the session at once.
+  /// Arms, and repeats it when a pause of the machine led to Held at once.
   [[nodiscard]] testing::AssertionResult armed() {
     const Instant end = Clock::now() + kPatience;
     testing::AssertionResult active = testing::AssertionFailure();
@@ -199,7 +201,7 @@ class DeviceRig {
   int impossible_angles = 0;
 
  private:
-  /// By the device room's own bound: no motor is faster than 1000 °/s, however long nothing was read of it.
+  /// By the bound of core/device: no motor is faster than 1000 °/s, however long nothing was read from it.
   void lookAtAngle(const pipeline::TelemetrySample& sample) {
     if (!std::isfinite(sample.stretch_measured_deg)) return;
     const double read_s = toSeconds(sample.now.time_since_epoch()) - 1e-3 * sample.motors_age_ms;

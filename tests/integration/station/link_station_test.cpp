@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <thread>
 
-#include "core/protocol/link_key_file.h"
-#include "core/sim/robot_arm.h"
-#include "core/sim/simulated_robot.h"
+#include "core/device/robot/robot_runner.h"
+#include "core/protocol/link/link_key_file.h"
+#include "core/sim/robot/robot_arm.h"
 #include "core/station/station.h"
 #include "tests/wait.h"
 
@@ -22,12 +22,12 @@ class LinkStation : public ::testing::Test {
     EXPECT_TRUE(protocol::writeKeyFile(key_, key_file_));
   }
   [[nodiscard]] StationOptions options() const { return {.robot = "link:127.0.0.1:0", .key_file = key_file_}; }
-  std::unique_ptr<sim::SimulatedRobot> robot(const Station& station, const protocol::LinkKey& key) {
-    sim::SimulatedRobotOptions out;
+  std::unique_ptr<device::RobotRunner> robot(const Station& station, const protocol::LinkKey& key) {
+    device::RobotRunnerOptions out;
     out.touchpad = *protocol::parseEndpoint(station.status().link.local);
     out.bind = *protocol::parseEndpoint("127.0.0.2:0");
     out.key = key;
-    return std::move(*sim::SimulatedRobot::open(out, std::make_unique<sim::RobotArm>(sim::SimParameters{})));
+    return std::move(*device::RobotRunner::open(out, std::make_unique<sim::RobotArm>(sim::SimParameters{})));
   }
   protocol::LinkKey key_ = protocol::LinkKey::generate();
   std::string key_file_;

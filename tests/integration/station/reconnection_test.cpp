@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/protocol/link_key_file.h"
-#include "core/sim/robot_arm.h"
-#include "core/sim/simulated_robot.h"
+#include "core/device/robot/robot_runner.h"
+#include "core/protocol/link/link_key_file.h"
+#include "core/sim/robot/robot_arm.h"
 #include "core/station/station.h"
 
 namespace fyd::station {
@@ -113,13 +113,13 @@ class Reconnection : public ::testing::TestWithParam<const char*> {
     state_ = SafetyState::disconnected;
   }
   void startRobot() {
-    sim::SimulatedRobotOptions options;
+    device::RobotRunnerOptions options;
     options.touchpad = wire_->local();
     options.bind = at("127.0.0.2:0");
     options.link.ack_retry = milliseconds(100);
     if (secured()) options.key = key_;
     told_ = std::make_shared<Told>();
-    robot_ = sim::SimulatedRobot::open(options, std::make_unique<WatchedArm>(told_)).value();
+    robot_ = device::RobotRunner::open(options, std::make_unique<WatchedArm>(told_)).value();
     robot_thread_ = std::jthread([this](const std::stop_token& stop) { robot_->run(stop); });
   }
   void stopRobot() {
@@ -178,7 +178,7 @@ class Reconnection : public ::testing::TestWithParam<const char*> {
   std::unique_ptr<Station> station_;
   std::optional<Wire> wire_;
   std::shared_ptr<Told> told_;
-  std::unique_ptr<sim::SimulatedRobot> robot_;
+  std::unique_ptr<device::RobotRunner> robot_;
   std::jthread robot_thread_;
   SafetyState state_ = SafetyState::disconnected;
 };

@@ -1,5 +1,5 @@
 // The station with its threads, on real sockets. Nothing here depends on how fast the machine is, only on the order
-// of events; a wait ends as soon as what it waits for has come.
+// of events; a wait ends as soon as its condition holds.
 #include "core/station/station.h"
 
 #include <functional>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/device/robot/robot_runner.h"
 #include "core/protocol/udp_socket.h"
-#include "core/sim/robot_arm.h"
-#include "core/sim/simulated_robot.h"
+#include "core/sim/robot/robot_arm.h"
 #include "core/station/touchpad_thread.h"
 #include "tests/wait.h"
 
@@ -36,7 +36,7 @@ testing::AssertionResult waitFor(Station& station, std::string_view what, const 
     return false;
   };
   auto found = comesTrue(what, drained, patience);
-  if (!found) found << "; at last " << toString(last.state) << ", " << toString(last.lack);
+  if (!found) found << "; at last " << toString(last.state) << ", " << toString(last.fault);
   return found;
 }
 
@@ -60,14 +60,15 @@ testing::AssertionResult arm(Station& station) {
 }
 
 /// Whether this machine was too late, on which the robots of these tests run as well.
-bool machineWasLate(pipeline::Lack lack) {
-  return lack == pipeline::Lack::step_gap || lack == pipeline::Lack::steps_missed || lack == pipeline::Lack::robot_lost;
+bool machineWasLate(pipeline::Fault fault) {
+  return fault == pipeline::Fault::step_gap || fault == pipeline::Fault::steps_missed ||
+         fault == pipeline::Fault::robot_lost;
 }
 
 /// What comes only while the touchpad renders; armed again, as by an operator, each time the machine held it.
 testing::AssertionResult waitWhileRendering(Station& station, std::string_view what, const Enough& enough) {
   return waitFor(station, what, [&](const Sample& sample) {
-    if (sample.state == SafetyState::held && machineWasLate(sample.lack)) {
+    if (sample.state == SafetyState::held && machineWasLate(sample.fault)) {
       (void)station.command({.action = OperatorAction::arm});
     }
     return enough(sample);
@@ -95,23 +96,23 @@ std::unique_ptr<Station> opened(const StationOptions& options) {
 class OutsideRobot {
  public:
   OutsideRobot(const std::string& touchpad, const std::string& bind) {
-    sim::SimulatedRobotOptions options;
+    device::RobotRunnerOptions options;
     options.touchpad = *protocol::parseEndpoint(touchpad);
     options.bind = *protocol::parseEndpoint(bind);
     options.link.reply_timeout = std::chrono::seconds(5);  // a busy machine's pauses are no missed replies here
-    auto robot = sim::SimulatedRobot::open(options, std::make_unique<sim::RobotArm>(sim::SimParameters{}));
+    auto robot = device::RobotRunner::open(options, std::make_unique<sim::RobotArm>(sim::SimParameters{}));
     EXPECT_TRUE(robot) << robot.error().text();
     robot_ = std::move(*robot);
     thread_ = std::jthread([this](const std::stop_token& stop) { robot_->run(stop); });
   }
-  [[nodiscard]] sim::SimulatedRobotStatus status() const { return robot_->status(); }
+  [[nodiscard]] device::RobotRunnerStatus status() const { return robot_->status(); }
   void stop() {
     thread_.request_stop();
     thread_.join();
   }
 
  private:
-  std::unique_ptr<sim::SimulatedRobot> robot_;
+  std::unique_ptr<device::RobotRunner> robot_;
   std::jthread thread_;
 };
 
@@ -171,7 +172,7 @@ TEST(Station, AWindowThatStopsAnsweringHoldsTheTouchpadAndItsReturnDoesNotArmIt)
   Sample held;
   // An operator arms again whenever a busy machine holds it for another reason; what counts is the instant at which the
   // window's patience ends. A machine that holds it just then needs another silence.
-  for (int silence = 0; silence < 60 && held.lack != pipeline::Lack::operator_silent; ++silence) {
+  for (int silence = 0; silence < 60 && held.fault != pipeline::Fault::operator_silent; ++silence) {
     station->windowAlive();
     const Instant last_sign = Clock::now();
     int since_arm = 0;
@@ -179,7 +180,7 @@ TEST(Station, AWindowThatStopsAnsweringHoldsTheTouchpadAndItsReturnDoesNotArmIt)
     ASSERT_TRUE(waitFor(*station, "the end of the window's patience", [&](const Sample& sample) {
       constexpr int kArmTaken = 20;  // steps, after which no arm is under way any more
       ++since_arm;
-      const bool silent = sample.state == SafetyState::held && sample.lack == pipeline::Lack::operator_silent;
+      const bool silent = sample.state == SafetyState::held && sample.fault == pipeline::Fault::operator_silent;
       silent_for = silent ? silent_for + 1 : 0;
       if (silent_for > kArmTaken) held = sample;
       const bool may_arm = sample.state == SafetyState::held || sample.state == SafetyState::ready;
@@ -190,7 +191,7 @@ TEST(Station, AWindowThatStopsAnsweringHoldsTheTouchpadAndItsReturnDoesNotArmIt)
       return silent_for > kArmTaken || sample.now - last_sign > std::chrono::seconds(1);
     }));
   }
-  EXPECT_EQ(held.lack, pipeline::Lack::operator_silent) << toString(held.lack);
+  EXPECT_EQ(held.fault, pipeline::Fault::operator_silent) << toString(held.fault);
   EXPECT_TRUE(staysFor(*station, 200, SafetyState::held, [&] { station->windowAlive(); }));
   ASSERT_TRUE(arm(*station));
 }
@@ -238,7 +239,7 @@ TEST(Station, GarbageByTheThousandIsCountedAndChangesNothing) {
   // Nothing but the machine's own lateness has held it, and what that held renders again.
   EXPECT_TRUE(waitWhileRendering(*station, "the state Active", [&, seen = 0](const auto& s) mutable {
     if (s.state == SafetyState::held) {
-      EXPECT_TRUE(machineWasLate(s.lack)) << toString(s.lack);
+      EXPECT_TRUE(machineWasLate(s.fault)) << toString(s.fault);
     }
     seen = s.state == SafetyState::active ? seen + 1 : 0;
     return seen == 20;

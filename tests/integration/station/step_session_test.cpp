@@ -1,12 +1,12 @@
 // The pure step closed over the simulated touchpad in virtual time: whole sessions, and every way into Held.
 #include <gtest/gtest.h>
 
-#include "core/sim/lockstep.h"
+#include "core/sim/touchpad/lockstep.h"
 
 namespace fyd {
 namespace {
 
-using pipeline::Lack;
+using pipeline::Fault;
 using pipeline::OperatorAction;
 using pipeline::SafetyState;
 using sim::Lockstep;
@@ -130,7 +130,7 @@ TEST(StepSession, ACameraThatIsBlackFromTheStartIsNeverReady) {
     ASSERT_NE(outputs.telemetry.state, SafetyState::ready);
     ASSERT_NE(outputs.telemetry.state, SafetyState::active);
   });
-  EXPECT_EQ(session.outputs().telemetry.lack, Lack::camera_blind);
+  EXPECT_EQ(session.outputs().telemetry.fault, Fault::camera_blind);
 }
 
 TEST(StepSession, AShortFlatPictureIsBorne) {
@@ -171,14 +171,14 @@ TEST(StepSession, ALiftedFingerIsNoFault) {
   EXPECT_FALSE(session->outputs().touch.in_contact);
 }
 
-struct Fault {
+struct Spoiling {
   const char* name;
   std::function<void(pipeline::Inputs&)> spoil;
-  Lack lack;
+  Fault fault;
   double within_s;
 };
 
-class EveryFault : public testing::TestWithParam<Fault> {};
+class EveryFault : public testing::TestWithParam<Spoiling> {};
 
 TEST_P(EveryFault, HoldsLatchesAndLeavesOnlyByTheOperator) {
   auto session = activeSession();
@@ -186,7 +186,7 @@ TEST_P(EveryFault, HoldsLatchesAndLeavesOnlyByTheOperator) {
   session->spoil = GetParam().spoil;
   session->run(GetParam().within_s);
   ASSERT_EQ(session->outputs().telemetry.state, SafetyState::held);
-  EXPECT_EQ(session->outputs().telemetry.lack, GetParam().lack);
+  EXPECT_EQ(session->outputs().telemetry.fault, GetParam().fault);
   const auto frozen = session->outputs().motors.reference_ticks;
   EXPECT_NEAR(frozen[0], reference[0], 1500);
 
@@ -213,39 +213,40 @@ void freeze(Timed<T>& input) {
 INSTANTIATE_TEST_SUITE_P(
     StepSession, EveryFault,
     testing::Values(
-        Fault{"motors", [](pipeline::Inputs& in) { freeze(in.motors); }, Lack::motors_stale, 0.1},
-        Fault{"ir", [](pipeline::Inputs& in) { freeze(in.ir); }, Lack::ir_stale, 0.2},
-        Fault{"ir_out_of_span", [](pipeline::Inputs& in) { in.ir.value.items.fill(4095); }, Lack::ir_invalid, 0.4},
-        Fault{"bridge", [](pipeline::Inputs& in) { freeze(in.bridge); }, Lack::bridge_stale, 0.2},
-        Fault{"bridge_nan",
-              [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = std::numeric_limits<double>::quiet_NaN(); },
-              Lack::bridge_invalid, 0.4},
-        Fault{"bridge_at_its_converters_end", [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = 7.77; },
-              Lack::bridge_invalid, 0.4},
-        Fault{"bridge_beyond_its_cell", [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = -3.0; },
-              Lack::bridge_invalid, 0.4},
-        Fault{"camera_unplugged", [](pipeline::Inputs& in) { freeze(in.finger); }, Lack::camera_stale, 0.4},
-        Fault{"camera_black",
-              [](pipeline::Inputs& in) {
-                in.finger.value = {};
-                in.finger.value.reason = sensing::FingerReason::black_picture;
-              },
-              Lack::camera_blind, 0.6},
-        Fault{"camera_flat",
-              [](pipeline::Inputs& in) {
-                in.finger.value = {};
-                in.finger.value.reason = sensing::FingerReason::flat_picture;
-              },
-              Lack::camera_blind, 0.6},
-        Fault{"robot_lost", [](pipeline::Inputs& in) { in.robot.phase = pipeline::LinkPhase::lost; }, Lack::robot_lost,
-              0.02},
-        Fault{"robot_closed", [](pipeline::Inputs& in) { in.robot.phase = pipeline::LinkPhase::closed; },
-              Lack::robot_closed, 0.02},
-        Fault{"robot_nan",
-              [](pipeline::Inputs& in) {
-                in.robot.state.value.stiffness_N_per_mm = std::numeric_limits<double>::quiet_NaN();
-              },
-              Lack::robot_frozen, 0.02}),
+        Spoiling{"motors", [](pipeline::Inputs& in) { freeze(in.motors); }, Fault::motors_stale, 0.1},
+        Spoiling{"ir", [](pipeline::Inputs& in) { freeze(in.ir); }, Fault::ir_stale, 0.2},
+        Spoiling{"ir_out_of_span", [](pipeline::Inputs& in) { in.ir.value.items.fill(4095); }, Fault::ir_invalid, 0.4},
+        Spoiling{"bridge", [](pipeline::Inputs& in) { freeze(in.bridge); }, Fault::bridge_stale, 0.2},
+        Spoiling{
+            "bridge_nan",
+            [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = std::numeric_limits<double>::quiet_NaN(); },
+            Fault::bridge_invalid, 0.4},
+        Spoiling{"bridge_at_its_converters_end", [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = 7.77; },
+                 Fault::bridge_invalid, 0.4},
+        Spoiling{"bridge_beyond_its_cell", [](pipeline::Inputs& in) { in.bridge.value.value_mV_per_V = -3.0; },
+                 Fault::bridge_invalid, 0.4},
+        Spoiling{"camera_unplugged", [](pipeline::Inputs& in) { freeze(in.finger); }, Fault::camera_stale, 0.4},
+        Spoiling{"camera_black",
+                 [](pipeline::Inputs& in) {
+                   in.finger.value = {};
+                   in.finger.value.reason = sensing::FingerReason::black_picture;
+                 },
+                 Fault::camera_blind, 0.6},
+        Spoiling{"camera_flat",
+                 [](pipeline::Inputs& in) {
+                   in.finger.value = {};
+                   in.finger.value.reason = sensing::FingerReason::flat_picture;
+                 },
+                 Fault::camera_blind, 0.6},
+        Spoiling{"robot_lost", [](pipeline::Inputs& in) { in.robot.phase = pipeline::LinkPhase::lost; },
+                 Fault::robot_lost, 0.02},
+        Spoiling{"robot_closed", [](pipeline::Inputs& in) { in.robot.phase = pipeline::LinkPhase::closed; },
+                 Fault::robot_closed, 0.02},
+        Spoiling{"robot_nan",
+                 [](pipeline::Inputs& in) {
+                   in.robot.state.value.stiffness_N_per_mm = std::numeric_limits<double>::quiet_NaN();
+                 },
+                 Fault::robot_frozen, 0.02}),
     [](const auto& fault) { return std::string(fault.param.name); });
 
 TEST(StepSession, TwentyMillisecondsWithoutAStepHold) {
@@ -256,7 +257,7 @@ TEST(StepSession, TwentyMillisecondsWithoutAStepHold) {
   session->spoil = [](pipeline::Inputs& in) { in.now += std::chrono::milliseconds(38); };
   session->step();
   EXPECT_EQ(session->outputs().telemetry.state, SafetyState::held);
-  EXPECT_EQ(session->outputs().telemetry.lack, Lack::step_gap);
+  EXPECT_EQ(session->outputs().telemetry.fault, Fault::step_gap);
 }
 
 TEST(StepSession, MoreThanFivePercentMissedHolds) {
@@ -267,7 +268,7 @@ TEST(StepSession, MoreThanFivePercentMissedHolds) {
   session->next.missed_cycles += 60;
   session->run(0.01);
   EXPECT_EQ(session->outputs().telemetry.state, SafetyState::held);
-  EXPECT_EQ(session->outputs().telemetry.lack, Lack::steps_missed);
+  EXPECT_EQ(session->outputs().telemetry.fault, Fault::steps_missed);
 }
 
 TEST(StepSession, StopIsImmediateAndLatches) {
@@ -287,7 +288,7 @@ TEST(StepSession, AWindowThatFallsSilentHoldsAndSaysSo) {
   (void)session->next.commands.push({.action = OperatorAction::arm});  // nobody would take this one back
   session->step();
   EXPECT_EQ(session->outputs().telemetry.state, SafetyState::held);
-  EXPECT_EQ(session->outputs().telemetry.lack, Lack::operator_silent);
+  EXPECT_EQ(session->outputs().telemetry.fault, Fault::operator_silent);
   session->run(2.0);
   EXPECT_EQ(session->outputs().telemetry.state, SafetyState::held);
   (void)session->next.commands.push({.action = OperatorAction::arm});

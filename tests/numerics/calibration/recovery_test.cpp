@@ -4,14 +4,14 @@
 #include <random>
 
 #include "core/calibration/camera_calibration.h"
-#include "core/calibration/cross_validation.h"
+#include "core/calibration/fit/cross_validation.h"
+#include "core/calibration/fit/least_squares.h"
+#include "core/calibration/fit/outliers.h"
+#include "core/calibration/fit/polynomial_basis.h"
+#include "core/calibration/fit/student_quantile.h"
 #include "core/calibration/ir_calibration.h"
-#include "core/calibration/least_squares.h"
 #include "core/calibration/load_cell_calibration.h"
-#include "core/calibration/outliers.h"
-#include "core/calibration/polynomial_basis.h"
 #include "core/calibration/stiffness_map.h"
-#include "core/calibration/student_quantile.h"
 #include "core/control/static_law.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/sensing_parameters.h"
@@ -254,7 +254,7 @@ TEST(LoadCell, RecoversTheThesisFormula) {
   EXPECT_LT(slope.standard_error, 0.02);
   sensing::LoadCellParameters profile;
   ASSERT_TRUE(applyChanges(bindParameters(profile), found.result.changes).has_value());
-  EXPECT_NEAR(sensing::LoadCell(profile).force_N(0.8), 7.685, 0.01);  // fact sheet §10
+  EXPECT_NEAR(sensing::LoadCell(profile).force_N(0.8), 7.685, 0.01);
   EXPECT_NEAR(sensing::LoadCell(profile).force_N(0.0), -0.199, 0.01);
 }
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/parameter.h"
-#include "core/sim/vibration_sweep.h"
+#include "core/sim/touchpad/vibration_sweep.h"
 
 namespace fyd::calibration {
 namespace {

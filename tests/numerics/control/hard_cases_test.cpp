@@ -106,8 +106,8 @@ TEST(ControllerHardCases, WhateverComesInTheReferenceStaysWithinTravel) {
               ASSERT_GE(output.stretch_angle_deg, 20.0);
               ASSERT_LE(output.stretch_angle_deg, 90.0);
               ASSERT_TRUE(std::isfinite(output.correction));
-              ASSERT_TRUE(std::isfinite(output.fabric_scale));
-              ASSERT_GT(output.fabric_scale, 0.0);
+              ASSERT_TRUE(std::isfinite(output.cloth_scale));
+              ASSERT_GT(output.cloth_scale, 0.0);
               ASSERT_FALSE(std::isinf(output.reachable_target_N_per_mm));
             }
           }

@@ -50,7 +50,7 @@ class RandomScene {
     pace_x_ = normal(40.0);
     pace_y_ = normal(30.0);
     stiffness_ = chance(0.1) ? uniform(-1, 3) : uniform(0.4, 0.8);
-    fabric_scale_ = uniform(0.7, 1.5);
+    cloth_scale_ = uniform(0.7, 1.5);
     stuck_ = chance(0.15);
     dead_cell_ = chance(0.1);
     blind_ = chance(0.1);
@@ -84,7 +84,7 @@ class RandomScene {
     if (step_ % 33 == 0 && !(blind_ && chance(0.5))) seeFinger();
     if (step_ % 16 == 0) readDistances();
     if (step_ % 8 == 0) {
-      const double force_N = fabric_scale_ * 0.6 * depth_mm_ + normal(0.01);
+      const double force_N = cloth_scale_ * 0.6 * depth_mm_ + normal(0.01);
       const double grams = 1000.0 * force_N / 9.80665;
       inputs_.bridge.set({.value_mV_per_V = dead_cell_ ? 9.0 : (grams + 20.2512) / 1004.8805}, inputs_.now);
     }
@@ -210,7 +210,7 @@ class RandomScene {
   double pace_x_ = 0.0;  // mm/s
   double pace_y_ = 0.0;
   double stiffness_ = 0.6;
-  double fabric_scale_ = 1.0;
+  double cloth_scale_ = 1.0;
   std::array<double, control::kMotorCount> angle_deg_{20.0, -20.0};
 };
 

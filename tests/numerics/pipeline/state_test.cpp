@@ -38,10 +38,10 @@ std::vector<std::uint64_t> bitsOf(const Outputs& out) {
                              out.touch.force_N, static_cast<double>(out.touch.in_contact)}) {
     add(value);
   }
-  bits.push_back(out.lacks.to_ullong());
+  bits.push_back(out.faults.to_ullong());
   for (const Event& event : out.events) {
     for (const double value : {static_cast<double>(event.kind), static_cast<double>(event.state),
-                               static_cast<double>(event.lack), static_cast<double>(event.index), event.value}) {
+                               static_cast<double>(event.fault), static_cast<double>(event.index), event.value}) {
       add(value);
     }
   }

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "core/scene/ball.h"
+#include "core/scene/gesture/ball.h"
 
 namespace fyd::scene {
 namespace {
@@ -192,8 +192,8 @@ TEST(BallTruth, StrokesOfAWavedRacketAreThoseOfAReferenceAThousandTimesFiner) {
         gentle = gentle || impulse < 0.058 * 0.15 * 1.75;  // near the speed at which it rests
       }
       RacketPose from = racket.at(k * dt_s), to = racket.at((k + 1) * dt_s);
-      static_cast<void>(makeRight(from));
-      static_cast<void>(makeRight(to));
+      static_cast<void>(orthonormalise(from));
+      static_cast<void>(orthonormalise(to));
       reference.step(from, to, dt_s);
     }
     if (gentle) continue;

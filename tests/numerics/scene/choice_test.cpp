@@ -2,8 +2,8 @@
 // make it.
 #include <gtest/gtest.h>
 
-#include "core/scene/contact_choice.h"
-#include "core/scene/soft_choice.h"
+#include "core/scene/contact/contact_choice.h"
+#include "core/scene/soft/soft_choice.h"
 #include "tests/unit/scene/shapes.h"
 #include "tests/unit/scene/soft_sheet.h"
 

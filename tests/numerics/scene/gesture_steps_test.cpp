@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/bench/allocation_count.h"
-#include "core/scene/ball.h"
-#include "core/scene/palpation.h"
-#include "core/scene/swords.h"
+#include "app/bench/parts/allocation_count.h"
+#include "core/scene/gesture/ball.h"
+#include "core/scene/gesture/palpation.h"
+#include "core/scene/gesture/swords.h"
 
 namespace fyd::scene {
 namespace {
@@ -137,7 +137,7 @@ TEST(GestureSteps, OfPalpationGiveNumbersWhateverComesIn) {
 
 struct All {
   SwordState swords;
-  BallGameState ball{.ball = {{0.0, 0.0, 200.0}, {100.0, 0.0, 0.0}, {}}, .racket = {}, .owed_Ns = {}};
+  BallGameState ball{.ball = {{0.0, 0.0, 200.0}, {100.0, 0.0, 0.0}, {}}, .racket = {}, .pending_impulse_Ns = {}};
   PalpationState palpation;
 
   double step(double t) {

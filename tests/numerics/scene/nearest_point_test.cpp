@@ -1,5 +1,5 @@
 // The walk with its certificate against every triangle of the mesh, looked at one by one.
-#include "core/scene/nearest_point.h"
+#include "core/scene/mesh/nearest_point.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <tuple>
 
-#include "core/scene/vector.h"
+#include "core/scene/mesh/vector.h"
 #include "tests/unit/scene/shapes.h"
 
 namespace fyd::scene {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/scene/swords.h"
+#include "core/scene/gesture/swords.h"
 
 namespace fyd::scene {
 namespace {

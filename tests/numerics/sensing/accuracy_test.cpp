@@ -1,6 +1,6 @@
 // The errors the project promises, over labelled pictures and over the whole cloth. Speed is `fyd bench`'s matter.
-#include "app/cli/bench/labelled_frames.h"
-#include "app/cli/bench/pressed_cloth.h"
+#include "app/bench/parts/labelled_pictures.h"
+#include "app/bench/parts/pressed_cloth.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/indentation.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 TEST(FingerAccuracy, HoldsOverTwoThousandLabelledFrames) {
   constexpr int kFrames = 2000;
-  bench::LabelledFrames frames(20);
+  bench::LabelledPictures frames(20);
   const FingerParameters p;
   FingerDetector detector(p);
   double squares = 0;

@@ -8,7 +8,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/cli/bench/allocation_count.h"
+#include "app/bench/parts/allocation_count.h"
 #include "core/sensing/contact_cloth.h"
 #include "core/sensing/indentation.h"
 

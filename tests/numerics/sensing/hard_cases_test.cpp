@@ -2,9 +2,9 @@
 #include <limits>
 #include <random>
 
-#include "app/cli/bench/allocation_count.h"
-#include "app/cli/bench/labelled_frames.h"
-#include "app/cli/bench/pressed_cloth.h"
+#include "app/bench/parts/allocation_count.h"
+#include "app/bench/parts/labelled_pictures.h"
+#include "app/bench/parts/pressed_cloth.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/indentation.h"
 #include "core/sensing/stiffness_estimator.h"
@@ -252,7 +252,7 @@ TEST(HardCases, TheStepDoesNotAllocate) {
 }
 
 TEST(HardCases, TheDetectorAllocatesOnlyAtTheFirstPicture) {
-  bench::LabelledFrames frames(9);
+  bench::LabelledPictures frames(9);
   FingerDetector detector;
   frames.next();
   (void)detector.detect(frames.picture());

@@ -5,11 +5,11 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "app/cli/bench/labelled_frames.h"
-#include "core/device/camera.h"
+#include "app/bench/parts/labelled_pictures.h"
+#include "core/device/camera/camera.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/indentation.h"
-#include "core/sim/picture.h"
+#include "core/sim/touchpad/picture.h"
 
 namespace fyd::sensing {
 namespace {
@@ -88,7 +88,7 @@ TEST(SmallContacts, BlurDoesNotMakeThemLarger) {
   double error[2] = {0, 0};
   int count[2] = {0, 0};
   for (const double radius_px : {4.2, 5.5, 10.0}) {
-    bench::LabelledFrames frames(
+    bench::LabelledPictures frames(
         5, {.least_radius_px = 0.98 * radius_px, .most_radius_px = 1.02 * radius_px, .least_visible_px = 40.0});
     FingerDetector detector;
     double squares = 0.0, place = 0.0;

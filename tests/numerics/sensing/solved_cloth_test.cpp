@@ -1,12 +1,12 @@
 // A finger on a cloth that was solved in finite strain, sensed as in a session: 10 mV of noise, 60 Hz, camera 100 mm
-// below. Truth comes from app/cli/bench/pressed_cloth.h and the tables of the simulation, of which the estimator knows
+// below. Truth comes from app/bench/parts/pressed_cloth.h and the tables of the simulation, of which the estimator knows
 // nothing.
 #include <functional>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "app/cli/bench/pressed_cloth.h"
+#include "app/bench/parts/pressed_cloth.h"
 #include "core/sensing/indentation.h"
 #include "core/sensing/stiffness_estimator.h"
 

@@ -1,5 +1,5 @@
 // The simulated way to the finger against what can be worked out by hand.
-#include "core/sim/finger_vibration.h"
+#include "core/sim/touchpad/finger_vibration.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // Hard cases of the simulation: determinism, time, commands that are no numbers, size, threads, and the
-// figures that show what the fabric plane of the thesis makes of a pushed membrane.
+// figures that show what the cloth plane of the thesis makes of a pushed membrane.
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -9,9 +9,9 @@
 #include <unistd.h>
 
 #include "core/sensing/membrane.h"
-#include "core/sim/ir_sensor.h"
-#include "core/sim/simulated_camera.h"
-#include "core/sim/simulated_touchpad.h"
+#include "core/sim/touchpad/ir_sensor.h"
+#include "core/sim/touchpad/simulated_camera.h"
+#include "core/sim/touchpad/simulated_touchpad.h"
 
 namespace fyd::sim {
 namespace {
@@ -37,8 +37,8 @@ control::MotorCommand commandAt(int ms) {
 SimParameters unkind(int seed) {
   SimParameters parameters;
   parameters.seed = seed;
-  parameters.fabric_stiffness_scale = 1.3;
-  parameters.fabric_hysteresis = 0.1;
+  parameters.cloth_stiffness_scale = 1.3;
+  parameters.cloth_hysteresis = 0.1;
   parameters.motor_friction_percent = 8.0;
   parameters.ir_delay_ms = 20.0;
   parameters.bridge_delay_ms = 7.5;

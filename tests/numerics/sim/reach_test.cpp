@@ -1,5 +1,5 @@
 // From the finger to the tool on a recorded hand: the goals of the requirement, by figures of the test's own.
-#include "core/sim/reach_trial.h"
+#include "core/sim/trial/reach_trial.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/sim/teleop_run.h"
+#include "core/sim/teleop/teleop_run.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,8 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/protocol/message_budget.h"
-#include "core/sim/desktop_arm.h"
+#include "core/protocol/link/message_budget.h"
+#include "core/sim/teleop/desktop_arm.h"
+#include "core/teleop/coupling/coupling_choice.h"
+#include "core/teleop/prediction/predictor_choice.h"
 
 namespace fyd::sim {
 namespace {

@@ -11,7 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/teleop/prediction_trial.h"
+#include "core/teleop/prediction/prediction_trial.h"
+#include "core/teleop/prediction/predictor_choice.h"
 
 namespace fyd::teleop {
 namespace {

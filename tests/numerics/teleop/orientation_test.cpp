@@ -1,5 +1,6 @@
 // Orientation by its own truth: rotations made with Eigen, errors in degrees by Eigen.
-#include "core/teleop/orientation_predictor.h"
+#include "core/teleop/prediction/orientation_predictor.h"
+#include "core/teleop/prediction/predictor_choice.h"
 
 #include <cmath>
 #include <functional>

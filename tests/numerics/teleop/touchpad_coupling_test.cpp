@@ -1,6 +1,6 @@
 // A finger (mass, damper, spring) on a cloth that follows its target late, and a robot behind a bad network. The
 // energy is the test's own: the cloth's true force along the finger's true way.
-#include "core/teleop/touchpad_coupling.h"
+#include "core/teleop/coupling/touchpad_coupling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,9 @@ struct Scene {
   double seconds = 6.0;
   bool silent_in_air = false;  // the robot tells a stiffness only while it touches; else that of its last place
   double noise = 0.0;          // of the estimate, as a part of it
-  std::function<double(double)> depth_mm;                             // where the hand wants the finger to be
-  std::function<double(double)> way_mm = [](double) { return 0.0; };  // along the cloth
-  std::function<double(double, double)> wall;                         // N/mm by time and place; 0: nothing there
+  std::function<double(double)> depth_mm;  // where the hand wants the finger to be
+  std::function<double(double)> force_over_stiffness_mm = [](double) { return 0.0; };  // along the cloth
+  std::function<double(double, double)> wall;  // N/mm by time and place; 0: nothing there
 };
 
 struct Row {
@@ -59,9 +59,9 @@ std::vector<Row> play(const Scene& scene) {
   std::vector<Row> rows;
   const auto late = static_cast<std::size_t>(std::lround(scene.delay_s / kStep_s));
   for (int i = 0; i * kStep_s < scene.seconds; ++i) {
-    const double t = i * kStep_s, way_mm = scene.way_mm(t);
+    const double t = i * kStep_s, force_over_stiffness_mm = scene.force_over_stiffness_mm(t);
     // The robot, each 10 ms: the tool is where the finger was.
-    past.push_back({depth_mm, way_mm});
+    past.push_back({depth_mm, force_over_stiffness_mm});
     if (past.size() > late + 1) past.pop_front();
     if (i % 10 == 0) {
       const double tool_mm = past.front()[0], place_mm = past.front()[1];
@@ -212,7 +212,7 @@ TEST(TouchpadCouplingInNumbers, ASlideOntoStifferGroundIsFeltWithinATimeThatIsSt
   for (Scene scene : networks(Choice::model)) {
     constexpr double kSpeed_mm_s = 40.0, kEdge_s = 1.5;
     scene.depth_mm = [](double t) { return pressed(t, 0.5, 5.0, 12.0); };
-    scene.way_mm = [](double t) { return kSpeed_mm_s * (std::clamp(t, 1.0, 2.5) - kEdge_s); };
+    scene.force_over_stiffness_mm = [](double t) { return kSpeed_mm_s * (std::clamp(t, 1.0, 2.5) - kEdge_s); };
     scene.wall = [](double, double place_mm) { return place_mm < 0.0 ? 0.5 : 1.2; };
     const auto rows = play(scene);
     // There and back, a message, the way to another place, three time constants, and three of the cloth's.

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/bench/allocation_count.h"
+#include "app/bench/parts/allocation_count.h"
 #include "core/base/archive.h"
-#include "core/texture/felt_mapping.h"
-#include "core/texture/finger_prediction.h"
+#include "core/texture/felt/felt_mapping.h"
+#include "core/texture/felt/finger_prediction.h"
 #include "core/texture/test_signals.h"
 #include "core/texture/texture_renderer.h"
 

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/bench/allocation_count.h"
+#include "app/bench/parts/allocation_count.h"
 #include "core/signal/biquad.h"
-#include "core/texture/method.h"
+#include "core/texture/method_bank.h"
 #include "core/texture/texture_renderer.h"
 #include "tests/numerics/texture/scenes.h"
 #include "tests/processor_time.h"

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/texture/dft321.h"
+#include "core/texture/method_bank.h"
 #include "core/texture/mixing_methods.h"
 #include "core/texture/spectral_match.h"
 #include "tests/numerics/texture/scenes.h"

@@ -1,3 +1,4 @@
+// Reading of CSV: columns by name, line numbers in errors, refusal of damaged text.
 #include "core/base/csv.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Signals reach a program's loop as a number; only a later, plain wish ends it at once.
+// Signals that end a program: its loop reads them as a number; only a later one ends the process at once.
 #include "core/base/end_signals.h"
 
 #include <gtest/gtest.h>

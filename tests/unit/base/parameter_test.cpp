@@ -1,3 +1,4 @@
+// Described parameters and profile text: defaults, round trip, refusal of bad values with file and line.
 #include "core/base/parameter.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ struct Sample {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.real("room.gain", gain, {.unit = "mm", .minimum = 0, .maximum = 10, .help = "A gain.", .live = true});
+    v.real("room.gain", gain,
+           {.unit = "mm", .minimum = 0, .maximum = 10, .help = "A gain.", .live = true, .formerly = "room.factor"});
     v.integer("room.count", count, {.minimum = 1, .maximum = 9});
     v.boolean("room.on", on, {});
     v.choice("other.colour", colour, kColours, {});
@@ -42,6 +44,17 @@ TEST(Parameter, DefaultsAreTheInitialisers) {
   EXPECT_EQ(parameters[0].value(), 2.5);
   EXPECT_EQ(parameters[3].value(), 1.0);
   EXPECT_EQ(formatParameter(parameters[4]), "[1, 2]");
+}
+
+TEST(Parameter, IsReadByItsFormerIdAndWrittenByItsPresentOne) {
+  Sample sample;
+  const auto parameters = bindParameters(sample);
+  EXPECT_EQ(findParameter(parameters, "room.factor"), parameters.data());
+  EXPECT_EQ(findParameter(parameters, ""), nullptr);
+  ASSERT_TRUE(parseProfile("[room]\nfactor = 4\n", "p.toml", parameters));
+  EXPECT_EQ(sample.gain, 4.0);
+  EXPECT_EQ(formatProfile(parameters).find("factor"), std::string::npos);
+  EXPECT_EQ(problem("[room]\nfactor = 40\n"), problem("[room]\ngain = 40\n"));
 }
 
 TEST(Parameter, AProfileRoundTrips) {

@@ -1,4 +1,4 @@
-// Why a call of the system failed: in English what the system itself says, so that it can be looked up.
+// Reasons of failed system calls: the system's own English text, so that it can be looked up.
 #include "core/base/system_reason.h"
 
 #include <gtest/gtest.h>

@@ -60,7 +60,7 @@ TEST(Dependence, OffsetsTakenBeforeANewCurveAreOutdatedUntilTheyAreTakenAgain) {
   b.curve(2, "[1, 2, 3]");
   EXPECT_EQ(b.outdated("no-touch"), (Bases{{"ir", 2}}));
   EXPECT_EQ(describeBases("no-touch", b.outdated("no-touch")).text(),
-            "taken with another curve: take it again (distance sensor 2)");
+            "taken with another curve: take it again (Distance sensor 2)");
   EXPECT_TRUE(inForce(b.records.back(), bindParameters(b.parts)));
   b.noTouch("[101.5, 102.5, 103.5]");  // the very same numbers, but measured now
   EXPECT_TRUE(b.outdated("no-touch").empty());
@@ -114,7 +114,8 @@ TEST(Dependence, AStiffnessMapRestsOnWhatMeasuredIt) {
   b.noTouch("[101.5, 102.5, 103.5]");  // taken each day: no reason to measure a map again
   EXPECT_EQ(b.outdated("stiffness"), (Bases{{"encoders", 0}, {"load-cell", 0}, {"ir", 1}}));
   EXPECT_EQ(describeBases("stiffness", b.outdated("stiffness")).text(),
-            "measured with another calibration: measure it again (encoders, load cell, distance sensor 1)");
+            "measured with another calibration: measure it again (Encoders: sign, zero, range; Load cell; Distance "
+            "sensor 1)");
   b.calibrate("stiffness", 0, {{"control.law", "interpolated"}});
   EXPECT_TRUE(b.outdated("stiffness").empty());
   for (const char* part : {"ir", "load-cell", "camera", "rest", ""}) EXPECT_TRUE(b.outdated(part).empty()) << part;

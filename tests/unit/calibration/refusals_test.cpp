@@ -5,8 +5,8 @@
 
 #include "core/calibration/calibration_record.h"
 #include "core/calibration/camera_calibration.h"
-#include "core/calibration/cross_validation.h"
 #include "core/calibration/encoder_calibration.h"
+#include "core/calibration/fit/cross_validation.h"
 #include "core/calibration/ir_calibration.h"
 #include "core/calibration/load_cell_calibration.h"
 #include "core/calibration/rest_calibration.h"

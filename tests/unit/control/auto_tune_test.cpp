@@ -1,3 +1,4 @@
+// Auto-tune: excitation, identification of scale, delay and lag, proposed gains, prediction of the loop.
 #include "core/control/auto_tune.h"
 
 #include <gtest/gtest.h>
@@ -45,22 +46,22 @@ TEST(Excitation, StaysInTheMiddleOfTheTravelAndSlow) {
 }
 
 TEST(AutoTune, FindsScaleDelayAndLag) {
-  const auto fabric = identifyFabric(excite(1.2, 0.08, 0.3, 0.0), {});
-  ASSERT_TRUE(fabric) << fabric.error().text();
-  EXPECT_NEAR(fabric->scale, 1.2, 0.02);
-  EXPECT_NEAR(fabric->shape_gain, 1.0, 0.03);
-  EXPECT_NEAR(fabric->delay_s, 0.08, 0.02);
-  EXPECT_NEAR(fabric->lag_s, 0.3, 0.03);
-  EXPECT_LT(fabric->residual_rms_relative, 0.01);
+  const auto cloth = identifyCloth(excite(1.2, 0.08, 0.3, 0.0), {});
+  ASSERT_TRUE(cloth) << cloth.error().text();
+  EXPECT_NEAR(cloth->scale, 1.2, 0.02);
+  EXPECT_NEAR(cloth->shape_gain, 1.0, 0.03);
+  EXPECT_NEAR(cloth->delay_s, 0.08, 0.02);
+  EXPECT_NEAR(cloth->lag_s, 0.3, 0.03);
+  EXPECT_LT(cloth->residual_rms_relative, 0.01);
 }
 
 TEST(AutoTune, FindsThemThroughNoise) {
-  const auto fabric = identifyFabric(excite(0.75, 0.05, 0.2, 0.05), {});
-  ASSERT_TRUE(fabric) << fabric.error().text();
-  EXPECT_NEAR(fabric->scale, 0.75, 0.03);
-  EXPECT_NEAR(fabric->shape_gain, 1.0, 0.1);
-  EXPECT_NEAR(fabric->delay_s + fabric->lag_s, 0.25, 0.08);
-  EXPECT_NEAR(fabric->residual_rms_relative, 0.05, 0.01);
+  const auto cloth = identifyCloth(excite(0.75, 0.05, 0.2, 0.05), {});
+  ASSERT_TRUE(cloth) << cloth.error().text();
+  EXPECT_NEAR(cloth->scale, 0.75, 0.03);
+  EXPECT_NEAR(cloth->shape_gain, 1.0, 0.1);
+  EXPECT_NEAR(cloth->delay_s + cloth->lag_s, 0.25, 0.08);
+  EXPECT_NEAR(cloth->residual_rms_relative, 0.05, 0.01);
 }
 
 TEST(AutoTune, ProposesGainsThatKeepTheirMarginsAndSettle) {
@@ -85,11 +86,11 @@ TEST(AutoTune, FindsHowLongTheNoiseRepeatsItself) {
     noise = keep * noise + 0.04 * std::sqrt(1 - keep * keep) * normal(random);
     sample.stiffness_N_per_mm *= std::exp(noise);
   }
-  const auto fabric = identifyFabric(recording, {});
-  ASSERT_TRUE(fabric) << fabric.error().text();
-  EXPECT_GT(fabric->noise_correlation_s, 0.12);
-  EXPECT_LT(fabric->noise_correlation_s, 0.5);
-  EXPECT_NEAR(identifyFabric(excite(1, 0.05, 0.1, 0.04), {})->noise_correlation_s, 0.02, 0.01) << "white noise";
+  const auto cloth = identifyCloth(recording, {});
+  ASSERT_TRUE(cloth) << cloth.error().text();
+  EXPECT_GT(cloth->noise_correlation_s, 0.12);
+  EXPECT_LT(cloth->noise_correlation_s, 0.5);
+  EXPECT_NEAR(identifyCloth(excite(1, 0.05, 0.1, 0.04), {})->noise_correlation_s, 0.02, 0.01) << "white noise";
 }
 
 TEST(AutoTune, LateSensorsGetSlowerGains) {
@@ -141,7 +142,7 @@ TEST(LoopPrediction, UnmodelledDeadTimeCostsMargin) {
   parameters.measurement_delay_s = 0;
   parameters.measurement_lag_s = 0;
   parameters.noise_correlation_s = 0.05;  // an observer that believes quickly
-  IdentifiedFabric late;
+  IdentifiedCloth late;
   late.delay_s = 0.3;
   EXPECT_LT(loopMargins(late, parameters).phase_margin_deg, loopMargins({}, parameters).phase_margin_deg);
 }
@@ -154,7 +155,7 @@ TEST(LoopPrediction, NoGainsIsNoLoop) {
 
 TEST(LoopPrediction, CourseAndFiguresAreOfOneRun) {
   const ControlParameters parameters;
-  const IdentifiedFabric assumed = assumedFabric(parameters);
+  const IdentifiedCloth assumed = assumedCloth(parameters);
   EXPECT_EQ(assumed.delay_s, parameters.measurement_delay_s);
   EXPECT_EQ(assumed.lag_s, parameters.measurement_lag_s);
   std::vector<LoopPoint> course;
@@ -176,7 +177,7 @@ TEST(LoopPrediction, CourseAndFiguresAreOfOneRun) {
 TEST(LoopPrediction, WithoutGainsTheCourseStaysOff) {
   ControlParameters parameters;
   parameters.kp = parameters.ki_per_s = parameters.kd_s = 0;
-  const LoopPrediction loop = predictLoop(assumedFabric(parameters), parameters);
+  const LoopPrediction loop = predictLoop(assumedCloth(parameters), parameters);
   EXPECT_TRUE(std::isnan(loop.settling_s));
   EXPECT_TRUE(std::isnan(loop.rise_s));
   EXPECT_FALSE(loop.stable);

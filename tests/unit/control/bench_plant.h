@@ -1,5 +1,5 @@
-// A touchpad small enough to see through: first-order motors at a speed limit, a cloth S·law(θ), a sensor with dead
-// time and lag. The full chain stands in core/sim; this one lets the room be tested alone.
+// A minimal plant: first-order motors with a speed limit, a cloth S·law(θ), a sensor with dead time and lag. The full
+// chain is in core/sim; this one lets core/control be tested alone.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace fyd::control {
 
 struct BenchPlant {
   double scale = 1.0;
-  double place = 1.0;  ///< how much stiffer under this finger than where the law was measured
-  double bias = 1.0;   ///< what the reading is off for good, a factor
+  double place = 1.0;  ///< stiffness at the finger relative to that where the law was measured
+  double bias = 1.0;   ///< constant factor of the reading's error
   double delay_s = 0.02;
   double lag_s = 0.02;
   double ripple = 0.0;  ///< relative amplitude of a 7 Hz disturbance of the reading

@@ -1,3 +1,4 @@
+// Mixing of stretch and translation into motor references, and roller angles from encoder counts.
 #include "core/control/motor_mixing.h"
 
 #include <gtest/gtest.h>

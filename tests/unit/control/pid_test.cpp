@@ -1,3 +1,4 @@
+// The PID controller: terms by hand, anti-windup, limits, rate limit, bumpless change of gains.
 #include "core/control/pid.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// The static law from stretch to stiffness: interpolation, inverse, domain, the forms of the thesis.
 #include "core/control/static_law.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// The stiffness controller on a small plant (bench_plant.h): settling, limits, biased readings, live changes.
 #include "core/control/stiffness_controller.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +62,7 @@ TEST(StiffnessController, LearnsAFabricOffItsCalibration) {
     ControlOutput last;
     const auto course = plant.run(controller, target, 6, &last);
     EXPECT_LE(settling_s(course, target), 3.0) << scale << ' ' << target;
-    EXPECT_NEAR(last.fabric_scale, scale, 0.03 * scale);
+    EXPECT_NEAR(last.cloth_scale, scale, 0.03 * scale);
     EXPECT_FALSE(last.target_clamped) << scale << ' ' << target;
   }
 }

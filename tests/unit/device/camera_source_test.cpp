@@ -1,4 +1,5 @@
-#include "core/device/camera_source.h"
+// Camera sources and picture decoding: folders, videos, streams, damaged and hostile pictures.
+#include "core/device/camera/camera_source.h"
 
 #include <atomic>
 #include <cstdio>
@@ -15,8 +16,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "core/device/camera/picture_decoder.h"
 #include "core/device/pacer.h"
-#include "core/device/picture_decoder.h"
 
 namespace fyd::device {
 namespace {

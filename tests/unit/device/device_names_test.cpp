@@ -1,4 +1,4 @@
-// Addresses as people write them, the device clock's wrap, ports that do not open, and the list of what is plugged in.
+// Addresses as people write them, the device clock's wrap, ports that do not open, and the list of connected devices.
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "core/device/device_list.h"
-#include "core/device/modbus_touchpad.h"
-#include "core/device/qbmove_motors.h"
-#include "core/device/touchpad_source.h"
+#include "core/device/touchpad/modbus_touchpad.h"
+#include "core/device/touchpad/qbmove_motors.h"
+#include "core/device/touchpad/touchpad_source.h"
 
 namespace fyd::device {
 namespace {

@@ -1,12 +1,12 @@
-// Numbers that no arm has are refused with their name, value and bound; what an arm does all day is not.
-#include "core/device/fri_check.h"
+// Implausible FRI values are refused with name, value and bound; those of normal operation are accepted.
+#include "core/device/robot/fri_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "core/device/fri_tick.h"
+#include "core/device/robot/fri_tick.h"
 
 namespace fyd::device {
 namespace {

@@ -1,5 +1,5 @@
 // The probe on arms made for the test, in virtual time; expected stiffness is worked out by hand in each.
-#include "core/device/material_probe.h"
+#include "core/device/robot/material_probe.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The limits hold whatever is asked for; expected figures are worked out by hand.
-#include "core/device/motion_limiter.h"
+#include "core/device/robot/motion_limiter.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <random>
 #include <utility>
 
-#include "core/device/following_robot.h"
+#include "core/device/robot/following_robot.h"
 
 namespace fyd::device {
 namespace {

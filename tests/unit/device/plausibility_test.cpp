@@ -1,5 +1,5 @@
-// Readings and pictures that no sensor can mean.
-#include "core/device/plausibility.h"
+// Detection of implausible readings and pictures.
+#include "core/device/touchpad/plausibility.h"
 
 #include <random>
 
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "core/device/frozen_picture.h"
-#include "core/device/frozen_readings.h"
+#include "core/device/camera/frozen_picture.h"
+#include "core/device/touchpad/frozen_readings.h"
 
 namespace fyd::device {
 namespace {

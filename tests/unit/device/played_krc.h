@@ -1,10 +1,10 @@
-// A robot controller that the test plays in virtual time, over real sockets: it keeps its own tick, takes the answer to
-// each measurement when it came before the next one, stands where none did, and judges what it was commanded by nothing
-// but differences of the places it took, tick by tick.
+// A fake robot controller (KRC) in virtual time, over real sockets. It has its own tick, takes the answer to each
+// measurement if it came before the next one, and otherwise stops. It judges the commanded motion only by differences
+// of its positions from tick to tick.
 //
-// A tick without a command stops the arm dead: nobody outside can prevent that. That tick is counted (`held`) and not
-// judged for acceleration and jerk; the arm is at rest from there on, and whatever comes next has to start from rest
-// (or, where that tick was one in which the arm turned, to go on from its true difference).
+// A tick without a command stops the arm at once, which the robot end cannot prevent. That tick is counted (`held`) and
+// not judged for acceleration and jerk. The arm is then at rest, and the next motion has to start from rest (or, where
+// the arm reversed in that tick, to continue from its true difference).
 #pragma once
 
 #include <algorithm>
@@ -19,14 +19,14 @@
 #include <string>
 #include <vector>
 
-#include "core/device/following_robot.h"
-#include "core/device/fri_robot.h"
+#include "core/device/robot/following_robot.h"
+#include "core/device/robot/fri_robot.h"
 
 namespace fyd::device {
 
 struct PlayedKrcOptions {
   double tick_s = 0.005;
-  double stated_s = 0.0;    ///< the tick it tells of; 0: the true one
+  double stated_s = 0.0;    ///< tick period that it reports, s; 0: the true one
   bool stamps = true;       ///< its measurements carry its time
   bool in_offset = false;   ///< what FRI commands stands in the frame's offset instead of the commanded frame
   double exchange_s = 0.0;  ///< cycle of the robot end; 0: a third of the tick, at most 1 ms
@@ -35,7 +35,7 @@ struct PlayedKrcOptions {
   double loss = 0.0;        ///< share, each way
   double late = 0.0;        ///< share of messages that take up to five ticks more, each way
   double pause = 0.0;       ///< share of the robot end's cycles that take up to ten ticks more
-  double nonsense = 0.0;    ///< share of measurements with finite numbers in them that no arm has
+  double nonsense = 0.0;    ///< share of measurements with finite but implausible numbers
   MotionLimits limits;
   std::uint64_t seed = 1;
   Vec3 tool_m{0.05, 0.02, 0.03};  ///< near the base, where a float of metres resolves 1e-8 m
@@ -53,9 +53,9 @@ struct PlayedKrcJudgement {
   std::string last_problem;
 };
 
-class PlayedKrc {
+class FakeKrc {
  public:
-  explicit PlayedKrc(const PlayedKrcOptions& options)
+  explicit FakeKrc(const PlayedKrcOptions& options)
       : options_(options), random_(options.seed), socket_(protocol::UdpSocket::open(any()).value()) {
     auto robot = FriRobot::open({.bind = any()}).value();
     fri = robot.get();
@@ -90,7 +90,7 @@ class PlayedKrc {
   [[nodiscard]] double time_s() const { return time_s_; }
   /// Where it was commanded last, from the start, along the base's axes.
   [[nodiscard]] Vec3 commanded_mm() const { return 1000.0 * (placeOf(commanded_) - options_.tool_m); }
-  /// Largest error that the places' resolution makes in the n-th difference, per tickⁿ.
+  /// Largest error of the n-th difference due to the resolution of positions, mm/sⁿ.
   [[nodiscard]] double resolution(int n) const {
     const double largest_m =
         std::max({std::abs(options_.tool_m.x), std::abs(options_.tool_m.y), std::abs(options_.tool_m.z)}) + 0.07;
@@ -98,7 +98,7 @@ class PlayedKrc {
         500.0 * (std::nextafter(static_cast<float>(largest_m), HUGE_VALF) - static_cast<float>(largest_m));
     return std::sqrt(3.0) * std::pow(2.0, n) * half_step_mm / std::pow(options_.tick_s, n);
   }
-  /// What was broken, in words; empty: nothing.
+  /// The limits that were violated, as text; empty: none.
   [[nodiscard]] std::string violation() const {
     const MotionLimits& l = options_.limits;
     std::string out = broken_;
@@ -173,7 +173,7 @@ class PlayedKrc {
     }
   }
 
-  /// One quantity far beyond what an arm has; how far is left to chance.
+  /// Sets one quantity to a random implausible value.
   protocol::FriMeasurement spoiled() {
     protocol::FriMeasurement m = measurement;
     const auto size = static_cast<float>(std::pow(10.0, 1.0 + 37.0 * share()));  // 10 … 1e38
@@ -241,7 +241,7 @@ class PlayedKrc {
     }
   }
 
-  /// Every answer, those that the network loses included.
+  /// Checks every answer, including those that the network loses.
   void inspect(protocol::Bytes bytes) {
     protocol::FriCommand command;
     if (decodeFriCommand(bytes, command) != protocol::FriRefusal::none) broken_ += "answer unreadable; ";
@@ -264,8 +264,8 @@ class PlayedKrc {
   protocol::FriFrame next_{};
   Vec3 velocity_;
   Vec3 acceleration_;
-  std::optional<Vec3> turned_;        // the acceleration of a tick without a command, as the places say it
-  std::set<std::uint16_t> nonsense_;  // sequence numbers; no run is so long that they come again
+  std::optional<Vec3> turned_;        // the acceleration of a tick without a command, from the positions
+  std::set<std::uint16_t> nonsense_;  // sequence numbers; no run is long enough for them to repeat
   std::string broken_;
   std::uint64_t order_ = 0;
   std::uint64_t ticks_ = 0;
@@ -274,7 +274,7 @@ class PlayedKrc {
   double next_exchange_s_ = 0.0;
 };
 
-/// Targets that jump about the workspace and beyond, and now and then are no numbers.
+/// Targets that jump within the workspace and beyond, one in 20 of them NaN.
 class WildTargets {
  public:
   explicit WildTargets(std::uint64_t seed) : random_(seed) {}

@@ -1,5 +1,5 @@
 // What happens before the touchpad is called, step by step.
-#include "core/device/robot_preparation.h"
+#include "core/device/robot/robot_preparation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The motions behind the devices page's test buttons, and what becomes of a camera's controls.
-#include "core/device/test_motion.h"
+// The motions behind the test buttons of the place "Devices", and the setting of a camera's controls.
+#include "core/device/touchpad/test_motion.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/videoio.hpp>
 
-#include "core/device/camera_controls.h"
+#include "core/device/camera/camera_controls.h"
 
 namespace fyd::device {
 namespace {

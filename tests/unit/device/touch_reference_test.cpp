@@ -1,5 +1,5 @@
-// The target that touches give an arm; the finger's motions here are formulas of the test's own.
-#include "core/device/touch_reference.h"
+// The arm's target from touch messages; the test's own formulas give the finger's motion.
+#include "core/device/robot/touch_reference.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/device/motion_limiter.h"
+#include "core/device/robot/motion_limiter.h"
 
 namespace fyd::device {
 namespace {

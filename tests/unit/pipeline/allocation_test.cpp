@@ -1,7 +1,7 @@
 // The step allocates nothing after its construction: counted at operator new.
 #include <gtest/gtest.h>
 
-#include "app/cli/bench/allocation_count.h"
+#include "app/bench/parts/allocation_count.h"
 #include "core/pipeline/pipeline.h"
 
 namespace fyd::pipeline {

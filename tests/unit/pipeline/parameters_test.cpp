@@ -1,4 +1,4 @@
-// What describe() says of each of the step's parameters is all that a window and the manual have.
+// The descriptions of the step's parameters, from which window and manual take everything, are complete.
 #include "core/pipeline/parameters.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// The safety states: every entry of the transition table, and the causes of Held.
 #include "core/pipeline/safety.h"
 
 #include <gtest/gtest.h>
@@ -50,30 +51,30 @@ TEST(Safety, HeldRemembersTheFirstCause) {
   for (const auto event : {SafetyEvent::devices_live, SafetyEvent::inputs_complete, SafetyEvent::arm})
     safety.apply(event);
   ASSERT_EQ(safety.state(), active);
-  safety.apply(SafetyEvent::fault, Lack::robot_lost);
-  safety.apply(SafetyEvent::fault, Lack::ir_stale);
+  safety.apply(SafetyEvent::fault, Fault::robot_lost);
+  safety.apply(SafetyEvent::fault, Fault::ir_stale);
   EXPECT_EQ(safety.state(), held);
-  EXPECT_EQ(safety.heldBecause(), Lack::robot_lost);
+  EXPECT_EQ(safety.heldBecause(), Fault::robot_lost);
   safety.apply(SafetyEvent::arm);
-  EXPECT_EQ(safety.heldBecause(), Lack::none);
+  EXPECT_EQ(safety.heldBecause(), Fault::none);
 }
 
-TEST(Safety, EveryLackSaysWhatAndWhatToDo) {
-  for (const LackInfo& info : lacksByUrgency()) {
-    const auto number = static_cast<int>(info.lack);
-    EXPECT_NE(info.lack, Lack::none);
-    EXPECT_LT(static_cast<std::size_t>(number), kLackCount);
+TEST(Safety, EveryFaultSaysWhatAndWhatToDo) {
+  for (const FaultInfo& info : faultsByUrgency()) {
+    const auto number = static_cast<int>(info.fault);
+    EXPECT_NE(info.fault, Fault::none);
+    EXPECT_LT(static_cast<std::size_t>(number), kFaultCount);
     EXPECT_FALSE(info.what.empty() || info.what.ends_with('.')) << number;
     EXPECT_TRUE(info.remedy.ends_with('.')) << number;
     EXPECT_EQ(info.part == Part::none, info.need == Need::rendering)
         << number << ": what is needed has a line to be in";
-    EXPECT_EQ(toString(info.lack), info.what);
+    EXPECT_EQ(toString(info.fault), info.what);
   }
-  EXPECT_EQ(toString(static_cast<Lack>(200)), "a reason that this program does not know");
-  EXPECT_EQ(toString(Lack::none), "nothing missing");
+  EXPECT_EQ(toString(static_cast<Fault>(200)), "a reason that this program does not know");
+  EXPECT_EQ(toString(Fault::none), "nothing missing");
 }
 
-TEST(Safety, TheNumbersOfLacksInFilesStay) {
+TEST(Safety, TheNumbersOfFaultsInFilesStay) {
   // As written by the program that gave them numbers; a new one is added here and never changed.
   const std::map<int, std::string_view> words{
       {1, "the haptic loop stood still for more than 20 ms"},
@@ -91,7 +92,7 @@ TEST(Safety, TheNumbersOfLacksInFilesStay) {
       {13, "the robot's stiffness is not a number"},
       {14, "no stiffness target"},
       {15, "the window did not answer for half a second"}};
-  for (const auto& [number, what] : words) EXPECT_EQ(toString(static_cast<Lack>(number)), what);
+  for (const auto& [number, what] : words) EXPECT_EQ(toString(static_cast<Fault>(number)), what);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// The touch motion sent to the robot: relative and absolute, workspace and speed limits, non-finite inputs.
 #include "core/pipeline/touch_motion.h"
 
 #include <limits>

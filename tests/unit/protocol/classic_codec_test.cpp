@@ -1,5 +1,5 @@
 // Expected bytes are written by hand from the layouts, never by the code under test.
-#include "core/protocol/classic_codec.h"
+#include "core/protocol/classic/classic_codec.h"
 
 #include <gtest/gtest.h>
 
@@ -131,7 +131,7 @@ TEST(ClassicAck, IsThreeLettersAndNuls) {
   EXPECT_FALSE(isAck(bytes(padded("ACK", 63))));
 }
 
-TEST(ClassicInfo, IsWrittenByteForByte) {
+TEST(TouchpadInfo, IsWrittenByteForByte) {
   EXPECT_EQ(text(encodeInfoLength(87)), "00087");
   EXPECT_EQ(text(encodeInfoLength(99999)), "01209");
   EXPECT_EQ(text(encodeInfoValues({.k_vib = 1.3, .reference_ticks = {4200.0, -4199.6}})), "^013^0'04200^1'04200");

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli/bench/allocation_count.h"
-#include "core/protocol/classic_robot_end.h"
-#include "core/protocol/classic_touchpad_end.h"
+#include "app/bench/parts/allocation_count.h"
+#include "core/protocol/classic/classic_robot_end.h"
+#include "core/protocol/classic/classic_touchpad_end.h"
 #include "core/protocol/touch_mapping.h"
 
 namespace fyd::protocol {

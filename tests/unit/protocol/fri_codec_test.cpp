@@ -1,4 +1,4 @@
-// FRI's layout against offsets and byte patterns worked out by hand from the fact sheet, not by the code under test.
+// FRI's layout against offsets and byte patterns worked out by hand from [KUKA FRI], not by the code under test.
 #include "core/protocol/fri_codec.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "app/cli/bench/allocation_count.h"
+#include "app/bench/parts/allocation_count.h"
 
 namespace fyd::protocol {
 namespace {

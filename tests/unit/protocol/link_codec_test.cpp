@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "core/protocol/link_codec.h"
-#include "core/protocol/message_budget.h"
+#include "core/protocol/link/link_codec.h"
+#include "core/protocol/link/message_budget.h"
 #include "tests/unit/protocol/link_pair.h"
 
 namespace fyd::protocol {

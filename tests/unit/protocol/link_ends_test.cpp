@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/bench/allocation_count.h"
+#include "app/bench/parts/allocation_count.h"
 #include "core/protocol/link_phase.h"
 #include "tests/unit/protocol/link_pair.h"
 

@@ -1,4 +1,4 @@
-// Both ends of FYD Link over a network made of chance, in virtual time.
+// Both ends of FYD Link over a random simulated network, in virtual time.
 #pragma once
 
 #include <cstring>
@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "core/protocol/link_robot_end.h"
-#include "core/protocol/link_touchpad_end.h"
+#include "core/protocol/link/link_robot_end.h"
+#include "core/protocol/link/link_touchpad_end.h"
 
 namespace fyd::protocol {
 
@@ -46,7 +46,7 @@ inline LinkKey testKey(std::uint8_t first = 0) {
   return LinkKey::fromCode(code);
 }
 
-// Random bytes that are the same in every run; never the same twice.
+// Random bytes from a fixed seed: the same in every run, different in every call.
 inline void seededRandom(std::span<std::uint8_t> out) {
   static std::mt19937_64 generator(7);
   for (auto& byte : out) byte = static_cast<std::uint8_t>(generator());
@@ -58,7 +58,7 @@ inline Endpoint linkAddress(int host, int port = 4490) {
 
 struct Weather {
   double delay_ms = 1.0;
-  double jitter_ms = 0.0;  ///< added, evenly from 0
+  double jitter_ms = 0.0;  ///< additional delay, uniform from 0 to this
   double loss = 0.0;
   double reorder = 0.0;  ///< share of datagrams held back by 30 ms
   double duplicate = 0.0;
@@ -109,12 +109,12 @@ class LinkPair {
 
   Weather weather;
   Instant now = instantAt(1000.0);
-  Duration robot_clock = std::chrono::seconds(5000);  // what its clock says more
+  Duration robot_clock = std::chrono::seconds(5000);  // offset of its clock
   Duration touchpad_clock{};
   bool robot_alive = true;
   bool touchpad_alive = true;
   bool cut = false;      // nothing arrives
-  bool stalled = false;  // what is sent waits
+  bool stalled = false;  // sent messages wait
   LinkTouchpadEnd touchpad;
   LinkRobotEnd robot;
   TouchpadAnswer answer;
@@ -122,7 +122,7 @@ class LinkPair {
   std::function<void()> on_step;
   std::function<void(const Packet&, const Endpoint&)> on_sent;  // bytes and their sender
 
-  std::vector<pipeline::AccelerationSample> samples;
+  std::vector<texture::AccelerationSample> samples;
   std::vector<pipeline::RobotCommand> commands;
   std::vector<pipeline::RobotMotorReference> references;
   std::uint64_t states = 0;

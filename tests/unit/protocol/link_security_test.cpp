@@ -1,4 +1,4 @@
-// Keys, handshake and sealed channel: the published bytes, and everything an enemy may try.
+// Keys, handshake and sealed channel: the published bytes, and attacks on them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -6,8 +6,8 @@
 
 #include <sys/stat.h>
 
-#include "app/cli/bench/allocation_count.h"
-#include "core/protocol/link_key_file.h"
+#include "app/bench/parts/allocation_count.h"
+#include "core/protocol/link/link_key_file.h"
 #include "tests/unit/protocol/link_pair.h"
 
 namespace fyd::protocol {

@@ -1,4 +1,4 @@
-// The motor board's frames against those recorded from its maker's own program (fact sheet of the protocol).
+// The motor board's frames against those recorded from its maker's own program.
 #include "core/protocol/qbmove_codec.h"
 
 #include <random>

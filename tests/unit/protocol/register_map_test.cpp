@@ -1,5 +1,6 @@
-// The register map: its own consistency, blocks written and read by hand-made registers, the motors' state machine.
-#include "core/protocol/register_codec.h"
+// The register map: its own consistency, blocks written to and read from hand-made registers, the motors' state
+// machine.
+#include "core/protocol/registers/register_codec.h"
 
 #include <bit>
 #include <limits>
@@ -8,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/protocol/drive_state.h"
+#include "core/protocol/registers/drive_state.h"
 
 namespace fyd::protocol {
 namespace {
@@ -108,7 +109,8 @@ TEST(RegisterCodec, NamesWhatIsWrongWithABlock) {
 TEST(RegisterCodec, WhatIsWrongIsSaidWithItsValue) {
   DeviceState state;
   state.temperature_degC = {3276.7, 23.0};
-  EXPECT_EQ(describe(StateProblem::bad_temperature, state).text(), "motor temperatures 3276.7, 23.0 °C, expected -40 to 200");
+  EXPECT_EQ(describe(StateProblem::bad_temperature, state).text(),
+            "motor temperatures 3276.7, 23.0 °C, expected -40 to 200");
   state.motors.current_mA = {32767.0, -5.0};
   EXPECT_EQ(describe(StateProblem::bad_current, state).text(), "motor currents 32767, -5 mA, expected -10000 to 10000");
 }

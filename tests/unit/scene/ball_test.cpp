@@ -1,5 +1,5 @@
-// Ball and racket: what each hard case gives. Flights and bounces against closed forms: tests/numerics/scene.
-#include "core/scene/ball.h"
+// Ball and racket: hard cases. Flights and bounces against closed forms: tests/numerics/scene.
+#include "core/scene/gesture/ball.h"
 
 #include <cmath>
 #include <limits>

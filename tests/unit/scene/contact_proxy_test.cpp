@@ -1,3 +1,4 @@
+// The proxy contact model: finite radius, edges and corners, friction, fast and random probe paths.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,4 +1,5 @@
-#include "core/scene/contact.h"
+// Properties that every contact model must have: force law, damping, units, degenerate triangles, reach.
+#include "core/scene/contact/contact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A scene as it is felt: its copies, its texture, and what of it is shown.
+// A scene in the step: its copies, its texture, and its state for display.
 #include "core/scene/felt_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The scenes that come with the program: each names every parameter of its gesture, as the one description has it.
+// The scenes that come with the program: each names every parameter of its gesture, as described.
 #include <fstream>
 #include <sstream>
 #include <string>

@@ -1,4 +1,4 @@
-// Scenes for tests without files.
+// Builds scenes for tests without files.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,5 @@
-#include "core/scene/mesh.h"
+// Meshes: volume, repair of defects and their counts, holes, empty meshes.
+#include "core/scene/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 

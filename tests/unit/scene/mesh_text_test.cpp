@@ -1,4 +1,5 @@
-#include "core/scene/mesh_text.h"
+// Mesh files: OBJ, STL and PLY, units, number formats, refusal of invalid files.
+#include "core/scene/mesh/mesh_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The probe on a soft abdomen: the force along the normal, and against a hand that is too fast.
-#include "core/scene/palpation.h"
+// The probe on a soft abdomen: the force along the normal, and the damping of a hand that is too fast.
+#include "core/scene/gesture/palpation.h"
 
 #include <cmath>
 #include <limits>

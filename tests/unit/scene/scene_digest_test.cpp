@@ -1,4 +1,4 @@
-// Two copies of a scene have the same digest where they feel the same, and only there.
+// Two copies of a scene have the same digest exactly when they give the same forces.
 #include "core/scene/scene_digest.h"
 
 #include <gtest/gtest.h>

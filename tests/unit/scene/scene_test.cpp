@@ -1,3 +1,4 @@
+// Scenes of several bodies: placement, rotation, sleeping bodies, proxies, bit-exact repetition.
 #include "core/scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "core/scene/vector.h"
+#include "core/scene/mesh/vector.h"
 #include "tests/unit/scene/shapes.h"
 
 namespace fyd::scene {

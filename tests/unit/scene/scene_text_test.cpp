@@ -1,3 +1,4 @@
+// Scene files: the smallest scene, defaults, errors with line and expected value.
 #include <gtest/gtest.h>
 
 #include "core/scene/scene_description.h"

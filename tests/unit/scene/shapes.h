@@ -5,8 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/scene/mesh.h"
-#include "core/scene/vector.h"
+#include "core/scene/mesh/mesh.h"
+#include "core/scene/mesh/vector.h"
 
 namespace fyd::scene::shapes {
 
@@ -16,7 +16,7 @@ inline Mesh built(TriangleSoup soup) {
   return std::move(*mesh);
 }
 
-/// Corners at ± half, turned by nothing. @param scale of all lengths
+/// Axis-aligned box with corners at ± half.
 inline TriangleSoup box(double half_x, double half_y, double half_z) {
   TriangleSoup soup;
   for (int i = 0; i < 8; ++i) {

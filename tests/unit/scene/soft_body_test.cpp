@@ -1,4 +1,5 @@
-#include "core/scene/soft_body.h"
+// Soft bodies: refused settings, sleeping, energy balance, bit-exact repetition, allocation, reach.
+#include "core/scene/soft/soft_body.h"
 
 #include <atomic>
 #include <chrono>
@@ -7,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/bench/allocation_count.h"
+#include "app/bench/parts/allocation_count.h"
 #include "core/base/latest_value.h"
-#include "core/scene/vector.h"
+#include "core/scene/mesh/vector.h"
 #include "soft_sheet.h"
 
 namespace fyd::scene {

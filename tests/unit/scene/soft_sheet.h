@@ -3,11 +3,11 @@
 
 #include <random>
 
-#include "core/scene/soft_body.h"
+#include "core/scene/soft/soft_body.h"
 
 namespace fyd::scene {
 
-/// Square, in z = 0, of that side, with the middle in the origin; diagonals turn by turn.
+/// Square in z = 0, centred on the origin, with alternating diagonals.
 inline Mesh sheet(int cells, double side_mm) {
   TriangleSoup soup;
   for (int j = 0; j <= cells; ++j) {

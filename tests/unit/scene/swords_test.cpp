@@ -1,5 +1,5 @@
-// Two swords: what each hard case gives. The truth of motions and energies: tests/numerics/scene/swords_truth_test.cpp.
-#include "core/scene/swords.h"
+// Two swords: hard cases. Motions and energies against reference solutions: tests/numerics/scene/swords_truth_test.cpp.
+#include "core/scene/gesture/swords.h"
 
 #include <cmath>
 #include <limits>

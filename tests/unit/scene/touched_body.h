@@ -1,7 +1,7 @@
-// A mesh with its tree and contact, for tests.
+// A mesh with its search tree and contact model, for tests.
 #pragma once
 
-#include "core/scene/contact.h"
+#include "core/scene/contact/contact.h"
 #include "tests/unit/scene/shapes.h"
 
 namespace fyd::scene {

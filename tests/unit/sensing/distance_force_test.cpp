@@ -3,7 +3,7 @@
 #include <limits>
 #include <random>
 
-#include "core/sensing/fabric_plane.h"
+#include "core/sensing/cloth_plane.h"
 #include "core/sensing/ir_distance.h"
 #include "core/sensing/load_cell.h"
 #include "core/sensing/membrane.h"
@@ -78,8 +78,8 @@ TEST(IrDistance, AnInverseFormThatIsNoneReadsNothing) {
   EXPECT_NEAR(IrDistance({}, 524, 3408, IrCurveForm::inverse).read(1241).distance_mm, 128.629, 1e-2);  // thesis
 }
 
-TEST(FabricPlane, EqualsThePrintedFormulaForTheThesisSensors) {
-  FabricPlane plane;
+TEST(ClothPlane, EqualsThePrintedFormulaForTheThesisSensors) {
+  ClothPlane plane;
   ASSERT_TRUE(plane.solve(kThesisSensors, 0b111, 20));
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-50, 50);
@@ -92,8 +92,8 @@ TEST(FabricPlane, EqualsThePrintedFormulaForTheThesisSensors) {
   EXPECT_NEAR(thesisPlane(1, 2, 3, 11, 9), 2.5, 1e-12);
 }
 
-TEST(FabricPlane, HasTheStatedNoiseGains) {
-  FabricPlane plane;
+TEST(ClothPlane, HasTheStatedNoiseGains) {
+  ClothPlane plane;
   ASSERT_TRUE(plane.solve(kThesisSensors, 0b111, 20));
   EXPECT_NEAR(plane.weightsAt(0, 0).noise_gain, 0.644, 0.001);
   EXPECT_NEAR(plane.weightsAt(22, -3).noise_gain, 1.0, 1e-12);
@@ -102,9 +102,9 @@ TEST(FabricPlane, HasTheStatedNoiseGains) {
   EXPECT_NEAR(plane.conditionNumber(), 1.2702, 1e-4);
 }
 
-TEST(FabricPlane, FitsFourSensorsByLeastSquares) {
+TEST(ClothPlane, FitsFourSensorsByLeastSquares) {
   const std::array<SensorPosition, 4> square = {{{-10, -10}, {10, -10}, {10, 10}, {-10, 10}}};
-  FabricPlane plane;
+  ClothPlane plane;
   ASSERT_TRUE(plane.solve(square, 0b1111, 20));
   EXPECT_NEAR(plane.conditionNumber(), 1.0, 1e-12);
   // One corner lifted by 4: mean 1, slopes 4/40 each way; at that corner 1 + 1 + 1 = 3.
@@ -112,8 +112,8 @@ TEST(FabricPlane, FitsFourSensorsByLeastSquares) {
   EXPECT_NEAR(4 * w.weight[2], 3.0, 1e-12);
 }
 
-TEST(FabricPlane, RefusesTooFewAndNearlyCollinearSensors) {
-  FabricPlane plane;
+TEST(ClothPlane, RefusesTooFewAndNearlyCollinearSensors) {
+  ClothPlane plane;
   EXPECT_FALSE(plane.solve(kThesisSensors, 0b011, 20));
   EXPECT_TRUE(std::isinf(plane.conditionNumber()));
   const std::array<SensorPosition, 3> line = {{{-20, 0}, {0, 0}, {20, 0}}};

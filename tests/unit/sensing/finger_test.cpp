@@ -1,4 +1,4 @@
-// The finger detector: the printed algorithm by hand, and what the adaptive one says of each kind of picture.
+// The finger detector: the printed algorithm by hand, and the adaptive one on each kind of picture.
 #include <algorithm>
 #include <numbers>
 #include <random>

@@ -1,4 +1,4 @@
-// Indentation through the force, on a pressed membrane with the sensors' real rates and noise.
+// Indentation with help of the measured force, on a pressed membrane with the sensors' real rates and noise.
 #include <cmath>
 #include <functional>
 #include <limits>

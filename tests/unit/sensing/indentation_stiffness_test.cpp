@@ -1,9 +1,9 @@
-// Indentation, tare and stiffness in ordinary use. Truth comes from app/cli/bench/pressed_cloth.h.
+// Indentation, tare and stiffness in ordinary use. Truth comes from app/bench/parts/pressed_cloth.h.
 #include <array>
 #include <limits>
 #include <random>
 
-#include "app/cli/bench/pressed_cloth.h"
+#include "app/bench/parts/pressed_cloth.h"
 #include "core/sensing/indentation.h"
 #include "core/sensing/stiffness_estimator.h"
 #include "core/sensing/tare.h"

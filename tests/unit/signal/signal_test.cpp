@@ -1,3 +1,4 @@
+// High-pass filters, FFT, Welch spectra and resonator against their definitions and closed forms.
 #include <complex>
 #include <numbers>
 #include <random>

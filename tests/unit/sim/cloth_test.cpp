@@ -1,6 +1,6 @@
 // The simulated cloths against the finite elements they were tabulated from (resources/cloths), at places, depths and
-// stretches between the tables' nodes; and what any cloth must do.
-#include "core/sim/cloth.h"
+// stretches between the tables' nodes; and properties of any cloth.
+#include "core/sim/cloth/cloth.h"
 
 #include <array>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/csv.h"
-#include "core/sim/cloth_tables.h"
-#include "core/sim/picture.h"
-#include "core/sim/touchpad_world.h"
+#include "core/sim/cloth/cloth_tables.h"
+#include "core/sim/touchpad/picture.h"
+#include "core/sim/touchpad/touchpad_world.h"
 
 namespace fyd::sim {
 namespace {
@@ -125,7 +125,7 @@ TEST(Cloth, EachClothAndFingerIsItsOwn) {
 TEST(Cloth, SlackensToAThirdAndNoFurther) {
   for (const ClothKind kind : {ClothKind::ideal, ClothKind::membrane}) {
     SimParameters parameters = of(kind);
-    parameters.fabric_slackens_percent_per_min = 60;
+    parameters.cloth_slackens_percent_per_min = 60;
     Cloth cloth(parameters);
     const double before = cloth.press(45, at(0, 0, 3), 1e-3).force_N;
     EXPECT_NEAR(cloth.press(45, at(0, 0, 3), 20.0).force_N, 0.8 * before, 1e-3 * before);
@@ -186,7 +186,7 @@ TEST(Cloth, WithoutAFingerItIsTheReferenceAndNothingPresses) {
 TEST(Cloth, ViscosityAddsOnTheWayDownAndTakesOnTheWayUpAndNothingToAHeldFinger) {
   for (const ClothKind kind : {ClothKind::ideal, ClothKind::membrane}) {
     SimParameters parameters = of(kind);
-    parameters.fabric_viscosity_ms = 20.0;
+    parameters.cloth_viscosity_ms = 20.0;
     Cloth viscous(parameters), plain(of(kind));
     const auto both = [&](double depth) {
       return std::pair{viscous.press(45, at(0, 0, depth), 1e-3).force_N,

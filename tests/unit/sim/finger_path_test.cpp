@@ -1,3 +1,4 @@
+// Paths of the simulated finger: recorded hands, demonstration, constant press.
 #include "core/sim/finger_path.h"
 
 #include <filesystem>

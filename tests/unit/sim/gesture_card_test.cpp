@@ -1,3 +1,4 @@
+// Gesture cards: reading, writing, trimming, refusal with line, playing through the whole chain.
 #include "core/sim/gesture_card.h"
 
 #include <gmock/gmock.h>
@@ -8,7 +9,7 @@
 #include <fstream>
 #include <limits>
 
-#include "core/sim/lockstep.h"
+#include "core/sim/touchpad/lockstep.h"
 
 namespace fyd::sim {
 namespace {

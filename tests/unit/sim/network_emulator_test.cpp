@@ -1,5 +1,5 @@
-// A path's delay, loss, order and line against shares and times worked out by hand.
-#include "core/sim/network_emulator.h"
+// A path's delay, loss, reordering and line rate against shares and times worked out by hand.
+#include "core/sim/network/network_emulator.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,12 @@
-#include "core/sim/picture.h"
+// The simulated camera: geometry, lighting, noise and timing of its pictures.
+#include "core/sim/touchpad/picture.h"
 
 #include <thread>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "core/sim/simulated_camera.h"
+#include "core/sim/touchpad/simulated_camera.h"
 
 namespace fyd::sim {
 namespace {
@@ -34,7 +35,7 @@ struct ThesisFinger {
   double y_mm = 0.0;
 };
 
-/// The printed detector, call by call (thesis §4.1.1), with one scale for each axis.
+/// The printed detector, call by call [thesis §4.1.1], with one scale for each axis.
 ThesisFinger thesisDetector(const cv::Mat& picture) {
   cv::Mat small;
   cv::resize(picture(cv::Rect(40, 45, 220, 150)), small, {160, 120});

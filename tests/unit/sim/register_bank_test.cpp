@@ -1,11 +1,11 @@
 // The simulated touchpad's firmware in virtual time: watchdog, thermal limit, masters, batches, faults.
-#include "core/sim/register_bank.h"
+#include "core/sim/server/register_bank.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/sim/motor_board.h"
-#include "core/sim/touchpad_electronics.h"
+#include "core/sim/server/motor_board.h"
+#include "core/sim/server/touchpad_electronics.h"
 
 namespace fyd::sim {
 namespace {

@@ -1,4 +1,5 @@
-#include "core/sim/robot_arm.h"
+// The simulated robot arm: contact force, workspace and speed limits, accelerometer.
+#include "core/sim/robot/robot_arm.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
-#include "core/sim/touchpad_world.h"
+// The simulated touchpad: cloth law, motors, sensors, sampling rates and delays.
+#include "core/sim/touchpad/touchpad_world.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/sensing/membrane.h"
-#include "core/sim/ir_sensor.h"
-#include "core/sim/simulated_touchpad.h"
+#include "core/sim/touchpad/ir_sensor.h"
+#include "core/sim/touchpad/simulated_touchpad.h"
 
 namespace fyd::sim {
 namespace {
@@ -34,40 +35,40 @@ void runMs(TouchpadWorld& world, Instant& now, int ms) {
   for (int i = 0; i < ms; ++i) world.advanceTo(now += 1ms);
 }
 
-TEST(Fabric, PassesThroughTheFourMeasuredPointsAndRisesBetweenAndBeyond) {
-  EXPECT_DOUBLE_EQ(fabricStiffness(20), 0.501);
-  EXPECT_DOUBLE_EQ(fabricStiffness(45), 0.550);
-  EXPECT_DOUBLE_EQ(fabricStiffness(60), 0.673);
-  EXPECT_DOUBLE_EQ(fabricStiffness(90), 0.715);
-  EXPECT_NEAR(fabricStiffness(0), 0.501 - 20 * 0.049 / 25, 1e-12);
-  EXPECT_NEAR(fabricStiffness(120), 0.757, 1e-12);
+TEST(IdealCloth, PassesThroughTheFourMeasuredPointsAndRisesBetweenAndBeyond) {
+  EXPECT_DOUBLE_EQ(nominalStiffness(20), 0.501);
+  EXPECT_DOUBLE_EQ(nominalStiffness(45), 0.550);
+  EXPECT_DOUBLE_EQ(nominalStiffness(60), 0.673);
+  EXPECT_DOUBLE_EQ(nominalStiffness(90), 0.715);
+  EXPECT_NEAR(nominalStiffness(0), 0.501 - 20 * 0.049 / 25, 1e-12);
+  EXPECT_NEAR(nominalStiffness(120), 0.757, 1e-12);
   for (double angle = 0.0; angle < 120.0; angle += 0.01) {
-    ASSERT_GT(fabricStiffness(angle + 0.01), fabricStiffness(angle)) << angle;
-    ASSERT_NEAR(fabricAngle(fabricStiffness(angle)), angle, 1e-9);
+    ASSERT_GT(nominalStiffness(angle + 0.01), nominalStiffness(angle)) << angle;
+    ASSERT_NEAR(nominalAngle(nominalStiffness(angle)), angle, 1e-9);
   }
 }
 
-TEST(Fabric, BeyondItsEndsAndForNaNGivesItsEndsAndItsRest) {
-  EXPECT_EQ(fabricStiffness(-1e300), fabricStiffness(0));
-  EXPECT_EQ(fabricStiffness(INFINITY), fabricStiffness(120));
-  EXPECT_EQ(fabricStiffness(NAN), 0.501);
-  EXPECT_EQ(fabricAngle(0.0), 0.0);
-  EXPECT_EQ(fabricAngle(9.0), 120.0);
-  EXPECT_EQ(fabricAngle(NAN), 20.0);
+TEST(IdealCloth, BeyondItsEndsAndForNaNGivesItsEndsAndItsRest) {
+  EXPECT_EQ(nominalStiffness(-1e300), nominalStiffness(0));
+  EXPECT_EQ(nominalStiffness(INFINITY), nominalStiffness(120));
+  EXPECT_EQ(nominalStiffness(NAN), 0.501);
+  EXPECT_EQ(nominalAngle(0.0), 0.0);
+  EXPECT_EQ(nominalAngle(9.0), 120.0);
+  EXPECT_EQ(nominalAngle(NAN), 20.0);
 }
 
-TEST(Fabric, HysteresisOpensALoopAroundTheMeanLine) {
-  Fabric fabric(1.2, 0.1);
+TEST(IdealCloth, HysteresisOpensALoopAroundTheMeanLine) {
+  IdealCloth cloth(1.2, 0.1);
   double down = 0.0;
-  for (double depth = 0.0; depth <= 4.0; depth += 0.1) down = fabric.press(20.0, 4.0 < depth ? 4.0 : depth);
-  down = fabric.press(20.0, 4.0);
+  for (double depth = 0.0; depth <= 4.0; depth += 0.1) down = cloth.press(20.0, 4.0 < depth ? 4.0 : depth);
+  down = cloth.press(20.0, 4.0);
   EXPECT_NEAR(down, 1.2 * 0.501 * 4.0 * 1.1, 1e-9);
-  EXPECT_NEAR(fabric.press(20.0, 3.7), 1.2 * 0.501 * 3.7, 1e-9) << "0.3 mm back: on the mean line";
-  EXPECT_NEAR(fabric.press(20.0, 3.0), 1.2 * 0.501 * 3.0 * 0.9, 1e-9);
-  EXPECT_EQ(fabric.press(20.0, 0.0), 0.0);
-  EXPECT_EQ(fabric.press(20.0, NAN), 0.0);
-  EXPECT_EQ(fabric.press(20.0, -1.0), 0.0);
-  EXPECT_DOUBLE_EQ(fabric.stiffness(20.0), 1.2 * 0.501) << "the truth has no hysteresis";
+  EXPECT_NEAR(cloth.press(20.0, 3.7), 1.2 * 0.501 * 3.7, 1e-9) << "0.3 mm back: on the mean line";
+  EXPECT_NEAR(cloth.press(20.0, 3.0), 1.2 * 0.501 * 3.0 * 0.9, 1e-9);
+  EXPECT_EQ(cloth.press(20.0, 0.0), 0.0);
+  EXPECT_EQ(cloth.press(20.0, NAN), 0.0);
+  EXPECT_EQ(cloth.press(20.0, -1.0), 0.0);
+  EXPECT_DOUBLE_EQ(cloth.stiffness(20.0), 1.2 * 0.501) << "the truth has no hysteresis";
 }
 
 TEST(Motor, ReachesItsReferenceAtTheSpeedLimitAndNoFaster) {
@@ -265,7 +266,7 @@ TEST(TouchpadWorld, AMouseMovesTheFingerUntilItLetsGo) {
 TEST(TouchpadWorld, SpreadNoiseAndOffsetShowInTheReadings) {
   SimParameters parameters;
   parameters.cloth = ClothKind::ideal;
-  parameters.fabric_stiffness_scale = 0.7;
+  parameters.cloth_stiffness_scale = 0.7;
   parameters.bridge_offset_mV_per_V = 0.05;
   TouchpadWorld world(parameters, FingerPath::constant(0.0, 0.0, 5.0), kStart);
   Instant now = kStart;

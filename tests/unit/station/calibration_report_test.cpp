@@ -1,10 +1,10 @@
-// What a calibration's report says: before and after, refused and checked, and which record is the one before.
-#include "core/station/calibration_report.h"
+// The calibration report: values before and after, refused fits and checks, and the choice of the former record.
+#include "core/station/profile/calibration_report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/session/report.h"
+#include "core/report/report.h"
 
 namespace fyd::station {
 namespace {
@@ -45,13 +45,13 @@ TEST(CalibrationReport, ShowsBothWithEveryValueAndTheResiduals) {
       gatherCalibrationReport({.record = record("load-cell", 0, "Bo"), .outliers = {1}}, &former, "lab.toml");
   EXPECT_EQ(content.strips.size(), 2U);
   ASSERT_EQ(content.tables.size(), 3U);
-  const auto html = session::reportHtml(content);
+  const auto html = report::reportHtml(content);
   ASSERT_TRUE(html);
   for (const char* words : {"Ada", "Bo", "999", "1004.88", "0.0123 N", "lab.toml", "the others contradict it"}) {
     EXPECT_THAT(*html, HasSubstr(words));
   }
   EXPECT_THAT(*html, Not(HasSubstr("nan")));
-  const auto pdf = session::reportPdf(content);
+  const auto pdf = report::reportPdf(content);
   ASSERT_TRUE(pdf);
   EXPECT_THAT(*pdf, HasSubstr("%PDF"));
 }
@@ -63,7 +63,7 @@ TEST(CalibrationReport, ARefusedFitAndACheckSayWhyNothingChanges) {
   const auto content = gatherCalibrationReport({.record = refused, .accepted = false}, nullptr, "");
   EXPECT_THAT(content.strips, IsEmpty());
   EXPECT_THAT(content.tables[1].remark, HasSubstr("stay as they were"));
-  EXPECT_TRUE(session::reportPdf(content));
+  EXPECT_TRUE(report::reportPdf(content));
   EXPECT_THAT(gatherCalibrationReport({.record = refused}, nullptr, "").tables[1].remark,
               HasSubstr("changes no value"));
 }

@@ -1,4 +1,4 @@
-// The camera's thread with a camera that a test makes up.
+// The camera thread with a fake camera.
 #include "core/station/camera_thread.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The test buttons' runner, in virtual time: what lets a test begin, and everything that ends it.
+// DeviceTestRunner in virtual time: conditions for starting a test, and everything that ends it.
 #include "core/station/device_test.h"
 
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@ namespace fyd::station {
 namespace {
 
 using device::DeviceTest;
-using pipeline::Lack;
+using pipeline::Fault;
 using pipeline::OperatorAction;
 using pipeline::SafetyState;
 using testing::HasSubstr;
@@ -26,7 +26,7 @@ struct Loop {
   bool step() {
     inputs.now += kStep;
     if (encoders_answer) inputs.motors.set({.encoder_counts = counts}, inputs.now);
-    outputs.lacks.set(static_cast<std::size_t>(Lack::motors_stale), !encoders_answer);
+    outputs.faults.set(static_cast<std::size_t>(Fault::motors_stale), !encoders_answer);
     if (held) runner.keep(inputs.now);
     const auto command = runner.step(inputs, outputs, parameters);
     inputs.commands.clear();
@@ -217,7 +217,7 @@ TEST(DeviceTestRunner, AChirpIsSeenAtOneKilohertzThoughAccelerationsComeLateAndS
   Loop loop;
   loop.parameters.travel_minimum_deg = 0.0;
   ASSERT_TRUE(loop.press(DeviceTest::chirp, 30.0));
-  std::vector<pipeline::AccelerationSample> waiting;
+  std::vector<texture::AccelerationSample> waiting;
   std::vector<texture::SweepRow> rows;
   for (int n = 0; n < 20'000; ++n) {
     const Instant now = loop.inputs.now + kStep;

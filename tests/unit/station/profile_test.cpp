@@ -1,4 +1,5 @@
-#include "core/station/profile.h"
+// Profile files: round trip, atomic saving, refusal of incomplete or huge files.
+#include "core/station/profile/profile.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -121,7 +122,7 @@ TEST_F(ProfileFile, AnEnormousFileIsRefusedUnread) {
   std::filesystem::resize_file(path(), 8ULL << 30);
   const auto read = loadProfile(path());
   ASSERT_FALSE(read);
-  EXPECT_THAT(read.error().text(), testing::HasSubstr("a profile has at most"));
+  EXPECT_THAT(read.error().text(), testing::HasSubstr("expected at most"));
 }
 
 TEST(Profile, EveryParameterIsDescribedOnceAndItsDefaultIsAllowed) {

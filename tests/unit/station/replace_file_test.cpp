@@ -1,5 +1,5 @@
-// A file is replaced whole, by a regular file only: links stay links, mode and owner stay, devices and pipes stay.
-#include "core/station/replace_file.h"
+// Files are replaced atomically, regular files only: links, mode, owner, devices and pipes stay.
+#include "core/station/profile/replace_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Presets: what is saved comes back, what is bad changes nothing and says where, names cannot leave the folder.
-#include "core/station/tuning_presets.h"
+#include "core/station/profile/tuning_presets.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// The watch on the window's heartbeat: when a silence is reported.
 #include "core/station/window_watch.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
-#include "core/teleop/coupling.h"
+// Couplings of two devices: passivity, peers that send wrong values, the surface estimator.
+#include "core/teleop/coupling/coupling.h"
+#include "core/teleop/coupling/coupling_choice.h"
 
 #include <cmath>
 #include <limits>
@@ -6,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/teleop/model_coupling.h"
-#include "core/teleop/spring_coupling.h"
-#include "core/teleop/surface_estimator.h"
+#include "core/teleop/coupling/model_coupling.h"
+#include "core/teleop/coupling/spring_coupling.h"
+#include "core/teleop/coupling/surface_estimator.h"
 
 namespace fyd::teleop {
 namespace {

@@ -1,4 +1,5 @@
-#include "core/teleop/gesture_filter.h"
+// The filters before sending and after receiving a motion: attenuation, delay, order of messages.
+#include "core/teleop/prediction/gesture_filter.h"
 
 #include <cmath>
 #include <limits>

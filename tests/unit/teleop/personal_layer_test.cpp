@@ -1,4 +1,5 @@
-#include "core/teleop/personal_layer.h"
+// The personal layer of the predictor: learning of a hand's deviations, and their weight.
+#include "core/teleop/prediction/personal_layer.h"
 
 #include <cmath>
 #include <limits>
@@ -6,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/teleop/trust.h"
+#include "core/teleop/prediction/trust.h"
 
 namespace fyd::teleop {
 namespace {

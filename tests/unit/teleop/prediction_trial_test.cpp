@@ -1,4 +1,5 @@
-#include "core/teleop/prediction_trial.h"
+// The prediction trial: simulated network, error figures, smoothing of the output.
+#include "core/teleop/prediction/prediction_trial.h"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/teleop/smooth_output.h"
+#include "core/teleop/prediction/predictor_choice.h"
+#include "core/teleop/prediction/smooth_output.h"
 
 namespace fyd::teleop {
 namespace {

@@ -1,4 +1,6 @@
-#include "core/teleop/predictor.h"
+// Predictors: the published formulas, properties that all must have, the default one on hard inputs.
+#include "core/teleop/prediction/predictor.h"
+#include "core/teleop/prediction/predictor_choice.h"
 
 #include <cmath>
 #include <functional>
@@ -9,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/teleop/learned_forecast.h"
-#include "core/teleop/prediction_trial.h"
+#include "core/teleop/prediction/learned_forecast.h"
+#include "core/teleop/prediction/prediction_trial.h"
 
 namespace fyd::teleop {
 namespace {

@@ -1,4 +1,5 @@
-#include "core/teleop/touchpad_coupling.h"
+// Couplings of the touchpad: the stiffness target from the robot's values, energy of a touch, passivity.
+#include "core/teleop/coupling/touchpad_coupling.h"
 
 #include <cmath>
 #include <limits>

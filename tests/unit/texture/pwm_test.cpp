@@ -1,3 +1,4 @@
+// Mapping of the texture signal to motor duty: rounding, gain, limits, dead zone.
 #include "core/texture/pwm.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// The uniform stream of accelerations (jitter, gaps, clock jumps), and recordings of accelerations.
 #include "core/texture/uniform_stream.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// Virtual and stored surfaces, their fit from recordings, finger speed, contact detection.
 #include <filesystem>
 #include <fstream>
 #include <random>

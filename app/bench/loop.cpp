@@ -1,0 +1,98 @@
+// The haptic loop's period against a loop that sleeps for a millisecond each time.
+#include <thread>
+
+#include "app/bench/parts/table.h"
+#include "core/station/haptic_loop.h"
+#include "core/station/station.h"
+
+namespace fyd::bench {
+namespace {
+
+constexpr int kCycles = 4000;
+
+struct Periods {
+  Quantiles deviation_us;  // of |period − 1 ms|
+  double drift_ms = 0.0;   // of the last cycle against the ideal grid
+  double missed_percent = 0.0;
+};
+
+Periods judge(const std::vector<Instant>& starts, double missed) {
+  Periods out;
+  std::vector<double> deviations;
+  for (std::size_t i = 1; i < starts.size(); ++i) {
+    deviations.push_back(std::abs(toMilliseconds(starts[i] - starts[i - 1]) - 1.0) * 1e3);
+  }
+  const double cycles = static_cast<double>(starts.size() - 1);
+  out.drift_ms = toMilliseconds(starts.back() - starts.front()) - cycles - missed;
+  out.missed_percent = 100.0 * missed / (cycles + missed);
+  out.deviation_us = quantiles(deviations);
+  return out;
+}
+
+Periods naive() {
+  std::vector<Instant> starts;
+  for (int i = 0; i < kCycles; ++i) {
+    starts.push_back(Clock::now());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return judge(starts, 0.0);
+}
+
+Periods haptic() {
+  std::vector<Instant> starts;
+  starts.reserve(kCycles);
+  station::HapticLoop loop;
+  std::jthread thread([&](const std::stop_token&) {
+    std::stop_source enough;
+    loop.run(enough.get_token(), [&](Instant now, std::uint64_t) {
+      starts.push_back(now);
+      if (starts.size() == kCycles) enough.request_stop();
+    });
+  });
+  thread.join();
+  return judge(starts, static_cast<double>(loop.missedCycles()));
+}
+
+Periods wholeStation() {
+  auto opened = station::Station::open({});
+  if (!opened) return {};
+  std::vector<Instant> starts;
+  std::vector<pipeline::TelemetrySample> batch(1000);
+  (*opened)->start();
+  while (starts.size() < kCycles) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const std::size_t taken = (*opened)->takeTelemetry(batch);
+    for (std::size_t i = 0; i < taken; ++i) starts.push_back(batch[i].now);
+  }
+  const double missed = static_cast<double>((*opened)->status().loop.missed_cycles);
+  (*opened)->shutDown();
+  return judge(starts, missed);
+}
+
+std::vector<std::string> row(const std::string& name, const Periods& periods, const Periods& baseline) {
+  return {name,
+          number(periods.deviation_us.p50),
+          number(periods.deviation_us.p99),
+          number(periods.deviation_us.worst),
+          number(periods.deviation_us.p50 / baseline.deviation_us.p50),
+          number(periods.drift_ms),
+          number(periods.missed_percent)};
+}
+
+}  // namespace
+
+Table bench_loop() {
+  const Periods sleeping = naive();
+  const Periods alone = haptic();
+  const Periods station = wholeStation();
+  return {
+      .subject = "loop",
+      .title = "Period of the haptic loop",
+      .columns = {"loop", "|period − 1 ms| p50 µs", "p99 µs", "worst µs", "p50 ratio", "drift over 4 s ms", "missed %"},
+      .rows = {row("sleep for 1 ms (baseline)", sleeping, sleeping), row("haptic loop alone", alone, sleeping),
+               row("whole simulated station", station, sleeping)},
+      .notes = {
+          "4000 cycles each. The drift is how far the last cycle lies from the ideal grid, missed cycles apart."}};
+}
+
+}  // namespace fyd::bench

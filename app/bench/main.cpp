@@ -1,0 +1,94 @@
+// fyd-bench [NAME] [--out DIR] [--cloth NAME] [--runs N] [--seed S] [--data DIR] [--mesh FILE] [--path FILE] [--json]:
+// measures speed beside error, against a baseline in the same run; `fyd bench` runs it.
+#include <functional>
+#include <iostream>
+
+#include "app/bench/parts/bench_options.h"
+#include "app/bench/parts/cloths.h"
+#include "app/bench/parts/table.h"
+#include "app/cli/parts/cloth_name.h"
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/program.h"
+#include "core/base/end_signals.h"
+
+namespace fyd::bench {
+#define FYD_BENCH(name) Table bench_##name();
+#include "benches.inc"
+#undef FYD_BENCH
+
+namespace {
+
+struct Subject {
+  std::string name;
+  std::function<Table()> run;
+};
+
+const std::vector<Subject>& subjects() {
+  static const std::vector<Subject> all = {
+#define FYD_BENCH(name) {#name, bench_##name},
+#include "benches.inc"
+#undef FYD_BENCH
+  };
+  return all;
+}
+
+struct Options {
+  std::string name;
+  std::string out;
+  std::string cloth;
+  bool json = false;
+};
+
+void addTo(CLI::App& app, Options& options) {
+  std::vector<std::string> names;
+  for (const Subject& subject : subjects()) names.push_back(subject.name);
+  app.add_option("name", options.name, "Subject; all of them when left out")->check(CLI::IsMember(names));
+  app.add_option("--out", options.out,
+                 "Folder for one Markdown and one CSV file per subject, and for what it measured");
+  app.add_option("--cloth", options.cloth,
+                 "The simulated cloth of indentation and controller; membrane, rollers and ideal when left out")
+      ->check(CLI::IsMember(std::vector<std::string>(sim::kClothNames.begin(), sim::kClothNames.end())));
+  BenchOptions& more = benchOptions();
+  app.add_option("--runs", more.runs, "How many runs coupling draws")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  app.add_option("--seed", more.seed, "What coupling and touchpad_coupling draw by")->capture_default_str();
+  app.add_option("--data", more.data, "Folder of recordings for predict; tests/data when left out");
+  auto* mesh = app.add_option("--mesh", more.mesh, "OBJ, STL or PLY file in mm, for scene");
+  auto* path = app.add_option("--path", more.path, "CSV with t_s, x_mm, y_mm and z_mm over that mesh, for scene");
+  mesh->needs(path);
+  path->needs(mesh);
+  app.add_flag("--json", options.json, "As JSON: an array of tables");
+}
+
+void run(const Options& options) {
+  nlohmann::ordered_json tables = nlohmann::ordered_json::array();
+  benchOptions().out = options.out;
+  if (!options.cloth.empty()) benchCloths() = {cli::clothOf(options.cloth)};
+  for (const Subject& subject : subjects()) {
+    if (!options.name.empty() && options.name != subject.name && !subject.name.starts_with(options.name + "_")) {
+      continue;  // NAME_… are further tables of the subject NAME
+    }
+    const Table table = subject.run();
+    if (options.json) {
+      tables.push_back(toJson(table));
+    } else {
+      std::cout << toMarkdown(table) << '\n' << std::flush;
+    }
+    writeBeside(table.subject + ".md", toMarkdown(table));
+    writeBeside(table.subject + ".csv", toCsv(table));
+  }
+  if (options.json) cli::printJson(tables);
+}
+
+}  // namespace
+}  // namespace fyd::bench
+
+int main(int argc, char** argv) {
+  fyd::makeFailedWritesErrors();
+  CLI::App app("Measure speed beside error, against a baseline in the same run", "fyd bench");
+  fyd::bench::Options options;
+  fyd::bench::addTo(app, options);
+  app.callback([&options] { fyd::bench::run(options); });
+  return fyd::cli::runProgram(app, argc, argv);
+}

@@ -1,0 +1,118 @@
+// What recording costs: the haptic loop's push against a plain copy, and a whole station with and without.
+#include <cstring>
+#include <thread>
+
+#include "app/bench/parts/recorded_session.h"
+#include "app/bench/parts/table.h"
+#include "core/station/station.h"
+
+namespace fyd::bench {
+namespace {
+
+constexpr double kPush_s = 6.0;
+constexpr double kStation_s = 12.0;
+
+struct Push {
+  Quantiles copy_ns;
+  Quantiles push_ns;
+  std::uint64_t lost = 0;
+};
+
+/// At the haptic loop's rate, so that caches are as cold as in a session.
+Push measurePush(const std::string& path) {
+  recording::Recorder recorder({}, {}, {}, {}, {.profile = [](const auto&) { return std::string(); }, .link = {}});
+  recorder.start();
+  std::vector<double> copies;
+  std::vector<double> pushes;
+  std::vector<recording::StepRecord> slots(2000);
+  Instant due = Clock::now();
+  std::size_t number = 0;
+  simulateSession(kPush_s, [&](const recording::StepView& step) {
+    std::this_thread::sleep_until(due += std::chrono::milliseconds(1));
+    if (number == 500) (void)recorder.begin({.path = path});
+    recording::StepRecord& slot = slots[number++ % slots.size()];
+    const auto time = [](auto&& call) {
+      const Instant before = Clock::now();
+      call();
+      return std::chrono::duration<double, std::nano>(Clock::now() - before).count();
+    };
+    copies.push_back(time([&] {
+      slot.inputs = step.inputs;
+      slot.motors = step.outputs.motors;
+      slot.telemetry = step.outputs.telemetry;
+      slot.events = step.outputs.events;
+    }));
+    pushes.push_back(time([&] { recorder.push(step); }));
+  });
+  (void)recorder.end();
+  return {.copy_ns = quantiles(copies), .push_ns = quantiles(pushes), .lost = recorder.status().lost};
+}
+
+struct Session {
+  double missed_percent = 0.0;
+  recording::RecorderStatus recorder;
+};
+
+Session runStation(const std::string& path) {
+  station::StationOptions options;
+  if (!path.empty()) options.record = recording::RecordingRequest{.path = path};
+  auto opened = station::Station::open(options);
+  if (!opened) return {};
+  std::vector<pipeline::TelemetrySample> batch(1000);
+  (*opened)->start();
+  const Instant start = Clock::now();
+  bool armed = false;
+  while (toSeconds(Clock::now() - start) < kStation_s) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const std::size_t taken = (*opened)->takeTelemetry(batch);
+    if (armed || taken == 0 || batch[taken - 1].state != pipeline::SafetyState::ready) continue;
+    armed = (*opened)->command({.action = pipeline::OperatorAction::arm});
+  }
+  Session out{.recorder = (*opened)->recorderStatus()};
+  const station::LoopStatus loop = (*opened)->status().loop;
+  out.missed_percent =
+      100.0 * static_cast<double>(loop.missed_cycles) / static_cast<double>(loop.missed_cycles + loop.steps);
+  (*opened)->shutDown();
+  return out;
+}
+
+const std::string kNothing = "—";
+
+}  // namespace
+
+Table bench_recorder() {
+  const TemporaryFolder folder;
+  const Push push = measurePush(folder.file("push.h5"));
+  const Session without = runStation("");
+  const Session with = runStation(folder.file("station.h5"));
+  const auto pushRow = [&](const std::string& name, const Quantiles& ns, std::uint64_t lost) {
+    return std::vector<std::string>{
+        name,     number(ns.p50), number(ns.p99), number(ns.p50 / push.copy_ns.p50), kNothing,
+        kNothing, kNothing,       kNothing,       number(static_cast<double>(lost))};
+  };
+  const auto stationRow = [](const std::string& name, const Session& session) {
+    const recording::RecorderStatus& status = session.recorder;
+    return std::vector<std::string>{name,
+                                    kNothing,
+                                    kNothing,
+                                    kNothing,
+                                    number(session.missed_percent),
+                                    number(status.processor_percent),
+                                    number(status.commit_p99_ms),
+                                    number(status.bytes_per_s * 1e-3),
+                                    number(static_cast<double>(status.lost))};
+  };
+  return {.subject = "recorder",
+          .title = "Recording",
+          .columns = {"what", "p50 ns", "p99 ns", "p50 ratio", "cycles missed %", "recorder's thread % of a core",
+                      "commit p99 ms", "kB/s", "steps lost"},
+          .rows = {pushRow("copy of a whole StepRecord (baseline)", push.copy_ns, 0),
+                   pushRow("push to the recorder", push.push_ns, push.lost),
+                   stationRow("simulated station, not recorded (baseline)", without),
+                   stationRow("simulated station, recorded", with)},
+          .notes = {"Pushes at 1 kHz from a simulated session with one acceleration a step; the station runs 12 s each "
+                    "way, with pictures. What the recorder's thread takes while it does not record is the second "
+                    "pipeline that follows the step. The first seconds, in which the file is made, count as well."}};
+}
+
+}  // namespace fyd::bench

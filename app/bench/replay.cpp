@@ -1,0 +1,74 @@
+// Speed of a replay of a recording through the step, against the bare step on the same inputs in memory.
+#include <thread>
+
+#include "app/bench/parts/recorded_session.h"
+#include "app/bench/parts/table.h"
+#include "core/base/profile_text.h"
+#include "core/replay/replay.h"
+
+namespace fyd::bench {
+namespace {
+
+constexpr double kSession_s = 60.0;
+constexpr std::size_t kAtOnce = 2000;  // steps; the recorder's ring takes more
+
+/// @return the inputs, for the baseline
+std::vector<pipeline::Inputs> record(const std::string& path) {
+  const auto profile = [](const pipeline::Parameters& step) {
+    pipeline::Parameters copy = step;
+    return formatProfile(bindParameters(copy));
+  };
+  recording::Recorder recorder({}, {}, {}, {}, {.profile = profile, .link = {}});
+  recorder.start();
+  std::vector<pipeline::Inputs> inputs;
+  simulateSession(kSession_s, [&](const recording::StepView& step) {
+    recorder.push(step);
+    inputs.push_back(step.inputs);
+    if (inputs.size() % kAtOnce != 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    if (inputs.size() == kAtOnce) (void)recorder.begin({.path = path});
+  });
+  (void)recorder.end();
+  return inputs;
+}
+
+double bareStep_x(const std::vector<pipeline::Inputs>& inputs) {
+  pipeline::Pipeline step({});
+  const Instant start = Clock::now();
+  for (const pipeline::Inputs& in : inputs) (void)step.step(in);
+  return kSession_s / toSeconds(Clock::now() - start);
+}
+
+std::vector<std::string> row(const std::string& name, const Result<replay::ReplayResult>& result, double baseline_x) {
+  if (!result) return {name, result.error().text(), "—", "—", "—"};
+  return {name, number(result->speed_x), number(result->speed_x / baseline_x),
+          number(static_cast<double>(result->different)), number(result->max_abs_difference)};
+}
+
+}  // namespace
+
+Table bench_replay() {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("session.h5");
+  const auto inputs = record(path);
+  const double bare_x = bareStep_x(inputs);
+  Table table{.subject = "replay",
+              .title = "Replay of a recording",
+              .columns = {"what", "times real time", "ratio", "steps that differ", "largest difference"},
+              .rows = {{"bare step, inputs in memory (baseline)", number(bare_x), "1", "—", "—"}},
+              .notes = {"60 s of the demonstration gesture with one acceleration a step; the file is read from the "
+                        "system's cache. With another gain the steps differ, as they should."}};
+  auto recording = recording::Recording::open(path);
+  if (!recording) {
+    table.rows.push_back({recording.error().text(), "—", "—", "—", "—"});
+    return table;
+  }
+  table.rows.push_back(row("replay, compared bit for bit", replay::replay(**recording, {}), bare_x));
+  table.rows.push_back(row("what if control.kp = 0.6, open loop",
+                           replay::replay(**recording, {.settings = {"control.kp=0.6"}}), bare_x));
+  table.rows.push_back(row("the same, closed loop",
+                           replay::replay(**recording, {.settings = {"control.kp=0.6"}, .closed_loop = true}), bare_x));
+  return table;
+}
+
+}  // namespace fyd::bench

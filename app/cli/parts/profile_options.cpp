@@ -1,0 +1,49 @@
+#include "app/cli/parts/profile_options.h"
+
+#include <iostream>
+
+#include "app/cli/parts/command.h"
+#include "core/station/profile/calibration_file.h"
+
+namespace fyd::cli {
+
+const Parameter* parameterNamed(std::span<const Parameter> parameters, std::string_view id) {
+  const Parameter* found = findParameter(parameters, id);
+  if (found != nullptr && found->id != id) std::cerr << fmt::format("{} is called {} now\n", id, found->id);
+  return found;
+}
+
+void ProfileOptions::addTo(CLI::App& command) {
+  command.add_option("--profile", file, "Profile to load (TOML)");
+  command.add_option("--set", settings, "A parameter as id=value, over the profile's; may be repeated")->take_all();
+}
+
+station::Profile ProfileOptions::load() const {
+  station::Profile profile;
+  if (!file.empty()) profile = valueOrFail(station::loadProfile(file));
+  const auto parameters = bindParameters(profile);
+  for (const std::string& setting : settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) throw UsageError(say("--set {}: expected id=value", setting));
+    const Parameter* parameter = parameterNamed(parameters, setting.substr(0, equals));
+    if (parameter == nullptr) throw UsageError(say("--set {}: unknown parameter; 'fyd params' lists them", setting));
+    if (auto assigned = assignParameter(*parameter, setting.substr(equals + 1)); !assigned) {
+      throw UsageError(say("--set {}", assigned.error().message));
+    }
+  }
+  return profile;
+}
+
+void ProfileOptions::warnOfOutdatedParts(const station::Profile& profile) const {
+  if (file.empty()) return;
+  const auto outdated = station::outdatedParts(file, profile);
+  if (!outdated) {
+    std::cerr << fmt::format("warning: {}\n", outdated.error().text());
+    return;
+  }
+  for (const station::OutdatedPart& each : *outdated) {
+    std::cerr << fmt::format("warning: {}: {}: {}\n", file, each.part, each.why);
+  }
+}
+
+}  // namespace fyd::cli

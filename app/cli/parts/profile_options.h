@@ -1,0 +1,27 @@
+// The options --profile and --set, the same for every subcommand that works with a profile.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/station/profile/profile.h"
+
+namespace fyd::cli {
+
+/// The parameter of that id, or null. Says on standard error when the id is a former one.
+[[nodiscard]] const Parameter* parameterNamed(std::span<const Parameter> parameters, std::string_view id);
+
+struct ProfileOptions {
+  std::string file;                   ///< empty: defaults
+  std::vector<std::string> settings;  ///< "id=value"
+
+  void addTo(CLI::App& command);
+  /// The profile with the settings over it. Throws Failure (file) or UsageError (settings).
+  [[nodiscard]] station::Profile load() const;
+  /// Warns on standard error, in commands that measure, of calibrations of the profile that rest on an older one.
+  void warnOfOutdatedParts(const station::Profile& profile) const;
+};
+
+}  // namespace fyd::cli

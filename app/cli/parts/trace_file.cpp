@@ -1,0 +1,43 @@
+#include "app/cli/parts/trace_file.h"
+
+#include <algorithm>
+
+#include "app/cli/parts/command.h"
+#include "core/base/csv.h"
+
+namespace fyd::cli {
+
+NamedTrace readTrace(const std::string& path, std::vector<std::string> columns) {
+  if (columns.size() > teleop::kMostAxes) {
+    throw UsageError(say("--columns: {} columns; expected one to three", columns.size()));
+  }
+  std::vector<std::string> sorted = columns;
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
+    throw UsageError(say("--columns: {} stands there twice", *twice));
+  }
+  if (columns.empty()) {
+    const CsvTable head = valueOrFail(readCsv(path, {"t_s"}));
+    for (const std::string& each : head.header) {
+      if (each.ends_with("_mm")) columns.push_back(each);
+    }
+    if (std::ranges::find(columns, "master_mm") != columns.end()) columns = {"master_mm"};
+    if (columns.empty() || columns.size() > teleop::kMostAxes) {
+      throw Failure(say("{}: {} columns end in _mm; expected one to three, or --columns", path, columns.size()));
+    }
+  }
+  std::vector<std::string> wanted = {"t_s"};
+  wanted.insert(wanted.end(), columns.begin(), columns.end());
+  const CsvTable table = valueOrFail(readCsv(path, wanted));
+  NamedTrace out{.columns = std::move(columns), .trace = {}};
+  out.trace.axes = out.columns.size();
+  out.trace.time_s = table.values[0];
+  out.trace.position_mm.resize(table.rows());
+  for (std::size_t a = 0; a < out.columns.size(); ++a) {
+    for (std::size_t row = 0; row < table.rows(); ++row) out.trace.position_mm[row][a] = table.values[a + 1][row];
+  }
+  if (auto good = teleop::checkTrace(out.trace); !good) throw Failure(about(path, std::move(good.error().message)));
+  return out;
+}
+
+}  // namespace fyd::cli

@@ -1,0 +1,20 @@
+// Recorded motions as CSV, for the commands that send them over a simulated network.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/teleop/prediction/prediction_trial.h"
+
+namespace fyd::cli {
+
+struct NamedTrace {
+  std::vector<std::string> columns;
+  teleop::Trace trace;
+};
+
+/// @param columns one to three; when empty `master_mm` if there is one, otherwise all that end in _mm
+/// @throws Failure that names the file, the row or the column
+[[nodiscard]] NamedTrace readTrace(const std::string& path, std::vector<std::string> columns);
+
+}  // namespace fyd::cli

@@ -1,0 +1,89 @@
+// fyd session export FILE OUT and fyd session report FILE OUT: a recording for other programs and for people.
+#include <filesystem>
+#include <limits>
+
+#include "app/cli/session/session_cli.h"
+#include "core/export/export_recording.h"
+#include "core/recording/reader/recording_health.h"
+#include "core/report/report.h"
+
+namespace fyd::cli {
+namespace {
+
+struct ExportCommand {
+  SessionOptions session;
+  std::string out;
+  exports::ExportOptions options;
+};
+
+/// Two files are involved: an error that names neither gets the recording's name.
+template <class T>
+Result<T> naming(const ExportCommand& command, Result<T> result) {
+  const auto names = [&](const std::string& file) { return result.error().text().find(file) != std::string::npos; };
+  if (result || names(command.session.file) || names(command.out)) return result;
+  return fail(about(command.session.file, result.error().message));
+}
+
+void runExport(const ExportCommand& command) {
+  const auto recording = openRecording(command.session.file);
+  const exports::ExportResult result =
+      valueOrFail(naming(command, exports::exportRecording(*recording, command.out, command.options)));
+  nlohmann::ordered_json json;
+  json["files"] = result.files;
+  for (const std::string& file : result.files) json["bytes"].push_back(std::filesystem::file_size(file));
+  json["rows"] = result.rows;
+  json["pictures"] = result.pictures;
+  json["lines"] = result.lines;
+  if (result.rate_Hz > 0.0) {
+    json["rate_hz"] = result.rate_Hz;
+    json["repeated"] = result.repeated;
+    json["left_out"] = result.left_out;
+  }
+  if (result.messages > 0) json["messages"] = result.messages;
+  if (const auto [health, reason] = recording::healthOf(recording->info()); health != "good") {
+    json["health"] = health;
+    json["health_reason"] = reason;
+  }
+  printValues(json, command.session.json);
+}
+
+void runReport(const ExportCommand& command) {
+  const auto recording = openRecording(command.session.file);
+  valueOrFail(naming(command, report::writeReport(*recording, command.out, command.options.replace)));
+  nlohmann::ordered_json json;
+  json["file"] = command.out;
+  json["bytes"] = std::filesystem::file_size(command.out);
+  printValues(json, command.session.json);
+}
+
+}  // namespace
+
+void addSessionExport(CLI::App& parent) {
+  auto options = std::make_shared<ExportCommand>();
+  CLI::App* command = parent.add_subcommand("export", "Telemetry, pictures and events for other programs");
+  addSessionOptions(*command, options->session);
+  command
+      ->add_option(
+          "out", options->out,
+          "OUT.csv telemetry, OUT.mat MATLAB, OUT.mkv pictures without loss, OUT.avi pictures small, OUT.mcap all")
+      ->required();
+  command->add_option("--from", options->options.from_s, "First second from the recording's start");
+  command->add_option("--to", options->options.to_s, "Last second");
+  command->add_option("--fields", options->options.fields, "Telemetry fields, with commas between; all when left out")
+      ->delimiter(',');
+  command->add_flag("--region", options->options.region,
+                    "Pictures: the finger detector's region of interest, exactly, instead of the whole picture");
+  command->add_flag("--force", options->options.replace, "Replace files that exist");
+  command->callback([options] { runExport(*options); });
+}
+
+void addSessionReport(CLI::App& parent) {
+  auto options = std::make_shared<ExportCommand>();
+  CLI::App* command = parent.add_subcommand("report", "One page for people: curves, touches, gains, events, health");
+  addSessionOptions(*command, options->session);
+  command->add_option("out", options->out, "OUT.html or OUT.pdf")->required();
+  command->add_flag("--force", options->options.replace, "Replace a file that exists");
+  command->callback([options] { runReport(*options); });
+}
+
+}  // namespace fyd::cli

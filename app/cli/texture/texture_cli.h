@@ -1,0 +1,44 @@
+// What the subcommands of `fyd texture` share.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/cli/parts/command.h"
+#include "app/cli/parts/output_file.h"
+#include "core/texture/recording.h"
+
+namespace fyd::cli {
+
+void addTextureRender(CLI::App& parent);
+void addTextureFit(CLI::App& parent);
+void addTexturePlay(CLI::App& parent);
+void addTextureContact(CLI::App& parent);
+void addTextureFelt(CLI::App& parent);
+void addTextureIdentify(CLI::App& parent);
+
+/// CSV t_s,signal with the digits that round-trip.
+void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal);
+
+/// The recording and the rate to work at: `rate_Hz`, or the recording's own when that is 0.
+struct Input {
+  texture::Recording recording;
+  double rate_Hz = 0.0;
+};
+[[nodiscard]] Input readInput(const std::string& path, double rate_Hz);
+/// The positional argument and --rate, the same for every subcommand that reads a recording.
+void addInputOptions(CLI::App& command, std::string& path, double& rate_Hz);
+
+template <class Names>
+std::vector<std::string> namesOf(const Names& names) {
+  return {names.begin(), names.end()};
+}
+
+template <class Enum, class Names>
+Enum choiceOf(const Names& names, const std::string& name) {
+  return static_cast<Enum>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+}  // namespace fyd::cli

@@ -1,0 +1,49 @@
+// The row of buttons below the place "Calibrate".
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+
+#include "widgets/basics/hold_button.h"
+
+namespace fyd::console {
+
+class CalibrationButtons : public QFrame {
+  Q_OBJECT
+ public:
+  explicit CalibrationButtons(QWidget* parent);
+
+  /// What the buttons may do now.
+  struct Allowed {
+    bool moves = false;     ///< the part's points are taken while motors move
+    bool may_move = false;  ///< nothing renders, and the station answers
+    bool renders = false;   ///< why motors cannot be moved
+    bool has_points = false;
+    bool taking = false;      ///< a point is being averaged
+    bool acceptable = false;  ///< the fit's verdict
+  };
+  void allow(const Allowed& allowed);
+
+  [[nodiscard]] QPushButton* take() const { return take_; }
+  [[nodiscard]] QPushButton* back() const { return back_; }
+  [[nodiscard]] QPushButton* simulate() const { return simulate_; }
+  [[nodiscard]] QPushButton* discard() const { return discard_; }
+  [[nodiscard]] QPushButton* accept() const { return accept_; }
+  [[nodiscard]] QPushButton* report() const { return report_; }
+  [[nodiscard]] widgets::HoldButton* moveButton() const { return move_; }
+
+ private:
+  QPushButton* add(const char* name, const QString& text, const QString& tip);
+
+  QLabel* why_still_;
+  QPushButton* back_;
+  QPushButton* take_;
+  widgets::HoldButton* move_;
+  QPushButton* simulate_;
+  QPushButton* report_;
+  QPushButton* discard_;
+  QPushButton* accept_;
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,175 @@
+#include "app/console/calibrate/calibrate_fit_panel.h"
+
+#include <QGridLayout>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "widgets/basics/core_text.h"
+#include "widgets/basics/heading_table.h"
+#include "widgets/basics/number_text.h"
+#include "widgets/basics/theme.h"
+#include "widgets/basics/vertical_scroll.h"
+
+namespace fyd::console {
+namespace {
+
+using widgets::kGrid;
+using widgets::TextSize;
+
+constexpr int kErrorDecimals = 3;
+constexpr int kLongestWho = 80, kLongestConditions = 400;  // characters that fit in a report
+
+/// Every number of a parameter's text with five digits: the file keeps all of them.
+QString shortened(const QString& text) {
+  static const QRegularExpression kNumber(QStringLiteral("-?\\d+\\.\\d+(e[-+]?\\d+)?"));
+  QString out;
+  qsizetype from = 0;
+  for (auto all = kNumber.globalMatch(text); all.hasNext();) {
+    const QRegularExpressionMatch match = all.next();
+    out += text.mid(from, match.capturedStart() - from);
+    out += QString::number(match.captured().toDouble(), 'g', 5).replace(QLatin1Char('.'), QLocale().decimalPoint());
+    from = match.capturedEnd();
+  }
+  out += text.mid(from);
+  return out.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// NaN where there is no such limit.
+double valueOf(std::string_view id, station::Profile& profile) {
+  const auto bound = bindParameters(profile);
+  const Parameter* parameter = findParameter(bound, id);
+  return parameter != nullptr ? parameter->value() : calibration::kUnknown;
+}
+
+QLabel* label(QWidget* parent, TextSize size, bool muted) {
+  auto* out = new QLabel(parent);
+  out->setFont(widgets::textFont(size));
+  if (muted) out->setProperty("role", "muted");
+  out->setWordWrap(true);
+  out->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return out;
+}
+
+}  // namespace
+
+CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
+    : QFrame(parent),
+      plot_(new widgets::FitPlot(this)),
+      legend_(label(this, TextSize::small, true)),
+      verdict_(label(this, TextSize::normal, false)),
+      figures_(label(this, TextSize::small, true)),
+      changes_(new widgets::HeadingTable(0, 3, this)),
+      who_(new QLineEdit(this)),
+      conditions_(new QLineEdit(this)) {
+  setProperty("surface", "panel");
+  setAccessibleName(tr("Fit"));
+  verdict_->setObjectName(QStringLiteral("calibration_verdict"));
+  verdict_->setFont(widgets::textFont(TextSize::normal, true));
+  changes_->setObjectName(QStringLiteral("calibration_changes"));
+  changes_->setAccessibleName(tr("Values in force and new values"));
+  changes_->setHorizontalHeaderLabels({tr("Value"), tr("In force"), tr("New")});
+  changes_->verticalHeader()->hide();
+  changes_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  changes_->setFocusPolicy(Qt::NoFocus);
+  changes_->setFont(widgets::textFont(TextSize::small));
+  changes_->setFixedHeight(15 * kGrid);
+  who_->setObjectName(QStringLiteral("calibration_who"));
+  who_->setAccessibleName(tr("Who measured"));
+  who_->setMaxLength(kLongestWho);
+  conditions_->setMaxLength(kLongestConditions);
+  conditions_->setObjectName(QStringLiteral("calibration_conditions"));
+  conditions_->setAccessibleName(tr("Conditions: light, temperature, target"));
+  conditions_->setPlaceholderText(tr("light, temperature, target"));
+  auto* record = new QGridLayout;
+  record->setSpacing(kGrid);
+  record->addWidget(new QLabel(tr("Who"), this), 0, 0);
+  record->addWidget(who_, 0, 1);
+  record->addWidget(new QLabel(tr("Conditions"), this), 1, 0);
+  record->addWidget(conditions_, 1, 1);
+  // In a low window the texts scroll, and the plot keeps a readable height.
+  auto* said = new QWidget(this);
+  auto* lines = new QVBoxLayout(said);
+  lines->setContentsMargins(0, 0, kGrid, 0);
+  lines->setSpacing(kGrid);
+  lines->addWidget(plot_, 1);
+  for (QLabel* each : {legend_, verdict_, figures_}) lines->addWidget(each);
+  lines->addWidget(changes_);
+  QScrollArea* scroll = widgets::makeVerticalScroll(this);
+  scroll->setWidget(said);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
+  layout->setSpacing(kGrid);
+  layout->addWidget(scroll, 1);
+  layout->addLayout(record);
+}
+
+AcceptedWords CalibrationFitPanel::words() const {
+  return {.who = who_->text().trimmed().toStdString(), .conditions = conditions_->text().trimmed().toStdString()};
+}
+
+void CalibrationFitPanel::setChanges(const calibration::CalibrationResult& result, station::Profile& profile) {
+  const auto bound = bindParameters(profile);
+  changes_->setRowCount(static_cast<int>(result.changes.size()));
+  int row = 0;
+  for (const calibration::ParameterChange& change : result.changes) {
+    const Parameter* parameter = findParameter(bound, change.id);
+    const QString before = parameter != nullptr ? QString::fromStdString(formatParameter(*parameter)) : QString();
+    // The module's name is the same on every line, so it is left out to save width.
+    const QString id = QString::fromStdString(change.id);
+    const QString after = QString::fromStdString(change.value);
+    int column = 0;
+    for (const auto& [text, tip] : {std::pair{id.section(QLatin1Char('.'), 1), id},
+                                    std::pair{shortened(before), before}, std::pair{shortened(after), after}}) {
+      auto* item = new QTableWidgetItem(text);
+      item->setToolTip(tip);
+      changes_->setItem(row, column++, item);
+    }
+    ++row;
+  }
+  changes_->setVisible(row > 0);
+}
+
+void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, std::string_view error_limit,
+                                 station::Profile profile) {
+  const calibration::CalibrationResult& result = fit.result;
+  plot_->setFit(fit.plot);
+  legend_->setText(points > 0 ? fit.legend : QString());
+  setChanges(points > 0 ? result : calibration::CalibrationResult{}, profile);
+  QStringList figures;
+  if (points == 0) {
+    verdict_->setText(tr("No points yet. The values in force stay until you accept new ones."));
+  } else {
+    const QString reason = widgets::coreText(result.verdict.reason);
+    verdict_->setText(result.verdict.accepted  ? tr("Good: %1.").arg(reason)
+                      : !fit.missing.isEmpty() ? tr("Not yet: %1.").arg(reason)
+                                               : tr("Refused: %1.").arg(reason));
+    const QString unit = QString::fromStdString(result.unit);
+    const auto error = [&](double value) { return widgets::quantityText(value, kErrorDecimals, unit); };
+    if (std::isfinite(result.held_out_rmse)) {
+      const double allowed = valueOf(error_limit, profile);
+      figures << (std::isfinite(allowed)
+                      ? tr("Held-out error %1 of at most %2").arg(error(result.held_out_rmse), error(allowed))
+                      : tr("Held-out error %1").arg(error(result.held_out_rmse)));
+    }
+    if (std::isfinite(result.rmse)) figures << tr("error of the fit %1").arg(error(result.rmse));
+    if (std::isfinite(result.max_residual)) figures << tr("largest residual %1").arg(error(result.max_residual));
+    if (!result.curve.empty()) figures << tr("curve: %1").arg(widgets::coreText(result.curve));
+    if (!result.outliers.empty()) {
+      QStringList rows;
+      for (const std::size_t row : result.outliers) rows << QString::number(row + 1);
+      figures << tr("the others contradict point %1").arg(rows.join(QStringLiteral(", ")));
+    }
+    if (result.valid_to > result.valid_from) {
+      figures << tr("valid from %1 to %2")
+                     .arg(widgets::numberText(result.valid_from, 1),
+                          widgets::quantityText(result.valid_to, 1, QString::fromStdString(result.valid_unit)));
+    }
+    figures << fit.figures;
+    for (const Message& note : result.notes) figures << widgets::coreText(note);
+  }
+  figures_->setText(figures.join(QStringLiteral(" · ")));
+}
+
+}  // namespace fyd::console

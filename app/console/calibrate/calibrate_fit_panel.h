@@ -1,0 +1,44 @@
+// The result of a fit: its plot, its error against the limit, the verdict, and each value before and after.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableWidget>
+
+#include "app/console/calibrate/calibrate_records.h"
+#include "app/console/calibrate/calibrate_step.h"
+#include "widgets/curves/fit_plot.h"
+
+namespace fyd::console {
+
+class CalibrationFitPanel : public QFrame {
+  Q_OBJECT
+ public:
+  explicit CalibrationFitPanel(QWidget* parent = nullptr);
+  /// @param points taken so far; none: there is no verdict yet
+  /// @param error_limit as CalibrationStep::errorLimit()
+  /// @param profile with the values in force
+  void setFit(const CalibrationFit& fit, std::size_t points, std::string_view error_limit, station::Profile profile);
+  [[nodiscard]] AcceptedWords words() const;
+
+  [[nodiscard]] QString verdict() const { return verdict_->text(); }
+  [[nodiscard]] QString figures() const { return figures_->text(); }
+  [[nodiscard]] QTableWidget* changes() const { return changes_; }
+  [[nodiscard]] widgets::FitPlot* plot() const { return plot_; }
+  [[nodiscard]] QLineEdit* who() const { return who_; }
+  [[nodiscard]] QLineEdit* conditions() const { return conditions_; }
+
+ private:
+  void setChanges(const calibration::CalibrationResult& result, station::Profile& profile);
+
+  widgets::FitPlot* plot_;
+  QLabel* legend_;
+  QLabel* verdict_;
+  QLabel* figures_;
+  QTableWidget* changes_;
+  QLineEdit* who_;
+  QLineEdit* conditions_;
+};
+
+}  // namespace fyd::console

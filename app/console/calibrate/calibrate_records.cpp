@@ -1,0 +1,109 @@
+#include "app/console/calibrate/calibrate_records.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+
+#include "app/console/shell/calibration_ages.h"
+#include "core/station/profile/calibration_file.h"
+#include "core/station/profile/calibration_report.h"
+#include "widgets/basics/core_text.h"
+
+namespace fyd::console {
+
+using widgets::Severity;
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("CalibrationRecords", text); }
+QString words(const std::string& text) { return QString::fromStdString(text); }
+
+/// The profile that the file holds; the session's, when there is no file yet.
+Result<station::Profile> profileToWrite(const PageContext& context, bool exists) {
+  if (!exists) return context.session.currentProfile();
+  return station::loadProfile(context.tuning.profilePath().toStdString());
+}
+
+/// The sensor's offset in force may be a tare that is not saved yet. The file gets it, so that the record notes what
+/// the session goes on with.
+void keepOffsetInForce(station::Profile& file, const station::Profile& session, int sensor) {
+  ParameterList& to = file.step.sensing.indentation.ir_offset_mm;
+  const ParameterList& from = session.step.sensing.indentation.ir_offset_mm;
+  const auto place = static_cast<std::size_t>(sensor - 1);
+  if (sensor > 0 && place < to.size() && place < from.size()) to[place] = from[place];
+}
+
+}  // namespace
+
+bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result, int sensor,
+                       const AcceptedWords& said) {
+  const QString path = context.tuning.profilePath();
+  const bool exists = QFileInfo::exists(path);
+  QDir().mkpath(QFileInfo(path).absolutePath());
+  auto profile = profileToWrite(context, exists);
+  if (!profile) {
+    context.tell(Severity::error,
+                 tr("Not accepted, the old values stay. %1").arg(widgets::coreText(profile.error().message)));
+    return false;
+  }
+  keepOffsetInForce(*profile, context.session.currentProfile(), sensor);
+  const auto record = station::saveCalibration(
+      result, {.sensor = sensor, .who = said.who, .when = nowUtc(), .conditions = said.conditions}, *profile,
+      path.toStdString());
+  if (!record) {
+    context.tell(Severity::error,
+                 tr("Not accepted, the old values stay. %1").arg(widgets::coreText(record.error().message)));
+    return false;
+  }
+
+  const QString file = QDir::toNativeSeparators(path);
+  if (result.changes.empty()) {
+    context.tell(Severity::information, tr("Accepted and noted beside %1. It changes no value.").arg(file));
+    return true;
+  }
+
+  // The running step cannot change these values, so a new session is begun with them.
+  context.feed.pump();
+  Session& session = context.session;
+  station::Profile current = session.currentProfile();
+  const bool changed = calibration::applyChanges(bindParameters(current), result.changes).has_value();
+  const auto begun = changed ? session.beginAnew(current) : Result<void>(fail("the values do not fit this session"));
+  context.feed.restart();
+  context.tuning.restart();
+  if (!exists) context.tuning.model().markSaved();
+  for (const calibration::ParameterChange& change : result.changes) context.tuning.model().markSaved(change.id);
+  if (context.tuning.targetIsByHand()) context.tuning.targetByHand();
+  if (begun) {
+    context.tell(Severity::information, tr("Accepted and written to %1. The session has begun anew with it; motors "
+                                           "stay off until you arm.")
+                                            .arg(file));
+  } else {
+    context.tell(Severity::error, tr("Accepted and written to %1, but the session goes on without it: %2. Start the "
+                                     "window again to use it.")
+                                      .arg(file, widgets::coreText(begun.error().message)));
+  }
+  return true;
+}
+
+QString writeCalibrationReport(const PageContext& context, const std::string& procedure, int sensor) {
+  const QString profile = context.tuning.profilePath();
+  const auto records = station::loadCalibrationRecords(profile.toStdString());
+  if (!records) return widgets::coreText(records.error().message);
+  const auto pair = station::newestOf(*records, procedure, sensor);
+  if (pair.newest == nullptr) return tr("this part was never calibrated: accept a calibration first");
+  const QFileInfo info(profile);
+  QString part = words(procedure);
+  if (sensor > 0) part += QStringLiteral("-%1").arg(sensor);
+  const QString path =
+      info.dir().filePath(QStringLiteral("%1.%2.%3.pdf")
+                              .arg(info.completeBaseName(), part, words(pair.newest->when).remove(QLatin1Char(':'))));
+  // The same record gives the same file: writing it again replaces it.
+  const auto written = station::writeCalibrationReport({.record = *pair.newest, .accepted = true, .outliers = {}},
+                                                       pair.former, profile.toStdString(), path.toStdString(), true);
+  if (!written) return widgets::coreText(written.error().message);
+  context.tell(Severity::information, tr("Report written to %1.").arg(QDir::toNativeSeparators(path)));
+  return {};
+}
+
+}  // namespace fyd::console

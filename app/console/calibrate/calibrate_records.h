@@ -1,0 +1,27 @@
+// Accepts a calibration into the profile, and writes its report.
+#pragma once
+
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "app/console/shell/page.h"
+#include "core/calibration/calibration_record.h"
+
+namespace fyd::console {
+
+struct AcceptedWords {
+  std::string who;
+  std::string conditions;
+};
+
+/// Writes record and profile, then begins the session anew with the new values. Only while nothing can move. Success
+/// and failure are shown as notices; @return whether the files were written
+[[nodiscard]] bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result,
+                                     int sensor, const AcceptedWords& words);
+
+/// Writes the newest calibration of a part, with the one before it, as a PDF beside the profile, and shows its path.
+/// @return why not, in words; empty when it is written
+[[nodiscard]] QString writeCalibrationReport(const PageContext& context, const std::string& procedure, int sensor);
+
+}  // namespace fyd::console

@@ -1,0 +1,159 @@
+#include "app/console/devices/devices_page.h"
+
+#include <algorithm>
+
+#include "core/device/touchpad/test_motion.h"
+#include "widgets/basics/theme.h"
+#include "widgets/basics/vertical_scroll.h"
+#include "widgets/devices/device_text.h"
+
+namespace fyd::console {
+namespace {
+
+using pipeline::SafetyState;
+using widgets::kGrid;
+
+constexpr int kRefresh_ms = 200;
+constexpr int kKeep_ms = 100;  // the station ends a test 0.5 s after the last call of keepDeviceTest
+
+QStringList testWords() {
+  QStringList out;
+  for (std::size_t i = 0; i < device::kPartTests; ++i) {
+    out << widgets::deviceWord(phrase(device::kDeviceTestNames[i]));
+  }
+  return out;
+}
+
+}  // namespace
+
+DevicesPage::DevicesPage(const PageContext& context, QWidget* parent)
+    : Page(parent), context_(context), found_(new widgets::FoundList(this)) {
+  build();
+  setSearch(DeviceSearch::ofThisComputer());
+  timer_.setInterval(kRefresh_ms);
+  connect(&timer_, &QTimer::timeout, this, &DevicesPage::refresh);
+  hold_timer_.setInterval(kKeep_ms);
+  connect(&hold_timer_, &QTimer::timeout, this, &DevicesPage::holdOn);
+  connect(&context_.feed, &SessionFeed::telemetry, this,
+          [this](std::span<const pipeline::TelemetrySample> samples) { state_ = samples.back().state; });
+  connect(&context_.feed, &SessionFeed::silent, this, [this](bool silent) { silent_ = silent; });
+  connect(found_, &widgets::FoundList::lookAsked, this, [this] { search_->look(); });
+}
+
+void DevicesPage::build() {
+  auto* scroll = widgets::makeVerticalScroll(this);
+  auto* body = new QWidget(scroll);
+  row_ = new QHBoxLayout(body);
+  row_->setContentsMargins(0, 0, 0, 0);
+  row_->setSpacing(kGrid);
+  empty_ = new QLabel(
+      tr("The session has no devices: it is closed. Choose a robot in the link's panel to open it again."), body);
+  empty_->setProperty("role", "muted");
+  empty_->setWordWrap(true);
+  row_->addWidget(empty_, 1, Qt::AlignTop);
+  scroll->setWidget(body);
+  found_->setFixedWidth(33 * kGrid);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  layout->addWidget(scroll, 1);
+  layout->addWidget(found_);
+}
+
+void DevicesPage::setSearch(std::vector<DeviceSearch::Step> steps) {
+  delete search_;
+  search_ = new DeviceSearch(std::move(steps), this);
+  connect(search_, &DeviceSearch::progressed, found_, &widgets::FoundList::showProgress);
+  connect(search_, &DeviceSearch::found, found_, &widgets::FoundList::setFound);
+}
+
+void DevicesPage::addCommands(PlaceCommands& commands) {
+  commands.add({"devices.look", QT_TRANSLATE_NOOP("Commands", "Devices"), QT_TRANSLATE_NOOP("Commands", "Look again"),
+                "search", "F5"},
+               [this](bool) { search_->look(); });
+}
+
+void DevicesPage::enter() {
+  refresh();
+  timer_.start();
+  if (!looked_) search_->look();
+  looked_ = true;
+}
+
+void DevicesPage::leave() {
+  timer_.stop();
+  hold_timer_.stop();
+  context_.session.stopDeviceTest();
+}
+
+void DevicesPage::refresh() {
+  const std::vector<device::DeviceReport> reports = context_.session.devices();
+  while (cards_.size() < reports.size()) cards_.push_back(addCard());
+  shown_ = reports.size();
+  empty_->setVisible(reports.empty());
+  // The motors have a board of their own, or are the touchpad's.
+  widgets::DeviceCard* tested = nullptr;
+  for (std::size_t i = 0; i < cards_.size(); ++i) {
+    cards_[i]->setVisible(i < reports.size());
+    if (i >= reports.size()) continue;
+    cards_[i]->setReport(reports[i]);
+    if (reports[i].part == device::Part::motor_board ||
+        (tested == nullptr && reports[i].part == device::Part::touchpad))
+      tested = cards_[i];
+  }
+  if (tested != nullptr && tested_ == nullptr) {
+    tested_ = tested;
+    tested_->setTests(testWords());
+    connect(tested_, &widgets::DeviceCard::testHeld, this, &DevicesPage::startTest);
+    connect(tested_, &widgets::DeviceCard::testLetGo, this, [this] {
+      hold_timer_.stop();
+      context_.session.stopDeviceTest();
+      showTests();
+    });
+  }
+  showTests();
+}
+
+widgets::DeviceCard* DevicesPage::addCard() {
+  auto* card = new widgets::DeviceCard(this);
+  card->setMinimumWidth(36 * kGrid);
+  row_->insertWidget(row_->count() - 1, card, 1);
+  return card;
+}
+
+void DevicesPage::showTests() {
+  if (tested_ == nullptr) return;
+  const station::DeviceTestStatus status = context_.session.deviceTestStatus();
+  const bool free =
+      !silent_ && (state_ == SafetyState::connected || state_ == SafetyState::ready || state_ == SafetyState::stopped);
+  tested_->allowTests(free, state_ == SafetyState::disconnected ? tr("A test needs motors that answer.")
+                                                                : tr("Only while nothing renders: press Esc first."));
+  if (!free || status.words.empty() || static_cast<std::size_t>(status.test) >= device::kPartTests) {
+    tested_->showTest({});
+    return;
+  }
+  const QString name = testWords().value(static_cast<int>(status.test));
+  tested_->showTest(status.running
+                        ? tr("%1: %2 %").arg(name).arg(100.0 * std::clamp(status.progress, 0.0, 1.0), 0, 'f', 0)
+                        : tr("%1: %2.").arg(name, widgets::deviceWord(status.words)));
+}
+
+void DevicesPage::startTest(int test) {
+  if (const auto started = context_.session.startDeviceTest(static_cast<device::DeviceTest>(test), 0.0); !started) {
+    context_.tell(widgets::Severity::warning, widgets::deviceWord(started.error().message) + QLatin1Char('.'));
+    return;
+  }
+  hold_timer_.start();
+  showTests();
+}
+
+void DevicesPage::holdOn() {
+  for (int i = 0; i < testWords().size(); ++i) {
+    if (!tested_->testButton(i)->engaged()) continue;
+    context_.session.keepDeviceTest();
+    return;
+  }
+  hold_timer_.stop();
+}
+
+}  // namespace fyd::console

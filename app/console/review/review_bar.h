@@ -1,0 +1,37 @@
+// The bar above a recording: back to the list, play, speed, the cursor's time, what the recording is, recover.
+#pragma once
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+
+#include "app/console/review/review_player.h"
+
+namespace fyd::console {
+
+class ReviewBar : public QWidget {
+  Q_OBJECT
+ public:
+  /// @param player is played and paused by it; outlives it
+  ReviewBar(ReviewPlayer& player, QWidget* parent);
+  void setTime(double time_s);
+  void setTitle(const QString& title);
+  [[nodiscard]] QString title() const { return title_->text(); }
+  /// At its right end.
+  void addButton(QToolButton* button) { layout_->addWidget(button); }
+  [[nodiscard]] QToolButton* recoverButton() const { return recover_; }
+
+ signals:
+  void listAsked();
+
+ private:
+  void addPlaying(ReviewPlayer& player);
+
+  QHBoxLayout* layout_;
+  QLabel* time_;
+  QLabel* title_;
+  QToolButton* recover_;
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,115 @@
+#include "app/console/review/review_exports.h"
+
+#include <QFileInfo>
+
+#include "core/export/touch_gesture.h"
+#include "core/report/report.h"
+#include "core/station/profile/replace_file.h"
+#include "widgets/basics/core_text.h"
+
+namespace fyd::console {
+namespace {
+
+using widgets::Severity;
+
+Result<void> write(const std::string& path, const std::string& target, exports::ExportOptions options,
+                   const recording::Progress& progress) {
+  const auto recording = recording::Recording::open(path);
+  if (!recording) return tl::unexpected(recording.error());
+  if (target.ends_with(".html") || target.ends_with(".pdf")) {
+    return report::writeReport(**recording, target, false, progress);
+  }
+  options.progress = progress;
+  const auto exported = exports::exportRecording(**recording, target, options);
+  return exported ? Result<void>() : tl::unexpected(exported.error());
+}
+
+Result<void> writeCard(const std::string& path, const std::string& target, const exports::Touch& touch,
+                       std::size_t number) {
+  const auto recording = recording::Recording::open(path);
+  if (!recording) return tl::unexpected(recording.error());
+  const std::string name = exports::touchName(path, number);
+  const auto card = exports::gestureOf(**recording, touch, name, name);
+  if (!card) return tl::unexpected(card.error());
+  const auto text = sim::formatGesture(*card);
+  return text ? station::replaceFile(target, *text) : tl::unexpected(text.error());
+}
+
+}  // namespace
+
+void ReviewExports::exportAs(const QString& ending) {
+  const QFileInfo file(path_);
+  exportTo((file.absolutePath() + QLatin1Char('/') + file.completeBaseName() + QLatin1Char('.') + ending).toStdString(),
+           {});
+}
+
+// Reads the data again on its own thread, because the shown time may be hours.
+void ReviewExports::exportShown(const ReviewCurves& curves, const QString& target) {
+  const widgets::CurveStack& stack = *curves.stack();
+  exports::ExportOptions options{.from_s = curves.window().from_s(), .to_s = curves.window().to_s()};
+  options.fields.emplace_back("t_s");
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    if (!stack.shown(i)) continue;
+    for (const widgets::Trace& trace : stack.setup(i).traces) {
+      if (trace.channel < widgets::kCurveChannels)
+        options.fields.emplace_back(widgets::curveQuantities()[trace.channel].field);
+    }
+  }
+  exportTo(target.toStdString(), options);
+}
+
+void ReviewExports::exportTo(const std::string& target, const exports::ExportOptions& options) {
+  if (path_.isEmpty()) return;
+  run(target, [path = path_.toStdString(), target, options](const recording::Progress& progress) {
+    return write(path, target, options, progress);
+  });
+}
+
+void ReviewExports::exportCard(const exports::Touch& touch, int number) {
+  if (path_.isEmpty()) return;
+  const QFileInfo file(path_);
+  const QString base =
+      tr("%1 touch %2").arg(file.absolutePath() + QLatin1Char('/') + file.completeBaseName()).arg(number);
+  QString target = base + QStringLiteral(".gesture");
+  for (int next = 2; QFileInfo::exists(target); ++next) target = base + QStringLiteral(" (%1).gesture").arg(next);
+  run(
+      target.toStdString(),
+      [path = path_.toStdString(), target = target.toStdString(), touch, number](const recording::Progress&) {
+        return writeCard(path, target, touch, static_cast<std::size_t>(number));
+      },
+      tr("The simulated finger plays it: Operate, Finger, Gesture card."));
+}
+
+void ReviewExports::run(const std::string& target, Write write, const QString& then) {
+  const QString name = QString::fromStdString(target);
+  if (works_.contains(target)) {
+    tell_(Severity::information, tr("%1 is being written already.").arg(name));
+    return;
+  }
+  auto* work = works_[target] = new LongWork(bars_, this);
+  work->run(tr("Writing %1").arg(QFileInfo(name).fileName()),
+            [this, target, write = std::move(write), then](const recording::Progress& progress) {
+              const auto done = write(progress);
+              return [this, done, target, then] { finish(target, done, then); };
+            });
+}
+
+void ReviewExports::finish(const std::string& target, const Result<void>& done, const QString& then) {
+  LongWork* work = works_.extract(target).mapped();
+  work->deleteLater();  // it is still emitting the signal that it has ended
+  const QString name = QString::fromStdString(target);
+  if (done) {
+    const QString written = tr("%1 is written.").arg(name);
+    tell_(Severity::information, then.isEmpty() ? written : written + QLatin1Char(' ') + then);
+  } else if (work->cancelled()) {
+    tell_(Severity::information, tr("%1 was cancelled; no file is left.").arg(name));
+  } else {
+    tell_(Severity::warning, widgets::coreText(done.error().message));
+  }
+}
+
+void ReviewExports::drop() {
+  for (auto& [target, work] : works_) work->drop();
+}
+
+}  // namespace fyd::console

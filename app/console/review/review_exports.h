@@ -1,0 +1,50 @@
+// Exports and reports of the recording in review: into its folder, never replacing a file. Several may be written at
+// once, each with its bar; one that is cancelled leaves no file.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "app/console/review/review_curves.h"
+#include "app/console/shell/long_work.h"
+#include "core/export/export_recording.h"
+#include "core/export/touches.h"
+#include "widgets/status/notice_stack.h"
+
+namespace fyd::console {
+
+class ReviewExports : public QObject {
+  Q_OBJECT
+ public:
+  using Tell = std::function<void(widgets::Severity, const QString&)>;
+  ReviewExports(widgets::ProgressBars* bars, Tell tell, QObject* parent = nullptr)
+      : QObject(parent), bars_(bars), tell_(std::move(tell)) {}
+
+  /// Empty: none. Work under way continues with its own recording.
+  void setRecording(const QString& path) { path_ = path; }
+  /// Beside the recording, in the format of the ending: report.html, report.pdf, csv, mat, mcap, mkv.
+  void exportAs(const QString& ending);
+  /// The rows and fields that `curves` show, as CSV.
+  void exportShown(const ReviewCurves& curves, const QString& target);
+  /// A touch as a gesture card. @param number from 1
+  void exportCard(const exports::Touch& touch, int number);
+  /// Cancels all of them; no partial file is left.
+  void drop();
+
+ private:
+  using Write = std::function<Result<void>(const recording::Progress&)>;
+  void exportTo(const std::string& target, const exports::ExportOptions& options);
+  /// @param then text that follows "… is written." in the notice
+  void run(const std::string& target, Write write, const QString& then = {});
+
+  void finish(const std::string& target, const Result<void>& done, const QString& then);
+
+  widgets::ProgressBars* bars_;
+  Tell tell_;
+  QString path_;
+  std::map<std::string, LongWork*> works_;  // by the file each writes
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,96 @@
+// The place "Review": recorded sessions. A list of them, or one of them: overview on top, curves below it, the camera
+// at the cursor on the left, touches, figures, what-if and comparison on the right.
+#pragma once
+
+#include <QLineEdit>
+#include <QStackedWidget>
+#include <memory>
+
+#include "app/console/review/review_bar.h"
+#include "app/console/review/review_camera.h"
+#include "app/console/review/review_curves.h"
+#include "app/console/review/review_exports.h"
+#include "app/console/review/review_marks.h"
+#include "app/console/review/review_player.h"
+#include "app/console/review/review_recovery.h"
+#include "app/console/review/review_tabs.h"
+#include "app/console/review/session_list.h"
+#include "app/console/shell/curve_tools.h"
+#include "app/console/shell/page.h"
+
+namespace fyd::console {
+
+class ReviewPage : public Page {
+  Q_OBJECT
+ public:
+  static constexpr const char* kCancelWorkKeys = "Ctrl+Shift+X";
+
+  explicit ReviewPage(const PageContext& context, QWidget* parent = nullptr);
+  ~ReviewPage() override;
+  void addCommands(PlaceCommands& commands) override;
+  void enter() override;
+  void leave() override;
+
+  /// Shows a recording; on an error a notice is shown, and the list stays.
+  void open(const QString& path);
+  void showList();
+  /// To be called when a session was added to the catalogue: refreshes the list if it is shown.
+  void showNews();
+  /// At the cursor.
+  void writeNote(recording::NoteKind kind, const QString& text);
+  void setMark(widgets::CurveStack::Mark which);
+
+  [[nodiscard]] const recording::Recording* recording() const { return recording_.get(); }
+  [[nodiscard]] ReviewPlayer* player() { return &player_; }
+  [[nodiscard]] CurveTools* curveTools() const { return curve_tools_; }
+  [[nodiscard]] ReviewCurves* curves() const { return curves_; }
+  [[nodiscard]] widgets::SessionOverview* overview() const { return overview_; }
+  [[nodiscard]] SessionList* list() const { return list_; }
+  [[nodiscard]] TouchTable* touches() const { return tabs_->touches(); }
+  [[nodiscard]] QToolButton* cardButton() const { return tabs_->cardButton(); }
+  [[nodiscard]] FiguresTable* figures() const { return tabs_->figures(); }
+  [[nodiscard]] NoteTable* notes() const { return note_table_; }
+  [[nodiscard]] WhatIfPanel* whatIf() const { return tabs_->whatIf(); }
+  [[nodiscard]] ReviewComparison* comparison() const { return tabs_->comparison(); }
+  [[nodiscard]] ReviewExports* exports() const { return exports_; }
+  [[nodiscard]] widgets::ProgressBars* work() const { return work_; }
+  [[nodiscard]] QToolButton* recoverButton() const { return bar_->recoverButton(); }
+  [[nodiscard]] QLineEdit* noteField() const { return note_field_; }
+  [[nodiscard]] ReviewTabs* tabs() const { return tabs_; }
+  [[nodiscard]] bool showsList() const { return stack_->currentIndex() == 0; }
+  [[nodiscard]] QString title() const { return bar_->title(); }
+
+ private:
+  QWidget* buildReview();
+  QWidget* buildLeft();
+  void connectCursor();
+  void connectTabs();
+  void connectRecovery();
+  void addExportCommands(PlaceCommands& commands);
+  void close();
+  void describe();
+  void look(double time_s);
+  void showEnvelope();
+
+  PageContext context_;
+  QString path_;
+  std::unique_ptr<recording::Recording> recording_;
+  ReviewPlayer player_;
+
+  QStackedWidget* stack_;
+  widgets::ProgressBars* work_;
+  SessionList* list_;
+  widgets::SessionOverview* overview_;
+  ReviewCurves* curves_;
+  CurveTools* curve_tools_;
+  ReviewExports* exports_;
+  ReviewRecovery* recovery_;
+  NoteTable* note_table_;
+  ReviewMarks marks_;
+  ReviewBar* bar_;
+  ReviewCamera* camera_;
+  QLineEdit* note_field_;
+  ReviewTabs* tabs_;
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,60 @@
+// What is computed of a recording, at its right: touches, figures between A and B, what if, comparison.
+#pragma once
+
+#include <QTabWidget>
+#include <QToolButton>
+#include <vector>
+
+#include "app/console/review/review_comparison.h"
+#include "app/console/review/review_exports.h"
+#include "app/console/review/review_tables.h"
+#include "app/console/review/touch_search.h"
+#include "app/console/review/what_if_panel.h"
+#include "app/console/shell/long_work.h"
+#include "app/console/shell/page.h"
+
+namespace fyd::console {
+
+class ReviewTabs : public QTabWidget {
+  Q_OBJECT
+ public:
+  /// @param exports writes a touch's gesture card
+  ReviewTabs(const PageContext& context, widgets::ProgressBars* bars, ReviewExports* exports, QWidget* parent);
+
+  /// Begins to look for touches.
+  void open(const QString& path);
+  /// Ends what is computed, and forgets the recording.
+  void close();
+  /// Shows the figures between two times; nothing happens before both are known.
+  void showFigures(double a_s, double b_s);
+  /// A gesture card of the touch that is chosen.
+  void makeCard();
+
+  [[nodiscard]] TouchTable* touches() const { return touch_table_; }
+  [[nodiscard]] QToolButton* cardButton() const { return card_; }
+  [[nodiscard]] FiguresTable* figures() const { return figures_table_; }
+  [[nodiscard]] WhatIfPanel* whatIf() const { return what_if_; }
+  [[nodiscard]] ReviewComparison* comparison() const { return comparison_; }
+
+ signals:
+  /// Found, or none while they are looked for.
+  void touchesChanged(const std::vector<exports::Touch>& touches);
+
+ private:
+  QWidget* buildTouches();
+  void showTouches(const std::vector<exports::Touch>& touches);
+  void findTouches();
+
+  PageContext context_;
+  ReviewExports* exports_;
+  QString path_;
+  TouchTable* touch_table_;
+  QToolButton* card_;
+  FiguresTable* figures_table_;
+  WhatIfPanel* what_if_;
+  ReviewComparison* comparison_;
+  TouchSearch touch_search_;
+  LongWork figures_work_;
+};
+
+}  // namespace fyd::console

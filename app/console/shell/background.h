@@ -1,0 +1,42 @@
+// Long work (finding touches, figures, replays, exports) on its own thread; its result is delivered on the window's.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <map>
+#include <stop_token>
+#include <thread>
+
+namespace fyd::console {
+
+class Background : public QObject {
+  Q_OBJECT
+ public:
+  /// Runs on the window's thread when the work is done.
+  using Finish = std::function<void()>;
+  /// Runs on its own thread; must own its data, and end soon once asked to stop.
+  using Work = std::function<Finish(const std::stop_token&)>;
+
+  using QObject::QObject;
+  ~Background() override;  ///< waits for work under way
+
+  /// Starts `work`; work under way is cancelled.
+  void run(Work work);
+  /// Asks work under way to stop; its result is still delivered.
+  void stop();
+  /// Asks work under way to stop and drops its result; never waits.
+  void cancel();
+  [[nodiscard]] bool running() const { return running_; }
+
+ signals:
+  void runningChanged(bool running);
+
+ private:
+  void finish(int number, const Finish& finish);
+
+  std::map<int, std::jthread> threads_;  // by number; those cancelled stay until they have ended
+  bool running_ = false;
+  int number_ = 0;  // of the newest work
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,23 @@
+// Esc stops from everywhere: from a field, an open list, a menu, a dialog. It is handled before any widget and then
+// passed on, so that it also closes what it usually closes. The space bar goes to the control that has the focus before
+// it goes to the window's shortcut.
+#pragma once
+
+#include <QObject>
+
+namespace fyd::console {
+
+class KeyGuard : public QObject {
+  Q_OBJECT
+ public:
+  /// Watches the whole application for as long as it lives.
+  explicit KeyGuard(QObject* parent = nullptr);
+
+ signals:
+  void stopPressed();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+}  // namespace fyd::console

@@ -1,0 +1,35 @@
+// A place of the window, one entry of its navigation bar: the objects it may use, and calls when it is shown and left.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "app/console/shell/command_registry.h"
+#include "app/console/shell/session.h"
+#include "app/console/shell/session_feed.h"
+#include "app/console/shell/tuning_bridge.h"
+#include "widgets/status/notice_stack.h"
+
+namespace fyd::console {
+
+/// Objects that the window provides to its places; all of them outlive the places.
+struct PageContext {
+  Session& session;
+  SessionFeed& feed;
+  TuningBridge& tuning;
+  QString catalogue;                                            ///< word as after --catalogue; empty: this user's own
+  std::function<void(widgets::Severity, const QString&)> tell;  ///< shows a notice, and adds it to the log
+};
+
+/// The state bar with Stop stands above every page; a page has none of its own, and nothing on it is modal.
+class Page : public QWidget {
+  Q_OBJECT
+ public:
+  using QWidget::QWidget;
+  /// Its commands: in the menus, the palette and by keys only while the page is shown.
+  virtual void addCommands(PlaceCommands& commands) { static_cast<void>(commands); }
+  virtual void enter() {}  ///< it is shown now
+  virtual void leave() {}  ///< another place is shown; a hidden page should use no processor time
+};
+
+}  // namespace fyd::console

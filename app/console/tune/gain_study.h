@@ -1,0 +1,41 @@
+// The gains of the place "Tune": the step response of the present and the saved ones, and auto-tune's proposal.
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "app/console/shell/page.h"
+#include "app/console/tune/loop_study.h"
+#include "widgets/tuning/tuning_proposal.h"
+#include "widgets/tuning/tuning_response.h"
+
+namespace fyd::console {
+
+class GainStudy : public QObject {
+  Q_OBJECT
+ public:
+  /// @param response, proposal what shows it; they outlive it
+  GainStudy(const PageContext& context, widgets::TuningResponse* response, widgets::TuningProposal* proposal,
+            QObject* parent);
+
+  /// Computes the responses of the values as they are now.
+  void studyValues();
+  void listen(std::span<const pipeline::TelemetrySample> samples) { study_.listen(samples); }
+  [[nodiscard]] LoopStudy& study() { return study_; }
+
+ private:
+  void connectProposal();
+  void offerSources();
+  void showProposal(const widgets::ResponseView& response);
+  void acceptProposal();
+  void discardProposal(const QString& words);
+
+  PageContext context_;
+  widgets::TuningModel& model_;
+  widgets::TuningResponse* response_;
+  widgets::TuningProposal* proposal_;
+  LoopStudy study_;
+  std::vector<TuneSource> sources_;
+};
+
+}  // namespace fyd::console

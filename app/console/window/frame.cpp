@@ -1,0 +1,77 @@
+#include "app/console/window/frame.h"
+
+#include <QActionGroup>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <string>
+
+#include "app/console/window/places.h"
+#include "widgets/basics/theme.h"
+
+namespace fyd::console {
+
+using widgets::kGrid;
+
+namespace {
+
+/// Only the shown page may claim its size, so that a hidden wide page does not widen the window.
+void claimSize(Page& page, bool claims) {
+  const auto policy = claims ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+  page.setSizePolicy(policy, policy);
+}
+
+}  // namespace
+
+Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* parent)
+    : QWidget(parent),
+      commands_(commands),
+      navigation_bar_(new widgets::NavigationBar(this)),
+      state_bar_(new widgets::StateBar(this)),
+      stack_(new QStackedWidget(this)) {
+  auto* group = new QActionGroup(this);
+  for (const PlaceInfo& info : places()) {
+    const QString id = QLatin1String(info.id);
+    const std::string command = std::string("place.") + info.id;
+    QAction* action =
+        commands_.add({command.c_str(), "View", info.word, info.icon, info.keys, true}, [this, id](bool) { go(id); });
+    group->addAction(action);
+    navigation_bar_->add(action);
+    Page* page = info.make(context, stack_);
+    stack_->addWidget(page);
+    claimSize(*page, false);
+    pages_[id] = page;
+    PlaceCommands own(commands_, id);
+    page->addCommands(own);
+  }
+  auto* column = new QVBoxLayout;
+  column->setSpacing(kGrid);
+  column->addWidget(state_bar_);
+  column->addWidget(stack_, 1);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, kGrid, kGrid, kGrid);
+  layout->setSpacing(kGrid);
+  layout->addWidget(navigation_bar_);
+  layout->addLayout(column, 1);
+}
+
+void Frame::go(const QString& place) {
+  const auto wanted = pages_.find(place);
+  if (wanted == pages_.end() || place == place_) return;
+  if (Page* former = page(place_)) {
+    former->leave();
+    claimSize(*former, false);
+  }
+  place_ = place;
+  claimSize(*wanted->second, true);
+  stack_->setCurrentWidget(wanted->second);
+  commands_.showPlace(place);
+  commands_.action(QStringLiteral("place.") + place)->setChecked(true);
+  wanted->second->enter();
+}
+
+Page* Frame::page(const QString& place) const {
+  const auto found = pages_.find(place);
+  return found == pages_.end() ? nullptr : found->second;
+}
+
+}  // namespace fyd::console

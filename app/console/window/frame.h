@@ -1,0 +1,38 @@
+// The window's frame: the navigation bar at the left, and the state bar with Stop above the shown place.
+#pragma once
+
+#include <QStackedWidget>
+#include <QWidget>
+#include <map>
+
+#include "app/console/shell/command_registry.h"
+#include "app/console/shell/page.h"
+#include "widgets/basics/navigation_bar.h"
+#include "widgets/status/state_bar.h"
+
+namespace fyd::console {
+
+class Frame : public QWidget {
+  Q_OBJECT
+ public:
+  /// Makes every place, and a command for each.
+  Frame(const PageContext& context, CommandRegistry& commands, QWidget* parent = nullptr);
+
+  /// Shows a place; an unknown one changes nothing.
+  void go(const QString& place);
+  [[nodiscard]] const QString& place() const { return place_; }
+  [[nodiscard]] Page* page(const QString& place) const;
+  [[nodiscard]] widgets::StateBar* stateBar() const { return state_bar_; }
+  [[nodiscard]] widgets::NavigationBar* navigationBar() const { return navigation_bar_; }
+  [[nodiscard]] QStackedWidget* stack() const { return stack_; }
+
+ private:
+  CommandRegistry& commands_;
+  widgets::NavigationBar* navigation_bar_;
+  widgets::StateBar* state_bar_;
+  QStackedWidget* stack_;
+  std::map<QString, Page*> pages_;
+  QString place_;
+};
+
+}  // namespace fyd::console

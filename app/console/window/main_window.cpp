@@ -1,0 +1,234 @@
+#include "app/console/window/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QScreen>
+
+#include "app/console/review/review_page.h"
+#include "app/console/shell/language.h"
+#include "app/console/shell/side_dock.h"
+#include "app/console/shell/views.h"
+#include "app/console/window/manual.h"
+#include "widgets/basics/core_text.h"
+#include "widgets/basics/icon.h"
+
+namespace fyd::console {
+
+using widgets::Severity;
+
+MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue,
+                       const WindowMemory& memory)
+    : session_(std::move(session)),
+      catalogue_(catalogue),
+      memory_(memory),
+      tuning_(*session_, profile_path),
+      feed_(new SessionFeed(*session_, this)),
+      commands_(new CommandRegistry(this)),
+      keys_(new KeyGuard(this)),
+      frame_(new Frame(context(), *commands_, this)),
+      notices_(new widgets::NoticeStack(frame_->stack())),
+      help_(new HelpDock(this)),
+      link_(new LinkDock(tuning_.model(), this)),
+      robot_(new RobotChange(context(), *link_, this)),
+      recording_(new RecordingControl(context(), memoryFile(profile_path), this)),
+      trials_(new TrialRun(context(), this)),
+      palette_(new CommandPalette(*commands_, this)),
+      panels_(*this),
+      layouts_(new LayoutsDialog(
+          memory_, [this] { return layoutNow(); }, this)) {
+  setWindowTitle(tr("FYD Console"));
+  setWindowIcon(widgets::icon(QStringLiteral("fyd-console")));
+  setCentralWidget(frame_);
+  buildDocks();
+  recording_->connectButton(stateBar()->recordButton());
+  recording_->addCommands(*commands_);
+  trials_->addCommands(*commands_);
+  commands_->fill(*menuBar());
+  connectFeed();
+  connectStateBar();
+  connectCommands();
+  connectLook();
+  connectLayouts();
+  robot_->showRobot();
+  standard_ = {.window = {},
+               .operate = {},
+               .curves = operate()->curveTools()->choice(),
+               .review_curves = reviewPage()->curveTools()->choice()};
+  frame_->go(QStringLiteral("operate"));
+  recall();
+}
+
+MainWindow::~MainWindow() {
+  session_->shutDown();
+  delete frame_;  // before tuning_: a field that loses the focus still passes its entry to it
+}
+
+PageContext MainWindow::context() {
+  return {.session = *session_,
+          .feed = *feed_,
+          .tuning = tuning_,
+          .catalogue = catalogue_,
+          .tell = [this](Severity severity, const QString& text) { tell(severity, text); }};
+}
+
+OperatePage* MainWindow::operate() const { return qobject_cast<OperatePage*>(frame_->page(QStringLiteral("operate"))); }
+
+ReviewPage* MainWindow::reviewPage() const { return qobject_cast<ReviewPage*>(frame_->page(QStringLiteral("review"))); }
+
+void MainWindow::start() {
+  session_->start();
+  feed_->start();
+}
+
+void MainWindow::review(const QString& recording) {
+  frame_->go(QStringLiteral("review"));
+  reviewPage()->open(recording);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  session_->requestStop();
+  remember();
+  recording_->finish();
+  session_->shutDown();
+  event->accept();
+}
+
+void MainWindow::buildDocks() {
+  log_ = new widgets::LogView;
+  log_dock_ = new SideDock(tr("Log"), QStringLiteral("log_close"), tr("Close the log"), log_, this);
+  panels_.add(log_dock_, QStringLiteral("log"), Qt::BottomDockWidgetArea, false);
+  panels_.add(link_, QStringLiteral("link"), Qt::RightDockWidgetArea, false);
+  panels_.add(help_, QStringLiteral("manual"), Qt::RightDockWidgetArea, false);
+  panels_.add(recording_->dock(), QStringLiteral("recording"), Qt::RightDockWidgetArea, false);
+}
+
+void MainWindow::connectFeed() {
+  connect(feed_, &SessionFeed::telemetry, this, &MainWindow::takeSamples);
+  connect(feed_, &SessionFeed::silent, stateBar(), &widgets::StateBar::showSilence);
+  connect(feed_, &SessionFeed::parts, stateBar(), &widgets::StateBar::showParts);
+  connect(feed_, &SessionFeed::link, link_->panel(), &widgets::LinkPanel::setLink);
+  connect(feed_, &SessionFeed::silent, link_, &LinkDock::showSilence);
+  connect(feed_, &SessionFeed::notice, this, &MainWindow::takeNotice);
+  connect(&tuning_, &TuningBridge::told, this,
+          [this](Severity severity, const QString& text) { tell(severity, text); });
+  connect(robot_, &RobotChange::beginning, this, [this] { arm_once_ = false; });
+  connect(recording_, &RecordingControl::catalogued, reviewPage(), &ReviewPage::showNews);
+}
+
+void MainWindow::connectStateBar() {
+  const widgets::StateBar* bar = stateBar();
+  connect(keys_, &KeyGuard::stopPressed, this, &MainWindow::stop);
+  connect(bar, &widgets::StateBar::stopAsked, this, &MainWindow::stop);
+  connect(bar, &widgets::StateBar::armAsked, this, [this] { ask(pipeline::OperatorAction::arm); });
+  connect(bar, &widgets::StateBar::tareAsked, this, [this] { ask(pipeline::OperatorAction::tare); });
+  connect(bar->parts(), &widgets::PartList::opened, commands_->action(QStringLiteral("view.link")), &QAction::trigger);
+}
+
+void MainWindow::connectCommands() {
+  const auto on = [this](const char* id, auto run) { commands_->on(QLatin1String(id), run); };
+  on("session.stop", [this](bool) { stop(); });
+  on("session.tare", [this](bool) { ask(pipeline::OperatorAction::tare); });
+  on("session.save_profile", [this](bool) { tuning_.save(); });
+  on("session.quit", [this](bool) { close(); });
+  connectToggle(commands_->action(QStringLiteral("view.log")), log_dock_);
+  connectToggle(commands_->action(QStringLiteral("view.link")), link_);
+  connectToggle(commands_->action(QStringLiteral("help.manual")), help_);
+  connect(help_, &QDockWidget::visibilityChanged, this, [this](bool shown) {
+    if (shown && help_->topic().isEmpty()) help_->showTopic(manualTopic(nullptr, frame_->place()));
+  });
+  on("help.context", [this](bool) { help_->showTopic(manualTopic(QApplication::focusWidget(), frame_->place())); });
+  on("view.notices_read", [this](bool) { notices_->dismissAll(); });
+  on("view.palette", [this](bool) { palette_->open(); });
+  connect(operate()->readiness(), &widgets::ReadinessList::commandAsked, this, [this](const QString& id) {
+    if (QAction* action = commands_->action(id)) action->trigger();
+  });
+}
+
+void MainWindow::connectLook() {
+  for (const auto choice : {widgets::ThemeChoice::dark, widgets::ThemeChoice::light, widgets::ThemeChoice::system}) {
+    commands_->on(QStringLiteral("view.theme_") + themeWord(choice), [this, choice](bool) {
+      widgets::Look::instance().apply(*qApp, choice);
+      memory_.setTheme(choice);
+    });
+  }
+  for (const Language& language : languages()) {
+    const QString code = QLatin1String(language.code);
+    commands_->on(QStringLiteral("view.language_") + code, [this, code](bool) {
+      memory_.setLanguage(code);
+      tell(Severity::information, tr("The language changes when the window is started again."));
+    });
+  }
+}
+
+void MainWindow::connectLayouts() {
+  commands_->on(QStringLiteral("view.layouts"), [this](bool) { layouts_->open(); });
+  commands_->on(QStringLiteral("view.layout_standard"), [this](bool) { setLayoutTo(standard_); });
+  connect(layouts_, &LayoutsDialog::chosen, this, &MainWindow::setLayoutTo);
+  connect(layouts_, &LayoutsDialog::standardAsked, this, [this] { setLayoutTo(standard_); });
+}
+
+Layout MainWindow::layoutNow() const {
+  return {.window = panels_.save(),
+          .operate = operate()->panels().save(),
+          .curves = operate()->curveTools()->choice(),
+          .review_curves = reviewPage()->curveTools()->choice()};
+}
+
+void MainWindow::setLayoutTo(const Layout& layout) {
+  panels_.restore(layout.window);
+  operate()->panels().restore(layout.operate);
+  if (layout == Layout{}) return;  // a first start: no layout was saved
+  for (const auto& [tools, choice] : {std::pair{operate()->curveTools(), layout.curves},
+                                      std::pair{reviewPage()->curveTools(), layout.review_curves}}) {
+    const QString left_out = tools->choose(choice);
+    if (!left_out.isEmpty()) tell(Severity::warning, left_out, false);
+  }
+}
+
+void MainWindow::recall() {
+  resize(QSize(1280, 720).boundedTo(screen()->availableSize()));
+  if (const QByteArray kept = memory_.geometry(); !kept.isEmpty()) restoreGeometry(kept);
+  setLayoutTo(memory_.layout());
+  frame_->go(memory_.page());
+}
+
+void MainWindow::remember() {
+  memory_.setGeometry(saveGeometry());
+  memory_.setLayout(layoutNow());
+  memory_.setPage(frame_->place());
+}
+
+void MainWindow::stop() {
+  arm_once_ = false;
+  session_->requestStop();
+}
+
+void MainWindow::ask(pipeline::OperatorAction action) {
+  if (!session_->command({.action = action})) {
+    tell(Severity::error, tr("The station did not take the command: too many at once. Try again."));
+  }
+}
+
+void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples) {
+  const pipeline::TelemetrySample& newest = samples.back();
+  stateBar()->showState(newest.state, newest.fault);
+  link_->showSample(newest);
+  if (arm_once_ && newest.state == pipeline::SafetyState::ready) {
+    arm_once_ = false;
+    ask(pipeline::OperatorAction::arm);
+  }
+}
+
+void MainWindow::takeNotice(const station::Notice& notice) {
+  tuning_.hear(notice.event);
+  const Telling telling = tellingOf(notice.event);
+  tell(telling.severity, widgets::coreText(notice.message), telling.slides_in);
+}
+
+void MainWindow::tell(Severity severity, const QString& text, bool slide_in) {
+  log_->add(QTime::currentTime().toString(QStringLiteral("HH:mm:ss.zzz")), severity, text);
+  if (slide_in) notices_->post(severity, text);
+}
+
+}  // namespace fyd::console

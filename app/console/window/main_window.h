@@ -1,0 +1,113 @@
+// The window: combines the frame with its places, the docks and the notices, and handles what concerns all of them:
+// stop, arm, tare, the log. Each place implements its own functions.
+#pragma once
+
+#include <QMainWindow>
+#include <QTime>
+#include <memory>
+
+#include "app/console/operate/operate_page.h"
+#include "app/console/operate/recording_control.h"
+#include "app/console/shell/command_registry.h"
+#include "app/console/shell/dock_set.h"
+#include "app/console/shell/key_guard.h"
+#include "app/console/shell/session.h"
+#include "app/console/shell/session_feed.h"
+#include "app/console/shell/tuning_bridge.h"
+#include "app/console/window/command_palette.h"
+#include "app/console/window/frame.h"
+#include "app/console/window/help_dock.h"
+#include "app/console/window/layouts_dialog.h"
+#include "app/console/window/link_dock.h"
+#include "app/console/window/robot_change.h"
+#include "app/console/window/trial_run.h"
+#include "app/console/window/window_memory.h"
+#include "widgets/status/log_view.h"
+#include "widgets/status/notice_stack.h"
+
+class QDockWidget;
+
+namespace fyd::console {
+
+class ReviewPage;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// @param profile_path where "Save profile" writes
+  /// @param catalogue of sessions, word as after --catalogue
+  /// @param memory what is remembered from start to start
+  MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue = {},
+             const WindowMemory& memory = WindowMemory({}));
+  ~MainWindow() override;
+
+  /// Starts the session's threads and the feed.
+  void start();
+  /// Arms once when first Ready, as a headless station does; for screenshots.
+  void armOnce() { arm_once_ = true; }
+
+  /// Goes to the place "Review" and opens a recording there.
+  void review(const QString& recording);
+
+  [[nodiscard]] Session& session() { return *session_; }
+  [[nodiscard]] SessionFeed& feed() { return *feed_; }
+  [[nodiscard]] Frame* frame() const { return frame_; }
+  [[nodiscard]] widgets::StateBar* stateBar() const { return frame_->stateBar(); }
+  [[nodiscard]] OperatePage* operate() const;
+  [[nodiscard]] widgets::NoticeStack* notices() const { return notices_; }
+  [[nodiscard]] widgets::LogView* log() const { return log_; }
+  [[nodiscard]] CommandRegistry& commands() { return *commands_; }
+  [[nodiscard]] LinkDock* link() const { return link_; }
+  [[nodiscard]] RecordingControl* recording() const { return recording_; }
+  [[nodiscard]] TrialRun* trials() const { return trials_; }
+  [[nodiscard]] CommandPalette* palette() const { return palette_; }
+  [[nodiscard]] HelpDock* help() const { return help_; }
+  [[nodiscard]] LayoutsDialog* layouts() const { return layouts_; }
+  [[nodiscard]] Layout layoutNow() const;
+  /// What cannot be restored of it is noted in the log.
+  void setLayoutTo(const Layout& layout);
+  void tell(widgets::Severity severity, const QString& text, bool slide_in = true);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  PageContext context();
+  [[nodiscard]] ReviewPage* reviewPage() const;
+  void buildDocks();
+  void connectFeed();
+  void connectStateBar();
+  void connectCommands();
+  void connectLook();
+  void connectLayouts();
+  void recall();
+  void remember();
+  void stop();
+  void ask(pipeline::OperatorAction action);
+  void takeSamples(std::span<const pipeline::TelemetrySample> samples);
+  void takeNotice(const station::Notice& notice);
+
+  std::unique_ptr<Session> session_;
+  QString catalogue_;
+  WindowMemory memory_;
+  TuningBridge tuning_;
+  SessionFeed* feed_;
+  CommandRegistry* commands_;
+  KeyGuard* keys_;
+  Frame* frame_;
+  widgets::NoticeStack* notices_;
+  widgets::LogView* log_ = nullptr;
+  QDockWidget* log_dock_ = nullptr;
+  HelpDock* help_;
+  LinkDock* link_;
+  RobotChange* robot_;
+  RecordingControl* recording_;
+  TrialRun* trials_;
+  CommandPalette* palette_;
+  DockSet panels_;
+  LayoutsDialog* layouts_;
+  Layout standard_;  ///< the curves of a first start; the panels' states are empty, which gives the standard layout
+  bool arm_once_ = false;
+};
+
+}  // namespace fyd::console

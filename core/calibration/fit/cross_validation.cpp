@@ -1,0 +1,58 @@
+#include "core/calibration/fit/cross_validation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fyd::calibration {
+namespace {
+
+constexpr std::size_t kFolds = 10;
+
+}  // namespace
+
+std::vector<double> distinctValues(std::span<const double> values, double tolerance) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> out;
+  for (const double value : sorted) {
+    if (out.empty() || value - out.back() > tolerance) out.push_back(value);
+  }
+  return out;
+}
+
+std::vector<std::size_t> foldsByTarget(std::span<const double> targets, Ends ends) {
+  std::vector<std::size_t> folds(targets.size(), kNeverHeldOut);
+  if (targets.empty()) return folds;
+  const auto [lowest, highest] = std::minmax_element(targets.begin(), targets.end());
+  const std::vector<double> distinct = distinctValues(targets, 1e-6 * (*highest - *lowest));
+  const std::size_t skip = ends == Ends::kept ? 1 : 0;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const auto above = std::upper_bound(distinct.begin(), distinct.end(), targets[i]);
+    const auto group = static_cast<std::size_t>(above - distinct.begin()) - 1;
+    if (group < skip || group + skip >= distinct.size()) continue;
+    folds[i] = (group - skip) % kFolds;
+  }
+  return folds;
+}
+
+std::vector<std::size_t> foldsByOrder(std::size_t points) {
+  std::vector<std::size_t> folds(points);
+  for (std::size_t i = 0; i < points; ++i) folds[i] = i % kFolds;
+  return folds;
+}
+
+Gap widestGap(std::span<const double> values, double from, double to) {
+  std::vector<double> marks = {from};
+  for (const double value : values) {
+    if (value > from && value < to) marks.push_back(value);
+  }
+  marks.push_back(to);
+  std::sort(marks.begin(), marks.end());
+  Gap widest{from, from};
+  for (std::size_t i = 1; i < marks.size(); ++i) {
+    if (marks[i] - marks[i - 1] > widest.width()) widest = {marks[i - 1], marks[i]};
+  }
+  return widest;
+}
+
+}  // namespace fyd::calibration

@@ -1,0 +1,110 @@
+#include "core/catalogue/catalogue_pending.h"
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/catalogue/catalogue_address.h"
+#include "core/catalogue/catalogue_database.h"
+
+namespace fyd::catalogue {
+
+NLOHMANN_JSON_SERIALIZE_ENUM(recording::Wholeness, {{recording::Wholeness::whole, "whole"},
+                                                    {recording::Wholeness::growing, "growing"},
+                                                    {recording::Wholeness::crashed, "crashed"},
+                                                    {recording::Wholeness::damaged, "damaged"}})
+// The file's state is not kept: it was there when the entry was made.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(CatalogueEntry, id, path, station, started_utc, duration_s,
+                                                operator_name, subject, tags, notes, touchpad, robot, samples, gaps,
+                                                events, wholeness, health, bytes, file_modified_ns)
+
+namespace {
+
+Result<std::unique_ptr<CatalogueDatabase>> openQueue() {
+  const auto word = parseCatalogueAddress("sqlite:" + pendingPath());
+  if (!word) return tl::unexpected(word.error());
+  return CatalogueDatabase::open(*word, pendingSchema());
+}
+
+Result<CatalogueEntry> parseEntry(const std::string& text) {
+  try {
+    return nlohmann::json::parse(text).get<CatalogueEntry>();
+  } catch (const std::exception& error) {
+    return fail(verbatim(error.what()));
+  }
+}
+
+struct Waiting {
+  std::string id;
+  std::string entry;
+  long long queued_ms = 0;
+};
+
+Result<std::vector<Waiting>> waitingFor(CatalogueDatabase& queue, const std::string& key) {
+  return queue.read([&](soci::session& sql) -> Result<std::vector<Waiting>> {
+    Waiting row;
+    BoundStatement statement(sql);
+    statement.bind("key", key);
+    statement.into(row.id);
+    statement.into(row.entry);
+    statement.into(row.queued_ms);
+    statement.execute("SELECT id, entry, queued_ms FROM pending WHERE catalogue = :key ORDER BY queued_ms, id");
+    std::vector<Waiting> out;
+    while (statement.fetch()) out.push_back(row);
+    return out;
+  });
+}
+
+}  // namespace
+
+Result<void> queueEntry(const std::string& key, const CatalogueEntry& entry, const std::string& reason) {
+  auto queue = openQueue();
+  if (!queue) return tl::unexpected(queue.error());
+  return (*queue)->write([&](soci::session& sql) -> Result<void> {
+    const std::string text = nlohmann::json(entry).dump();
+    const long long now_ms =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch())
+            .count();
+    sql << "INSERT INTO pending (catalogue, id, entry, queued_ms, reason) VALUES (:key, :id, :entry, :now, :reason)"
+           " ON CONFLICT (catalogue, id) DO UPDATE SET entry = excluded.entry, queued_ms = excluded.queued_ms,"
+           " reason = excluded.reason",
+        soci::use(key, "key"), soci::use(entry.id, "id"), soci::use(text, "entry"), soci::use(now_ms, "now"),
+        soci::use(reason, "reason");
+    return {};
+  });
+}
+
+PendingReport deliverPending(const std::string& key,
+                             const std::function<Result<void>(const CatalogueEntry&)>& deliver) {
+  PendingReport report;
+  std::error_code error;
+  if (!std::filesystem::exists(pendingPath(), error)) return report;
+  const auto queue = openQueue();
+  if (!queue) return {.problem = queue.error().message};
+  const auto waiting = waitingFor(**queue, key);
+  if (!waiting) return {.problem = waiting.error().message};
+  report.waiting = waiting->size();
+  for (const Waiting& row : *waiting) {
+    const auto entry = parseEntry(row.entry);
+    if (!entry) {  // its row stays, and the others are delivered
+      report.problem = say("{}: the entry {} is damaged: {}", pendingPath(), row.id, entry.error().message);
+      continue;
+    }
+    const auto delivered = deliver(*entry).and_then([&] {
+      return (*queue)->write([&](soci::session& sql) -> Result<void> {
+        sql << "DELETE FROM pending WHERE catalogue = :key AND id = :id AND queued_ms = :queued", soci::use(key, "key"),
+            soci::use(row.id, "id"), soci::use(row.queued_ms, "queued");
+        return {};
+      });
+    });
+    if (!delivered) {  // stop: each further one would run into the same time-out
+      report.problem = delivered.error().message;
+      break;
+    }
+    ++report.delivered;
+    --report.waiting;
+  }
+  return report;
+}
+
+}  // namespace fyd::catalogue

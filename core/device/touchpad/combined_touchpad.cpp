@@ -1,0 +1,134 @@
+#include "core/device/touchpad/combined_touchpad.h"
+
+namespace fyd::device {
+namespace {
+
+constexpr Duration kRetry = std::chrono::milliseconds(200);
+constexpr int kFailuresUntilRest = 3;
+constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
+constexpr Duration kVibrationTimeout = std::chrono::milliseconds(20);
+
+}  // namespace
+
+bool CombinedTouchpad::Half::reportDue(Instant now) {
+  if (now < report_due_) return false;
+  report_due_ = now + kReportPeriod;
+  return true;
+}
+
+void CombinedTouchpad::Half::publish(DeviceReport report) {
+  const std::lock_guard lock(mutex_);
+  report_ = std::move(report);
+}
+
+Message CombinedTouchpad::Half::description(const Message& fallback) const {
+  const std::lock_guard lock(mutex_);
+  return report_.description.empty() ? fallback : report_.description;
+}
+
+DeviceReport CombinedTouchpad::Half::report(Instant now) const {
+  DeviceReport out;
+  {
+    const std::lock_guard lock(mutex_);
+    out = report_;
+  }
+  monitor.fillIn(out, now);
+  return out;
+}
+
+CombinedTouchpad::CombinedTouchpad(std::unique_ptr<Touchpad> sensors, std::unique_ptr<QbmoveMotors> motors,
+                                   const DeviceParameters& parameters)
+    : sensors_(std::move(sensors)),
+      motors_(std::move(motors)),
+      names_(listed({sensors_->description(), motors_->description()})),
+      longest_silence_(fromSeconds(parameters.qbmove_watchdog_ms / 1e3)) {
+  auto known = sensors_->reports();
+  if (!known.empty()) sensor_half_.publish(std::move(known.front()));
+  motor_half_.publish(motors_->report());
+}
+
+CombinedTouchpad::~CombinedTouchpad() {
+  sensor_thread_.request_stop();
+  motor_thread_.request_stop();
+}
+
+Message CombinedTouchpad::description() const {
+  return listed({sensor_half_.description(names_), motor_half_.description({})});
+}
+
+// The command for the motor board. If the caller has not renewed it in time, the vibration duty becomes 0, and after
+// longest_silence_ the command becomes inactive.
+control::MotorCommand CombinedTouchpad::commandAt(Instant now) {
+  const Given& given = command_.read();
+  control::MotorCommand command = given.command;
+  if (now - given.when > kVibrationTimeout) command.vibration_duty_percent = {};
+  if (now - given.when > longest_silence_) command.active = false;
+  return command;
+}
+
+void CombinedTouchpad::runSensors(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    const Instant now = Clock::now();
+    const auto sensed = sensors_->exchange({}, now);
+    if (sensed) {
+      sensed_.write(*sensed);
+      sensor_half_.monitor.succeeded(now, sensors_->complaint());
+    } else {
+      sensor_half_.monitor.failed(sensed.error().message);
+    }
+    if (sensor_half_.reportDue(now)) {
+      auto reports = sensors_->reports();
+      if (!reports.empty()) sensor_half_.publish(std::move(reports.front()));
+    }
+    std::this_thread::sleep_until(sensed ? now + sensors_->period() : Clock::now() + kRetry);
+  }
+}
+
+void CombinedTouchpad::runMotors(const std::stop_token& stop) {
+  Timed<control::MotorFeedback> newest;
+  int failures = 0;  // in a row
+  while (!stop.stop_requested()) {
+    const Instant now = Clock::now();
+    const auto moved = motors_->exchange(commandAt(now));
+    if (moved) {
+      newest.set(*moved, now);
+      moved_.write(newest);
+      motor_half_.monitor.succeeded(now);
+    } else {
+      motor_half_.monitor.failed(moved.error().message);
+    }
+    failures = moved ? 0 : failures + 1;
+    if (motor_half_.reportDue(now)) motor_half_.publish(motors_->report());
+    std::this_thread::sleep_until(failures < kFailuresUntilRest ? now + period() : Clock::now() + kRetry);
+  }
+  static_cast<void>(motors_->exchange({}));  // motors off
+}
+
+Result<TouchpadReadings> CombinedTouchpad::exchange(const control::MotorCommand& command, Instant now) {
+  command_.write({.command = command, .when = now});
+  if (!motor_thread_.joinable()) {
+    sensor_thread_ = std::jthread([this](const std::stop_token& stop) { runSensors(stop); });
+    motor_thread_ = std::jthread([this](const std::stop_token& stop) { runMotors(stop); });
+  }
+  const TouchpadReadings& sensed = sensed_.read();
+  readings_.ir = sensed.ir;
+  readings_.bridge = sensed.bridge;
+  readings_.motors = moved_.read();
+  const Message sensors = sensor_half_.monitor.problem(now);
+  const Message motors = motor_half_.monitor.problem(now);
+  if (!sensors.empty() && !motors.empty()) return fail(listed({sensors, motors}));
+  return readings_;
+}
+
+Message CombinedTouchpad::complaint() const {
+  const Instant now = Clock::now();
+  const Message sensors = sensor_half_.monitor.problem(now);
+  return sensors.empty() ? motor_half_.monitor.problem(now) : sensors;
+}
+
+std::vector<DeviceReport> CombinedTouchpad::reports() const {
+  const Instant now = Clock::now();
+  return {sensor_half_.report(now), motor_half_.report(now)};
+}
+
+}  // namespace fyd::device

@@ -1,0 +1,61 @@
+// The original motor board (qbrobotics qbmove) on its own serial line: activation, references, vibration,
+// measured positions and currents. The board closes the position loop.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/time.h"
+#include "core/base/timed.h"
+#include "core/control/motor_types.h"
+#include "core/device/device_parameters.h"
+#include "core/device/device_report.h"
+#include "core/device/serial_port.h"
+#include "core/protocol/qbmove_codec.h"
+
+namespace fyd::device {
+
+/// Encoder counts 0…4095 for a measured position of the board, in its ticks.
+[[nodiscard]] std::uint16_t encoderCountsOf(std::int16_t ticks, const DeviceParameters& parameters);
+
+class QbmoveMotors {
+ public:
+  /// Opens nothing yet; the first exchange does.
+  QbmoveMotors(std::string port, const DeviceParameters& parameters);
+
+  [[nodiscard]] Message description() const;
+
+  /// Writes the command, reads positions and currents. The motors are activated by a command that turns active only;
+  /// after the board was lost (gone, or three exchanges in a row without a reply) or has switched its motors off by
+  /// itself, the command has to turn inactive first, and until then this is an error.
+  /// @return an error that names the port, what was missing and the remedy
+  [[nodiscard]] Result<control::MotorFeedback> exchange(const control::MotorCommand& command);
+
+  /// Kind, description, counters and values; the caller fills in rate, age, errors and problem.
+  [[nodiscard]] DeviceReport report() const;
+
+ private:
+  [[nodiscard]] Result<void> connect();
+  [[nodiscard]] Result<void> send(protocol::QbmoveFrame frame);
+  [[nodiscard]] Result<protocol::QbmoveFrame> ask(std::uint8_t command, std::size_t payload_bytes);
+  [[nodiscard]] Result<void> follow(const control::MotorCommand& command);
+  [[nodiscard]] Result<control::MotorFeedback> measure();
+  [[nodiscard]] Result<void> checkActivation();
+  void lose(std::string_view why);
+
+  std::string path_;
+  DeviceParameters parameters_;
+  std::optional<SerialPort> port_;
+  protocol::QbmoveParser parser_;
+  bool energised_ = false;
+  Message refusal_;   // why the motors stay off although the command wants them on
+  int failures_ = 0;  // in a row
+  int exchanges_ = 0;
+  std::uint64_t late_replies_ = 0;
+  std::uint64_t connections_ = 0;
+  std::uint64_t switched_off_ = 0;  // by itself
+  Timed<control::MotorFeedback> newest_;
+};
+
+}  // namespace fyd::device

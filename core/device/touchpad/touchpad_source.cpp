@@ -1,0 +1,29 @@
+#include "core/device/touchpad/touchpad_source.h"
+
+#include "core/device/touchpad/combined_touchpad.h"
+#include "core/device/touchpad/modbus_touchpad.h"
+
+namespace fyd::device {
+namespace {
+
+constexpr std::string_view kQbmovePrefix = "qbmove:";
+
+}  // namespace
+
+Result<std::unique_ptr<Touchpad>> withMotors(std::unique_ptr<Touchpad> touchpad, const std::string& motors,
+                                             const DeviceParameters& parameters) {
+  if (motors.empty()) return touchpad;
+  if (!motors.starts_with(kQbmovePrefix) || motors.size() == kQbmovePrefix.size()) {
+    return fail("motors '{}': expected qbmove:TTY", motors);
+  }
+  auto board = std::make_unique<QbmoveMotors>(motors.substr(kQbmovePrefix.size()), parameters);
+  return std::make_unique<CombinedTouchpad>(std::move(touchpad), std::move(board), parameters);
+}
+
+Result<std::unique_ptr<Touchpad>> openTouchpad(const std::string& source, const DeviceParameters& parameters) {
+  auto address = parseModbusAddress(source);
+  if (!address) return fail("touchpad {}", address.error().message);
+  return std::make_unique<ModbusTouchpad>(*address, parameters);
+}
+
+}  // namespace fyd::device

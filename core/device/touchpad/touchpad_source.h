@@ -1,0 +1,24 @@
+// Opens a touchpad by its name, as the command line and the profile write it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/device/device_parameters.h"
+#include "core/device/touchpad/touchpad.h"
+
+namespace fyd::device {
+
+/// Puts the original motor board in place of a touchpad's own motors.
+/// @param motors "qbmove:TTY"; empty: the touchpad's own
+[[nodiscard]] Result<std::unique_ptr<Touchpad>> withMotors(std::unique_ptr<Touchpad> touchpad,
+                                                           const std::string& motors,
+                                                           const DeviceParameters& parameters);
+
+/// @param source "modbus-tcp:HOST:PORT" or "modbus-rtu:TTY[:BAUD]"
+/// @return an error when the text is wrong. An absent device is no error here: its exchanges fail.
+[[nodiscard]] Result<std::unique_ptr<Touchpad>> openTouchpad(const std::string& source,
+                                                             const DeviceParameters& parameters);
+
+}  // namespace fyd::device

@@ -1,0 +1,82 @@
+#include "core/recording/file/picture_decode.h"
+
+#include <algorithm>
+#include <array>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/recording/file/recording_hdf5.h"
+
+namespace fyd::recording {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+constexpr std::array<std::uint8_t, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::array<std::uint8_t, 4> kHead{'I', 'H', 'D', 'R'};
+constexpr std::array<std::uint8_t, 2> kJpeg{0xFF, 0xD8};
+
+template <std::size_t N>
+bool stands(Bytes bytes, std::size_t at, const std::array<std::uint8_t, N>& wanted) {
+  return bytes.size() >= at + N &&
+         std::equal(wanted.begin(), wanted.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+std::uint32_t bigEndian(Bytes bytes) {
+  std::uint32_t value = 0;
+  for (const std::uint8_t byte : bytes) value = value << 8U | byte;
+  return value;
+}
+
+std::optional<cv::Size> sized(std::uint32_t width, std::uint32_t height) {
+  constexpr std::uint32_t kLongestSide = 1U << 20U;  // so that their product cannot overflow
+  if (width == 0 || height == 0 || width > kLongestSide || height > kLongestSide) return std::nullopt;
+  return cv::Size(static_cast<int>(width), static_cast<int>(height));
+}
+
+/// Follows the markers up to the frame header (SOF). Refuses progressive JPEGs, which may hold a thousand full scans.
+std::optional<cv::Size> jpegSize(Bytes bytes) {
+  constexpr std::uint8_t kMarker = 0xFF, kBaseline = 0xC0, kScan = 0xDA, kOtherFrames = 0xC1, kLastFrame = 0xCF;
+  constexpr std::uint8_t kHuffman = 0xC4, kArithmetic = 0xCC;
+  for (std::size_t at = 2; at + 9 <= bytes.size();) {
+    const std::uint8_t kind = bytes[at + 1];
+    if (bytes[at] != kMarker) return std::nullopt;
+    if (kind == kMarker) {  // filling
+      ++at;
+      continue;
+    }
+    if (kind == kBaseline) return sized(bigEndian(bytes.subspan(at + 7, 2)), bigEndian(bytes.subspan(at + 5, 2)));
+    const bool other_frame = kind >= kOtherFrames && kind <= kLastFrame && kind != kHuffman && kind != kArithmetic;
+    if (other_frame || kind == kScan) return std::nullopt;
+    at += 2 + bigEndian(bytes.subspan(at + 2, 2));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<cv::Size> pictureSize(Bytes bytes) {
+  constexpr std::size_t kHeadAt = 12, kSizeAt = 16, kSizeEnd = 24;
+  if (stands(bytes, 0, kPng) && stands(bytes, kHeadAt, kHead) && bytes.size() >= kSizeEnd)
+    return sized(bigEndian(bytes.subspan(kSizeAt, 4)), bigEndian(bytes.subspan(kSizeAt + 4, 4)));
+  if (stands(bytes, 0, kJpeg)) return jpegSize(bytes);
+  return std::nullopt;
+}
+
+cv::Mat decodePicture(Bytes bytes, const char* what) {
+  if (bytes.empty()) return {};
+  const auto size = pictureSize(bytes);
+  if (!size) failHard("{}: its {} bytes are no picture as the recorder writes it", what, bytes.size());
+  if (static_cast<std::int64_t>(size->width) * size->height > kMostPixels)
+    failHard("{}: {} × {} pixels; at most {} are read", what, size->width, size->height, kMostPixels);
+  cv::Mat picture;
+  try {
+    picture = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data())),
+                           cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception& error) {
+    failHard(about(what, verbatim(error.what())));
+  }
+  if (picture.empty()) failHard("{}: its {} bytes are no picture", what, bytes.size());
+  return picture;
+}
+
+}  // namespace fyd::recording

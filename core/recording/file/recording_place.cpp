@@ -1,0 +1,103 @@
+#include "core/recording/file/recording_place.h"
+
+#include <fcntl.h>
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "core/base/atomic_rename.h"
+#include "core/base/system_reason.h"
+#include "core/recording/format/recording_format.h"
+
+namespace fyd::recording {
+namespace {
+
+// Offset of the lock, beyond any file's end. Open-file-description locks do not conflict with HDF5's whole-file locks.
+constexpr off_t kLockAt = off_t{1} << 62U;
+
+struct NetworkKind {
+  std::uint64_t magic;
+  const char* name;
+};
+constexpr auto kNetwork = std::to_array<NetworkKind>({{NFS_SUPER_MAGIC, "NFS"},
+                                                      {SMB_SUPER_MAGIC, "SMB"},
+                                                      {0xFF534D42, "CIFS"},
+                                                      {0xFE534D42, "SMB2"},
+                                                      {CEPH_SUPER_MAGIC, "Ceph"},
+                                                      {AFS_SUPER_MAGIC, "AFS"},
+                                                      {CODA_SUPER_MAGIC, "Coda"},
+                                                      {V9FS_MAGIC, "9P"},
+                                                      {FUSE_SUPER_MAGIC, "FUSE"}});
+
+std::string folderOf(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+Message words(int error) { return systemReason(error); }
+
+struct flock lockRange(short type) {
+  struct flock range {};
+  range.l_type = type;
+  range.l_whence = SEEK_SET;
+  range.l_start = kLockAt;
+  range.l_len = 1;
+  return range;
+}
+
+}  // namespace
+
+std::string partialOf(const std::string& path) { return path + kPartialEnding; }
+
+Result<void> checkPlace(const std::string& path) {
+  const std::string folder = folderOf(path);
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) != 0) return fail("{}: the folder cannot be used: {}", folder, words(errno));
+  if (!S_ISDIR(status.st_mode)) return fail("{}: not a folder", folder);
+  struct statfs system {};
+  if (::statfs(folder.c_str(), &system) != 0) return fail("{}: the folder cannot be used: {}", folder, words(errno));
+  for (const NetworkKind& kind : kNetwork)
+    if (static_cast<std::uint32_t>(system.f_type) == kind.magic)
+      return fail("{}: lies on {}; a recording needs a local disk, whose promise to have written can be trusted",
+                  folder, kind.name);
+  for (const std::string& name : {path, partialOf(path)})
+    if (::lstat(name.c_str(), &status) == 0) return fail("{}: exists; a recording never replaces a file", name);
+  return {};
+}
+
+Result<void> syncFolder(const std::string& path) {
+  const std::string folder = folderOf(path);
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return fail(about(folder, words(errno)));
+  const int status = ::fsync(descriptor);
+  const int error = errno;
+  ::close(descriptor);
+  // Some file systems cannot sync a folder (EINVAL) and store names without it.
+  if (status != 0 && error != EINVAL) return fail(about(folder, words(error)));
+  return {};
+}
+
+Result<void> renameNew(const std::string& from, const std::string& to) {
+  const std::error_code problem = renameAtomically(from, to, ExistingFile::keep);
+  if (problem) return fail("{}: cannot be named {}: {}", from, to, systemReason(problem));
+  return {};
+}
+
+bool lockAsRecorder(int file_descriptor) {
+  struct flock range = lockRange(F_WRLCK);
+  return ::fcntl(file_descriptor, F_OFD_SETLK, &range) == 0;
+}
+
+bool recorderRuns(int file_descriptor) {
+  struct flock range = lockRange(F_WRLCK);
+  // F_OFD_GETLK only queries the lock, so a read-only descriptor is enough.
+  return ::fcntl(file_descriptor, F_OFD_GETLK, &range) == 0 && range.l_type != F_UNLCK;
+}
+
+}  // namespace fyd::recording

@@ -1,0 +1,23 @@
+// Where a recording lies: names, the kind of file system, the lock that a running recorder holds, syncing of folders.
+#pragma once
+
+#include <string>
+
+#include "core/base/error.h"
+
+namespace fyd::recording {
+
+[[nodiscard]] std::string partialOf(const std::string& path);
+
+/// @return an error when a recording cannot begin there: no folder, not writable, a network share, a name taken
+[[nodiscard]] Result<void> checkPlace(const std::string& path);
+/// Syncs the file's folder, so that renamed and new names in it survive a power cut.
+[[nodiscard]] Result<void> syncFolder(const std::string& path);
+/// Gives the file its new name; never replaces another file.
+[[nodiscard]] Result<void> renameNew(const std::string& from, const std::string& to);
+
+/// @param file_descriptor opened for writing; the lock is released with its last close, however the process ends
+[[nodiscard]] bool lockAsRecorder(int file_descriptor);
+[[nodiscard]] bool recorderRuns(int file_descriptor);
+
+}  // namespace fyd::recording

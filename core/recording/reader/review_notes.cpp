@@ -1,0 +1,76 @@
+#include "core/recording/reader/review_notes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/system_reason.h"
+#include "core/base/whole_file.h"
+#include "core/recording/file/export_file.h"
+
+namespace fyd::recording {
+namespace {
+
+constexpr std::array<std::pair<NoteKind, const char*>, 2> kKinds = {
+    {{NoteKind::note, "note"}, {NoteKind::bookmark, "bookmark"}}};
+
+Result<ReviewNote> noteOf(const nlohmann::json& entry) {
+  ReviewNote note;
+  const std::string kind = entry.at("kind");
+  const auto known = std::ranges::find(kKinds, kind, [](const auto& each) { return std::string_view(each.second); });
+  if (known == kKinds.end()) return fail("kind \"{}\"; expected note or bookmark", kind);
+  note.kind = known->first;
+  note.time_s = entry.at("time_s");
+  if (!std::isfinite(note.time_s)) return fail("time_s is no number");
+  note.text = entry.at("text");
+  note.written_utc = entry.value("written_utc", "");
+  return note;
+}
+
+}  // namespace
+
+std::string reviewNotesPath(const std::string& recording_path) { return recording_path + ".notes.json"; }
+
+Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_path) {
+  const std::string path = reviewNotesPath(recording_path);
+  std::error_code problem;
+  if (!std::filesystem::exists(path, problem) && !problem) return std::vector<ReviewNote>{};
+  const auto text = readWholeFile(path);
+  if (!text) return tl::unexpected(text.error());
+  std::vector<ReviewNote> notes;
+  try {
+    const nlohmann::json all = nlohmann::json::parse(*text);  // must outlive the loop over a part of it
+    for (const nlohmann::json& entry : all.at("notes")) {
+      auto note = noteOf(entry);
+      if (!note) return fail("{}: note {}: {}", path, notes.size() + 1, note.error().message);
+      notes.push_back(std::move(*note));
+    }
+  } catch (const nlohmann::json::exception& error) {
+    return fail("{}: note {}: {}", path, notes.size() + 1, verbatim(error.what()));
+  }
+  std::ranges::stable_sort(notes, {}, &ReviewNote::time_s);
+  return notes;
+}
+
+Result<void> writeReviewNotes(const std::string& recording_path, std::vector<ReviewNote> notes) {
+  std::ranges::stable_sort(notes, {}, &ReviewNote::time_s);
+  nlohmann::ordered_json out{{"recording", recording_path.substr(recording_path.find_last_of('/') + 1)},
+                             {"notes", nlohmann::ordered_json::array()}};
+  for (const ReviewNote& note : notes) {
+    const auto kind = std::ranges::find(kKinds, note.kind, &std::pair<NoteKind, const char*>::first);
+    if (kind == kKinds.end()) return fail("{}: only notes and bookmarks are written here", recording_path);
+    out["notes"].push_back(
+        {{"time_s", note.time_s}, {"kind", kind->second}, {"text", note.text}, {"written_utc", note.written_utc}});
+  }
+  auto file = ExportFile::create(reviewNotesPath(recording_path), true);
+  if (!file) return tl::unexpected(file.error());
+  // Invalid UTF-8 is replaced, not refused, so that no note is lost because of one byte.
+  const std::string text = out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  if (auto written = file->write(text); !written) return written;
+  return file->commit();
+}
+
+}  // namespace fyd::recording

@@ -1,0 +1,29 @@
+// Notes and bookmarks written while a recording is reviewed. The recording itself is never changed: they stand beside
+// it, in FILE.notes.json.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/recording/recording_types.h"
+
+namespace fyd::recording {
+
+struct ReviewNote {
+  double time_s = 0.0;  ///< in the recording
+  NoteKind kind = NoteKind::note;
+  std::string text;
+  std::string written_utc;  ///< ISO 8601
+};
+
+[[nodiscard]] std::string reviewNotesPath(const std::string& recording_path);
+
+/// In order of time; none when there is no such file.
+/// @return an error that names file and entry when it is damaged
+[[nodiscard]] Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_path);
+
+/// Replaces the file atomically: a reader sees the old notes or the new ones.
+[[nodiscard]] Result<void> writeReviewNotes(const std::string& recording_path, std::vector<ReviewNote> notes);
+
+}  // namespace fyd::recording

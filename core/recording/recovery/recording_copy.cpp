@@ -1,0 +1,169 @@
+#include "core/recording/recovery/recording_copy.h"
+
+#include "core/recording/file/recording_header.h"
+
+namespace fyd::recording {
+namespace {
+
+constexpr double kStepsCopied = 0.7;  // share of the time; the rest is for the pictures
+
+/// Neighbours that are missing for the same reason are one entry.
+class MissingList {
+ public:
+  /// The step `row` is there, without what the table held for it.
+  void addPart(Table table, std::uint64_t row, const std::string& why) {
+    if (MissingRows* last = lastOf(table); last != nullptr && last->first + last->count == row && last->why == why)
+      ++last->count;
+    else
+      add({layoutOf(table).path, row, 1, why}, table);
+  }
+  /// Rows that are gone before `row`.
+  void addGone(Table table, std::uint64_t row, std::uint64_t count, const std::string& why) {
+    if (MissingRows* last = lastOf(table); last != nullptr && last->first == row && last->why == why)
+      last->count += count;
+    else
+      add({layoutOf(table).path, row, count, why}, table);
+  }
+  void add(MissingRows rows) { list_.push_back(std::move(rows)); }
+
+  [[nodiscard]] std::vector<MissingRows> take() { return std::move(list_); }
+
+ private:
+  void add(MissingRows rows, Table table) {
+    last_[indexOf(table)] = list_.size();
+    list_.push_back(std::move(rows));
+  }
+  [[nodiscard]] MissingRows* lastOf(Table table) {
+    const auto& last = last_[indexOf(table)];
+    return last ? &list_[*last] : nullptr;
+  }
+
+  std::vector<MissingRows> list_;
+  std::array<std::optional<std::size_t>, kTableCount> last_;
+};
+
+class Copy {
+ public:
+  Copy(const std::string& path, const DamagedRecording& from, RecordingWriter* to)
+      : name_(path + ": "), from_(from), to_(to) {
+    for (const MissingRows& rows : from_.info().header.missing)
+      if (rows.table == kHeaderTable) missing_.add(rows);
+  }
+
+  Result<CopyOutcome> run(const Progress& progress) {
+    if (auto done = steps(partOf(progress, 0.0, kStepsCopied)); !done) return tl::unexpected(done.error());
+    // A write error in any of these makes `close` fail too.
+    list(Table::notes, [&](std::uint64_t i) { return copy(from_.note(i)); });
+    list(Table::link, [&](std::uint64_t i) { return copy(from_.linkRow(i)); });
+    if (auto done = pictures(partOf(progress, kStepsCopied, 1.0)); !done) return tl::unexpected(done.error());
+    if (to_ != nullptr) to_->countLost(from_.info().gaps + outcome_.lost_steps);
+    outcome_.missing = missing_.take();
+    return std::move(outcome_);
+  }
+
+ private:
+  Result<void> steps(const Progress& progress) {
+    const TableRows rows = from_.rowsOf(Table::telemetry);
+    for (std::uint64_t row = 0; row < rows.committed; ++row) {
+      const double done = static_cast<double>(row) / static_cast<double>(rows.committed);
+      if (auto told = row % kBlockSteps == 0 ? tellProgress(progress, done) : Result<void>(); !told) return told;
+      carryOver(Table::telemetry, row, outcome_.steps);
+      const auto record = from_.damagedStep(row, known_);
+      if (!record) {
+        outcome_.first_lost = outcome_.first_lost || row == 0;
+        ++outcome_.lost_steps;
+        missing_.addGone(Table::telemetry, outcome_.steps, 1, known_.why(Table::telemetry).text());
+        continue;
+      }
+      if (record->missing != 0) addParts(record->missing, row);
+      if (to_ != nullptr)
+        if (auto put = to_->append(*record); !put) return put;
+      ++outcome_.steps;
+    }
+    carryOver(Table::telemetry, rows.committed, outcome_.steps);
+    outcome_.lost_steps += rows.in_file - rows.committed;
+    unproven(Table::telemetry, rows, outcome_.steps);
+    return {};
+  }
+
+  void addParts(std::uint32_t lost, std::uint64_t row) {
+    if ((lost & bitOf(Table::steps)) != 0) lost &= ~(kInputsOfStep | bitOf(Table::events));  // implied by /inputs/steps
+    for (std::size_t i = 0; i < kTableCount; ++i)
+      if (const auto table = static_cast<Table>(i); (lost & bitOf(table)) != 0)
+        missing_.addPart(table, outcome_.steps, whyOf(table, row));
+  }
+
+  [[nodiscard]] std::string whyOf(Table table, std::uint64_t row) const {
+    for (const MissingRows& rows : from_.info().header.missing)
+      if (rows.table == layoutOf(table).path && row >= rows.first && row - rows.first < rows.count) return rows.why;
+    return known_.why(table).text();
+  }
+
+  Result<void> pictures(const Progress& progress) {
+    const auto all = static_cast<double>(from_.info().frames);
+    Result<void> told;
+    list(Table::pictures, [&](std::uint64_t i) -> Result<void> {
+      if (told) told = tellProgress(progress, static_cast<double>(i) / all);
+      if (!told) return {};
+      if (auto put = copy(from_.encodedPicture(i)); !put) return put;
+      if (to_ != nullptr && i % 100 == 99) (void)to_->commit();
+      return {};
+    });
+    return told;
+  }
+
+  /// Each row that can be read; the others are gone.
+  template <class CopyRow>
+  void list(Table table, CopyRow&& copy_row) {
+    const TableRows rows = from_.rowsOf(table);
+    std::uint64_t copied = 0;
+    for (std::uint64_t i = 0; i < rows.committed; ++i) {
+      carryOver(table, i, copied);
+      if (const auto done = copy_row(i); done)
+        ++copied;
+      else
+        missing_.addGone(table, copied, 1, withoutName(done.error().text()));
+    }
+    carryOver(table, rows.committed, copied);
+    unproven(table, rows, copied);
+  }
+
+  template <class Row>
+  Result<void> copy(const Result<Row>& row) {
+    if (!row) return tl::unexpected(row.error());
+    if (to_ != nullptr) (void)to_->append(*row);
+    return {};
+  }
+
+  [[nodiscard]] std::string withoutName(const std::string& message) const {
+    return message.starts_with(name_) ? message.substr(name_.size()) : message;
+  }
+
+  void unproven(Table table, const TableRows& rows, std::uint64_t copied) {
+    if (rows.in_file > rows.committed)
+      missing_.addGone(table, copied, rows.in_file - rows.committed, "no sound commit proves them");
+  }
+
+  /// What an earlier recovery lost before this row.
+  void carryOver(Table table, std::uint64_t row, std::uint64_t copied) {
+    for (const MissingRows& rows : from_.info().header.missing)
+      if (rows.first == row && rows.table == layoutOf(table).path)
+        missing_.addGone(table, copied, rows.count, rows.why);
+  }
+
+  std::string name_;  // what errors begin with
+  const DamagedRecording& from_;
+  RecordingWriter* to_;
+  KnownDamage known_;
+  MissingList missing_;
+  CopyOutcome outcome_;
+};
+
+}  // namespace
+
+Result<CopyOutcome> copyReadable(const std::string& path, const DamagedRecording& from, RecordingWriter* to,
+                                 const Progress& progress) {
+  return Copy(path, from, to).run(progress);
+}
+
+}  // namespace fyd::recording

@@ -1,0 +1,18 @@
+// Everything of one step, as the haptic loop hands it to the recorder: what went in and what came out.
+#pragma once
+
+#include "core/pipeline/inputs.h"
+#include "core/pipeline/outputs.h"
+
+namespace fyd::recording {
+
+struct StepRecord {
+  /// Tables (bit indexOf(Table)) whose rows for this step are lost; the members they fill are as if nothing had come.
+  std::uint32_t missing = 0;
+  pipeline::Inputs inputs;
+  control::MotorCommand motors;
+  pipeline::TelemetrySample telemetry;
+  Batch<pipeline::Event, pipeline::kMaximumEventsPerStep> events;
+};
+
+}  // namespace fyd::recording

@@ -1,0 +1,67 @@
+#include "core/report/report.h"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "core/recording/file/export_file.h"
+
+namespace fyd::report {
+namespace {
+
+constexpr double kStripHeight = 96.0;
+constexpr double kLabels = 12.0;  ///< room above the first strip for the marks' numbers
+constexpr double kBelow = 6.0;
+
+}  // namespace
+
+double figureHeight(const ReportContent& content) {
+  if (content.strips.empty()) return 0.0;
+  return kLabels + kStripHeight * static_cast<double>(content.strips.size()) + kChartAxis + kBelow;
+}
+
+void drawFigure(cairo_t* cairo, const ReportContent& content) {
+  ChartBox box{0.0, kLabels, kReportWidth, kStripHeight};
+  drawMarkLabels(cairo, content.time, box, kLabels - 3.0);
+  for (const ChartStrip& strip : content.strips) {
+    drawStrip(cairo, strip, content.time, box);
+    box.y += kStripHeight;
+  }
+  box.y -= kStripHeight;
+  if (!content.strips.empty()) drawTimeAxis(cairo, content.time, box);
+}
+
+namespace {
+
+/// @param gather gives the content, once the file is known to be writable
+template <class Gather>
+Result<void> writeGathered(Gather&& gather, const std::string& path, bool replace,
+                           const recording::Progress& progress) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (extension != ".html" && extension != ".pdf") return fail("{}: a report ends in .html or .pdf", path);
+  auto file = recording::ExportFile::create(path, replace);
+  if (!file) return tl::unexpected(file.error());
+  const Result<ReportContent> content = gather();
+  if (!content) return tl::unexpected(content.error());
+  if (auto told = recording::tellProgress(progress, 1.0); !told) return told;
+  const auto text = extension == ".pdf" ? reportPdf(*content) : reportHtml(*content);
+  if (!text) return tl::unexpected(text.error());
+  if (auto written = file->write(*text); !written) return written;
+  return file->commit();
+}
+
+}  // namespace
+
+Result<void> writeReport(const recording::Recording& recording, const std::string& path, bool replace,
+                         const recording::Progress& progress) {
+  return writeGathered([&] { return gatherReport(recording, progress); }, path, replace, progress);
+}
+
+Result<void> writeReport(const ReportContent& content, const std::string& path, bool replace) {
+  return writeGathered([&]() -> Result<ReportContent> { return content; }, path, replace, {});
+}
+
+}  // namespace fyd::report

@@ -1,0 +1,92 @@
+#include "core/sim/server/serial_end.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include <fcntl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "core/base/system_reason.h"
+
+namespace fyd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<int> openMaster(const std::string& link) {
+  const int master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (master < 0) return fail("{}: no pseudo-terminal to be had: {}", link, systemReason(errno));
+  if (::grantpt(master) == 0 && ::unlockpt(master) == 0) return master;
+  const int problem = errno;
+  ::close(master);
+  return fail("{}: pseudo-terminal: {}", link, systemReason(problem));
+}
+
+int openRaw(const char* name) {
+  const int slave = ::open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);
+  termios mode{};
+  if (slave >= 0 && ::tcgetattr(slave, &mode) == 0) {
+    ::cfmakeraw(&mode);
+    ::tcsetattr(slave, TCSANOW, &mode);
+  }
+  return slave;
+}
+
+}  // namespace
+
+Result<PseudoTerminal> PseudoTerminal::open(const std::string& link) {
+  auto master = openMaster(link);
+  if (!master) return tl::unexpected(master.error());
+  std::array<char, 64> name{};
+  if (::ptsname_r(*master, name.data(), name.size()) != 0) {
+    ::close(*master);
+    return fail("{}: the pseudo-terminal has no name", link);
+  }
+  std::error_code problem;
+  if (fs::is_symlink(link, problem) && !fs::exists(link, problem)) fs::remove(link, problem);
+  fs::create_symlink(name.data(), link, problem);
+  if (problem) {
+    ::close(*master);
+    return fail("{}: cannot be made a link to {}: {}", link, name.data(), systemReason(problem));
+  }
+  return PseudoTerminal(link, *master, openRaw(name.data()));
+}
+
+PseudoTerminal::PseudoTerminal(PseudoTerminal&& other) noexcept
+    : link_(std::exchange(other.link_, {})),
+      master_(std::exchange(other.master_, -1)),
+      slave_(std::exchange(other.slave_, -1)) {}
+
+PseudoTerminal& PseudoTerminal::operator=(PseudoTerminal&& other) noexcept {
+  std::swap(link_, other.link_);
+  std::swap(master_, other.master_);
+  std::swap(slave_, other.slave_);
+  return *this;
+}
+
+PseudoTerminal::~PseudoTerminal() {
+  if (slave_ >= 0) ::close(slave_);
+  if (master_ >= 0) ::close(master_);
+  if (!link_.empty()) ::unlink(link_.c_str());
+}
+
+Result<SerialEnd> SerialEnd::open(const std::string& path, int baud) {
+  SerialEnd out;
+  std::error_code problem;
+  if (fs::exists(path, problem)) {
+    auto port = device::SerialPort::open(path, baud);
+    if (!port) return tl::unexpected(port.error());
+    out.port_ = std::move(*port);
+    return out;
+  }
+  auto terminal = PseudoTerminal::open(path);
+  if (!terminal) return tl::unexpected(terminal.error());
+  out.terminal_ = std::move(*terminal);
+  return out;
+}
+
+}  // namespace fyd::sim

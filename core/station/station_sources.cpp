@@ -1,0 +1,73 @@
+#include "core/station/station_sources.h"
+
+#include "core/base/whole_file.h"
+#include "core/device/camera/camera_source.h"
+#include "core/device/touchpad/touchpad_source.h"
+#include "core/replay/recorded_camera.h"
+#include "core/replay/recorded_touchpad.h"
+#include "core/scene/felt_scene.h"
+#include "core/sim/gesture_card.h"
+#include "core/sim/scene_file.h"
+#include "core/sim/touchpad/simulated_camera.h"
+#include "core/sim/touchpad/simulated_touchpad.h"
+
+namespace fyd::station {
+namespace {
+
+Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& path) {
+  if (path.empty()) return std::nullopt;
+  const auto text = readWholeFile(path);
+  if (!text) return tl::unexpected(text.error());
+  auto model = texture::parseSurface(*text, path);
+  if (!model) return tl::unexpected(model.error());
+  return std::move(*model);
+}
+
+}  // namespace
+
+Result<pipeline::LocalModel> readLocalModel(const std::string& surface, const std::string& scene, double rate_Hz) {
+  pipeline::LocalModel local;
+  auto stored = readSurface(surface);
+  if (!stored) return tl::unexpected(stored.error());
+  local.surface = std::move(*stored);
+  if (scene.empty()) return local;
+  auto felt = sim::openFeltScene(scene, rate_Hz);
+  if (!felt) return tl::unexpected(felt.error());
+  local.scene = std::make_shared<const scene::FeltScene>(std::move(*felt));
+  return local;
+}
+
+Result<sim::FingerPath> readFinger(const std::string& path) {
+  if (path.empty()) return sim::FingerPath::demonstration();
+  return sim::readFingerFile(path);
+}
+
+Result<std::unique_ptr<device::Touchpad>> openTouchpad(const StationOptions& options,
+                                                       const std::shared_ptr<sim::TouchpadWorld>& world,
+                                                       const std::shared_ptr<replay::PlaybackStart>& playback) {
+  if (world)
+    return device::withMotors(std::make_unique<sim::SimulatedTouchpad>(world), options.motors, options.profile.device);
+  if (options.camera.empty()) return fail("camera: none given; only the simulated touchpad has a simulated camera");
+  if (!options.finger_csv.empty()) {
+    return fail("finger '{}': only the simulated touchpad has a simulated finger", options.finger_csv);
+  }
+  if (const auto recording = replay::recordingOf(options.touchpad)) {
+    if (options.motors.empty()) return replay::RecordedTouchpad::open(*recording, playback);
+    return fail("motors '{}': a recording drives no motors", options.motors);
+  }
+  auto touchpad = device::openTouchpad(options.touchpad, options.profile.device);
+  if (!touchpad) return touchpad;
+  return device::withMotors(std::move(*touchpad), options.motors, options.profile.device);
+}
+
+CameraThread::Opener cameraOpener(const StationOptions& options, const std::shared_ptr<sim::TouchpadWorld>& world,
+                                  const std::shared_ptr<replay::PlaybackStart>& playback) {
+  return [source = options.camera, world, device = options.profile.device,
+          playback]() -> Result<std::unique_ptr<device::Camera>> {
+    if (source.empty()) return std::make_unique<sim::SimulatedCamera>(world);
+    if (const auto recording = replay::recordingOf(source)) return replay::RecordedCamera::open(*recording, playback);
+    return device::openCamera(source, device);
+  };
+}
+
+}  // namespace fyd::station

@@ -1,0 +1,36 @@
+// Opens what a session's options name: finger and local model (surface, scene) of a simulation, touchpad, camera.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/device/touchpad/touchpad.h"
+#include "core/pipeline/local_model.h"
+#include "core/replay/recorded_device.h"
+#include "core/sim/finger_path.h"
+#include "core/sim/touchpad/touchpad_world.h"
+#include "core/station/camera_thread.h"
+#include "core/station/station_options.h"
+
+namespace fyd::station {
+
+inline constexpr std::string_view kSimulated = "simulated";
+
+/// @param surface, scene files; empty: none
+[[nodiscard]] Result<pipeline::LocalModel> readLocalModel(const std::string& surface, const std::string& scene,
+                                                          double rate_Hz);
+
+/// @param path empty: the built-in gesture
+[[nodiscard]] Result<sim::FingerPath> readFinger(const std::string& path);
+
+/// @param world of the simulated touchpad; null: a real or recorded one is opened
+/// @return an error also when options contradict each other
+[[nodiscard]] Result<std::unique_ptr<device::Touchpad>> openTouchpad(
+    const StationOptions& options, const std::shared_ptr<sim::TouchpadWorld>& world,
+    const std::shared_ptr<replay::PlaybackStart>& playback);
+
+[[nodiscard]] CameraThread::Opener cameraOpener(const StationOptions& options,
+                                                const std::shared_ptr<sim::TouchpadWorld>& world,
+                                                const std::shared_ptr<replay::PlaybackStart>& playback);
+
+}  // namespace fyd::station

@@ -1,0 +1,35 @@
+// Kalman filter on Singer's model: an acceleration that decays (a' = −a/τ + noise), observed through noisy messages.
+//
+// [Singer 1970]
+// State per axis: position, velocity, acceleration. Every axis has the same dates, hence the same covariance. A message
+// that is older than the newest one is ignored.
+#pragma once
+
+#include "core/teleop/prediction/predictor.h"
+
+namespace fyd::teleop {
+
+class KalmanPredictor final : public Predictor {
+ public:
+  static constexpr double kAccelerationMemory_s = 0.050;
+  static constexpr double kAcceleration_mm_per_s2 = 3000.0;  ///< RMS of a hand's
+  static constexpr double kMessageNoise_mm = 0.02;
+
+  void message(double date_s, const Position& position_mm) override;
+  [[nodiscard]] Position predict(double time_s) override;
+  [[nodiscard]] Position velocity(double time_s) const override;
+  void endMotion() override { begun_ = false; }
+
+ private:
+  struct State {
+    Position x{}, v{}, a{};
+  };
+  [[nodiscard]] State ahead(double by_s) const;
+
+  bool begun_ = false;
+  double date_s_ = 0.0;
+  State state_;
+  std::array<std::array<double, 3>, 3> covariance_{};
+};
+
+}  // namespace fyd::teleop

@@ -1,0 +1,79 @@
+// A trial of a predictor: a recorded motion is sent over a simulated network and predicted at the receiver.
+//
+// Message n is the newest row at or before n·period after the first row, with that row's own date, position and date
+// only; it arrives delay + U(0, jitter) after n·period, and may overtake another. Without a period each row is a
+// message, dated and sent at its own time. Ticks are the trace's rows, from the first arrival on. Rows of NaN are a
+// gap: no messages, no ticks, what was under way is dropped, and it goes on with the first arrival of the new motion.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/teleop/prediction/predictor.h"
+
+namespace fyd::teleop {
+
+struct Trace {
+  std::size_t axes = 0;
+  std::vector<double> time_s;  ///< strictly rising
+  std::vector<Position> position_mm;
+
+  [[nodiscard]] bool gap(std::size_t row) const;
+  /// Rows per second, from the median distance of two rows.
+  [[nodiscard]] double rate_Hz() const;
+};
+
+/// @return an error naming the row when the times do not rise or are not finite, or when fewer than two rows are given
+[[nodiscard]] Result<void> checkTrace(const Trace& trace);
+
+struct TrialNetwork {
+  double period_ms = 10.0;
+  double delay_ms = 50.0;
+  double jitter_ms = 0.0;
+  double loss_percent = 0.0;
+  std::uint64_t seed = 1;
+};
+
+/// @return an error naming the value and its range
+[[nodiscard]] Result<void> checkNetwork(const TrialNetwork& network);
+
+struct TrialMessage {
+  std::size_t row = 0;
+  double arrival_s = 0.0;
+};
+
+/// What happens at each tick, in the order of time.
+struct TrialPlan {
+  struct Tick {
+    std::size_t row = 0;
+    std::size_t first = 0, last = 0;  ///< messages [first, last) arrive before it
+    bool begins = false;              ///< the first of a motion
+  };
+  std::vector<TrialMessage> messages;  ///< in the order of arrival; without those after their motion's end
+  std::vector<Tick> ticks;
+};
+
+[[nodiscard]] TrialPlan planTrial(const Trace& trace, const TrialNetwork& network);
+
+/// The predictor's output at each tick.
+/// @param smooth_s the time constant of SmoothOutput; 0: none
+[[nodiscard]] std::vector<Position> runTrial(const Trace& trace, const TrialPlan& plan, Predictor& predictor,
+                                             double smooth_s);
+
+struct TrialFigures {
+  std::size_t ticks = 0;
+  double rms_mm = 0.0;
+  double mean_mm = 0.0;
+  double max_mm = 0.0;
+  double vibration_ratio = 0.0;  ///< 20–200 Hz RMS of the output's velocity over the true motion's; NaN below 1 kHz
+  double largest_step_mm = 0.0;  ///< between two ticks of one motion
+  double jerk_ratio = 0.0;       ///< RMS of the third difference over the true motion's; NaN when that one is 0
+};
+
+[[nodiscard]] TrialFigures trialFigures(const Trace& trace, const TrialPlan& plan, std::span<const Position> output);
+
+}  // namespace fyd::teleop

@@ -1,0 +1,30 @@
+// The predictors by name, and the function that makes one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/teleop/prediction/predictor.h"
+
+namespace fyd::teleop {
+
+enum class PredictorChoice : std::uint8_t { order0, order1, hybrid, kalman, ar, experts };
+/// "default" stands for the experts.
+inline constexpr std::array<std::string_view, 6> kPredictorNames = {"order0", "order1", "hybrid",
+                                                                    "kalman", "ar",     "default"};
+
+class StrokeWeights;
+
+struct PredictorSetup {
+  std::size_t axes = 1;                                    ///< 1 … kMostAxes
+  double period_s = 0.0;                                   ///< of the sender's messages; 0: not known
+  std::shared_ptr<const StrokeWeights> weights = nullptr;  ///< of the default's perceptron; null: the resources' own
+};
+[[nodiscard]] std::unique_ptr<Predictor> makePredictor(PredictorChoice choice, PredictorSetup setup);
+/// By its name on the command line. @return an error with the names when there is none of that name
+[[nodiscard]] Result<PredictorChoice> predictorNamed(std::string_view name);
+
+}  // namespace fyd::teleop

@@ -1,0 +1,47 @@
+// Identifies the plant from duty to finger (felt_plant.h) from a measured sweep: breakaway of each motor, and the
+// cloth's resonance under a finger.
+//
+// Of a sweep (plant_sweep.h):
+//   ramp    one motor's duty grows slowly from 0, the other's is 0; the first encoder count that changes for good gives
+//           the breakaway. Both motors, both ways: the cloth's tension adds one way what it takes the other way.
+//   chirp   both motors have the same duty, a sine whose frequency rises through 10…400 Hz in 4 s or more, with an
+//           accelerometer on the cloth beside the finger (the robot's own is suitable), along the cloth's motion. At
+//           two stretches or more, 10° apart.
+// Encoders, load cell and currents cannot see the cloth: without an accelerometer its resonance is not determined.
+//
+// Chirps: chirp_fit.h.
+//
+// Offline: allocates.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/message.h"
+#include "core/texture/felt/chirp_fit.h"
+
+namespace fyd::texture {
+
+struct FoundBreakaway {
+  double percent = 0.0;  ///< mean of both ways
+  double sigma_percent = 0.0;
+  double asymmetry_percent = 0.0;  ///< half of what one way differs from the other
+};
+
+struct FeltIdentification {
+  FeltPlant plant;  ///< identified
+  std::array<FoundBreakaway, kFeltMotors> breakaway;
+  std::vector<FoundCloth> cloths;
+  double sliding_share = 0.0;   ///< friction of a turning motor over its breakaway
+  double held_out_error = 0.0;  ///< the worst of the chirps
+  double sigma_resonance_Hz = 0.0;
+  std::string_view verdict;  ///< "good" or "usable"
+};
+
+/// @param base  what the sweep does not identify: free speed, time constant, position gain, radius
+/// @return an error that names the part, what was found and what was expected, where something is not determined
+[[nodiscard]] Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, const FeltPlant& base);
+
+}  // namespace fyd::texture

@@ -1,0 +1,96 @@
+// The disk fails during a recording: the error is reported, committed data stay readable, the session continues.
+#include <atomic>
+#include <cerrno>
+
+#include "core/recording/recovery/recover.h"
+#include "tests/integration/recording/recorder_replay_fixture.h"
+#include "tests/wait.h"
+
+namespace fyd::recording {
+namespace {
+
+using testing::HasSubstr;
+
+/// Takes what is asked of it until something happens to it.
+class TroubledDisk final : public DiskCalls {
+ public:
+  int write(int file, std::span<const std::byte> bytes, std::uint64_t at) override {
+    const int error = trouble;
+    if (error == 0 && at + bytes.size() > full_at) return ENOSPC;
+    return error != 0 ? error : DiskCalls::write(file, bytes, at);
+  }
+  int sync(int file) override { return trouble != 0 ? trouble.load() : DiskCalls::sync(file); }
+  int resize(int file, std::uint64_t bytes) override {
+    return trouble != 0 ? trouble.load() : DiskCalls::resize(file, bytes);
+  }
+  std::atomic<int> trouble{0};  // an errno
+  std::atomic<std::uint64_t> full_at{std::numeric_limits<std::uint64_t>::max()};
+};
+
+class RecorderOnATroubledDisk : public Recorded {
+ protected:
+  void SetUp() override {
+    Recorded::SetUp();
+    disk = troubled;
+    startRecorder();
+    run(0.5);
+    ASSERT_TRUE(recorder->begin({.path = file("a.h5")}));
+    run(1.5);
+    ASSERT_TRUE(comesTrue("1000 committed steps", [this] {
+      const auto growing = Recording::open(file("a.h5"));
+      committed = growing ? (*growing)->info().committed_samples : 0;
+      return committed >= 1000;
+    }));
+  }
+
+  /// Once the recorder has met the trouble.
+  void expectHonest(const std::string& why) {
+    for (int i = 0; i < 1000 && recorder->status().state == RecorderState::recording; ++i) run(0.1);
+    const RecorderStatus status = recorder->status();
+    ASSERT_EQ(status.state, RecorderState::failed);
+    EXPECT_THAT(status.problem.text(), HasSubstr(why));
+    EXPECT_THAT(status.problem.text(), HasSubstr("a.h5.partial"));
+    EXPECT_THAT(status.problem.text(), HasSubstr("fyd session recover"));
+    const std::size_t before = samples.size();
+    run(0.5);
+    EXPECT_EQ(samples.size(), before + 500) << "the loop goes on";
+    EXPECT_EQ(recorder->status().lost, 0U);
+    EXPECT_EQ(recorder->status().differences, 0U);
+    EXPECT_FALSE(recorder->note(NoteKind::bookmark, "too late"));
+
+    const auto recovered = recover(file("a.h5"));
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    EXPECT_EQ(recovered->result, RecoverResult::whole);
+    const auto recording = open("a.h5");
+    ASSERT_TRUE(recording);
+    ASSERT_GE(recording->info().committed_samples, committed) << "what was acknowledged";
+    for (std::uint64_t row = 0; row < recording->info().committed_samples; row += 50) {
+      const auto step = recording->step(row);
+      ASSERT_TRUE(step) << step.error().text();
+      EXPECT_EQ(step->telemetry.step, samples[row].step);
+      EXPECT_EQ(step->telemetry.force_N, samples[row].force_N);
+    }
+
+    troubled->trouble = 0;
+    troubled->full_at = std::numeric_limits<std::uint64_t>::max();
+    ASSERT_TRUE(recorder->begin({.path = file("b.h5")})) << "on a disk that works again";
+    run(0.3);
+    ASSERT_TRUE(recorder->end());
+  }
+
+  std::shared_ptr<TroubledDisk> troubled = std::make_shared<TroubledDisk>();
+  std::uint64_t committed = 0;
+};
+
+TEST_F(RecorderOnATroubledDisk, ThatBecomesFullKeepsWhatWasAcknowledged) {
+  troubled->full_at = std::filesystem::file_size(file("a.h5.partial")) + 50'000;
+  expectHonest("No space left on device");
+}
+
+TEST_F(RecorderOnATroubledDisk, ThatIsPulledOutKeepsWhatWasAcknowledged) {
+  troubled->trouble = EIO;
+  expectHonest("Input/output error");
+}
+
+}  // namespace
+}  // namespace fyd::recording

@@ -1,0 +1,170 @@
+// Files that are damaged, no recordings or not of this program: an error or the right values, never a crash.
+// FYD_FLIPS=all flips every byte of the file's front.
+#include <hdf5.h>
+
+#include <gtest/gtest.h>
+
+#include "core/recording/file/recording_disk.h"
+#include "core/recording/file/recording_place.h"
+#include "core/recording/reader/recording_health.h"
+#include "core/recording/recovery/recover.h"
+#include "core/recording/recovery/verify.h"
+#include "recording_damage.h"
+#include "recording_samples.h"
+
+namespace fyd::recording {
+namespace {
+
+using namespace samples;
+
+void record(const std::string& file, std::uint64_t rows) {
+  auto writer = RecordingWriter::create(file, header());
+  ASSERT_TRUE(writer) << writer.error().text();
+  for (std::uint64_t row = 0; row < rows; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
+  ASSERT_TRUE((*writer)->close());
+}
+
+/// Whatever opens holds what was recorded, or says that it is damaged.
+void expectErrorOrEqual(const std::string& file) {
+  const auto recording = Recording::open(file);
+  if (!recording) return;
+  EXPECT_EQ((*recording)->info().header.profile, header().profile);
+  EXPECT_EQ((*recording)->info().header.started, header().started);
+  EXPECT_EQ((*recording)->info().header.subject, header().subject);
+  for (std::uint64_t row = 0; row < (*recording)->info().committed_samples; row += 41) {
+    const auto step = (*recording)->step(row);
+    if (step) {
+      EXPECT_TRUE(sameRecord(*step, plainStep(row))) << row;
+    }
+  }
+}
+
+TEST(RecordingDamage, WhatIsNoRecordingIsAnError) {
+  const Folder folder;
+  EXPECT_FALSE(Recording::open(folder.file("none.h5")));
+  EXPECT_FALSE(Recording::open(folder.path()));
+  EXPECT_FALSE(Recording::open("/dev/null"));
+  std::mt19937 random(1);
+  for (const std::size_t size : {0, 1, 7, 511, 4096, 100'000}) {
+    std::string garbage(size, '\0');
+    for (char& c : garbage) c = static_cast<char>(random());
+    write(folder.file(), garbage);
+    EXPECT_FALSE(Recording::open(folder.file())) << size;
+    EXPECT_FALSE(verify(folder.file()));
+    const auto outcome = recover(folder.file());
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->result, RecoverResult::nothing);
+    EXPECT_TRUE(contentOf(folder.file()) == garbage);  // left as it is
+  }
+}
+
+TEST(RecordingDamage, AnotherHdf5FileAndAnotherVersionAreNamedAsSuch) {
+  const Folder folder;
+  H5Fclose(H5Fcreate(folder.file("other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  const auto other = Recording::open(folder.file("other.h5"));
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().text().find("not a recording"), std::string::npos) << other.error().text();
+
+  record(folder.file(), 10);
+  const hid_t file = H5Fopen(folder.file().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  ASSERT_GE(file, 0);  // a closed recording is a plain HDF5 file
+  const hid_t attribute = H5Aopen(file, "fyd_recording", H5P_DEFAULT);
+  const std::int64_t next = 2;
+  EXPECT_GE(H5Awrite(attribute, H5T_NATIVE_INT64, &next), 0);
+  H5Aclose(attribute);
+  H5Fclose(file);
+  const auto newer = Recording::open(folder.file());
+  ASSERT_FALSE(newer);
+  EXPECT_NE(newer.error().text().find("format 2"), std::string::npos) << newer.error().text();
+}
+
+TEST(RecordingDamage, AFlippedByteIsAnErrorOrChangesNothing) {
+  const Folder folder;
+  record(folder.file("good.h5"), 600);
+  const std::string good = contentOf(folder.file("good.h5"));
+  const char* all = std::getenv("FYD_FLIPS");
+  std::mt19937 random(2);
+  const auto flipAt = [&](std::size_t at) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ (1 << (random() % 8)));
+    write(folder.file(), bad);
+    expectErrorOrEqual(folder.file());
+  };
+  const std::size_t front = std::min<std::size_t>(good.size(), kJournalBytes + 24'000);
+  for (std::size_t at = kJournalBytes; at < front; at += all != nullptr ? 1 : 397) flipAt(at);
+  for (const char* text : {"00112233445566778899", "2026-05-04T03", "S07", "pilot", "kp=0.5", "started_ns"}) {
+    const std::size_t at = good.find(text, kJournalBytes);
+    ASSERT_NE(at, std::string::npos) << text;
+    flipAt(at);
+    flipAt(at + 2);
+  }
+  for (int i = 0; i < 60; ++i) flipAt(kJournalBytes + random() % (good.size() - kJournalBytes));
+}
+
+TEST(RecordingDamage, ATruncatedFileIsAnErrorOrChangesNothing) {
+  const Folder folder;
+  record(folder.file("good.h5"), 600);
+  const std::string good = contentOf(folder.file("good.h5"));
+  std::mt19937 random(3);
+  for (int i = 0; i < 40; ++i) {
+    const std::size_t keep = i < 20 ? random() % good.size() : good.size() - 1 - random() % 20'000;
+    write(folder.file(), good.substr(0, keep));
+    expectErrorOrEqual(folder.file());
+  }
+}
+
+TEST(RecordingDamage, OneBadBlockCostsItselfAndRecoverSavesTheRest) {
+  const Folder folder;
+  record(folder.file("good.h5"), 5000);
+  const std::string good = contentOf(folder.file("good.h5"));
+  for (const auto& [table, block, lost] :
+       {std::tuple{"/telemetry", 7, 250U}, {"/inputs/steps", 7, 0U}, {"/motors", 3, 0U}, {"/inputs/bridge", 0, 0U}}) {
+    write(folder.file(), good);
+    damageChunk(folder.file(), table, static_cast<hsize_t>(block));
+    const std::string bad = contentOf(folder.file());
+    const auto checked = verify(folder.file());
+    ASSERT_TRUE(checked);
+    EXPECT_FALSE(checked->intact()) << table;
+    EXPECT_EQ(checked->wholeness, Wholeness::damaged) << table;
+    EXPECT_NE(checked->health.reason.text().find(table), std::string::npos) << checked->health.reason.text();
+    const auto outcome = recover(folder.file());
+    ASSERT_TRUE(outcome) << outcome.error().text();
+    EXPECT_EQ(outcome->result, RecoverResult::part_lost) << table;
+    EXPECT_EQ(outcome->steps + outcome->lost_steps, 5000U) << table;
+    EXPECT_EQ(outcome->lost_steps, lost) << table;
+    ASSERT_EQ(outcome->missing.size(), 1U) << table;
+    EXPECT_EQ(outcome->missing[0].table, table);
+    EXPECT_LE(outcome->missing[0].count, 750U) << table;  // of values that hold for more than a block, some more
+    EXPECT_NE(outcome->missing[0].why.find("damaged"), std::string::npos) << outcome->missing[0].why;
+    EXPECT_TRUE(contentOf(outcome->kept) == bad);
+    const auto saved = Recording::open(folder.file());
+    ASSERT_TRUE(saved) << saved.error().text();
+    EXPECT_EQ((*saved)->info().committed_samples, outcome->steps);
+    EXPECT_EQ((*saved)->info().gaps, lost) << table;
+    EXPECT_EQ((*saved)->info().header.missing, outcome->missing) << table;
+    EXPECT_EQ(healthOf((*saved)->info()).word, "gaps") << table;
+    const auto again = verify(folder.file());
+    ASSERT_TRUE(again);
+    EXPECT_TRUE(again->intact());
+    std::filesystem::remove(folder.file());
+    std::filesystem::remove(outcome->kept);
+  }
+}
+
+TEST(RecordingDamage, WhatIsMadeOfTheRowsIsMadeAnew) {
+  const Folder folder;
+  record(folder.file(), 5000);
+  damageChunk(folder.file(), "/overview/rows_25", 3);
+  EXPECT_FALSE(verify(folder.file())->intact());
+  const auto outcome = recover(folder.file());
+  ASSERT_TRUE(outcome) << outcome.error().text();
+  EXPECT_EQ(outcome->result, RecoverResult::whole);
+  EXPECT_EQ(outcome->steps, 5000U);
+  EXPECT_TRUE(outcome->missing.empty());
+  EXPECT_EQ(outcome->kept, folder.file("a.h5.damaged"));
+  EXPECT_TRUE(verify(folder.file())->intact());
+  expectErrorOrEqual(folder.file());
+}
+
+}  // namespace
+}  // namespace fyd::recording

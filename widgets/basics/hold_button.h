@@ -1,0 +1,50 @@
+// A button that acts only after it was held for a while, by mouse or by key: so that motion starts
+// only deliberately. Letting go early, leaving the button or losing the focus cancels it. The progress is drawn in the
+// button. What is to last only while the button is held ends with `letGo`.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QTimer>
+
+namespace fyd::widgets {
+
+class HoldButton : public QPushButton {
+  Q_OBJECT
+ public:
+  static constexpr int kHold_ms = 600;
+
+  explicit HoldButton(const QString& text, QWidget* parent = nullptr);
+  /// 0 … 1
+  [[nodiscard]] double progress() const;
+  /// It has acted and is still held.
+  [[nodiscard]] bool engaged() const { return engaged_; }
+
+ signals:
+  /// Once for each hold.
+  void held();
+  /// After `held`: released, left, hidden, disabled, or the focus is elsewhere.
+  void letGo();
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void begin();
+  void cancel();
+  void tick();
+
+  QElapsedTimer held_for_;
+  QTimer timer_;
+  bool holding_ = false;
+  bool engaged_ = false;
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,23 @@
+// Numbers and times as an operator reads them. A missing value is "—", never 0.
+#pragma once
+
+#include <QString>
+
+namespace fyd::widgets {
+
+inline const QString kNoValue = QStringLiteral("—");
+
+/// Fixed decimals, a true minus sign; "—" for NaN and infinities; no "−0.00".
+[[nodiscard]] QString numberText(double value, int decimals);
+/// numberText and the unit after a space; the unit is left off with the value.
+[[nodiscard]] QString quantityText(double value, int decimals, const QString& unit);
+/// An age: "4 ms", "1.2 s", "3 min"; "—" for NaN.
+[[nodiscard]] QString ageText(double age_ms);
+/// A duration: "12 s", "3 min 05 s", "1 h 02 min".
+[[nodiscard]] QString durationText(double seconds);
+/// Shortest digits that read back as `value` in the way an operator writes them: "12", "0.62".
+[[nodiscard]] QString plainNumber(double value);
+/// Reads what an operator wrote; comma or point, minus or hyphen. @return NaN when it is no number
+[[nodiscard]] double readNumber(const QString& text);
+
+}  // namespace fyd::widgets

@@ -1,0 +1,21 @@
+// Fast drawing of a curve on the screen. QCustomPlot draws line by line, and Qt's software painter strokes each line as
+// an outline on a scaled screen. A curve over time covers one vertical span per pixel column, and filling a rectangle
+// is far cheaper.
+#pragma once
+
+#include <qcustomplot.h>
+
+namespace fyd::widgets {
+
+/// One rectangle for every pixel column that the line passes; a horizontal stretch is a single rectangle. A sample
+/// between two gaps is a dot. Dashed or translucent lines, and those of SVG, PDF and other outputs with a
+/// transformation, are left to QCustomPlot. The time axis must not be reversed.
+class CurveLine : public QCPGraph {
+ public:
+  using QCPGraph::QCPGraph;
+
+ protected:
+  void drawLinePlot(QCPPainter* painter, const QVector<QPointF>& points) const override;
+};
+
+}  // namespace fyd::widgets

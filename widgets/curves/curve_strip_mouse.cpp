@@ -1,0 +1,74 @@
+// What the mouse does in a curve: drag to pan, wheel to zoom, a box with the right button, a click for the cursor.
+#include <QMouseEvent>
+#include <QRubberBand>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "widgets/curves/curve_plot.h"
+#include "widgets/curves/curve_strip.h"
+
+namespace fyd::widgets {
+namespace {
+
+constexpr int kStill_px = 3;  // a press that moves no farther is a click
+
+}  // namespace
+
+double CurveStrip::timeAt(double x_px) const { return plot_->xAxis->pixelToCoord(x_px); }
+
+bool CurveStrip::press(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton && event.button() != Qt::RightButton) return false;
+  button_ = event.button();
+  last_ = pressed_ = event.position();
+  return true;
+}
+
+bool CurveStrip::move(const QMouseEvent& event) {
+  if (button_ == Qt::LeftButton) {
+    emit panned(timeAt(event.position().x()) - timeAt(last_.x()));
+    last_ = event.position();
+  } else if (button_ == Qt::RightButton) {
+    band_->setGeometry(QRect(pressed_.toPoint(), event.position().toPoint()).normalized());
+    band_->show();
+  }
+  return button_ != Qt::NoButton;
+}
+
+bool CurveStrip::release(const QMouseEvent& event) {
+  const bool box = button_ == Qt::RightButton && band_->isVisible();
+  button_ = Qt::NoButton;
+  band_->hide();
+  const QRect rect = QRect(pressed_.toPoint(), event.position().toPoint()).normalized();
+  const bool still = std::max(rect.width(), rect.height()) <= kStill_px;
+  if (event.button() == Qt::LeftButton && still) emit clicked(std::min(0.0, timeAt(event.position().x())));
+  if (box && rect.width() > 4 && rect.height() > 4) {
+    fixRange({plot_->yAxis->pixelToCoord(rect.bottom()), plot_->yAxis->pixelToCoord(rect.top())});
+    emit boxed(timeAt(rect.left()), std::min(0.0, timeAt(rect.right())));
+  }
+  return true;
+}
+
+void CurveStrip::wheel(const QWheelEvent& event) {
+  const double factor = std::pow(0.8, event.angleDelta().y() / 120.0);
+  if (event.modifiers().testFlag(Qt::ControlModifier)) {
+    const Range shown{plot_->yAxis->range().lower, plot_->yAxis->range().upper};
+    const double about = plot_->yAxis->pixelToCoord(event.position().y());
+    fixRange({about + (shown.lower - about) * factor, about + (shown.upper - about) * factor});
+    emit panned(0.0);
+  } else {
+    emit zoomed(factor, std::min(0.0, timeAt(event.position().x())));
+  }
+}
+
+bool CurveStrip::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress: return press(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove: return move(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease: return release(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonDblClick: emit followAsked(); return true;
+    case QEvent::Wheel: wheel(*static_cast<QWheelEvent*>(event)); return true;
+    default: return QWidget::eventFilter(watched, event);
+  }
+}
+
+}  // namespace fyd::widgets

@@ -1,0 +1,80 @@
+// The live curves of a session: a stack of strips on a buffer of the newest minutes, the bar above them, following.
+//
+// Samples may come at any rate; curves are drawn at most 30 times a second, numerals 8 times.
+#pragma once
+
+#include <QButtonGroup>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QTimer>
+#include <QToolButton>
+#include <QWidget>
+#include <span>
+#include <vector>
+
+#include "core/pipeline/telemetry.h"
+#include "widgets/curves/curve_buffer.h"
+#include "widgets/curves/curve_stack.h"
+#include "widgets/curves/recent_value.h"
+
+namespace fyd::widgets {
+
+class CurveView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit CurveView(QWidget* parent = nullptr);
+
+  void append(std::span<const pipeline::TelemetrySample> samples);
+  [[nodiscard]] bool following() const { return stack_->window().following(); }
+  [[nodiscard]] const TimeWindow& timeWindow() const { return stack_->window(); }
+  [[nodiscard]] const CurveBuffer& buffer() const { return buffer_; }
+  [[nodiscard]] CurveStack* stack() const { return stack_; }
+  [[nodiscard]] CurveStrip* strip(std::size_t index) const { return stack_->strip(index); }
+  [[nodiscard]] Readout* readout(std::size_t index) const { return stack_->readout(index); }
+  [[nodiscard]] QString followText() const { return follow_label_->text(); }
+  /// In the bar, before the lengths of the window.
+  void addButton(QToolButton* button);
+
+ public slots:
+  void follow();
+  void pause();
+  void togglePause();
+  void chooseSpan(double span_s);
+  /// At the cursor, without one at the newest value.
+  void setMark(CurveStack::Mark which);
+  void clearMarks();  ///< and the cursor
+  /// @param by_s > 0 towards the newest; without a cursor it appears at the newest value
+  void moveCursor(double by_s);
+  /// Draws at once what is due; for tests, exports and the bench.
+  void redraw();
+
+ signals:
+  void followingChanged(bool following);
+  void drawn();  ///< the curves were drawn with all samples appended so far
+
+ private:
+  void buildBar(class QVBoxLayout* layout);
+  void addStrips();
+  void refreshNumerals();
+  /// Why a strip's numeral is old or missing; empty: it is current.
+  [[nodiscard]] QString noteOf(const QString& strip) const;
+  void sayFollowing();
+
+  CurveBuffer buffer_;
+  CurveStack* stack_;
+  std::vector<RecentValue> recent_;  ///< one per channel
+  pipeline::TelemetrySample newest_;
+  Instant origin_{};
+  bool any_ = false;
+  bool dirty_ = true;
+  bool was_following_ = true;
+  QElapsedTimer since_sample_;
+  QTimer redraw_timer_;
+  QTimer numeral_timer_;
+  class QHBoxLayout* bar_ = nullptr;
+  QToolButton* follow_button_ = nullptr;
+  QLabel* follow_label_ = nullptr;
+  QButtonGroup* spans_ = nullptr;
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,48 @@
+// Devices that a search found on this computer: each with its persistent path and, where it cannot be opened, why and
+// what to do. Empty, it says what was looked for and what works without a device.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QString>
+#include <QVBoxLayout>
+#include <vector>
+
+namespace fyd::widgets {
+
+struct FoundRow {
+  QString kind;     ///< "Serial port", "Camera"
+  QString name;     ///< maker, model, serial number; may be empty
+  QString path;     ///< what to pass on to an option
+  QString problem;  ///< empty: it can be opened
+};
+
+class FoundList : public QFrame {
+  Q_OBJECT
+ public:
+  explicit FoundList(QWidget* parent = nullptr);
+
+  /// A search is under way. @param what is looked at now; @param part 0…1 of it done
+  void showProgress(const QString& what, double part);
+  void setFound(const std::vector<FoundRow>& rows);
+
+  [[nodiscard]] QPushButton* lookButton() const { return look_; }
+  [[nodiscard]] QString summary() const { return summary_->text(); }
+  [[nodiscard]] int count() const { return count_; }
+
+ signals:
+  void lookAsked();
+
+ private:
+  void addRow(const FoundRow& row);
+  QLabel* summary_;
+  QProgressBar* progress_;
+  QPushButton* look_;
+  QWidget* body_ = nullptr;
+  QVBoxLayout* layout_;
+  int count_ = 0;
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,65 @@
+// Choice of the session's robot: the simulated one, none, one over the classic protocol, one over FYD Link with a key,
+// or a scene instead of a robot. Nothing changes before "Reconnect" is pressed, and only while nothing can move.
+#pragma once
+
+#include <QComboBox>
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace fyd::widgets {
+
+class RobotForm : public QFrame {
+  Q_OBJECT
+ public:
+  explicit RobotForm(QWidget* parent = nullptr);
+
+  /// @param names of the predictors that the simulated robot may have; the first is the default
+  void setPredictors(const QStringList& names);
+  /// @param robot "simulated[:PREDICTOR]", "none", "classic:HOST:PORT", "link:HOST:PORT" or "scene:FILE"; @param
+  /// key_file of "link:"
+  void setRobot(const QString& robot, const QString& key_file);
+  /// Whether the robot may be changed now.
+  void setAllowed(bool allowed);
+  /// A non-empty text replaces the hint; the button then cancels the work, where that is possible.
+  void setWork(const QString& words, bool can_be_cancelled);
+
+  [[nodiscard]] QString robot() const;    ///< as entered, in the words of setRobot
+  [[nodiscard]] QString keyFile() const;  ///< empty unless FYD Link is chosen
+  [[nodiscard]] QComboBox* kind() const { return kind_; }
+  [[nodiscard]] QComboBox* predictor() const { return predictor_; }
+  [[nodiscard]] QLineEdit* address() const { return address_; }
+  [[nodiscard]] QLineEdit* key() const { return key_; }
+  [[nodiscard]] QLineEdit* sceneFile() const { return scene_; }
+  [[nodiscard]] QPushButton* reconnectButton() const { return reconnect_; }
+  [[nodiscard]] QString hint() const { return hint_->text(); }
+
+ signals:
+  void reconnectAsked(const QString& robot, const QString& key_file);
+  void cancelAsked();
+
+ private:
+  void refresh();
+  void chooseFile(const QString& title, const QString& filter, QLineEdit* into);
+
+  bool allowed_ = false;
+  QString work_;
+  bool can_be_cancelled_ = false;
+  QComboBox* kind_;
+  QLabel* predictor_label_;
+  QComboBox* predictor_;
+  QLabel* address_label_;
+  QLineEdit* address_;
+  QLabel* key_label_;
+  QLineEdit* key_;
+  QToolButton* browse_;
+  QLabel* scene_label_;
+  QLineEdit* scene_;
+  QToolButton* browse_scene_;
+  QLabel* hint_;
+  QPushButton* reconnect_;
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,75 @@
+// Describes a recording before it starts: operator, subject's code, tags, notes, file. While it runs: its file, a
+// line for notes, and the button that ends it. An invalid entry is marked, with what is expected.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <functional>
+
+#include "widgets/status/recording_view.h"
+
+namespace fyd::widgets {
+
+class RecordingForm : public QFrame {
+  Q_OBJECT
+ public:
+  explicit RecordingForm(QWidget* parent = nullptr);
+
+  void setEntries(const RecordingEntries& entries);
+  [[nodiscard]] RecordingEntries entries() const;
+  /// A file name for a subject; used until the operator writes one.
+  void setSuggestion(std::function<QString(const QString& subject)> suggest);
+  /// A new file name: the present one has been used, or time has passed.
+  void suggest();
+  [[nodiscard]] bool fileIsSuggested() const { return !file_is_own_; }
+  void setRecording(const RecordingView& view);
+  /// Gives the focus to the button that starts or ends the recording.
+  void focusButton();
+
+  [[nodiscard]] QLineEdit* operatorField() const { return operator_; }
+  [[nodiscard]] QLineEdit* subjectField() const { return subject_; }
+  [[nodiscard]] QLineEdit* tagsField() const { return tags_; }
+  [[nodiscard]] QPlainTextEdit* notesField() const { return notes_; }
+  [[nodiscard]] QLineEdit* fileField() const { return file_; }
+  [[nodiscard]] QLineEdit* noteField() const { return note_; }
+  [[nodiscard]] QPushButton* startButton() const { return start_; }
+  [[nodiscard]] QPushButton* stopButton() const { return stop_; }
+  [[nodiscard]] QString hint() const { return hint_->text(); }
+
+ signals:
+  void startAsked(const fyd::widgets::RecordingEntries& entries);
+  void stopAsked();
+  void noteAsked(const QString& text);
+
+ private:
+  void build();
+  void start();
+  void sayNote();
+  void mark(EntryProblem::Field field);
+  void say(const QString& words, const char* role);
+  [[nodiscard]] QWidget* widgetOf(EntryProblem::Field field) const;
+  void chooseFile();
+
+  RecordingView view_;
+  std::function<QString(const QString&)> suggest_;
+  bool file_is_own_ = false;  ///< written by the operator
+  QLineEdit* operator_;
+  QLineEdit* subject_;
+  QLineEdit* tags_;
+  QPlainTextEdit* notes_;
+  QLineEdit* file_;
+  QToolButton* browse_;
+  QWidget* before_;
+  QWidget* during_;
+  QLabel* figures_;
+  QLineEdit* note_;
+  QLabel* hint_;
+  QPushButton* start_;
+  QPushButton* stop_;
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,26 @@
+// The safety state in words: what it is, why, what to do.
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+#include "core/pipeline/safety.h"
+
+namespace fyd::widgets {
+
+struct StateWords {
+  QString word;   ///< "Held"
+  QString why;    ///< "The robot is silent."
+  QString to_do;  ///< "Check the network, then hold Re-arm."
+  QString icon;   ///< shape, so that colour is never alone
+};
+
+/// @param fault why the state is Held, or what is missing before Ready
+[[nodiscard]] StateWords describeState(pipeline::SafetyState state, pipeline::Fault fault);
+[[nodiscard]] QColor stateColour(pipeline::SafetyState state);
+/// "Arm" before the first start and "Re-arm" after Held or Stopped.
+[[nodiscard]] QString armText(pipeline::SafetyState state);
+/// A core phrase as a sentence: first letter large, full stop.
+[[nodiscard]] QString asSentence(std::string_view phrase);
+
+}  // namespace fyd::widgets

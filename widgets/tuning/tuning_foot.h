@@ -1,0 +1,38 @@
+// What stands below tuned values: undo, redo, which values are felt, save.
+#pragma once
+
+#include <QPushButton>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/tuning/tuning_compare.h"
+#include "widgets/tuning/tuning_model.h"
+
+namespace fyd::widgets {
+
+class TuningFoot : public QWidget {
+  Q_OBJECT
+ public:
+  enum class Rows { one, two };
+
+  /// @param own the owner's own: in one row it takes the room before "Save profile", in two it follows "Redo"
+  TuningFoot(TuningModel& model, Rows rows, QWidget* own, QWidget* parent = nullptr);
+
+  [[nodiscard]] TuningCompare* compare() const { return compare_; }
+  [[nodiscard]] QPushButton* saveButton() const { return save_; }
+
+ signals:
+  void saveAsked();
+
+ private:
+  void arrange(Rows rows, QWidget* own);
+  void refresh();
+
+  TuningModel& model_;
+  QToolButton* undo_;
+  QToolButton* redo_;
+  TuningCompare* compare_;
+  QPushButton* save_;
+};
+
+}  // namespace fyd::widgets

@@ -1,0 +1,213 @@
+#include "widgets/tuning/tuning_model.h"
+
+#include <QElapsedTimer>
+#include <QUndoCommand>
+
+#include "widgets/basics/number_text.h"
+
+namespace fyd::widgets {
+namespace {
+
+QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+
+struct Change {
+  QString id;
+  double from;
+  double to;
+};
+
+}  // namespace
+
+/// One step of the undo stack. Steps of one drag of a slider become one.
+class ChangeCommand : public QUndoCommand {
+ public:
+  ChangeCommand(TuningModel& model, const QString& words, std::vector<Change> changes, bool merge)
+      : QUndoCommand(words), model_(model), changes_(std::move(changes)), merge_(merge) {
+    age_.start();
+  }
+  void undo() override {
+    for (auto each = changes_.rbegin(); each != changes_.rend(); ++each) model_.store(each->id, each->from, each->to);
+  }
+  void redo() override {
+    for (const Change& each : changes_) model_.store(each.id, each.to, each.from);
+  }
+  int id() const override { return merge_ ? 1 : -1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    constexpr qint64 kSameDrag_ms = 800;
+    const Change& next = static_cast<const ChangeCommand*>(other)->changes_.front();
+    Change& own = changes_.front();
+    if (next.id != own.id || age_.elapsed() > kSameDrag_ms) return false;
+    own.to = next.to;
+    model_.entry(own.id.toStdString())->was = own.from;
+    emit model_.changed(own.id);
+    age_.start();
+    setText(other->text());
+    return true;
+  }
+
+ private:
+  TuningModel& model_;
+  std::vector<Change> changes_;
+  bool merge_;
+  QElapsedTimer age_;
+};
+
+TuningModel::TuningModel(QObject* parent) : QObject(parent), undo_(this) {}
+
+void TuningModel::load(std::span<const Parameter> current, std::span<const Parameter> defaults) {
+  undo_.clear();
+  parameters_.clear();
+  for (std::size_t i = 0; i < current.size(); ++i) {
+    if (!current[i].isNumber()) continue;
+    const double value = current[i].value();
+    parameters_.push_back({.info = current[i],
+                           .value = value,
+                           .saved = value,
+                           .standard = defaults[i].value(),
+                           .was = value,
+                           .confirmed = value});
+    parameters_.back().info.field = nullptr;
+  }
+}
+
+TunedParameter* TuningModel::entry(std::string_view id) {
+  for (TunedParameter& parameter : parameters_) {
+    if (parameter.info.id == id) return &parameter;
+  }
+  return nullptr;
+}
+
+const TunedParameter* TuningModel::find(std::string_view id) const { return const_cast<TuningModel*>(this)->entry(id); }
+
+bool TuningModel::anyChanged() const {
+  return std::ranges::any_of(parameters_, [](const TunedParameter& parameter) { return parameter.changed(); });
+}
+
+Result<void> TuningModel::check(std::string_view id, double value) const {
+  const TunedParameter* parameter = find(id);
+  if (parameter == nullptr) return fail("{}: no such parameter", id);
+  if (!parameter->info.info.live) return fail("{} cannot change while the station runs", id);
+  if (const auto checked = checkParameter(parameter->info, value); !checked) return tl::unexpected(checked.error());
+  return {};
+}
+
+Result<void> TuningModel::change(std::string_view id, double value, bool merge) {
+  if (auto good = check(id, value); !good) return good;
+  if (feeling_saved_) return fail("{}: saved values are felt now; go back to the current ones to change it", id);
+  const TunedParameter& parameter = *find(id);
+  if (value == parameter.value) return {};
+  const QString name = fromView(id);
+  undo_.push(new ChangeCommand(*this, tr("%1 to %2").arg(name, plainNumber(value)),
+                               {{.id = name, .from = parameter.value, .to = value}}, merge));
+  return {};
+}
+
+Result<void> TuningModel::changeAll(const QString& words, std::span<const Setting> settings) {
+  if (feeling_saved_) return fail("saved values are felt now; go back to the current ones to change any");
+  std::vector<Change> changes;
+  for (const Setting& setting : settings) {
+    if (auto good = check(setting.id, setting.value); !good) return good;
+    const double present = find(setting.id)->value;
+    if (present == setting.value) continue;
+    changes.push_back({.id = QString::fromStdString(setting.id), .from = present, .to = setting.value});
+  }
+  if (!changes.empty()) undo_.push(new ChangeCommand(*this, words, std::move(changes), false));
+  return {};
+}
+
+void TuningModel::store(const QString& id, double value, double was) {
+  TunedParameter* parameter = entry(id.toStdString());
+  if (parameter == nullptr) return;
+  parameter->value = value;
+  parameter->was = was;
+  emit asked(id, value);
+  emit changed(id);
+}
+
+void TuningModel::accept(std::string_view id, double value) {
+  TunedParameter* parameter = entry(id);
+  if (parameter == nullptr) return;
+  const bool news = parameter->value != value || parameter->delivery != Delivery::confirmed;
+  if (parameter->value != value) parameter->was = parameter->value;
+  parameter->value = parameter->confirmed = value;
+  parameter->delivery = Delivery::confirmed;
+  if (news) emit changed(fromView(id));
+}
+
+void TuningModel::setDelivery(std::string_view id, Delivery delivery) {
+  TunedParameter* parameter = entry(id);
+  if (parameter == nullptr || parameter->delivery == delivery) return;
+  parameter->delivery = delivery;
+  emit changed(fromView(id));
+}
+
+void TuningModel::confirm(std::string_view id, double value) {
+  if (TunedParameter* parameter = entry(id)) parameter->confirmed = value;
+  setDelivery(id, Delivery::confirmed);
+}
+
+void TuningModel::refuse(std::string_view id, const QString& reason) {
+  TunedParameter* parameter = entry(id);
+  if (parameter == nullptr) return;
+  if (!feeling_saved_) parameter->value = parameter->confirmed;
+  parameter->delivery = Delivery::refused;
+  parameter->reason = reason;
+  emit changed(fromView(id));
+}
+
+void TuningModel::resetToDefault(std::string_view id) {
+  if (const TunedParameter* parameter = find(id)) (void)change(id, parameter->standard);
+}
+
+void TuningModel::revertToSaved(std::string_view id) {
+  if (const TunedParameter* parameter = find(id)) (void)change(id, parameter->saved);
+}
+
+Result<void> TuningModel::revertAll() {
+  std::vector<Setting> settings;
+  for (const TunedParameter& parameter : parameters_) {
+    if (parameter.changed()) settings.push_back({.id = std::string(parameter.info.id), .value = parameter.saved});
+  }
+  return changeAll(tr("all back to the saved values"), settings);
+}
+
+void TuningModel::undo() {
+  if (feeling_saved_) {
+    feelSaved(false);
+  } else {
+    undo_.undo();
+  }
+}
+
+void TuningModel::redo() {
+  if (feeling_saved_) {
+    feelSaved(false);
+  } else {
+    undo_.redo();
+  }
+}
+
+void TuningModel::feelSaved(bool saved) {
+  if (saved == feeling_saved_) return;
+  feeling_saved_ = saved;
+  emit feelingSavedChanged(saved);
+  for (const TunedParameter& parameter : parameters_) {
+    if (!parameter.changed()) continue;
+    emit asked(fromView(parameter.info.id), felt(parameter));
+    emit changed(fromView(parameter.info.id));
+  }
+}
+
+void TuningModel::markSaved(std::string_view id) {
+  TunedParameter* parameter = entry(id);
+  if (parameter == nullptr || !parameter->changed()) return;
+  parameter->saved = parameter->value;
+  emit changed(fromView(id));
+}
+
+void TuningModel::markSaved() {
+  for (TunedParameter& parameter : parameters_) parameter.saved = parameter.value;
+  for (const TunedParameter& parameter : parameters_) emit changed(fromView(parameter.info.id));
+}
+
+}  // namespace fyd::widgets

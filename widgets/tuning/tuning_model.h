@@ -1,0 +1,111 @@
+// The parameters an operator tunes: current, previous, saved and default value, and whether the station has confirmed
+// the current one; every change can be undone.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <span>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/parameter.h"
+
+namespace fyd::widgets {
+
+/// The station's answer to the latest value asked for.
+enum class Delivery {
+  confirmed,  ///< it uses it
+  pending,    ///< no answer yet
+  silent,     ///< no answer for too long
+  refused,    ///< refused; the value is the one it uses
+};
+
+struct TunedParameter {
+  Parameter info;  ///< its description; the instance it was read from may be gone, so the field is not used
+  double value = 0.0;
+  double saved = 0.0;
+  double standard = 0.0;   ///< the default
+  double was = 0.0;        ///< before its latest change
+  double confirmed = 0.0;  ///< what the station last said it uses
+  Delivery delivery = Delivery::confirmed;
+  QString reason = {};  ///< of a refusal
+  [[nodiscard]] bool changed() const { return value != saved; }
+};
+
+struct Setting {
+  std::string id;
+  double value = 0.0;
+};
+
+class TuningModel : public QObject {
+  Q_OBJECT
+ public:
+  explicit TuningModel(QObject* parent = nullptr);
+
+  /// @param current,defaults of the same struct, in the same order; lists are left out, they are not tuned here
+  void load(std::span<const Parameter> current, std::span<const Parameter> defaults);
+
+  [[nodiscard]] const TunedParameter* find(std::string_view id) const;
+  /// In the order of the description.
+  [[nodiscard]] std::span<const TunedParameter> parameters() const { return parameters_; }
+  [[nodiscard]] QUndoStack* undoStack() { return &undo_; }
+  /// Whether any value differs from the saved profile.
+  [[nodiscard]] bool anyChanged() const;
+
+  /// The operator's change: checked, undoable. Changes of one parameter that follow closely merge, as a slider gives
+  /// them.
+  /// @return an error naming the allowed range, or that saved values are being felt; nothing is changed then
+  Result<void> change(std::string_view id, double value, bool merge = false);
+  /// Several at once, as one step of the undo stack; those that are there already are left out.
+  /// @param words what the step is called: "Preset soft"
+  /// @return the first error; nothing at all is changed then
+  Result<void> changeAll(const QString& words, std::span<const Setting> settings);
+  void resetToDefault(std::string_view id);
+  void revertToSaved(std::string_view id);
+  /// Every value back to the saved one, as one step.
+  Result<void> revertAll();
+  /// While saved values are felt, both only return to the current ones.
+  void undo();
+  void redo();
+
+  /// A change that came from elsewhere (the robot's operator): shown, not undoable; the station uses it.
+  void accept(std::string_view id, double value);
+  /// The station's answer to the value asked for.
+  void setDelivery(std::string_view id, Delivery delivery);
+  void confirm(std::string_view id, double value);
+  /// The station goes on with the value it last confirmed, and so does the model.
+  void refuse(std::string_view id, const QString& reason);
+
+  /// A: the saved values are applied, and nothing can be changed; B: the current ones again. No step of the undo stack.
+  void feelSaved(bool saved);
+  [[nodiscard]] bool feelingSaved() const { return feeling_saved_; }
+  /// The value that is felt now.
+  [[nodiscard]] double felt(const TunedParameter& parameter) const {
+    return feeling_saved_ ? parameter.saved : parameter.value;
+  }
+
+  /// The values are those of the profile on disk now.
+  void markSaved();
+  /// The same for one value; an unknown id changes nothing.
+  void markSaved(std::string_view id);
+
+ signals:
+  /// The operator's change, also when undone or redone: to be applied.
+  void asked(const QString& id, double value);
+  /// The parameter has to be shown anew.
+  void changed(const QString& id);
+  void feelingSavedChanged(bool saved);
+
+ private:
+  friend class ChangeCommand;
+  [[nodiscard]] TunedParameter* entry(std::string_view id);
+  [[nodiscard]] Result<void> check(std::string_view id, double value) const;
+  void store(const QString& id, double value, double was);
+
+  std::vector<TunedParameter> parameters_;
+  QUndoStack undo_;
+  bool feeling_saved_ = false;
+};
+
+}  // namespace fyd::widgets

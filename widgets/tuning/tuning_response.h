@@ -1,0 +1,69 @@
+// Simulated step responses of the stiffness loop for sets of gains, with their figures side by side.
+#pragma once
+
+#include <QLabel>
+#include <QPointF>
+#include <QProgressBar>
+#include <QWidget>
+#include <array>
+#include <vector>
+
+class QCPGraph;
+class QCustomPlot;
+class QGridLayout;
+
+namespace fyd::widgets {
+
+/// NaN where there is no such figure.
+struct ResponseView {
+  std::vector<QPointF> course;  ///< step response: x in s, y in % of the target
+  double rise_s = 0.0;
+  double settling_s = 0.0;
+  double overshoot_percent = 0.0;
+  double steady_error_percent = 0.0;
+  double gain_margin = 0.0;  ///< infinite: the phase never reaches −180°
+  double phase_margin_deg = 0.0;
+  bool stable = false;
+};
+
+class TuningResponse : public QWidget {
+  Q_OBJECT
+ public:
+  enum Which { current, saved, proposed };
+  static constexpr int kCount = 3;
+
+  explicit TuningResponse(QWidget* parent = nullptr);
+  void setResponse(Which which, const ResponseView& view);
+  void clearResponse(Which which);
+  /// The model on which the responses are computed, as a sentence.
+  void setPlotBackground(const QString& words);
+  void setBusy(bool busy);
+
+  [[nodiscard]] QCustomPlot* plot() const { return plot_; }
+  [[nodiscard]] bool has(Which which) const { return !views_[which].course.empty(); }
+  [[nodiscard]] const ResponseView& response(Which which) const { return views_[which]; }
+  /// As shown; "—" without one.
+  [[nodiscard]] QString figure(Which which, int line) const {
+    return cells_[which][static_cast<std::size_t>(line)]->text();
+  }
+  [[nodiscard]] QString ground() const { return ground_->text(); }
+
+ private:
+  static constexpr std::size_t kFigures = 7;
+  void buildFigures(QGridLayout* grid);
+  void dress();
+  void display(Which which);
+
+  QCustomPlot* plot_;
+  std::array<QCPGraph*, kCount> graphs_{};
+  QCPGraph* target_;
+  QCPGraph* upper_;
+  QCPGraph* lower_;
+  std::array<std::array<QLabel*, kFigures>, kCount> cells_{};
+  std::array<QLabel*, kCount> heads_{};
+  std::array<ResponseView, kCount> views_;
+  QLabel* ground_;
+  QProgressBar* busy_;
+};
+
+}  // namespace fyd::widgets
