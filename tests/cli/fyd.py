@@ -75,8 +75,16 @@ def not_held(session):
 
 def lateness_of_the_machine(seconds=10):
     """How late this machine wakes a process that sleeps a millisecond at a time: the longest gap in ms, and the share of
-    milliseconds missed in the worst second, in %. By the station's own rule, which looks at every second too, more than
-    20 ms or 5 % are no machine for it."""
+    milliseconds missed in the worst second, in %, while another process computes, as a session's other threads do. By
+    the station's own rule, which looks at every second too, more than 20 ms or 5 % are no machine for it."""
+    with subprocess.Popen([sys.executable, "-c", "while True: pass"]) as computing:
+        try:
+            return lateness_beside_work(seconds)
+        finally:
+            computing.kill()
+
+
+def lateness_beside_work(seconds):
     a_turn = 0.00125  # sleeping a millisecond takes a little longer on the best of machines
     longest, most_missed = 0.0, 0.0
     for _ in range(seconds):
