@@ -185,7 +185,7 @@ class InASession(fyd.Case):
         telemetry = self.path("t.csv")
         result = self.json("station", "--simulate", "--robot", "scene:" + scene, "--duration", "6", "--record", recording,
                            "--telemetry", telemetry, "--json")
-        fyd.not_held(result)
+        fyd.not_held_by_the_machine(result)
         self.assertEqual((result["link_protocol"], result["touch_messages_sent"]), ("scene floor", 0), "no network lies between")
         with open(telemetry, encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
