@@ -17,8 +17,6 @@ constexpr std::size_t kMostPictures = 8;    // a turn: twice what a usual camera
 constexpr std::size_t kMostCommits = 1000;  // 250 s
 constexpr double kMB = 1e6;
 constexpr std::chrono::milliseconds kShortestTurn{10};
-// Two turns for each commit: a thread that wakes more often has cold caches each time, and takes half as long again.
-constexpr std::chrono::milliseconds kLongestTurn{125};
 // While it writes what was kept from before the start: in small portions, so that it does not starve other threads.
 constexpr std::chrono::milliseconds kTurnBehind{20};
 

@@ -41,6 +41,8 @@ class LiveRecording {
   /// Writes all that waits, and closes the file: it is whole when this returns without an error.
   [[nodiscard]] Result<void> close(const std::vector<Note>& notes);
 
+  // Two turns for each commit: a thread that wakes more often has cold caches each time, and takes half as long again.
+  static constexpr std::chrono::milliseconds kLongestTurn{125};
   /// How long until the next commit is due, or the next portion while more waits than was written.
   [[nodiscard]] std::chrono::milliseconds untilNextTurn() const;
   /// Fills in the figures of this recording; state and problem are set by the recorder.

@@ -16,7 +16,6 @@ namespace fyd::recording {
 namespace {
 
 constexpr std::chrono::seconds kLongestWait{30};  // for a disk that does not answer
-constexpr std::chrono::milliseconds kIdleTurn{125};
 
 /// Processor time of the calling thread.
 double threadWork_s() {
@@ -165,7 +164,7 @@ void Recorder::Impl::run(const std::stop_token& stop) {
     std::shared_ptr<Answer> ends;
     {
       std::unique_lock lock(mutex);
-      asked_for.wait_for(lock, stop, live ? live->untilNextTurn() : kIdleTurn,
+      asked_for.wait_for(lock, stop, live ? live->untilNextTurn() : LiveRecording::kLongestTurn,
                          [this] { return to_begin || end_answer; });
     }
     steps.take();

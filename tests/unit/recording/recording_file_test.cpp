@@ -1,10 +1,8 @@
 // Any values written to a recording are read back bit for bit.
 #include <gtest/gtest.h>
 
-#include "core/base/checksum.h"
 #include "core/recording/format/recording_format.h"
 #include "recording_samples.h"
-#include "tests/reference_crc.h"
 
 namespace fyd::recording {
 namespace {
@@ -93,16 +91,6 @@ TEST(RecordingFormat, TheInputsTablesAreThoseOfTheirNumbers) {
   EXPECT_STREQ(layoutOf(Table::motor_reference).path, "/inputs/motor_reference");
   EXPECT_STREQ(layoutOf(Table::changes).path, "/inputs/changes");
   for (std::size_t i = 0; i < kTableCount; ++i) EXPECT_NE(layoutOf(static_cast<Table>(i)).row_bytes, 0U) << i;
-}
-
-TEST(RecordingCrc, IsTheCastagnoliPolynomial) {
-  const std::string digits = "123456789";
-  EXPECT_EQ(crc32c(std::as_bytes(std::span(digits))), 0xE3069283U);
-  std::mt19937 random(3);
-  std::vector<std::byte> bytes(4097);
-  for (auto& b : bytes) b = static_cast<std::byte>(random());
-  for (std::size_t n = 0; n < 40; ++n)
-    EXPECT_EQ(crc32c(std::span(bytes).first(4097 - n)), referenceCrc32c(std::span(bytes).first(4097 - n)));
 }
 
 TEST(RecordingFile, RandomStepsComeBackBitForBit) {
