@@ -147,7 +147,7 @@ void add_devices(CLI::App& app) {
   CLI::App* command = app.add_subcommand("devices", "Serial ports, cameras and touchpads: what answers and what not");
   command->add_option("--touchpad", options->touchpads,
                       "Ask this one, modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]; its motors stay off; repeatable");
-  command->add_option("--motors", options->motors, "Ask this motor board, qbmove:TTY; likewise");
+  command->add_option("--motors", options->motors, "Ask this motor board, qbmove:TTY; its motors stay off; repeatable");
   command->add_option("--camera", options->cameras, "Ask this camera for one picture; repeatable");
   command->add_flag("--map", options->map, "Print the touchpad's register map as Markdown and end");
   options->profile.addTo(*command);

@@ -148,7 +148,7 @@ std::vector<double> heldOut(const ClothFitter& fitter, const std::vector<ClothPr
         return fitter.fit(part, edges);
       },
       [&](const ClothFit& fit, std::size_t i) {
-        return fitter.model(edges, fit.at).foretell(presses[i], fitter.sensors()).error_mm;
+        return fitter.model(edges, fit.at).predict(presses[i], fitter.sensors()).error_mm;
       });
 }
 
@@ -198,9 +198,9 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
     Errors errors;
     ClothModel model = fitter.model(edges, fit.at);
     for (const ClothPress& press : presses) {
-      const ClothModel::Foretold foretold = model.foretell(press, sensors);
-      errors.mm.push_back(foretold.error_mm);
-      errors.relative.push_back(foretold.error_mm / foretold.depth_mm);
+      const ClothModel::Prediction prediction = model.predict(press, sensors);
+      errors.mm.push_back(prediction.error_mm);
+      errors.relative.push_back(prediction.error_mm / prediction.depth_mm);
     }
     return errors;
   };

@@ -9,18 +9,21 @@ namespace {
 
 using sensing::ClothEdges;
 
-constexpr double kHeldShareSigma = 0.01;  // of a share of a held cloth, for the weights
-constexpr double kFreeShareSigma = 0.04;  // … of one with free edges, which narrows and wrinkles: no linear membrane
-// Prior, as logarithms; it counts where the presses contain little information.
-constexpr double kUsualRadiusShare = 0.7, kUsualRadiusSpread = 0.3;
-constexpr double kUsualFreeRatio = 12.0, kUsualFreeRatioSpread = 0.25, kUsualRatioSpread = 0.7;
+// Model error of a share, for the weights. A cloth with free edges narrows and wrinkles and is no linear membrane.
+constexpr double kHeldShareSigma = 0.01;
+constexpr double kFreeShareSigma = 0.04;
+// Prior: means, and standard deviations of the logarithms; the mean ratio of a held cloth is 1. It counts where the
+// presses contain little information.
+constexpr double kPriorRadiusShare = 0.7, kPriorRadiusShareSigma = 0.3;
+constexpr double kPriorFreeRatio = 12.0, kPriorFreeRatioSigma = 0.25, kPriorHeldRatioSigma = 0.7;
+// Limits of the fit.
 constexpr double kLeastRadiusShare = 0.35, kMostRadiusShare = 1.3;
 constexpr double kMostHeldRatio = 4.0;  // or its inverse: a cloth held all round is stretched both ways
 constexpr double kLeastFreeRatio = 2.0, kMostFreeRatio = 15.0;
 
 double shareSigma(ClothEdges edges) { return edges == ClothEdges::held ? kHeldShareSigma : kFreeShareSigma; }
 
-sensing::IndentationParameters with(sensing::IndentationParameters p, ClothEdges edges, ClothUnknowns at) {
+sensing::IndentationParameters parametersOf(sensing::IndentationParameters p, ClothEdges edges, ClothUnknowns at) {
   p.contact_radius_share = std::exp(at.log_share);
   p.contact_radius_share_sigma = 0.2 * p.contact_radius_share;  // the sensor under the finger counts most
   p.cloth_share_sigma = shareSigma(edges);
@@ -31,10 +34,11 @@ sensing::IndentationParameters with(sensing::IndentationParameters p, ClothEdges
 }
 
 /// Covariance and condition of a fit whose last normal matrix this is.
-void finish(ClothFit& fit, const Eigen::Matrix2d& normal, std::size_t presses) {
-  const double freedom = static_cast<double>(fit.residuals.size() - presses) - 4.0;
-  if (!(freedom > 0.0)) return;
-  fit.covariance = normal.inverse() * (fit.cost / freedom);
+void setUncertainty(ClothFit& fit, const Eigen::Matrix2d& normal, std::size_t presses) {
+  // Readings (residuals less the two of the prior) less unknowns (one depth a press, share and ratio).
+  const double degrees_of_freedom = static_cast<double>(fit.residuals.size() - presses) - 4.0;
+  if (!(degrees_of_freedom > 0.0)) return;
+  fit.covariance = normal.inverse() * (fit.cost / degrees_of_freedom);
   const Eigen::Vector2d scale = normal.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::Vector2d values =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scale.asDiagonal() * normal * scale.asDiagonal()).eigenvalues();
@@ -44,7 +48,7 @@ void finish(ClothFit& fit, const Eigen::Matrix2d& normal, std::size_t presses) {
 }  // namespace
 
 ClothModel::ClothModel(const sensing::IndentationParameters& profile, ClothEdges edges, ClothUnknowns at)
-    : share_sigma_(shareSigma(edges)), cloth_(with(profile, edges, at)) {}
+    : share_sigma_(shareSigma(edges)), cloth_(parametersOf(profile, edges, at)) {}
 
 void ClothModel::residuals(const ClothPress& press, std::size_t sensors, std::vector<double>& out) {
   const double depth = cloth_.solve(press.contact, std::span(press.drops).first(sensors)).indentation_mm;
@@ -56,8 +60,8 @@ void ClothModel::residuals(const ClothPress& press, std::size_t sensors, std::ve
   }
 }
 
-ClothModel::Foretold ClothModel::foretell(const ClothPress& press, std::size_t sensors) {
-  Foretold out{.depth_mm = press.drops[press.over].drop_mm};
+ClothModel::Prediction ClothModel::predict(const ClothPress& press, std::size_t sensors) {
+  Prediction out{.depth_mm = press.drops[press.over].drop_mm};
   for (int round = 0; round < 3; ++round) {
     cloth_.press(press.contact, out.depth_mm);
     out.depth_mm = press.drops[press.over].drop_mm / cloth_.share(press.over);
@@ -76,9 +80,9 @@ std::vector<double> ClothFitter::residuals(const std::vector<ClothPress>& presse
   std::vector<double> out;
   ClothModel model(profile_, edges, at);
   for (const ClothPress& press : presses) model.residuals(press, sensors_, out);
-  out.push_back((at.log_share - std::log(kUsualRadiusShare)) / kUsualRadiusSpread);
-  out.push_back(edges == ClothEdges::held ? at.log_ratio / kUsualRatioSpread
-                                          : (at.log_ratio - std::log(kUsualFreeRatio)) / kUsualFreeRatioSpread);
+  out.push_back((at.log_share - std::log(kPriorRadiusShare)) / kPriorRadiusShareSigma);
+  out.push_back(edges == ClothEdges::held ? at.log_ratio / kPriorHeldRatioSigma
+                                          : (at.log_ratio - std::log(kPriorFreeRatio)) / kPriorFreeRatioSigma);
   return out;
 }
 
@@ -86,20 +90,20 @@ std::optional<ClothFit> ClothFitter::fit(const std::vector<ClothPress>& presses,
   ClothFit best;
   best.cost = std::numeric_limits<double>::infinity();
   for (const double ratio : {0.3, 0.6, 1.0, 1.7, 3.0, 6.0, 10.0}) {
-    for (const double share : {0.6, 0.9}) attempt(best, presses, edges, {std::log(share), std::log(ratio)});
+    for (const double share : {0.6, 0.9}) takeIfBetter(best, presses, edges, {std::log(share), std::log(ratio)});
   }
   if (best.residuals.size() < presses.size() + 5 || !std::isfinite(best.cost)) return std::nullopt;
   double damping = 1e-3;
   for (int round = 0; round < 30; ++round) {
-    const Eigen::MatrixX2d slope = jacobian(presses, edges, best.at);
+    const Eigen::MatrixX2d derivatives = jacobian(presses, edges, best.at);
     const Eigen::Map<const Eigen::VectorXd> r(best.residuals.data(), static_cast<Eigen::Index>(best.residuals.size()));
-    Eigen::Matrix2d normal = slope.transpose() * slope;
-    finish(best, normal, presses.size());
+    Eigen::Matrix2d normal = derivatives.transpose() * derivatives;
+    setUncertainty(best, normal, presses.size());
     normal.diagonal() *= 1.0 + damping;
-    const Eigen::Vector2d step = -normal.ldlt().solve(slope.transpose() * r);
+    const Eigen::Vector2d step = -normal.ldlt().solve(derivatives.transpose() * r);
     if (!step.allFinite()) break;
     const double before = best.cost;
-    attempt(best, presses, edges, {best.at.log_share + step[0], best.at.log_ratio + step[1]});
+    takeIfBetter(best, presses, edges, {best.at.log_share + step[0], best.at.log_ratio + step[1]});
     if (best.cost < before) {
       damping *= 0.2;
       if (before - best.cost < 1e-9 * before) break;
@@ -111,8 +115,8 @@ std::optional<ClothFit> ClothFitter::fit(const std::vector<ClothPress>& presses,
   return best;
 }
 
-void ClothFitter::attempt(ClothFit& best, const std::vector<ClothPress>& presses, ClothEdges edges,
-                          ClothUnknowns at) const {
+void ClothFitter::takeIfBetter(ClothFit& best, const std::vector<ClothPress>& presses, ClothEdges edges,
+                               ClothUnknowns at) const {
   at.log_share = std::clamp(at.log_share, std::log(kLeastRadiusShare), std::log(kMostRadiusShare));
   at.log_ratio = edges == ClothEdges::held
                      ? std::clamp(at.log_ratio, -std::log(kMostHeldRatio), std::log(kMostHeldRatio))

@@ -21,14 +21,14 @@ inline constexpr double kPressNoise_mm = 0.03;
 struct ClothPress {
   sensing::Contact contact;
   std::array<sensing::Drop, sensing::kMaximumIrSensors> drops{};
-  std::size_t row = 0;
+  std::size_t row = 0;   ///< in the samples
   std::size_t over = 0;  ///< the sensor under the finger
 };
 
-/// Logarithms, so that no step makes them negative.
+/// Logarithms, so that radius share and tension ratio stay positive.
 struct ClothUnknowns {
-  double log_share = 0.0;
-  double log_ratio = 0.0;
+  double log_share = 0.0;  ///< of the contact's effective radius over its radius
+  double log_ratio = 0.0;  ///< of the tension left to right over that front to back
 };
 
 /// A cloth with these edges and unknowns.
@@ -39,12 +39,12 @@ class ClothModel {
   /// Adds (reading − share·indentation)/σ of each sensor that reads.
   void residuals(const ClothPress& press, std::size_t sensors, std::vector<double>& out);
 
-  /// Readings of the sensors beside the finger, predicted from the one under it.
-  struct Foretold {
+  /// The depth by the sensor under the finger, and how well it predicts the readings of the sensors beside it.
+  struct Prediction {
     double depth_mm = 0.0;
     double error_mm = 0.0;  ///< root mean square over the sensors beside; NaN: none reads
   };
-  [[nodiscard]] Foretold foretell(const ClothPress& press, std::size_t sensors);
+  [[nodiscard]] Prediction predict(const ClothPress& press, std::size_t sensors);
 
  private:
   double share_sigma_;
@@ -53,7 +53,7 @@ class ClothModel {
 
 struct ClothFit {
   ClothUnknowns at;
-  double cost = 0.0;
+  double cost = 0.0;  ///< sum of the squared residuals
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Constant(kUnknown);
   double condition_number = kUnknown;
   std::vector<double> residuals;
@@ -65,7 +65,7 @@ class ClothFitter {
   ClothFitter(const sensing::IndentationParameters& profile, std::size_t sensors)
       : profile_(profile), sensors_(sensors) {}
 
-  /// @return none when the presses have fewer readings than unknowns
+  /// @return none unless there are more readings than unknowns (one depth a press, share and ratio)
   [[nodiscard]] std::optional<ClothFit> fit(const std::vector<ClothPress>& presses, sensing::ClothEdges edges) const;
 
   [[nodiscard]] ClothModel model(sensing::ClothEdges edges, ClothUnknowns at) const { return {profile_, edges, at}; }
@@ -75,8 +75,8 @@ class ClothFitter {
   [[nodiscard]] std::vector<double> residuals(const std::vector<ClothPress>& presses, sensing::ClothEdges edges,
                                               ClothUnknowns at) const;
   /// Takes `at` as the best when its cost is lower than the best so far.
-  void attempt(ClothFit& best, const std::vector<ClothPress>& presses, sensing::ClothEdges edges,
-               ClothUnknowns at) const;
+  void takeIfBetter(ClothFit& best, const std::vector<ClothPress>& presses, sensing::ClothEdges edges,
+                    ClothUnknowns at) const;
   [[nodiscard]] Eigen::MatrixX2d jacobian(const std::vector<ClothPress>& presses, sensing::ClothEdges edges,
                                           ClothUnknowns at) const;
 

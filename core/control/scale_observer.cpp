@@ -6,19 +6,20 @@
 namespace fyd::control {
 namespace {
 
-constexpr double kPriorVariance = 0.25 * 0.25;
-constexpr double kNewTouchVariance = 0.05 * 0.05;
-constexpr double kWanderPerSqrt_s = 0.003;  // q
-constexpr double kUnknownSigma = 0.07;
+constexpr double kPriorVariance = 0.25 * 0.25;     // of s
+constexpr double kNewTouchVariance = 0.05 * 0.05;  // added at each touch
+constexpr double kWanderPerSqrt_s = 0.003;         // q: s drifts as a random walk
+constexpr double kUnknownSigma = 0.07;             // of a reading that reports none; limits of what is reported follow
 constexpr double kLeastSigma = 0.01;
 constexpr double kMostSigma = 1.0;
-constexpr double kLeastShare = 0.35;  // of the reported variance, which includes errors that averaging cannot reduce
-constexpr double kMeanTime_s = 0.3;
-constexpr double kVarianceTime_s = 0.4;
-constexpr double kMotionTime_s = 0.08;                     // the sensors' lag is not known better than this
-constexpr double kMostLogScale = 1.5;                      // 4.5 times off the calibration: a sensor fault
-constexpr double kBelieveFrom = 2.8, kBelieveUntil = 1.0;  // standard deviations
-constexpr double kFade_s = 0.15;
+// Lower bound of v, as a share of the reported variance, which includes errors that averaging cannot reduce.
+constexpr double kLeastVarianceShare = 0.35;
+constexpr double kMeanTime_s = 0.3;      // time constants: of the running mean of z,
+constexpr double kVarianceTime_s = 0.4;  // of v,
+constexpr double kMotionTime_s = 0.08;   // of the law's low-pass: the sensors' lag is not known better than this
+constexpr double kMostLogScale = 1.5;    // 4.5 times off the calibration: a sensor fault
+constexpr double kSignificantFrom = 2.8, kSignificantUntil = 1.0;  // σ, with hysteresis
+constexpr double kFade_s = 0.15;                                   // of the correction, in and out
 
 }  // namespace
 
@@ -31,8 +32,8 @@ void ScaleObserver::reset() {
   variance_ = kPriorVariance;
   reading_variance_ = -1.0;
   slow_known_ = false;
-  believed_ = false;
-  belief_ = 0.0;
+  significant_ = false;
+  fade_in_ = 0.0;
 }
 
 void ScaleObserver::beginTouch() {
@@ -56,7 +57,7 @@ void ScaleObserver::step(double z, double relative_sigma, double law_log, double
   const double off = reading - mean_z_;
   const double scatter = off * off * (kMeanTime_s + correlation_s_) / kMeanTime_s;
   reading_variance_ += (scatter - reading_variance_) * dt_s / (kVarianceTime_s + dt_s);
-  const double variance = std::max(reading_variance_, kLeastShare * reported * reported);
+  const double variance = std::max(reading_variance_, kLeastVarianceShare * reported * reported);
 
   if (!slow_known_) slow_law_log_ = law_log;
   slow_known_ = true;
@@ -68,8 +69,8 @@ void ScaleObserver::step(double z, double relative_sigma, double law_log, double
   const double share = variance_ * dt_s / (density + variance_ * dt_s);
   log_scale_ += share * (reading - log_scale_);
   variance_ = std::min((1 - share) * variance_ + kWanderPerSqrt_s * kWanderPerSqrt_s * dt_s, kPriorVariance);
-  believed_ = std::abs(log_scale_) > sigma() * (believed_ ? kBelieveUntil : kBelieveFrom);
-  belief_ = std::clamp(belief_ + (believed_ ? dt_s : -dt_s) / kFade_s, 0.0, 1.0);
+  significant_ = std::abs(log_scale_) > sigma() * (significant_ ? kSignificantUntil : kSignificantFrom);
+  fade_in_ = std::clamp(fade_in_ + (significant_ ? dt_s : -dt_s) / kFade_s, 0.0, 1.0);
 }
 
 double ScaleObserver::sigma() const { return std::sqrt(variance_); }

@@ -8,17 +8,18 @@
 // v, the reading's variance, starts from the sensing's own sigma and is then learned from the readings'
 // own scatter about their running mean; while the stretch moves, the unknown part of the sensors' lag is added to it.
 //
-// credible(): 0 until |s| stands out of its own uncertainty by 2.8σ, then all of s (faded in over 0.15 s) until it
-// falls below 1σ. So noise causes no correction on a cloth that matches its calibration, one that does not is
-// recognised within one or two seconds, and the result does not switch back and forth.
+// significantLogScale(): 0 until |s| exceeds 2.8σ, σ = √P; then all of s (faded in over 0.15 s) until |s| falls below
+// 1σ. So noise causes no correction on a cloth that matches its calibration, one that does not is recognised within
+// one or two seconds, and the result does not switch back and forth.
 #pragma once
 
 namespace fyd::control {
 
 class ScaleObserver {
  public:
+  /// @param correlation_s Tc; not finite or ≤ 0 changes nothing
   void configure(double correlation_s);
-  /// Back to S = 1 ± 25 %.
+  /// Back to the prior: s = 0 ± 0.25, about ± 25 % in S.
   void reset();
   /// A new touch, maybe elsewhere on the cloth: raises the variance of what was learned.
   void beginTouch();
@@ -30,19 +31,19 @@ class ScaleObserver {
 
   [[nodiscard]] double logScale() const { return log_scale_; }
   [[nodiscard]] double sigma() const;
-  [[nodiscard]] double credible() const { return belief_ * log_scale_; }
+  [[nodiscard]] double significantLogScale() const { return fade_in_ * log_scale_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(log_scale_, variance_, believed_, belief_, mean_z_, reading_variance_, slow_law_log_, slow_known_);
+    archive(log_scale_, variance_, significant_, fade_in_, mean_z_, reading_variance_, slow_law_log_, slow_known_);
   }
 
  private:
   double correlation_s_ = 0.4;
-  double log_scale_ = 0.0;
-  double variance_ = 0.0625;  // P
-  bool believed_ = false;
-  double belief_ = 0.0;           // 0…1
+  double log_scale_ = 0.0;        // s
+  double variance_ = 0.0625;      // P
+  bool significant_ = false;      // |s| is above its threshold in σ
+  double fade_in_ = 0.0;          // 0…1: share of s in use
   double mean_z_ = 0.0;           // over kMeanTime_s
   double reading_variance_ = -1;  // v; negative until the first reading
   double slow_law_log_ = 0.0;     // law_log, low-passed over kMotionTime_s

@@ -8,7 +8,7 @@
 namespace fyd::control {
 namespace {
 
-constexpr double kDoubt_s = 1.0;        // of disagreement, until the law alone is used
+constexpr double kDistrust_s = 1.0;     // of disagreement, until the law alone is used
 constexpr double kAgreeAgain = 0.8;     // of the limit: hysteresis against noise at the limit
 constexpr double kTrustAgain_s = 0.25;  // of agreement, until the measurement counts fully again
 
@@ -35,7 +35,7 @@ void ScaleTrust::step(double log_scale, double dt_s) {
   const double corrected = rule_ == CorrectionRule::excess ? excess : std::min(size, 2.0 * excess);
   corrected_ = std::copysign(std::min(corrected, limit_log_), log_scale);
   const bool disagree = excess > limit_log_ * (contradicted_ ? kAgreeAgain : 1.0);
-  trust_ = std::clamp(trust_ + (disagree ? -dt_s / kDoubt_s : dt_s / kTrustAgain_s), 0.0, 1.0);
+  trust_ = std::clamp(trust_ + (disagree ? -dt_s / kDistrust_s : dt_s / kTrustAgain_s), 0.0, 1.0);
   contradicted_ = trust_ <= 0.0 || (contradicted_ && disagree);
 }
 

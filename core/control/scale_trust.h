@@ -42,8 +42,8 @@ class ScaleTrust {
   double bias_log_ = 0.0;
   double limit_log_ = 0.0;
   CorrectionRule rule_ = CorrectionRule::bounded;
-  double corrected_ = 0.0;
-  double trust_ = 1.0;  // 0…1
+  double corrected_ = 0.0;  // logarithm
+  double trust_ = 1.0;      // 0…1: share of the correction in use
   bool contradicted_ = false;
 };
 

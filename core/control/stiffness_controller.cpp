@@ -102,7 +102,7 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
                 input.measured_sigma_N_per_mm / input.measured_N_per_mm, present_log, dt_s);
   }
   const bool was_contradicted = trust_.contradicted();
-  trust_.step(scale_.credible(), dt_s);
+  trust_.step(scale_.significantLogScale(), dt_s);
 
   ControlOutput output;
   output.holding = !input.enabled || !isTarget(input.target_N_per_mm);
@@ -123,7 +123,7 @@ ControlOutput StiffnessController::step(const ControlInput& input) {
                     reference_deg_ >= law_.maximumAngle_deg() - kAtLimit_deg;
   output.correction = parameters_.mode == ControlMode::thesis ? thesis_pid_.output() : pid_.output();
   output.cloth_scale = math::exp(trust_.logScale());
-  output.measured_scale = math::exp(scale_.credible());
+  output.measured_scale = math::exp(scale_.significantLogScale());
   output.law_contradicted = parameters_.mode == ControlMode::normal && trust_.contradicted();
   output.contradiction_begins = output.law_contradicted && !was_contradicted;
   return output;

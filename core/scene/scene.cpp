@@ -58,13 +58,13 @@ Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<c
                                   const BodyModel& model) {
   const MeshReport& r = with->mesh.report();
   const Vec3 middle_mm = 0.5 * (r.lowest_mm + r.highest_mm);
-  const double around_mm = 0.5 * length(r.highest_mm - r.lowest_mm);
+  const double half_diagonal_mm = 0.5 * length(r.highest_mm - r.lowest_mm);
   if (from.soft) {
     SoftResolution resolution = model.resolution;
     if (from.depth_mm > 0.0) resolution.reach_mm = from.depth_mm;
     auto soft = SoftBody::build(with->tree, materialOf(from), resolution);
     if (!soft) return fail(about(from.name, soft.error().message));
-    const double reach_mm = 2.0 * around_mm + soft->finger_mm();
+    const double reach_mm = 2.0 * half_diagonal_mm + soft->finger_mm();
     return Body{Placement(from), std::move(with), std::move(*soft), std::nullopt, middle_mm, reach_mm};
   }
   BodyContact contact(with->tree,
@@ -74,7 +74,7 @@ Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<c
                               .kinetic_friction = from.kinetic_friction},
                       ContactSettings{.model = model.contact, .radius_mm = from.radius_mm, .reach_mm = from.depth_mm});
   // The mesh's bounding sphere, plus how deep under an open mesh it acts, plus the finger's radius.
-  const double reach_mm = around_mm + contact.settings().reach_mm + contact.settings().radius_mm;
+  const double reach_mm = half_diagonal_mm + contact.settings().reach_mm + contact.settings().radius_mm;
   const NearestPoint nearest(*with->walkable);
   return Body{Placement(from), std::move(with), std::move(contact), nearest, middle_mm, reach_mm};
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kUnknownRadiusSigma = 1.1;  // of ln r: a fingertip looks like 1 to 7 mm
 constexpr double kRadiusSigma_mm = 0.1;      // of the contact's radius from its area
-constexpr double kLeastOwn = 0.006;          // own error of a share with the finger over the sensor
+constexpr double kLeastOwnSigma = 0.006;     // σ of a share's own error with the finger over the sensor
 constexpr double kWiden_per_mm = 0.085;      // w, from finite strain; nearly the same for every finger and stretch
 constexpr double kWidenFrom = 1.0,
                  kWidenTo = 1.5;  // contact radii from its middle between which the sensors see it widen
@@ -23,11 +23,11 @@ constexpr double kMiddleRadius_mm = 2.8;  // contact radius under a sphere of 8 
 // to the frame.
 constexpr double kWidestForShares = 1.2;
 constexpr double kWidestForForce = 0.6;
-constexpr double kComplianceDoubt = 0.03;  // of its logarithm, far from the frame …
-constexpr double kFrameDoubt = 0.1;        // … and where its neighbourhood limits the radius
+constexpr double kLogComplianceSigma = 0.03;        // of ln compliance, far from the frame …
+constexpr double kLogComplianceSigmaAtFrame = 0.1;  // … and where its neighbourhood limits the radius
 
-/// Smooth minimum of the two.
-double within(double radius, double widest) {
+/// A little less than the smaller of the two where they are near.
+double smoothMinimum(double radius, double widest) {
   return radius / std::sqrt(std::sqrt(1.0 + math::square(math::square(radius / widest))));
 }
 
@@ -46,7 +46,7 @@ ContactCloth::ContactCloth(const IndentationParameters& p)
                    p.cloth_tension_ratio * math::exp(p.cloth_tension_ratio_sigma)),
       radius_share_(p.contact_radius_share),
       radius_share_sigma_(p.contact_radius_share_sigma / p.contact_radius_share),
-      share_sigma_(p.cloth_share_sigma),
+      own_sigma_(p.cloth_share_sigma),
       unknown_radius_mm_(p.finger_radius_mm) {
   for (std::size_t i = 0; i < sensors_; ++i) positions_[i] = {p.ir_x_mm[i], p.ir_y_mm[i]};
   middle_level_ = membrane_.press(0.0, 0.0, kMiddleRadius_mm, radius_share_ * kMiddleRadius_mm).level();
@@ -64,17 +64,17 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
   const double room =
       std::max(outer, membrane_.toHeldEdge(contact.x_mm, contact.y_mm));  // the contact lies on the cloth
   const double widest = kWidestForForce * room;
-  press.setEffectiveRadius(within(wide, widest));
+  press.setEffectiveRadius(smoothMinimum(wide, widest));
   relative_compliance_ = std::max(press.level() / middle_level_, kLeastCompliance);
   const double limited = math::square(math::square(wide / widest));
-  compliance_doubt_ = math::hypot(kComplianceDoubt, kFrameDoubt * limited / (1.0 + limited));
+  log_compliance_sigma_ = math::hypot(kLogComplianceSigma, kLogComplianceSigmaAtFrame * limited / (1.0 + limited));
   Membrane::Press other = other_ratio_.press(contact.x_mm, contact.y_mm, outer, inner);
   for (std::size_t i = 0; i < sensors_; ++i) {
     const double radii =
         std::sqrt(math::square(positions_[i].x_mm - contact.x_mm) + math::square(positions_[i].y_mm - contact.y_mm)) /
         outer;
     const double far = std::clamp((radii - kWidenFrom) / (kWidenTo - kWidenFrom), 0.0, 1.0);
-    const double seen = within(inner + far * (wide - inner), kWidestForShares * room);
+    const double seen = smoothMinimum(inner + far * (wide - inner), kWidestForShares * room);
     press.setEffectiveRadius(seen);
     other.setEffectiveRadius(seen);
     const MembraneShare here = press.share(positions_[i].x_mm, positions_[i].y_mm);
@@ -83,7 +83,7 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
                   // Where the finger nearly fills the cloth this derivative is unbounded; a share is at most 1.
                   .by_radius = std::clamp(here.per_log_radius * sigma, -1.0, 1.0),
                   .by_ratio = there - here.value,
-                  .own = share_sigma_ + (kLeastOwn - share_sigma_) * here.value};
+                  .own = own_sigma_ + (kLeastOwnSigma - own_sigma_) * here.value};
   }
 }
 
@@ -98,7 +98,7 @@ ClothDepth ContactCloth::solve(const Contact& contact, std::span<const Drop> dro
     press(contact, before);
     double information = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-      const double variance = math::square(drops[i].sigma_mm) + math::square(before * doubt(i));
+      const double variance = math::square(drops[i].sigma_mm) + math::square(before * shareSigma(i));
       weights[i] = drops[i].used && variance > 0.0 ? share(i) / variance : 0.0;
       information += weights[i] * share(i);
     }
@@ -112,16 +112,16 @@ ClothDepth ContactCloth::solve(const Contact& contact, std::span<const Drop> dro
       noise += math::square(weights[i] * drops[i].sigma_mm);
     }
   }
-  out.variance_mm2 = noise + math::square(out.indentation_mm * doubt(std::span(weights).first(count)));
+  out.variance_mm2 = noise + math::square(out.indentation_mm * weightedSigma(std::span(weights).first(count)));
   return out;
 }
 
-double ContactCloth::doubt(std::size_t sensor) const {
+double ContactCloth::shareSigma(std::size_t sensor) const {
   const Share& s = shares_[sensor];
   return std::sqrt(s.by_radius * s.by_radius + s.by_ratio * s.by_ratio + s.own * s.own);
 }
 
-double ContactCloth::doubt(std::span<const double> weights) const {
+double ContactCloth::weightedSigma(std::span<const double> weights) const {
   double by_radius = 0.0;
   double by_ratio = 0.0;
   double own = 0.0;

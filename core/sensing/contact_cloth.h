@@ -60,34 +60,34 @@ class ContactCloth {
   [[nodiscard]] std::size_t sensors() const { return sensors_; }
   [[nodiscard]] double share(std::size_t sensor) const { return shares_[sensor].value; }
   /// Standard deviation of one sensor's share, from all three errors.
-  [[nodiscard]] double doubt(std::size_t sensor) const;
-  /// Standard deviation of Σ wᵢ·sᵢ.
-  [[nodiscard]] double doubt(std::span<const double> weights) const;
+  [[nodiscard]] double shareSigma(std::size_t sensor) const;
+  /// Standard deviation of Σ wᵢ·sᵢ: errors of κ and of the ratio add up, the sensors' own are independent.
+  [[nodiscard]] double weightedSigma(std::span<const double> weights) const;
   /// Compliance δ/F here over that under a sphere of 8 mm pressed 3 mm deep in the middle: U here over U there.
   [[nodiscard]] double relativeCompliance() const { return relative_compliance_; }
   /// Standard deviation of its logarithm.
-  [[nodiscard]] double complianceDoubt() const { return compliance_doubt_; }
+  [[nodiscard]] double logComplianceSigma() const { return log_compliance_sigma_; }
 
  private:
   struct Share {
     double value = 0.0;
-    double by_radius = 0.0;  // error of one standard deviation of ln r
+    double by_radius = 0.0;  // signed change with one standard deviation of ln r
     double by_ratio = 0.0;   // … of the tension ratio's logarithm
-    double own = 0.0;
+    double own = 0.0;        // standard deviation of the sensor's own error
   };
 
   std::size_t sensors_ = 0;
   std::array<SensorPosition, kMaximumIrSensors> positions_{};
   Membrane membrane_;
-  Membrane other_ratio_;  // one standard deviation away
+  Membrane other_ratio_;  // its tension ratio is one standard deviation higher
   double radius_share_ = 1.0;
   double radius_share_sigma_ = 0.0;  // of its logarithm
-  double share_sigma_ = 0.0;
+  double own_sigma_ = 0.0;           // of a share's own error, far from the finger
   double unknown_radius_mm_ = 7.0;
-  double middle_level_ = 1.0;
+  double middle_level_ = 1.0;  // U of the reference press in the middle
   std::array<Share, kMaximumIrSensors> shares_{};
   double relative_compliance_ = 1.0;
-  double compliance_doubt_ = 0.0;
+  double log_compliance_sigma_ = 0.0;
 };
 
 }  // namespace fyd::sensing

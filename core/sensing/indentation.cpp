@@ -229,7 +229,7 @@ void IndentationEstimator::updateContact(double dt_s, Instant taken, const Finge
   seen_depth_mm_ += kSeenDepthShare * (estimate_.indentation_mm - seen_depth_mm_);
   cloth_.press(contactOf(finger), estimate_.indentation_mm);
   relative_compliance_ = cloth_.relativeCompliance();
-  compliance_doubt_ = cloth_.complianceDoubt();
+  log_compliance_sigma_ = cloth_.logComplianceSigma();
   const double depth = filter_.value_mm();
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> alone;
   std::array<IndentationFilter::Measurement, kMaximumIrSensors> with_force;
@@ -239,7 +239,7 @@ void IndentationEstimator::updateContact(double dt_s, Instant taken, const Finge
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const Reading& r = readings_[i];
     if (!r.used) continue;
-    const double sigma = math::hypot(r.sigma_mm, depth * cloth_.doubt(i));
+    const double sigma = math::hypot(r.sigma_mm, depth * cloth_.shareSigma(i));
     alone[count] = {.z_mm = -r.z_mm, .h = cloth_.share(i), .sigma_mm = sigma};
     with_force[count] = {.z_mm = -r.z_mm, .h = cloth_.share(i) * relative_compliance_, .sigma_mm = sigma};
     ++count;
@@ -247,7 +247,7 @@ void IndentationEstimator::updateContact(double dt_s, Instant taken, const Finge
     information += weights[i] * cloth_.share(i);
   }
   for (double& weight : weights) weight = information > 0.0 ? weight / information : 0.0;
-  doubt_ = cloth_.doubt(std::span(weights).first(sensor_count_));
+  relative_sigma_ = cloth_.weightedSigma(std::span(weights).first(sensor_count_));
   fusion_.update(dt_s, taken, std::span(with_force).first(count));
   filter_.update(dt_s, std::span(alone).first(count));
   fusion_.compare(dt_s, filter_.value_mm() / relative_compliance_, filter_.sigma_mm() / relative_compliance_);
@@ -257,9 +257,10 @@ void IndentationEstimator::readFilters(Instant now) {
   const bool fused = fusion_.usable(now);
   const double value = fused ? relative_compliance_ * fusion_.indentation_mm() : filter_.value_mm();
   const double sigma = fused ? relative_compliance_ * fusion_.sigma_mm() : filter_.sigma_mm();
-  const double doubt =
-      fused && parameters_.mode == IndentationMode::contact ? math::hypot(doubt_, compliance_doubt_) : doubt_;
-  const double shape_error = doubt * value;
+  const double relative_sigma = fused && parameters_.mode == IndentationMode::contact
+                                    ? math::hypot(relative_sigma_, log_compliance_sigma_)
+                                    : relative_sigma_;
+  const double shape_error = relative_sigma * value;
   const double excess = std::max(1.0, filter_.disagreement());
   estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);
   estimate_.sigma_mm = std::sqrt(sigma * sigma * excess + shape_error * shape_error);
@@ -275,7 +276,7 @@ void IndentationEstimator::readFilters(Instant now) {
 }
 
 void IndentationEstimator::stepThesis(const FingerDetection& finger) {
-  const Reduced plane = readPlane(finger.x_mm, finger.y_mm);
+  const Depth plane = readPlane(finger.x_mm, finger.y_mm);
   estimate_.indentation_mm = std::clamp(smoother_.update(plane.indentation_mm), kLowest_mm, kHighest_mm);
   // Variance that remains after old·0.8 + new·0.2 of independent readings: 0.2/(2 − 0.2) of one reading's.
   constexpr double kNew = 1.0 - ThesisSmoother::kOldShare;
@@ -295,9 +296,9 @@ void IndentationEstimator::updateShapes(double x_mm, double y_mm) {
   shapes_known_ = true;
 }
 
-IndentationEstimator::Reduced IndentationEstimator::readPlane(double x_mm, double y_mm) const {
+IndentationEstimator::Depth IndentationEstimator::readPlane(double x_mm, double y_mm) const {
   const PlaneWeights weights = plane_.weightsAt(x_mm, y_mm);
-  Reduced out;
+  Depth out;
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const Reading& r = readings_[i];
     if (!r.used) continue;
@@ -307,7 +308,7 @@ IndentationEstimator::Reduced IndentationEstimator::readPlane(double x_mm, doubl
   return out;
 }
 
-IndentationEstimator::Reduced IndentationEstimator::readShares() const {
+IndentationEstimator::Depth IndentationEstimator::readShares() const {
   double information = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < sensor_count_; ++i) {
@@ -322,7 +323,7 @@ IndentationEstimator::Reduced IndentationEstimator::readShares() const {
   return {.indentation_mm = value, .variance_mm2 = 1.0 / information + math::square(kShapeError * value)};
 }
 
-IndentationEstimator::Reduced IndentationEstimator::readCloth(const Contact& contact) {
+IndentationEstimator::Depth IndentationEstimator::readCloth(const Contact& contact) {
   std::array<Drop, kMaximumIrSensors> drops;
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const Reading& r = readings_[i];
@@ -339,7 +340,7 @@ IndentationEstimate IndentationEstimator::once(const PressReading& press) {
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     readSensor(i, i < press.codes.size() ? press.codes[i] : std::numeric_limits<double>::quiet_NaN());
   }
-  Reduced found{.variance_mm2 = std::numeric_limits<double>::infinity()};
+  Depth found{.variance_mm2 = std::numeric_limits<double>::infinity()};
   if (!std::isfinite(press.x_mm) || !std::isfinite(press.y_mm)) {
     estimate_.reason = IndentationReason::finger_stale;
   } else if (!enoughSensors()) {

@@ -110,7 +110,7 @@ class IndentationEstimator {
 
   void reset();
 
-  /// 2: adds relative_compliance_ and doubt_; 3: adds compliance_doubt_ and seen_depth_mm_
+  /// 2: adds relative_compliance_ and relative_sigma_; 3: adds log_compliance_sigma_ and seen_depth_mm_
   static constexpr std::uint16_t kStateVersion = 3;
 
   template <class Archive>
@@ -121,8 +121,8 @@ class IndentationEstimator {
   void restore(Archive& archive, std::uint16_t version) {
     archive(readings_, last_codes_, unchanged_, others_travel_, filter_, fusion_, smoother_, touched_, last_count_,
             was_readable_, was_available_, within(last_reason_, IndentationReason::finger_stale), estimate_);
-    if (version >= 2) archive(relative_compliance_, doubt_);
-    if (version >= 3) archive(compliance_doubt_, seen_depth_mm_);
+    if (version >= 2) archive(relative_compliance_, relative_sigma_);
+    if (version >= 3) archive(log_compliance_sigma_, seen_depth_mm_);
   }
 
  private:
@@ -147,13 +147,14 @@ class IndentationEstimator {
   void restartTouch();
   void stepThesis(const FingerDetection& finger);
   void updateShapes(double x_mm, double y_mm);
-  struct Reduced {
+  /// From one set of readings.
+  struct Depth {
     double indentation_mm = 0.0;
     double variance_mm2 = 0.0;
   };
-  [[nodiscard]] Reduced readPlane(double x_mm, double y_mm) const;
-  [[nodiscard]] Reduced readShares() const;
-  [[nodiscard]] Reduced readCloth(const Contact& contact);
+  [[nodiscard]] Depth readPlane(double x_mm, double y_mm) const;
+  [[nodiscard]] Depth readShares() const;
+  [[nodiscard]] Depth readCloth(const Contact& contact);
   [[nodiscard]] std::uint32_t usedMask() const;
   [[nodiscard]] bool enoughSensors();
 
@@ -178,10 +179,10 @@ class IndentationEstimator {
   double shapes_x_mm_ = 0.0;
   double shapes_y_mm_ = 0.0;
   bool shapes_known_ = false;
-  double relative_compliance_ = 1.0;  // contact: at the place of the last readings
-  double doubt_ = kShapeError;        // relative standard deviation of δ from the shares' errors
-  double compliance_doubt_ = 0.0;     // standard deviation of ln relative_compliance_
-  double seen_depth_mm_ = 0.0;        // contact: low-passed depth, to remove the picture's perspective
+  double relative_compliance_ = 1.0;     // contact: compliance here over that in the middle
+  double relative_sigma_ = kShapeError;  // relative standard deviation of δ from the shares' errors
+  double log_compliance_sigma_ = 0.0;    // standard deviation of ln relative_compliance_
+  double seen_depth_mm_ = 0.0;           // contact: low-passed depth, to remove the picture's perspective
   IndentationFilter filter_;
   ForceFusion fusion_;
   ThesisSmoother smoother_;

@@ -20,14 +20,14 @@ constexpr double kDisagreementShare = 0.05;
 
 void IndentationFilter::configure(double holding_mm_per_sqrt_s, double moving_mm_per_sqrt_s, double start_mm,
                                   double start_sigma_mm, double start_holding) {
-  start_holding_ = start_holding;
-  start_ = {.mean = start_mm, .variance = start_sigma_mm * start_sigma_mm};
-  pace_squared_ = {holding_mm_per_sqrt_s * holding_mm_per_sqrt_s, moving_mm_per_sqrt_s * moving_mm_per_sqrt_s};
+  prior_holding_ = start_holding;
+  prior_ = {.mean = start_mm, .variance = start_sigma_mm * start_sigma_mm};
+  process_noise_ = {holding_mm_per_sqrt_s * holding_mm_per_sqrt_s, moving_mm_per_sqrt_s * moving_mm_per_sqrt_s};
 }
 
 void IndentationFilter::restart() {
-  belief_ = {start_, start_};
-  probability_ = {start_holding_, 1.0 - start_holding_};
+  modes_ = {prior_, prior_};
+  probability_ = {prior_holding_, 1.0 - prior_holding_};
   disagreement_ = 1.0;
   left_out_in_a_row_ = 0;
   combine();
@@ -39,7 +39,7 @@ void IndentationFilter::update(double dt_s, std::span<Measurement> measurements)
   mix(std::isfinite(dt_s) ? std::clamp(dt_s, 0.0, kLongestStep_s) : 0.0);
 
   // Outliers are judged against the moving filter's estimate, which is the wider one, before any reading is used.
-  const Belief& wide = belief_[1];
+  const Gaussian& wide = modes_[1];
   bool any_left_out = false;
   for (Measurement& m : measurements) {
     m.used = std::isfinite(m.z_mm) && std::isfinite(m.h) && std::isfinite(m.sigma_mm) && m.sigma_mm > 0.0;
@@ -54,8 +54,8 @@ void IndentationFilter::update(double dt_s, std::span<Measurement> measurements)
   left_out_in_a_row_ = any_left_out ? left_out_in_a_row_ + 1 : 0;
 
   std::array<double, 2> log_likelihood{};
-  for (std::size_t i = 0; i < belief_.size(); ++i) {
-    Belief& b = belief_[i];
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    Gaussian& b = modes_[i];
     for (const Measurement& m : measurements) {
       if (!m.used) continue;
       const double innovation = m.z_mm - m.h * b.mean;
@@ -88,7 +88,7 @@ void IndentationFilter::update(double dt_s, std::span<Measurement> measurements)
 
 void IndentationFilter::mix(double dt_s) {
   const std::array<double, 2> leaves = {1.0 - math::exp(-dt_s / kHolds_s), 1.0 - math::exp(-dt_s / kMoves_s)};
-  const std::array<Belief, 2> before = belief_;
+  const std::array<Gaussian, 2> before = modes_;
   const std::array<double, 2> prior = probability_;
   for (std::size_t to = 0; to < 2; ++to) {
     const std::size_t other = 1 - to;
@@ -98,22 +98,22 @@ void IndentationFilter::mix(double dt_s) {
     const double mean = (stays * before[to].mean + comes * before[other].mean) / sum;
     const double spread_own = before[to].mean - mean;
     const double spread_other = before[other].mean - mean;
-    belief_[to].mean = mean;
-    belief_[to].variance = (stays * (before[to].variance + spread_own * spread_own) +
-                            comes * (before[other].variance + spread_other * spread_other)) /
-                               sum +
-                           pace_squared_[to] * dt_s;
-    belief_[to].variance = std::min(belief_[to].variance, kLargest_mm * kLargest_mm);
+    modes_[to].mean = mean;
+    modes_[to].variance = (stays * (before[to].variance + spread_own * spread_own) +
+                           comes * (before[other].variance + spread_other * spread_other)) /
+                              sum +
+                          process_noise_[to] * dt_s;
+    modes_[to].variance = std::min(modes_[to].variance, kLargest_mm * kLargest_mm);
     probability_[to] = sum;
   }
 }
 
 void IndentationFilter::combine() {
-  value_ = probability_[0] * belief_[0].mean + probability_[1] * belief_[1].mean;
+  value_ = probability_[0] * modes_[0].mean + probability_[1] * modes_[1].mean;
   variance_ = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
-    const double spread = belief_[i].mean - value_;
-    variance_ += probability_[i] * (belief_[i].variance + spread * spread);
+    const double spread = modes_[i].mean - value_;
+    variance_ += probability_[i] * (modes_[i].variance + spread * spread);
   }
 }
 

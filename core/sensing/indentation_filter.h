@@ -8,8 +8,8 @@
 
 namespace fyd::sensing {
 
-/// Indentation δ as a random walk with two intensities, holding and moving; each reading z = h·δ + noise.
-/// A new touch starts at 0 ± the starting uncertainty. All results are finite for any input.
+/// Interacting multiple models: indentation δ as a random walk of low (holding) or high (moving) intensity; each
+/// reading z = h·δ + noise. A new touch starts from the prior of `configure`. All results are finite for any input.
 class IndentationFilter {
  public:
   struct Measurement {
@@ -37,11 +37,11 @@ class IndentationFilter {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(belief_, probability_, value_, variance_, disagreement_, counter(left_out_in_a_row_));
+    archive(modes_, probability_, value_, variance_, disagreement_, counter(left_out_in_a_row_));
   }
 
  private:
-  struct Belief {
+  struct Gaussian {
     double mean = 0.0;
     double variance = kStartSigma_mm * kStartSigma_mm;
 
@@ -54,12 +54,12 @@ class IndentationFilter {
   void mix(double dt_s);
   void combine();
 
-  Belief start_;
-  double start_holding_ = 0.1;                      // a touch begins with a movement
-  std::array<double, 2> pace_squared_{1.0, 400.0};  // mm²/s: holding, moving
-  std::array<Belief, 2> belief_{};
-  std::array<double, 2> probability_{0.5, 0.5};
-  double value_ = 0.0;
+  Gaussian prior_;
+  double prior_holding_ = 0.1;                       // probability: a touch begins with a movement
+  std::array<double, 2> process_noise_{1.0, 400.0};  // mm²/s: holding, moving
+  std::array<Gaussian, 2> modes_{};                  // δ if holding, if moving
+  std::array<double, 2> probability_{0.5, 0.5};      // of each mode
+  double value_ = 0.0;                               // δ, both modes combined
   double variance_ = kStartSigma_mm * kStartSigma_mm;
   double disagreement_ = 1.0;
   int left_out_in_a_row_ = 0;

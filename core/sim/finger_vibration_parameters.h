@@ -27,50 +27,76 @@ struct FingerVibrationParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.real("sim.vibration_breakaway_percent", breakaway_percent,
-           {.unit = "%", .minimum = 0, .maximum = 60, .help = "Duty below which the vibrating motors stand still."});
+           {.unit = "%",
+            .minimum = 0,
+            .maximum = 60,
+            .help = "Static friction of the vibrating motors: the duty below which they stand still."});
     v.real("sim.vibration_sliding_share", sliding_share,
-           {.minimum = 0.1, .maximum = 1, .help = "Friction of a turning motor over its breakaway."});
+           {.minimum = 0.1,
+            .maximum = 1,
+            .help = "Friction of a turning motor divided by its static friction; with less, it turns more easily once "
+                    "it moves."});
     v.real("sim.vibration_stribeck_deg_s", stribeck_deg_s,
            {.unit = "°/s",
             .minimum = 0.01,
             .maximum = 500,
-            .help = "Speed at which friction has fallen from breakaway to sliding (Stribeck)."});
+            .help = "Stribeck speed: by about this speed, friction has fallen from static to sliding."});
     v.real("sim.vibration_presliding_deg", presliding_deg,
            {.unit = "°",
             .minimum = 0,
             .maximum = 0.5,
-            .help = "How far the gear gives like a spring before it slides; 0: it sticks."});
+            .help = "Angle by which the gear yields like a spring before it slides; 0: it does not yield."});
     v.real("sim.vibration_free_speed_deg_s", free_speed_deg_s,
-           {.unit = "°/s", .minimum = 10, .maximum = 5000, .help = "Speed at full duty without load."});
+           {.unit = "°/s",
+            .minimum = 10,
+            .maximum = 5000,
+            .help = "Speed of a vibrating motor at full duty without load."});
     v.real("sim.vibration_time_constant_ms", time_constant_ms,
-           {.unit = "ms", .minimum = 1, .maximum = 200, .help = "Time constant of the vibrating motors."});
+           {.unit = "ms",
+            .minimum = 1,
+            .maximum = 200,
+            .help = "Time constant of a vibrating motor's speed; with more, it follows the duty more slowly."});
     v.real("sim.vibration_position_gain", position_gain,
-           {.unit = "%/°", .minimum = 0, .maximum = 200, .help = "Gain of the board's position loop beside it."});
+           {.unit = "%/°",
+            .minimum = 0,
+            .maximum = 200,
+            .help =
+                "Gain of the board's position loop, which acts besides the vibration: duty for each degree of error."});
     v.real("sim.vibration_second_strength", second_strength,
-           {.minimum = 0, .maximum = 2, .help = "Torque of the second motor over the first's; 0: it is dead."});
+           {.minimum = 0,
+            .maximum = 2,
+            .help = "Torque of the second motor divided by the first's; 0: the second gives none."});
     v.real("sim.vibration_second_friction", second_friction,
-           {.minimum = 0, .maximum = 4, .help = "Friction of the second motor over the first's."});
+           {.minimum = 0, .maximum = 4, .help = "Friction of the second motor divided by the first's."});
     v.real("sim.vibration_roller_radius_mm", roller_radius_mm,
-           {.unit = "mm", .minimum = 1, .maximum = 100, .help = "Radius of the rollers, cloth included."});
+           {.unit = "mm", .minimum = 1, .maximum = 100, .help = "Radius of the rollers with the cloth on them."});
     v.real("sim.vibration_backlash_deg", backlash_deg,
-           {.unit = "°", .minimum = 0, .maximum = 10, .help = "Play of a gear, closed by the cloth's tension."});
+           {.unit = "°", .minimum = 0, .maximum = 10, .help = "Backlash of each gear; the cloth's tension closes it."});
     v.real("sim.vibration_tension_percent", tension_percent,
            {.unit = "%",
             .minimum = 0,
             .maximum = 50,
-            .help = "Duty that holds the cloth's tension at a stretch of 45°; 0: slack, the play is open."});
+            .help = "Duty that balances the cloth's tension at a stretch of 45°; 0: the cloth is slack and the "
+                    "backlash open."});
     v.real("sim.vibration_resonance_Hz", resonance_Hz,
            {.unit = "Hz",
             .minimum = 5,
             .maximum = 400,
-            .help = "Resonance of the cloth with a finger of 1 N on it, at a stretch of 45°."});
-    v.real("sim.vibration_damping", damping, {.minimum = 0.02, .maximum = 2, .help = "Its damping ratio."});
+            .help = "Resonance frequency of the cloth at a stretch of 45° while a finger presses it with 1 N."});
+    v.real("sim.vibration_damping", damping,
+           {.minimum = 0.02,
+            .maximum = 2,
+            .help = "Damping ratio of the cloth's resonance; with more, vibration near it is weaker."});
     v.real("sim.vibration_resonance_Hz_per_deg", resonance_Hz_per_deg,
-           {.unit = "Hz/°", .minimum = -5, .maximum = 5, .help = "How much a degree of stretch moves it."});
+           {.unit = "Hz/°",
+            .minimum = -5,
+            .maximum = 5,
+            .help = "Change of the resonance frequency for each degree of stretch."});
     v.real("sim.vibration_finger_loading", finger_loading,
            {.minimum = 0,
             .maximum = 1,
-            .help = "How much a heavier finger lowers it: the exponent of 1 N over the force."});
+            .help = "How much a firmer press lowers the resonance frequency, which is multiplied by (1 N / force) to "
+                    "the power of this; 0: not at all."});
   }
 };
 

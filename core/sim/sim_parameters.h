@@ -62,34 +62,38 @@ struct SimParameters {
   template <class Visitor>
   void describe(Visitor& v) {
     v.integer("sim.seed", seed,
-              {.minimum = 0, .maximum = 1e9, .help = "Seed of every random number of the simulation."});
+              {.minimum = 0, .maximum = 1e9, .help = "Seed of all random numbers of the simulation."});
     v.choice("sim.cloth", cloth, kClothNames,
-             {.help = "Which cloth is simulated: held on four sides (membrane) or between two rollers, both solved in "
-                      "finite strain, or by the estimator's own formula (ideal).",
+             {.help = "Which cloth is simulated: held on four sides (membrane) or by two rollers (rollers), both "
+                      "solved for large strain, or given by the estimator's own formula (ideal).",
               .before_it_was = 0});
     v.choice("sim.finger", finger, kFingerNames,
-             {.help = "What presses a cloth that is not ideal: a sphere of 8 mm, a tilted capsule or a flat disc."});
+             {.help = "Shape of the finger that presses the cloth: a sphere of 8 mm radius, a tilted capsule or a flat "
+                      "disc. An ideal cloth ignores it."});
     v.real("sim.cloth_stiffness_scale", cloth_stiffness_scale,
            {.minimum = 0.7,
             .maximum = 1.3,
-            .help = "Factor on the stiffness of the nominal cloth.",
+            .help = "Stiffness of the cloth divided by that of the nominal cloth; more is stiffer.",
             .formerly = "sim.fabric_stiffness_scale"});
     v.real("sim.cloth_slackens_percent_per_min", cloth_slackens_percent_per_min,
            {.unit = "%/min",
             .minimum = 0,
             .maximum = 600,
-            .help = "Part of its stiffness that the cloth loses each minute, down to a third.",
+            .help = "Share of its stiffness that the cloth loses each minute, until a third is left.",
             .formerly = "sim.fabric_slackens_percent_per_min"});
-    v.real("sim.cloth_hysteresis", cloth_hysteresis,
-           {.minimum = 0,
-            .maximum = 0.3,
-            .help = "Share of the force added on the way down and missing on the way up.",
-            .formerly = "sim.fabric_hysteresis"});
+    v.real(
+        "sim.cloth_hysteresis", cloth_hysteresis,
+        {.minimum = 0,
+         .maximum = 0.3,
+         .help =
+             "Hysteresis of the cloth: share of the force that is added while pressing and missing while letting go.",
+         .formerly = "sim.fabric_hysteresis"});
     v.real("sim.cloth_viscosity_ms", cloth_viscosity_ms,
            {.unit = "ms",
             .minimum = 0,
             .maximum = 100,
-            .help = "Time by which the force runs ahead of the slow press: viscosity over stiffness.",
+            .help = "Viscosity of the cloth divided by its stiffness; with more, a fast press meets more force than a "
+                    "slow one.",
             .formerly = "sim.fabric_viscosity_ms"});
     v.real(
         "sim.cloth_height_mm", cloth_height_mm,
@@ -101,56 +105,88 @@ struct SimParameters {
     v.real("sim.motor_current_limit_mA", motor_current_limit_mA,
            {.unit = "mA", .minimum = 50, .maximum = 5000, .help = "Highest current of a motor."});
     v.real("sim.motor_friction_percent", motor_friction_percent,
-           {.unit = "%", .minimum = 0, .maximum = 40, .help = "Duty cycle that a motor needs before it turns."});
-    v.boolean("sim.reports_position_duty", reports_position_duty,
-              {.help = "Whether the motor board tells the duty its position loop uses (the thesis' board does not)."});
+           {.unit = "%",
+            .minimum = 0,
+            .maximum = 40,
+            .help = "Friction of a motor: the duty cycle that it needs before it turns."});
+    v.boolean(
+        "sim.reports_position_duty", reports_position_duty,
+        {.help = "Whether the motor board reports the duty cycle of its position loop (the thesis' board does not)."});
     vibration.describe(v);
     v.real("sim.ir_noise_mV", ir_noise_mV,
            {.unit = "mV", .minimum = 0, .maximum = 200, .help = "Noise of an IR sensor's output, standard deviation."});
     v.real("sim.ir_period_ms", ir_period_ms,
            {.unit = "ms", .minimum = 1, .maximum = 200, .help = "Time between two measurements of an IR sensor."});
-    v.real("sim.ir_delay_ms", ir_delay_ms,
-           {.unit = "ms", .minimum = 0, .maximum = 500, .help = "How old the world is that an IR reading shows."});
+    v.real(
+        "sim.ir_delay_ms", ir_delay_ms,
+        {.unit = "ms",
+         .minimum = 0,
+         .maximum = 500,
+         .help = "Delay of the IR sensors: a reading shows the cloth as it was this long before the reading's time."});
     v.real(
         "sim.bridge_noise_mV_per_V", bridge_noise_mV_per_V,
         {.unit = "mV/V", .minimum = 0, .maximum = 0.1, .help = "Noise of the load cell's bridge, standard deviation."});
-    v.real(
-        "sim.bridge_offset_mV_per_V", bridge_offset_mV_per_V,
-        {.unit = "mV/V", .minimum = -1, .maximum = 1, .help = "Zero error of the load cell, for the tare to remove."});
+    v.real("sim.bridge_offset_mV_per_V", bridge_offset_mV_per_V,
+           {.unit = "mV/V", .minimum = -1, .maximum = 1, .help = "Zero error of the load cell, which taring removes."});
     v.real("sim.bridge_rate_Hz", bridge_rate_Hz,
-           {.unit = "Hz", .minimum = 1, .maximum = 122, .help = "Samples of the load cell's bridge in a second."});
-    v.real("sim.bridge_delay_ms", bridge_delay_ms,
-           {.unit = "ms", .minimum = 0, .maximum = 500, .help = "How old the world is that a bridge reading shows."});
+           {.unit = "Hz", .minimum = 1, .maximum = 122, .help = "Samples of the load cell per second."});
+    v.real(
+        "sim.bridge_delay_ms", bridge_delay_ms,
+        {.unit = "ms",
+         .minimum = 0,
+         .maximum = 500,
+         .help = "Delay of the load cell: a reading shows the force as it was this long before the reading's time."});
     v.real("sim.encoder_delay_ms", encoder_delay_ms,
-           {.unit = "ms", .minimum = 0, .maximum = 500, .help = "How old the world is that the encoders show."});
+           {.unit = "ms",
+            .minimum = 0,
+            .maximum = 500,
+            .help =
+                "Delay of the encoders: a reading shows the angles as they were this long before the reading's time."});
     v.real("sim.camera_rate_Hz", camera_rate_Hz,
-           {.unit = "Hz", .minimum = 1, .maximum = 120, .help = "Pictures in a second."});
+           {.unit = "Hz", .minimum = 1, .maximum = 120, .help = "Pictures of the camera per second."});
     v.real("sim.camera_delay_ms", camera_delay_ms,
-           {.unit = "ms", .minimum = 0, .maximum = 500, .help = "How old the world is that a picture shows."});
+           {.unit = "ms",
+            .minimum = 0,
+            .maximum = 500,
+            .help = "Delay of the camera: a picture shows the cloth as it was this long before the picture's time."});
     v.real("sim.camera_noise", camera_noise,
            {.minimum = 0, .maximum = 30, .help = "Noise of a pixel in grey levels, standard deviation."});
     v.real("sim.camera_vignette", camera_vignette,
-           {.minimum = 0, .maximum = 0.9, .help = "Share of the light that the lens loses at the picture's corners."});
-    v.real("sim.light", light, {.minimum = 0, .maximum = 3, .help = "Brightness of the cloth, 1 as intended, 0 dark."});
-    v.real(
-        "sim.light_gradient", light_gradient,
-        {.minimum = -0.9, .maximum = 0.9, .help = "Change of brightness from the picture's left to its right edge."});
+           {.minimum = 0,
+            .maximum = 0.9,
+            .help = "Vignetting of the lens: share of the light that is missing in the picture's corners."});
+    v.real("sim.light", light,
+           {.minimum = 0, .maximum = 3, .help = "Brightness of the picture: 1 is as intended, 0 is dark."});
+    v.real("sim.light_gradient", light_gradient,
+           {.minimum = -0.9,
+            .maximum = 0.9,
+            .help = "Share by which the brightness changes from the picture's left edge to its right; above 0 the "
+                    "right is brighter."});
     v.real("sim.edge_softness_px", edge_softness_px,
-           {.unit = "px", .minimum = 0.1, .maximum = 20, .help = "Width of the finger's soft edge in the picture."});
-    v.choice("sim.material", material, kMaterialNames, {.help = "What lies under the simulated robot's tool."});
+           {.unit = "px",
+            .minimum = 0.1,
+            .maximum = 20,
+            .help = "Width of the finger's blurred edge in the picture; more is softer."});
+    v.choice("sim.material", material, kMaterialNames, {.help = "Material under the simulated robot's tool."});
     v.real("sim.material_stiffness_N_per_mm", material_stiffness_N_per_mm,
            {.unit = "N/mm",
             .minimum = 0,
             .maximum = 1000,
-            .help = "Stiffness in place of the material's own; 0 keeps that."});
+            .help = "Stiffness of the material under the tool; 0: the material's own."});
     v.real("sim.robot_speed_limit_mm_s", robot_speed_limit_mm_s,
            {.unit = "mm/s", .minimum = 1, .maximum = 2000, .help = "Highest speed of the simulated robot's tool."});
     v.real("sim.robot_stiffness_N_per_mm", robot_stiffness_N_per_mm,
-           {.unit = "N/mm", .minimum = 0.05, .maximum = 5, .help = "Cartesian impedance of the simulated robot."});
+           {.unit = "N/mm",
+            .minimum = 0.05,
+            .maximum = 5,
+            .help = "Stiffness of the simulated robot's impedance control; with less, the arm yields more."});
     v.real("sim.accelerometer_noise_g", accelerometer_noise_g,
            {.unit = "g", .minimum = 0, .maximum = 1, .help = "Noise of the tool's accelerometer, standard deviation."});
     v.real("sim.accelerometer_range_g", accelerometer_range_g,
-           {.unit = "g", .minimum = 1, .maximum = 16, .help = "Where the tool's accelerometer clips."});
+           {.unit = "g",
+            .minimum = 1,
+            .maximum = 16,
+            .help = "Range of the tool's accelerometer: larger accelerations, of either sign, are cut off here."});
   }
 };
 

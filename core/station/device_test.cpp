@@ -33,8 +33,8 @@ Message DeviceTestRunner::words(End end) {
     case End::motors_silent: return say("the motors do not answer");
     case End::steps_missing: return say("ended: the haptic loop stood still");
     case End::off_course:
-      return say("ended: a motor was not where it was sent; check its encoder and that it can turn");
-    case End::not_now: return say("the motors are not free: stop the session first");
+      return say("ended: a motor did not follow its commanded angle; check its encoder and that it can turn");
+    case End::not_now: return say("the motors are in use: stop the session first");
     case End::beyond_limit: return say("a motor stands beyond control.motor_limit_deg: check the encoder's zero");
     case End::beyond_travel:
       return say("the stretch lies outside control.travel_minimum_deg and control.travel_maximum_deg");
@@ -44,7 +44,7 @@ Message DeviceTestRunner::words(End end) {
 
 Result<void> DeviceTestRunner::start(device::DeviceTest test, Instant now, double stretch_deg) {
   const auto index = static_cast<std::size_t>(test);
-  if (index >= device::kDeviceTestNames.size()) return fail("device test {}: there is none of this number", index);
+  if (index >= device::kDeviceTestNames.size()) return fail("device test {}: no test has this number", index);
   stop();
   if (const End refused = refused_now_.load(std::memory_order_relaxed); refused != End::none) {
     return fail("device test '{}': {}", phrase(device::kDeviceTestNames[index]), words(refused));

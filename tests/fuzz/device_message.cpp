@@ -21,24 +21,24 @@ constexpr double kMost_N = 20.0;
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-bool finite(const DeviceMessage& message) {
+bool finite(const protocol::DeviceMessage& message) {
   bool good = finite(message.position_mm) && finite(message.force_N) && finite(message.velocity_mm_per_s) &&
               std::isfinite(message.date_s) && std::isfinite(message.orientation.alpha_rad) &&
               std::isfinite(message.orientation.beta_rad) && std::isfinite(message.orientation.gamma_rad);
-  for (const DeviceSample& each : message.earlier) {
+  for (const protocol::DeviceSample& each : message.earlier) {
     good = good && std::isfinite(each.date_s) && finite(each.position_mm) && finite(each.velocity_mm_per_s);
   }
   return good;
 }
 
 void readAndWrite(std::span<const std::uint8_t> bytes, const protocol::PositionCode& code) {
-  const auto message = decodeDeviceMessage(bytes, code);
+  const auto message = protocol::decodeDeviceMessage(bytes, code);
   if (!message) return;
   fuzz::require(finite(*message));
-  std::array<std::uint8_t, kMostDeviceMessage> written{}, again{};
+  std::array<std::uint8_t, protocol::kMostDeviceMessage> written{}, again{};
   const std::size_t size = encode(*message, code, written);
   fuzz::require(size == bytes.size());
-  const auto read = decodeDeviceMessage(std::span(written).first(size), code);
+  const auto read = protocol::decodeDeviceMessage(std::span(written).first(size), code);
   fuzz::require(read && read->number == message->number && read->earlier.size() == message->earlier.size());
   fuzz::require(encode(*read, code, again) == size && again == written);
 }
@@ -110,7 +110,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const double each : {force.x, force.y, force.z}) fuzz::require(std::abs(each) <= kMost_N);
     const auto told = end.datagram(now_s);
     if (told.empty()) continue;
-    fuzz::require(decodeDeviceMessage(told, code).has_value());
+    fuzz::require(protocol::decodeDeviceMessage(told, code).has_value());
     peer.receive(told, now_s);
   }
   return 0;

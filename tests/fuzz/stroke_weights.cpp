@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const LearnedForecast forecast(*weights);
   MotionHistory history;
   for (int i = 0; i < 12; ++i) history.insert(0.016 * i, {1.0 * i, 0.1 * i * i, 0.0});
-  const StrokeForecast look = forecast.look(history, history.newest());
+  const StrokeForecast look = forecast.forecastFrom(history, history.newest());
   // Weights may be as large as a float: the forecast may then be, too, and the predictor bounds it.
   static_cast<void>(look.displacement(0.05));
   const auto predictor = makePredictor(PredictorChoice::experts, {.axes = 2, .period_s = 0.0, .weights = *weights});

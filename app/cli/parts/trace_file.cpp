@@ -14,7 +14,7 @@ NamedTrace readTrace(const std::string& path, std::vector<std::string> columns) 
   std::vector<std::string> sorted = columns;
   std::ranges::sort(sorted);
   if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
-    throw UsageError(say("--columns: {} stands there twice", *twice));
+    throw UsageError(say("--columns: {} is named twice", *twice));
   }
   if (columns.empty()) {
     const CsvTable head = valueOrFail(readCsv(path, {"t_s"}));

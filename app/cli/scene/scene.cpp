@@ -33,10 +33,10 @@ std::vector<std::string> remarksOn(const scene::MeshReport& r) {
   add(r.duplicate_vertices, "vertices stood where another one stands: merged");
   add(r.degenerate_triangles, "triangles without an area: left out");
   add(r.duplicate_triangles, "triangles of the same three vertices as another one: left out");
-  add(r.flipped_triangles, "triangles stood against their neighbours: turned over");
+  add(r.flipped_triangles, "triangles faced the other way than their neighbours: turned over");
   add(r.holes, "holes: the mesh is open, and pushes towards its outside only");
   add(r.non_manifold_edges, "edges of more than two triangles: each is treated as a rim there");
-  add(r.inside_out, "closed pieces have their outside within: not mended; a finger is pushed inwards");
+  add(r.inside_out, "closed pieces have triangles that face inwards: not mended; a finger is pushed inwards");
   return out;
 }
 

@@ -119,10 +119,12 @@ catalogue::Catalogue openCatalogue(const std::string& word) {
   auto catalogue = valueOrFail(catalogue::Catalogue::open(word));
   const catalogue::PendingReport& pending = catalogue.pending();
   if (pending.delivered > 0) {
-    std::cerr << fmt::format("fyd: {} entries that had waited are in the catalogue now\n", pending.delivered);
+    std::cerr << fmt::format("fyd: {} entries that could not be written earlier are in the catalogue now\n",
+                             pending.delivered);
   }
   if (!pending.problem.empty()) {
-    std::cerr << fmt::format("fyd: {} entries still wait: {}\n", pending.waiting, pending.problem);
+    std::cerr << fmt::format("fyd: {} entries still cannot be written into the catalogue: {}\n", pending.waiting,
+                             pending.problem);
   }
   return catalogue;
 }

@@ -56,7 +56,8 @@ void runSessionList(const SessionListOptions& options) {
   if (!options.folder.empty() && !options.catalogue.empty()) {
     throw UsageError(say("session list: a FOLDER or --catalogue, not both (`fyd session add FOLDER` puts one in)"));
   }
-  if (!options.folder.empty() && options.check) throw UsageError(say("session list: --check looks after a catalogue"));
+  if (!options.folder.empty() && options.check)
+    throw UsageError(say("session list: --check is for a catalogue, not for a FOLDER"));
   catalogue::ScanReport scan;
   catalogue::Catalogue catalogue =
       options.folder.empty() ? openCatalogue(options.catalogue) : catalogueOfFolder(options.folder, scan);

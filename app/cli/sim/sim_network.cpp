@@ -108,7 +108,8 @@ void addSimNetwork(CLI::App& sim) {
   network->add_option("--duplicate", options->duplicate_percent, "Share of the datagrams doubled, %");
   network->add_option("--rate", options->rate_bit_per_s, "Flow of the line, bit/s; 0: without limit");
   network->add_option("--queue", options->queue_ms, "Longest wait for the line, ms; what would wait longer is dropped");
-  network->add_option("--seed", options->seed, "Seed of the fates")->check(CLI::Range(0, 1'000'000'000));
+  network->add_option("--seed", options->seed, "Seed of the random delays, losses and copies")
+      ->check(CLI::Range(0, 1'000'000'000));
   addRunOptions(*network, options->duration_s, options->json, "Ctrl-C");
   network->callback([options] { runNetwork(*options); });
 }

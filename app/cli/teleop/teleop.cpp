@@ -154,7 +154,7 @@ void add_teleop(CLI::App& app) {
                   "Send only what differs by so much, % of speed or force; 0: a message each period");
   run->add_option("--wall", options->settings.wall_N_per_m,
                   "Stiffness of a wall across the middle of the far device's first axis, N/m; 0: none");
-  run->add_option("--seed", options->seed, "Of jitter and loss")->capture_default_str();
+  run->add_option("--seed", options->seed, "Seed of jitter and loss")->capture_default_str();
   run->add_option("--out", options->out, "Write both devices and forces as CSV, a row a millisecond");
   run->add_flag("--json", options->json, "Result as JSON");
   run->callback([options] { runRun(*options); });

@@ -133,7 +133,7 @@ void addTeleopTable(CLI::App& teleop) {
   table->add_option("--data", options->data, "Folder of recordings; recorded networks in its folder network")
       ->capture_default_str();
   table->add_option("--seconds", options->seconds, "Of each recording")->capture_default_str();
-  table->add_option("--seed", options->seed, "Of jitter and loss")->capture_default_str();
+  table->add_option("--seed", options->seed, "Seed of jitter and loss")->capture_default_str();
   table->add_option("--out", options->out, "Write the table as a picture (SVG)");
   table->add_flag("--json", options->json, "Rows as JSON");
   table->callback([options] { runTable(*options); });

@@ -115,7 +115,7 @@ nlohmann::ordered_json figuresOf(const std::vector<Row>& rows, const FeltPlant& 
     finger.push_back(simulation.step(row.duty_percent));
     wanted += row.signal_g * row.signal_g;
     for (std::size_t i = 0; i < kFeltMotors; ++i) heat[i] += row.duty_percent[i] * row.duty_percent[i];
-    dead += isDead(row.duty_percent, plant) ? 1.0 : 0.0;
+    dead += inDeadZone(row.duty_percent, plant) ? 1.0 : 0.0;
     limited += row.limited ? 1.0 : 0.0;
     moved_deg = std::max(moved_deg, std::abs(simulation.stretch_deg() - stretch_deg));
   }
@@ -128,7 +128,7 @@ nlohmann::ordered_json figuresOf(const std::vector<Row>& rows, const FeltPlant& 
           {"level_g", jsonNumber(f.level_g)},
           {"level_dB", jsonNumber(f.level_dB)},
           {"felt", felt},
-          {"out_of_reach", !felt && std::sqrt(wanted / count) > kWanting_g},
+          {"out_of_reach", !felt && std::sqrt(wanted / count) > kWantedThreshold_g},
           {"lag_ms", jsonNumber(f.lag_ms)},
           {"dead_share", dead / count},
           {"limited_share", limited / count},

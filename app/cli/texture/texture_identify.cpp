@@ -69,8 +69,9 @@ void addTextureIdentify(CLI::App& parent) {
                    "acceleration_g")
       ->required();
   command->add_option("-o,--output", options->output, "plant.toml to write")->required();
-  command->add_option("--base", options->base,
-                      "plant.toml with what the sweep does not tell: free speed, time constant, position gain, radius");
+  command->add_option(
+      "--base", options->base,
+      "plant.toml with what the sweep cannot measure: free speed, time constant, position gain, radius");
   command->add_flag("--json", options->json, "Figures as JSON");
   command->callback([options] { identify(*options); });
 }

@@ -116,7 +116,7 @@ void addTexturePlay(CLI::App& parent) {
   command->add_option("--duration", options->duration_s, "Length, s")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of the surface's noise")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the surface's noise")->capture_default_str();
   command->add_flag("--json", options->json, "Figures as JSON");
   command->callback([options] { play(*options); });
 }

@@ -54,7 +54,7 @@ constexpr double kSweepLevels = 2.0 * kSweepTop_deg / kSweepStep_deg + 1.0;
 Result<TestMotion> TestMotion::plan(DeviceTest test, const std::array<double, control::kMotorCount>& motor_deg,
                                     double motor_limit_deg, double stretch_deg) {
   if (static_cast<std::size_t>(test) >= kDeviceTestNames.size()) {
-    return fail("device test {}: there is none of this number", static_cast<int>(test));
+    return fail("device test {}: no test has this number", static_cast<int>(test));
   }
   TestMotion out;
   out.test_ = test;

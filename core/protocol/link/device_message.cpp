@@ -6,10 +6,8 @@
 #include "core/protocol/byte_io.h"
 #include "core/protocol/link/link_fields.h"
 
-namespace fyd::sim {
+namespace fyd::protocol {
 namespace {
-
-using namespace protocol;
 
 constexpr std::uint16_t kMagic = 0x4454, kNumberedMagic = 0x4E54;                         // "TD", "TN"
 constexpr std::uint8_t kRunning = 1, kEnergies = 2, kFirstSurface = 4, kFirstTouch = 32;  // three bits each
@@ -113,4 +111,4 @@ std::optional<DeviceMessage> decodeDeviceMessage(std::span<const std::uint8_t> b
   return out;
 }
 
-}  // namespace fyd::sim
+}  // namespace fyd::protocol

@@ -14,7 +14,7 @@
 #include "core/protocol/position_code.h"
 #include "core/teleop/coupling/coupling.h"
 
-namespace fyd::sim {
+namespace fyd::protocol {
 
 /// Where a device was and what it felt at one moment.
 struct DeviceSample {
@@ -31,7 +31,7 @@ struct DeviceMessage {
   bool running = true;        ///< false: it has been stopped
   double date_s = 0.0;        ///< 0 … 8.9 years, in µs
   Vec3 position_mm;
-  protocol::Orientation orientation;
+  Orientation orientation;
   Vec3 force_N;               ///< ±32.767, 1 mN steps
   bool tells_energy = false;  ///< the axes' energies are sent
   /// 0: no deadband, and none of the following three is told.
@@ -46,9 +46,9 @@ struct DeviceMessage {
 inline constexpr std::size_t kMostDeviceMessage = 120;
 
 /// @return its size; 0 when it does not fit
-std::size_t encode(const DeviceMessage& message, const protocol::PositionCode& code, std::span<std::uint8_t> out);
+std::size_t encode(const DeviceMessage& message, const PositionCode& code, std::span<std::uint8_t> out);
 /// @return nothing when it is no such message
 [[nodiscard]] std::optional<DeviceMessage> decodeDeviceMessage(std::span<const std::uint8_t> bytes,
-                                                               const protocol::PositionCode& code);
+                                                               const PositionCode& code);
 
-}  // namespace fyd::sim
+}  // namespace fyd::protocol

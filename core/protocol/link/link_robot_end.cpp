@@ -39,7 +39,7 @@ std::string_view LinkRobotEnd::problem() const {
 }
 
 void LinkRobotEnd::startOver() {
-  session_.reset();
+  connection_.reset();
   caller_.reset();
   greeted_ = false;
   outstanding_ = RobotCommand::none;
@@ -50,9 +50,9 @@ void LinkRobotEnd::startOver() {
 
 void LinkRobotEnd::passTime(Instant now) {
   now_us_ = time_.advance(now);
-  if (!session_) return;
-  const double silence_ms = session_->silence_ms(now_us_);
-  if (phase_ == RobotPhase::running && silence_ms > session_->lostLimit_ms(settings_.limits)) {
+  if (!connection_) return;
+  const double silence_ms = connection_->silence_ms(now_us_);
+  if (phase_ == RobotPhase::running && silence_ms > connection_->lostLimit_ms(settings_.limits)) {
     phase_ = nextPhase(phase_, RobotEvent::silence);
     ++counters_.lost;
   }
@@ -75,13 +75,13 @@ std::span<const Datagram> LinkRobotEnd::tick(Instant now, const RobotReport& rep
     tickHandshake();
   } else if (phase_ == RobotPhase::closing) {
     sendFarewell();
-  } else if (session_) {
+  } else if (connection_) {
     collect(now, report);
     sendCommand();
     if (now_us_ >= next_state_us_) sendState(report);
     if (now_us_ >= next_beat_us_) {
-      outbox_.seal(session_->sealer(), touchpad_,
-                   [&](auto out) { return encodeLink(session_->heartbeat(now_us_), now_us_, out); });
+      outbox_.seal(connection_->sealer(), touchpad_,
+                   [&](auto out) { return encodeLink(connection_->heartbeat(now_us_), now_us_, out); });
       next_beat_us_ = next_state_us_ - periodOf(rates_.state_Hz) / 2;
       if (next_beat_us_ <= now_us_) next_beat_us_ += periodOf(rates_.state_Hz);
     }
@@ -128,7 +128,7 @@ void LinkRobotEnd::sendState(const RobotReport& report) {
         {.age_s = 1e-6 * static_cast<double>(now_us_ - sample.taken_us), .acceleration_g = sample.acceleration_g}));
   }
   samples_.clear();
-  outbox_.seal(session_->sealer(), touchpad_, [&](auto out) { return encodeLink(state, own_code_, now_us_, out); });
+  outbox_.seal(connection_->sealer(), touchpad_, [&](auto out) { return encodeLink(state, own_code_, now_us_, out); });
   ++counters_.states;
   const LinkTime period_us = periodOf(rates_.state_Hz);
   next_state_us_ += period_us;
@@ -155,16 +155,16 @@ void LinkRobotEnd::sendCommand() {
   if (outstanding_ == RobotCommand::none && !commands_.empty()) nextCommand();
   if (outstanding_ == RobotCommand::none || now_us_ < next_command_us_) return;
   if (next_command_us_ != now_us_) ++link_counters_.command_repeats;
-  const auto round_trip_us = static_cast<LinkTime>(session_->clock().newestRoundTrip_us());
+  const auto round_trip_us = static_cast<LinkTime>(connection_->clock().newestRoundTrip_us());
   next_command_us_ = now_us_ + std::max(kShortestCommandRetry_us, 2 * round_trip_us);
-  outbox_.seal(session_->sealer(), touchpad_, [&](auto out) {
+  outbox_.seal(connection_->sealer(), touchpad_, [&](auto out) {
     return encodeLink(LinkCommand{.id = command_id_, .command = outstanding_}, now_us_, out);
   });
 }
 
 void LinkRobotEnd::sendFarewell() {
   if (farewells_left_ > 0 && now_us_ >= next_farewell_us_) {
-    outbox_.seal(session_->sealer(), touchpad_, [&](auto out) {
+    outbox_.seal(connection_->sealer(), touchpad_, [&](auto out) {
       return encodeLink(LinkGoodbye{.reason = GoodbyeReason::operator_left}, now_us_, out);
     });
     --farewells_left_;

@@ -9,7 +9,7 @@
 // max(20 ms, two round trips)), so that each is taken exactly once and in order. Command 5 is acknowledged by the
 // info it asks for, command 9 is the goodbye.
 //
-// Silence of the touchpad: lost after the limit of LinkSession (not while paused), a new call after `give_up`.
+// Silence of the touchpad: lost after the limit of LinkConnection (not while paused), a new call after `give_up`.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 #include <string_view>
 
 #include "core/protocol/link/image_transfer.h"
+#include "core/protocol/link/link_connection.h"
 #include "core/protocol/link/link_handshake.h"
-#include "core/protocol/link/link_session.h"
 #include "core/protocol/link/outbox.h"
 #include "core/protocol/robot_end.h"
 #include "core/protocol/touchpad_end.h"
@@ -70,8 +70,8 @@ class LinkRobotEnd final : public RobotEnd {
   [[nodiscard]] std::string_view boardText() const override { return {board_text_.data(), board_size_}; }
   [[nodiscard]] const std::optional<LinkTouch>& touch() const { return touch_; }
   [[nodiscard]] Bytes image() const { return images_.image(); }
-  [[nodiscard]] const LinkSession* session() const { return session_ ? &*session_ : nullptr; }
-  [[nodiscard]] double lostLimit_ms() const { return session_ ? session_->lostLimit_ms(settings_.limits) : 0.0; }
+  [[nodiscard]] const LinkConnection* connection() const { return connection_ ? &*connection_ : nullptr; }
+  [[nodiscard]] double lostLimit_ms() const { return connection_ ? connection_->lostLimit_ms(settings_.limits) : 0.0; }
 
  private:
   struct Sample {
@@ -113,7 +113,7 @@ class LinkRobotEnd final : public RobotEnd {
   std::size_t call_size_ = 0;
   CallStatus status_ = CallStatus::accepted;
 
-  std::optional<LinkSession> session_;
+  std::optional<LinkConnection> connection_;
   Rates rates_;
   PositionCode own_code_;
   PositionCode touch_code_;

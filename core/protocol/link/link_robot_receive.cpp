@@ -85,8 +85,8 @@ void LinkRobotEnd::takeAnswer(Bytes datagram, RobotReception& out) {
   }
   rates_ = touchpad.rates;
   touch_code_ = *PositionCode::make(touchpad.workspace);
-  session_.emplace(keys.from_initiator, keys.from_responder, sessionOf(keys), 1e3 / rates_.touch_Hz, now_us_);
-  session_->learnClock(now_us_, touchpad.sent_us, touchpad.echo_us, touchpad.held_us, settings_.limits);
+  connection_.emplace(keys.from_initiator, keys.from_responder, sessionOf(keys), 1e3 / rates_.touch_Hz, now_us_);
+  connection_->learnClock(now_us_, touchpad.sent_us, touchpad.echo_us, touchpad.held_us, settings_.limits);
   takeInfo(touchpad.k_vib, touchpad.reference_ticks, touchpad.board_text);
   images_.reset();
   touch_.reset();
@@ -121,11 +121,11 @@ void LinkRobotEnd::acknowledged() {
 }
 
 void LinkRobotEnd::takeSealed(Bytes datagram, RobotReception& out) {
-  if (!session_) {
+  if (!connection_) {
     refuse(LinkRefusal::phase);
     return;
   }
-  const LinkReceived received = session_->receive(datagram, now_us_, settings_.limits);
+  const LinkReceived received = connection_->receive(datagram, now_us_, settings_.limits);
   if (!received.ok()) {
     refuse(received.refusal);
     return;

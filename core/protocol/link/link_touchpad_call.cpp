@@ -28,8 +28,8 @@ bool LinkTouchpadEnd::seenBefore(const PublicKey& caller) const {
 }
 
 bool LinkTouchpadEnd::mayTakeOver(const Endpoint& from) const {
-  if (!session_ || peer_ == from || phase_ == LinkPhase::closed) return true;
-  return session_->silence_ms(now_us_) >= 1e3 * parameters_.takeover_silence_s;
+  if (!connection_ || peer_ == from || phase_ == LinkPhase::closed) return true;
+  return connection_->silence_ms(now_us_) >= 1e3 * parameters_.takeover_silence_s;
 }
 
 void LinkTouchpadEnd::takeCall(Bytes datagram, const Endpoint& from, const TouchpadAnswer& answer) {
@@ -105,8 +105,8 @@ void LinkTouchpadEnd::answerCall(Callee& callee, const RobotHello& hello, const 
   }
   if (accepted) {
     const SessionKeys keys = callee.keys();
-    pending_.emplace(Pending{.session = LinkSession(keys.from_responder, keys.from_initiator, sessionOf(keys),
-                                                    1e3 / own.rates.state_Hz, now_us_),
+    pending_.emplace(Pending{.connection = LinkConnection(keys.from_responder, keys.from_initiator, sessionOf(keys),
+                                                          1e3 / own.rates.state_Hz, now_us_),
                              .from = from,
                              .caller = caller,
                              .rates = own.rates,
@@ -121,7 +121,7 @@ void LinkTouchpadEnd::answerCall(Callee& callee, const RobotHello& hello, const 
 }
 
 void LinkTouchpadEnd::takeConfirmation(Bytes datagram) {
-  const LinkReceived received = pending_->session.receive(datagram, now_us_, parameters_);
+  const LinkReceived received = pending_->connection.receive(datagram, now_us_, parameters_);
   if (!received.ok()) {
     refuse(received.refusal);
   } else if (!mayTakeOver(pending_->from)) {  // the other robot came back meanwhile
@@ -133,7 +133,7 @@ void LinkTouchpadEnd::takeConfirmation(Bytes datagram) {
 }
 
 void LinkTouchpadEnd::establish() {
-  session_ = pending_->session;
+  connection_ = pending_->connection;
   peer_ = pending_->from;
   rates_ = pending_->rates;
   robot_tells_force_ = pending_->tells_force;

@@ -57,11 +57,12 @@ void LinkTouchpadEnd::passTime(Instant now) {
   now_ = now;
   now_us_ = time_.advance(now);
   if (pending_ && now_us_ - pending_->since_us > kPendingLife_us) pending_.reset();
-  if (phase_ != LinkPhase::running || !session_) return;
-  const bool silent = session_->silence_ms(now_us_) > session_->lostLimit_ms(parameters_);
+  if (phase_ != LinkPhase::running || !connection_) return;
+  const bool silent = connection_->silence_ms(now_us_) > connection_->lostLimit_ms(parameters_);
   // Heartbeats alone do not keep the link: a robot that sends no states for too long counts as lost.
   const double stateless_ms = 1e-3 * static_cast<double>(now_us_ - last_state_us_);
-  if (!silent && stateless_ms <= std::max(parameters_.lost_cap_ms, kPeriodsWithinCap * session_->period_ms())) return;
+  if (!silent && stateless_ms <= std::max(parameters_.lost_cap_ms, kPeriodsWithinCap * connection_->period_ms()))
+    return;
   phase_ = nextPhase(phase_, LinkEvent::silence);
   ++counters_.lost;
 }
@@ -72,12 +73,12 @@ void LinkTouchpadEnd::takeSealed(Bytes datagram, const Endpoint& from, const Tou
     return;
   }
   const auto id = static_cast<std::uint16_t>(datagram[2] | (datagram[3] << 8));
-  const bool present = session_ && peer_ == from && session_->id() == id;
-  if (pending_ && pending_->from == from && pending_->session.id() == id && !present) {
+  const bool present = connection_ && peer_ == from && connection_->id() == id;
+  if (pending_ && pending_->from == from && pending_->connection.id() == id && !present) {
     takeConfirmation(datagram);
     return;
   }
-  if (!session_) {
+  if (!connection_) {
     refuse(LinkRefusal::phase);
     return;
   }
@@ -85,7 +86,7 @@ void LinkTouchpadEnd::takeSealed(Bytes datagram, const Endpoint& from, const Tou
     refuse(LinkRefusal::peer);
     return;
   }
-  const LinkReceived received = session_->receive(datagram, now_us_, parameters_);
+  const LinkReceived received = connection_->receive(datagram, now_us_, parameters_);
   if (!received.ok()) {
     refuse(received.refusal);
     return;
@@ -166,7 +167,7 @@ void LinkTouchpadEnd::takeCommand(const LinkEnvelope& message, const TouchpadAns
     refuse(LinkRefusal::late);
     return;
   }
-  outbox_.seal(session_->sealer(), *peer_,
+  outbox_.seal(connection_->sealer(), *peer_,
                [&](auto out) { return encodeLink(LinkCommandAck{.id = command.id}, now_us_, out); });
   if (command.command == RobotCommand::send_info_and_pause) sendInfo(answer);
 }
@@ -189,7 +190,7 @@ void LinkTouchpadEnd::obey(RobotCommand command) {
 }
 
 void LinkTouchpadEnd::sendInfo(const TouchpadAnswer& answer) {
-  outbox_.seal(session_->sealer(), *peer_, [&](auto out) {
+  outbox_.seal(connection_->sealer(), *peer_, [&](auto out) {
     return encodeLink(LinkInfo{.k_vib = answer.info.k_vib,
                                .reference_ticks = answer.info.reference_ticks,
                                .board_text = answer.board_text},
@@ -206,14 +207,14 @@ void LinkTouchpadEnd::sendTouch(const TouchpadAnswer& answer) {
                   .in_contact = answer.touch.in_contact};
   if (touch_fields_.force) touch.force_N = answer.touch.force_N;
   if (touch_fields_.indentation) touch.indentation_mm = answer.touch.in_contact ? -answer.touch.position_mm.z : 0.0;
-  outbox_.seal(session_->sealer(), *peer_, [&](auto out) { return encodeLink(touch, touch_code_, now_us_, out); });
+  outbox_.seal(connection_->sealer(), *peer_, [&](auto out) { return encodeLink(touch, touch_code_, now_us_, out); });
   ++counters_.touches;
 }
 
 std::span<const Datagram> LinkTouchpadEnd::advance(Instant now, const TouchpadAnswer& answer) {
   passTime(now);
   outbox_.clear();
-  if (!session_ || phase_ == LinkPhase::closed) return {};
+  if (!connection_ || phase_ == LinkPhase::closed) return {};
   const LinkTime period_us = periodOf(rates_.touch_Hz);
   if (now_us_ >= next_touch_us_) {
     sendTouch(answer);
@@ -222,14 +223,14 @@ std::span<const Datagram> LinkTouchpadEnd::advance(Instant now, const TouchpadAn
     if (next_beat_us_ <= now_us_) next_beat_us_ = now_us_ + period_us / 2;
   }
   if (now_us_ >= next_beat_us_) {
-    outbox_.seal(session_->sealer(), *peer_,
-                 [&](auto out) { return encodeLink(session_->heartbeat(now_us_), now_us_, out); });
+    outbox_.seal(connection_->sealer(), *peer_,
+                 [&](auto out) { return encodeLink(connection_->heartbeat(now_us_), now_us_, out); });
     next_beat_us_ = next_touch_us_ + period_us / 2;
     if (parameters_.flow_bit_per_s > 0.0) next_beat_us_ += (kTouchesPerBeatOnSlowLine - 1) * period_us;
   }
   if (images_on_ && !answer.image.empty() && images_.begin(answer.image)) ++counters_.images;
   for (int i = 0; i < kFragmentsAtOnce && images_on_ && images_.busy(); ++i) {
-    outbox_.seal(session_->sealer(), *peer_, [&](auto out) { return encodeLink(images_.next(), now_us_, out); });
+    outbox_.seal(connection_->sealer(), *peer_, [&](auto out) { return encodeLink(images_.next(), now_us_, out); });
   }
   return outbox_.view();
 }
@@ -237,9 +238,9 @@ std::span<const Datagram> LinkTouchpadEnd::advance(Instant now, const TouchpadAn
 std::span<const Datagram> LinkTouchpadEnd::farewell(Instant now) {
   passTime(now);
   outbox_.clear();
-  if (!session_ || phase_ == LinkPhase::closed) return {};
+  if (!connection_ || phase_ == LinkPhase::closed) return {};
   for (int i = 0; i < kFarewells; ++i) {
-    outbox_.seal(session_->sealer(), *peer_, [&](auto out) { return encodeLink(LinkGoodbye{}, now_us_, out); });
+    outbox_.seal(connection_->sealer(), *peer_, [&](auto out) { return encodeLink(LinkGoodbye{}, now_us_, out); });
   }
   phase_ = nextPhase(phase_, LinkEvent::goodbye);
   return outbox_.view();
@@ -252,15 +253,15 @@ LinkFigures LinkTouchpadEnd::figures(Instant /*now*/) const {
     out.refused += refusals_[i];
     static_cast<void>(out.refusals.push({.reason = toString(static_cast<LinkRefusal>(i)), .count = refusals_[i]}));
   }
-  if (!session_) return out;
-  out.silence_ms = session_->silence_ms(now_us_);
-  out.period_ms = session_->period_ms();
-  out.jitter_ms = session_->jitter_ms();
-  out.lost_limit_ms = session_->lostLimit_ms(parameters_);
-  out.loss_percent = session_->loss_percent();
-  out.round_trip_ms = 1e-3 * static_cast<double>(session_->clock().newestRoundTrip_us());
+  if (!connection_) return out;
+  out.silence_ms = connection_->silence_ms(now_us_);
+  out.period_ms = connection_->period_ms();
+  out.jitter_ms = connection_->jitter_ms();
+  out.lost_limit_ms = connection_->lostLimit_ms(parameters_);
+  out.loss_percent = connection_->loss_percent();
+  out.round_trip_ms = 1e-3 * static_cast<double>(connection_->clock().newestRoundTrip_us());
   out.sample_delay_ms = 0.5 * out.round_trip_ms + out.period_ms + out.jitter_ms;
-  out.clock_offset_ms = 1e-3 * static_cast<double>(session_->clock().offset_us());
+  out.clock_offset_ms = 1e-3 * static_cast<double>(connection_->clock().offset_us());
   return out;
 }
 

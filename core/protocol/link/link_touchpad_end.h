@@ -20,8 +20,8 @@
 #include <optional>
 
 #include "core/protocol/link/image_transfer.h"
+#include "core/protocol/link/link_connection.h"
 #include "core/protocol/link/link_handshake.h"
-#include "core/protocol/link/link_session.h"
 #include "core/protocol/link/outbox.h"
 #include "core/protocol/touchpad_end.h"
 
@@ -62,8 +62,8 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   [[nodiscard]] const LinkTouchpadCounters& counters() const { return counters_; }
   [[nodiscard]] const LinkRefusalCounters& refusals() const { return refusals_; }
   [[nodiscard]] const Rates& rates() const { return rates_; }
-  [[nodiscard]] double lostLimit_ms() const { return session_ ? session_->lostLimit_ms(parameters_) : 0.0; }
-  [[nodiscard]] const PeerClock* clock() const { return session_ ? &session_->clock() : nullptr; }
+  [[nodiscard]] double lostLimit_ms() const { return connection_ ? connection_->lostLimit_ms(parameters_) : 0.0; }
+  [[nodiscard]] const PeerClock* clock() const { return connection_ ? &connection_->clock() : nullptr; }
 
  private:
   /// So many state periods must fit into the lost limit's cap; otherwise a slow robot would count as lost between two
@@ -85,7 +85,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   };
 
   struct Pending {
-    LinkSession session;
+    LinkConnection connection;
     Endpoint from;
     PublicKey caller{};
     Rates rates;
@@ -127,7 +127,7 @@ class LinkTouchpadEnd final : public TouchpadEnd {
   std::optional<Pending> pending_;
   std::array<PublicKey, 64> callers_{};  // of the last good calls
   std::size_t next_caller_ = 0;
-  std::optional<LinkSession> session_;
+  std::optional<LinkConnection> connection_;
   std::optional<Endpoint> peer_;
   pipeline::LinkPhase phase_ = pipeline::LinkPhase::waiting;
   Rates rates_;

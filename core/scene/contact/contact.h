@@ -27,7 +27,8 @@ inline constexpr std::array<std::string_view, 4> kContactModels = {"nodes", "fac
 
 struct ContactSettings {
   ContactModel model = ContactModel::vicinity;
-  /// proxy: of the finger, 0 is a point. nodes: of the sphere; 0: three mean edges.
+  /// proxy: of the finger; 0 is a point. nodes: of the sphere; 0: three mean edges, at least 2 % of the mesh's
+  /// diagonal.
   double radius_mm = 0.0;
   /// facet, vicinity: the depth beyond which there is no force. 0: half of the mesh's diagonal, which no point within a
   /// closed body exceeds.

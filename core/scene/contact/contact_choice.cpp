@@ -11,13 +11,13 @@
 namespace fyd::scene {
 namespace {
 
-constexpr std::size_t kPlaces = 400;
-constexpr std::size_t kGaps = 200;
+constexpr std::size_t kPlaces = 400;   // at least, on a mesh of so many triangles
+constexpr std::size_t kLeftOut = 200;  // vertices, one at a time; likewise
 constexpr double kForce_N = 1.0;
-constexpr double kDeepest = 0.02;      // of the mesh's diagonal
-constexpr double kHalfTheEdge = 2.0;   // halving the edge length divides the error by this at least
-constexpr double kMostThrough = 0.01;  // of the places; more, and a wall is thin
-constexpr int kRings = 4;              // around a gap
+constexpr double kDeepest = 0.02;              // of the mesh's diagonal
+constexpr double kErrorRatioOfHalfEdge = 2.0;  // halving the edge length divides the error by this at least
+constexpr double kThroughLimit = 0.01;         // of the places; more, and a wall is thin
+constexpr int kRings = 4;                      // of vertices around the one left out
 
 struct Place {
   Vec3 surface_mm, normal, probe_mm;
@@ -39,13 +39,13 @@ std::vector<Place> placesOn(const Mesh& mesh, double depth_mm) {
   return out;
 }
 
-/// The mesh around a vertex, without it: the hole is closed from one of its corners.
+/// The mesh around a vertex, without it: its hole is closed by a fan of triangles.
 /// @return nothing where the vertex is on a rim or not surrounded by one ring of triangles
-std::optional<Mesh> withGap(const Mesh& mesh, const VertexFans& fans, std::uint32_t gap) {
+std::optional<Mesh> withoutVertex(const Mesh& mesh, const VertexFans& fans, std::uint32_t left_out) {
   std::unordered_map<std::uint32_t, std::uint32_t> next;  // around the hole
-  for (const std::uint32_t t : fans[gap]) {
+  for (const std::uint32_t t : fans[left_out]) {
     const Triangle& c = mesh.triangles()[t];
-    const std::size_t own = c[0] == gap ? 0 : c[1] == gap ? 1 : 2;
+    const std::size_t own = c[0] == left_out ? 0 : c[1] == left_out ? 1 : 2;
     if (!next.emplace(c[(own + 1) % 3], c[(own + 2) % 3]).second) return std::nullopt;
   }
   TriangleSoup patch;
@@ -64,15 +64,15 @@ std::optional<Mesh> withGap(const Mesh& mesh, const VertexFans& fans, std::uint3
     at = following->second;
   }
   if (const auto closes = next.find(at); closes == next.end() || closes->second != start) return std::nullopt;
-  std::unordered_map<std::uint32_t, int> ring{{gap, 0}};
-  std::vector<std::uint32_t> open{gap};
+  std::unordered_map<std::uint32_t, int> ring{{left_out, 0}};
+  std::vector<std::uint32_t> open{left_out};
   std::unordered_map<std::uint32_t, bool> taken;
   for (std::size_t i = 0; i < open.size(); ++i) {
     const int depth = ring[open[i]];
     if (depth == kRings) continue;
     for (const std::uint32_t t : fans[open[i]]) {
       const Triangle& c = mesh.triangles()[t];
-      if (c[0] != gap && c[1] != gap && c[2] != gap && taken.emplace(t, true).second) {
+      if (c[0] != left_out && c[1] != left_out && c[2] != left_out && taken.emplace(t, true).second) {
         patch.triangles.push_back({placeOf(c[0]), placeOf(c[1]), placeOf(c[2])});
       }
       for (const std::uint32_t v : c) {
@@ -84,15 +84,15 @@ std::optional<Mesh> withGap(const Mesh& mesh, const VertexFans& fans, std::uint3
   return built ? std::optional(std::move(*built)) : std::nullopt;
 }
 
-/// Mean error of the fitted surface's force, as a share.
-double errorOfTheFit(const TriangleTree& tree, BodyContact& vicinity, double depth_mm) {
+/// Estimated mean error of the fitted surface's force, as a share of the force.
+double leaveOneOutError(const TriangleTree& tree, BodyContact& vicinity, double depth_mm) {
   const Mesh& mesh = tree.mesh();
   const VertexFans fans(mesh);
-  const std::size_t every = std::max<std::size_t>(1, mesh.vertices().size() / kGaps);
+  const std::size_t every = std::max<std::size_t>(1, mesh.vertices().size() / kLeftOut);
   double sum = 0.0;
   std::size_t count = 0;
   for (std::uint32_t v = 0; v < mesh.vertices().size(); v += static_cast<std::uint32_t>(every)) {
-    const auto around = withGap(mesh, fans, v);
+    const auto around = withoutVertex(mesh, fans, v);
     if (!around) continue;
     const Vec3 probe = mesh.vertices()[v] - depth_mm * mesh.vertexNormal(v);
     const Contact whole = vicinity.touch(probe, {}, tree.nearest(probe));
@@ -104,7 +104,7 @@ double errorOfTheFit(const TriangleTree& tree, BodyContact& vicinity, double dep
     ++count;
   }
   // A mesh without a vertex between triangles is all creases and rims: there is nothing to fit.
-  return count == 0 ? 0.0 : sum / static_cast<double>(count) / kHalfTheEdge;
+  return count == 0 ? 0.0 : sum / static_cast<double>(count) / kErrorRatioOfHalfEdge;
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surfa
   std::vector<Contact> reference;
   for (const Place& place : places)
     reference.push_back(vicinity.touch(place.probe_mm, {}, tree.nearest(place.probe_mm)));
-  const double fit = errorOfTheFit(tree, vicinity, out.depth_mm);
+  const double fit = leaveOneOutError(tree, vicinity, out.depth_mm);
   constexpr std::array<ContactModel, 4> kByCost = {ContactModel::facet, ContactModel::vicinity, ContactModel::proxy,
                                                    ContactModel::nodes};
   for (std::size_t m = 0; m < kByCost.size(); ++m) {
@@ -153,7 +153,7 @@ ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surfa
     trial.mean_error = (judged == 0 ? 0.0 : sum / static_cast<double>(judged)) + fit;
     trial.pushes_through = static_cast<double>(through) / static_cast<double>(std::max<std::size_t>(1, places.size()));
   }
-  const auto holds = [](const ModelTrial& t) { return t.pushes_through <= kMostThrough; };
+  const auto holds = [](const ModelTrial& t) { return t.pushes_through <= kThroughLimit; };
   const auto good = [&](const ModelTrial& t) { return holds(t) && t.mean_error <= accuracy; };
   const auto found = std::find_if(out.trials.begin(), out.trials.end(), good);
   out.met = found != out.trials.end();

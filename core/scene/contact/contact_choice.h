@@ -2,10 +2,11 @@
 //
 // A mesh samples a surface at its vertices. At a few hundred places spread over it each model computes the force of a
 // haptic point at the depth that gives one newton. It is compared with that of the fitted surface (vicinity), the best
-// estimate of the true one. The fit's own error is found by leaving out vertices: the fit around the gap gives the
-// force at the vertex left out. That error belongs to a mesh of twice the edge length; half of it is taken, though a
-// fit of third order gains more. On spheres, bumps and cylinders the error reported so is 0.95 to 1.3 times the true
-// one for facet, 1.2 to 3.4 times for vicinity (tests/numerics/scene/choice_test.cpp).
+// estimate of the true one. The fit's own error is found by leaving out one vertex at a time: the force there, by the
+// fit to the mesh without it, is compared with that of the whole mesh. That error belongs to a mesh of twice the edge
+// length; half of it is taken, though a fit of third order gains more. With e the true error on spheres, bumps and
+// cylinders, the error reported for facet and vicinity is between 0.9 e and 2.5 e + 2e-4; a test holds it to that
+// (tests/numerics/scene/choice_test.cpp).
 //
 // In a wall thinner than that depth the nearest surface may be the one behind: facet, vicinity and nodes would push the
 // point through, and only a proxy holds it. These places are counted too.

@@ -9,15 +9,15 @@
 namespace fyd::scene {
 namespace {
 
-constexpr double kDeepest = 2.0;  // radii
-constexpr double kShare = 0.05;   // of W, added to the sum of weights: few nodes give less force
+constexpr double kDeepest = 2.0;          // radii
+constexpr double kRegularisation = 0.05;  // of W, added to the sum of weights
 
 }  // namespace
 
 ContactNodes::ContactNodes(const Mesh& mesh, double radius_mm)
     : radius_mm_(radius_mm),
-      share_(kShare * static_cast<double>(mesh.vertices().size()) / mesh.report().area_mm2 * std::numbers::pi / 3.0 *
-             radius_mm * radius_mm),
+      regularisation_(kRegularisation * static_cast<double>(mesh.vertices().size()) / mesh.report().area_mm2 *
+                      std::numbers::pi / 3.0 * radius_mm * radius_mm),
       lowest_mm_(mesh.report().lowest_mm) {
   const Vec3 extent = mesh.report().highest_mm - lowest_mm_;
   const double longest_mm = std::max({extent.x, extent.y, extent.z});
@@ -60,7 +60,7 @@ Push ContactNodes::push(const Vec3& probe_mm, const Nearest& nearest) const {
   const Vec3 all = {reach_mm, reach_mm, reach_mm};
   const auto low = cellOf(probe_mm - all), high = cellOf(probe_mm + all);
   double weights = 0.0, depths = 0.0;
-  Vec3 weights_by, depths_by;  // derivatives by the probe's place
+  Vec3 weights_gradient, depths_gradient;  // with respect to the probe's position
   for (std::int64_t z = low[2]; z <= high[2]; ++z) {
     for (std::int64_t y = low[1]; y <= high[1]; ++y) {
       const std::int64_t row = (z * cells_[1] + y) * cells_[0];
@@ -69,25 +69,25 @@ Push ContactNodes::push(const Vec3& probe_mm, const Nearest& nearest) const {
         const Node& node = nodes_[i];
         const Vec3 to_node = node.point_mm - probe_mm;
         const double h = dot(to_node, node.normal);
-        const Vec3 beside = to_node - h * node.normal;
-        const double a = 1.0 - squared(beside) / squared_mm2, b = 1.0 - h * h / deepest_mm2;
+        const Vec3 tangential = to_node - h * node.normal;
+        const double a = 1.0 - squared(tangential) / squared_mm2, b = 1.0 - h * h / deepest_mm2;
         if (!(a > 0.0) || !(b > 0.0)) continue;
         const double weight = a * a * b * b;
-        const Vec3 weight_by =
-            (4.0 * a * b * b / squared_mm2) * beside + (4.0 * a * a * b * h / deepest_mm2) * node.normal;
+        const Vec3 weight_gradient =
+            (4.0 * a * b * b / squared_mm2) * tangential + (4.0 * a * a * b * h / deepest_mm2) * node.normal;
         weights += weight;
-        weights_by = weights_by + weight_by;
+        weights_gradient = weights_gradient + weight_gradient;
         if (!(h > 0.0)) continue;
         depths += weight * h;
-        depths_by = depths_by + h * weight_by - weight * node.normal;
+        depths_gradient = depths_gradient + h * weight_gradient - weight * node.normal;
       }
     }
   }
-  const double whole = weights + share_;
-  const double depth_mm = (1.0 + kShare) * depths / whole;
+  const double total = weights + regularisation_;
+  const double depth_mm = (1.0 + kRegularisation) * depths / total;
   if (!(depth_mm > 0.0)) return {};
-  const Vec3 depth_by = (1.0 / whole) * ((1.0 + kShare) * depths_by - depth_mm * weights_by);
-  const Vec3 force_over_stiffness_mm = -depth_mm * depth_by;
+  const Vec3 depth_gradient = (1.0 / total) * ((1.0 + kRegularisation) * depths_gradient - depth_mm * weights_gradient);
+  const Vec3 force_over_stiffness_mm = -depth_mm * depth_gradient;
   return {force_over_stiffness_mm, probe_mm + force_over_stiffness_mm, unit(force_over_stiffness_mm), depth_mm};
 }
 

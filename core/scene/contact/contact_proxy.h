@@ -36,28 +36,30 @@ class ContactProxy {
                                             ContactState& state) const;
 
  private:
-  struct Around;
+  struct NearTriangles;
   struct Walls;
   struct Hit {
-    double share = 1.0;
+    double share = 1.0;  ///< of the way
     std::uint32_t triangle = kNoTriangle;
   };
 
   /// From a place towards a goal, as near to it as the triangles in the way allow.
-  [[nodiscard]] Place go(const Vec3& from_mm, const Vec3& goal_mm, double radius_mm) const;
+  [[nodiscard]] Place moveTowards(const Vec3& from_mm, const Vec3& goal_mm, double radius_mm) const;
   /// Advances along a way that begins far away, to where the mesh can first be met.
-  [[nodiscard]] Vec3 nearTheMesh(const Vec3& from_mm, const Vec3& goal_mm) const;
-  [[nodiscard]] Walls wallsAt(const Around& around, const Vec3& middle_mm, double radius_mm) const;
-  [[nodiscard]] Hit sweep(const Around& around, const Vec3& from_mm, const Vec3& force_over_stiffness_mm,
+  [[nodiscard]] Vec3 advanceToMesh(const Vec3& from_mm, const Vec3& goal_mm) const;
+  /// The planes that hold the sphere where it is: one for each triangle that it touches from outside.
+  [[nodiscard]] Walls wallsAt(const NearTriangles& near_triangles, const Vec3& middle_mm, double radius_mm) const;
+  /// The first triangle that the sphere meets from outside on a straight way.
+  [[nodiscard]] Hit sweep(const NearTriangles& near_triangles, const Vec3& from_mm, const Vec3& way_mm,
                           double radius_mm) const;
 
   const TriangleTree* tree_;
   Vec3 middle_mm_;  // of the mesh
   double radius_mm_;
-  double least_mm_;   // used for a radius of zero: far larger than the rounding error
-  double lost_mm_;    // bound of the rounding error
-  double far_mm_;     // from the mesh's middle: farther away the sphere meets nothing
-  double around_mm_;  // distance from the sphere within which triangles are looked up
+  double smallest_radius_mm_;  // used for a radius of zero: far larger than the rounding error
+  double rounding_mm_;         // bound of the rounding error of a position
+  double far_mm_;              // from the mesh's middle: farther away the sphere meets nothing
+  double near_margin_mm_;      // triangles within this distance of the sphere are looked up at once
 };
 
 }  // namespace fyd::scene

@@ -1,5 +1,5 @@
-// What facet and vicinity have in common: direction and depth of the push out of a body, and how it fades at the rim of
-// an open mesh.
+// What facet and vicinity share: direction and depth of the push out of a body, and how it fades at the rim (boundary)
+// of an open mesh.
 #pragma once
 
 #include "core/scene/mesh/edge_kinds.h"
@@ -15,19 +15,21 @@ struct Push {
   double depth_mm = 0.0;
 };
 
-/// The push of a probe below an open mesh that is beside the rim by `beside_mm`, from the push computed below the rim.
-/// It fades as if the rim were chamfered: with t = beside/depth, potential ½ k d² (1 − t²)², from the whole push at the
-/// rim to none at 45°. So the force is continuous, and a path around the rim gives no work.
-[[nodiscard]] inline Push besideRim(Push below, const Vec3& beside_mm) {
-  const double side = length(beside_mm);
-  if (!(side < below.depth_mm)) return {};
-  const double t = side / below.depth_mm, rest = 1.0 - t * t;
-  below.force_over_stiffness_mm = (rest * (1.0 + t * t)) * below.force_over_stiffness_mm + (2.0 * rest) * beside_mm;
+/// The push of a probe that is below an open mesh and outside its rim.
+/// @param below the push as computed straight below the rim
+/// @param offset_mm from there to the probe (rimOffset)
+/// The push fades as if the rim were chamfered: with t = |offset|/depth, potential ½ k d² (1 − t²)², from the whole
+/// push at the rim to none at 45°. So the force is continuous, and a closed path around the rim gives no work.
+[[nodiscard]] inline Push chamferedAtRim(Push below, const Vec3& offset_mm) {
+  const double offset = length(offset_mm);
+  if (!(offset < below.depth_mm)) return {};
+  const double t = offset / below.depth_mm, fade = 1.0 - t * t;
+  below.force_over_stiffness_mm = (fade * (1.0 + t * t)) * below.force_over_stiffness_mm + (2.0 * fade) * offset_mm;
   return below;
 }
 
-/// Beside a rim: the part across the normal of the vector from the nearest point to the probe. Else zero.
-[[nodiscard]] inline Vec3 besideRim(const Mesh& mesh, const EdgeKinds& edges, const Vec3& probe_mm,
+/// If the nearest point is on a rim: the tangential part of the vector from it to the probe. Else zero.
+[[nodiscard]] inline Vec3 rimOffset(const Mesh& mesh, const EdgeKinds& edges, const Vec3& probe_mm,
                                     const Nearest& nearest) {
   if (!edges.rim(nearest)) return {};
   const Vec3 normal = mesh.normalOf(nearest.triangle, nearest.feature), from = probe_mm - nearest.point_mm;

@@ -8,11 +8,11 @@ namespace fyd::scene {
 
 [[nodiscard]] inline Push vicinityPush(const FittedSurface& surface, const Vec3& probe_mm, const Nearest& nearest) {
   const bool rim = surface.edges().rim(nearest);
-  const Vec3 beside_mm = rim ? besideRim(surface.mesh(), surface.edges(), probe_mm, nearest) : Vec3{};
-  const Foot foot = surface.foot(probe_mm - beside_mm, nearest);
+  const Vec3 offset_mm = rim ? rimOffset(surface.mesh(), surface.edges(), probe_mm, nearest) : Vec3{};
+  const Foot foot = surface.foot(probe_mm - offset_mm, nearest);
   if (!(foot.height_mm < 0.0)) return {};
   const Push push{-foot.height_mm * foot.normal, foot.point_mm, foot.normal, -foot.height_mm};
-  return rim ? besideRim(push, beside_mm) : push;
+  return rim ? chamferedAtRim(push, offset_mm) : push;
 }
 
 }  // namespace fyd::scene

@@ -10,13 +10,12 @@
 namespace fyd::scene {
 namespace {
 
-constexpr std::size_t kMostAround = 128;  // vertices in a fit: bounds the time at a vertex with very many triangles
-constexpr double kSteepest = 0.5;         // cosine: a fitted normal more inclined to the mean normal is rejected
-constexpr double kMostBent = 1.0;  // curvature times the distance of the vertices around; a larger one is rejected
+constexpr std::size_t kMostNeighbours = 128;  // vertices in a fit: bounds the time at a vertex with very many triangles
+constexpr double kLeastNormalCosine = 0.5;    // cosine: a fitted normal more inclined to the mean normal is rejected
+constexpr double kMostCurvature = 1.0;  // curvature times the mean distance of the neighbours; a larger one is rejected
 
-using Tensor = std::array<double, 6>;  // xx xy xz yy yz zz
-
-/// Solves the normal equations of `order` unknowns in place (Cholesky). @return false if they have no solution
+/// Solves the normal equations of n unknowns in place (Cholesky); column 9 is the right side, then the solution.
+/// @return false if they have no solution
 bool solve(std::array<std::array<double, 10>, 9>& m, std::size_t n) {
   for (std::size_t j = 0; j < n; ++j) {
     const double whole = m[j][j];
@@ -48,17 +47,18 @@ struct Frame {
   }
 };
 
-/// z = a x + b y + (c x² + 2 d xy + e y²)/2 + …
-struct Shape {
+/// z = a x + b y + (c x² + 2 d xy + e y²)/2 + terms of third order
+struct Polynomial {
   double a, b, c, d, e;
 };
 
 /// @param size unit of length for scaling, mm
-std::optional<Shape> fitShape(const Vec3& middle, const std::vector<Vec3>& around, const Frame& frame, double size,
-                              std::size_t unknowns) {
-  if (around.size() < unknowns + (unknowns == 9 ? 3 : 0)) return std::nullopt;
+/// @param unknowns 9: third order; 5: second order
+std::optional<Polynomial> fitPolynomial(const Vec3& middle, const std::vector<Vec3>& neighbours, const Frame& frame,
+                                        double size, std::size_t unknowns) {
+  if (neighbours.size() < unknowns + (unknowns == 9 ? 3 : 0)) return std::nullopt;
   std::array<std::array<double, 10>, 9> m{};
-  for (const Vec3& p : around) {
+  for (const Vec3& p : neighbours) {
     const Vec3 from = (1.0 / size) * (p - middle);
     const double x = dot(from, frame.x), y = dot(from, frame.y), z = dot(from, frame.normal);
     const double weight = 1.0 / (x * x + y * y + 1e-3);
@@ -70,7 +70,7 @@ std::optional<Shape> fitShape(const Vec3& middle, const std::vector<Vec3>& aroun
     }
   }
   if (!solve(m, unknowns)) return std::nullopt;
-  return Shape{m[0][9], m[1][9], m[2][9] / size, m[3][9] / size, m[4][9] / size};
+  return Polynomial{m[0][9], m[1][9], m[2][9] / size, m[3][9] / size, m[4][9] / size};
 }
 
 }  // namespace
@@ -81,9 +81,9 @@ struct FittedSurface::Fitter {
   std::vector<Vec3> normals;  // of the triangles
   VertexFans fans;
   std::vector<std::uint32_t> triangle_seen, vertex_seen;
-  std::uint32_t now = 0;
-  std::vector<std::uint32_t> reached;
-  std::vector<Vec3> around;
+  std::uint32_t stamp = 0;             // number of the present fit; marks what it has seen
+  std::vector<std::uint32_t> reached;  // triangles of the present fit
+  std::vector<Vec3> neighbours;        // vertices that are fitted
 
   explicit Fitter(FittedSurface& s, const Mesh& m) : surface(s), mesh(m), fans(m) {
     const auto triangles = mesh.triangles();
@@ -93,7 +93,8 @@ struct FittedSurface::Fitter {
     vertex_seen.assign(mesh.vertices().size(), 0);
   }
 
-  [[nodiscard]] std::uint32_t across(std::uint32_t t, std::size_t side) const {
+  /// kNoTriangle at a rim and at a crease.
+  [[nodiscard]] std::uint32_t acrossUncreased(std::uint32_t t, std::size_t side) const {
     return surface.edges_.creaseEdge(t, side) ? kNoTriangle : mesh.neighbours(t)[side];
   }
 
@@ -113,33 +114,33 @@ struct FittedSurface::Fitter {
     const auto vertices = mesh.vertices();
     const auto triangles = mesh.triangles();
     const Vec3 middle = vertices[vertex];
-    ++now;
+    ++stamp;
     reached.assign(1, first);
-    triangle_seen[first] = now;
+    triangle_seen[first] = stamp;
     Vec3 mean;
     std::size_t side_end = 0;
     // First the triangles at the vertex, then those at their other vertices.
     const auto spread = [&](std::size_t most, auto&& wanted) {
       for (std::size_t i = 0; i < reached.size() && reached.size() < most; ++i) {
         for (std::size_t side = 0; side < 3; ++side) {
-          const std::uint32_t other = across(reached[i], side);
-          if (other == kNoTriangle || triangle_seen[other] == now || !wanted(triangles[other])) continue;
-          triangle_seen[other] = now;
+          const std::uint32_t other = acrossUncreased(reached[i], side);
+          if (other == kNoTriangle || triangle_seen[other] == stamp || !wanted(triangles[other])) continue;
+          triangle_seen[other] = stamp;
           reached.push_back(other);
         }
       }
     };
-    around.clear();
+    neighbours.clear();
     spread(triangles.size() + 1, [&](const Triangle& t) { return std::find(t.begin(), t.end(), vertex) != t.end(); });
     side_end = reached.size();
-    vertex_seen[vertex] = now;
+    vertex_seen[vertex] = stamp;
     const auto collect = [&](std::size_t from) {
-      const std::size_t every = 1 + (reached.size() - from) / (2 * kMostAround);
+      const std::size_t every = 1 + (reached.size() - from) / (2 * kMostNeighbours);
       for (std::size_t i = from; i < reached.size(); i += every) {
         for (const std::uint32_t v : triangles[reached[i]]) {
-          if (vertex_seen[v] == now || around.size() >= kMostAround) continue;
-          vertex_seen[v] = now;
-          around.push_back(vertices[v]);
+          if (vertex_seen[v] == stamp || neighbours.size() >= kMostNeighbours) continue;
+          vertex_seen[v] = stamp;
+          neighbours.push_back(vertices[v]);
         }
       }
     };
@@ -151,9 +152,9 @@ struct FittedSurface::Fitter {
       mean = mean + math::atan2(length(cross(a, b)), dot(a, b)) * normals[reached[i]];
     }
     collect(0);
-    const std::size_t first_ring = around.size();
-    const std::uint32_t ring = now;
-    spread(side_end + 2 * kMostAround, [&](const Triangle& t) {
+    const std::size_t first_ring = neighbours.size();
+    const std::uint32_t ring = stamp;
+    spread(side_end + 2 * kMostNeighbours, [&](const Triangle& t) {
       return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return vertex_seen[v] == ring; });
     });
     collect(side_end);
@@ -165,27 +166,28 @@ struct FittedSurface::Fitter {
   Corner fit(const Vec3& middle, const Vec3& mean, std::size_t first_ring) {
     Corner corner{middle, mean, {}};
     double size = 0.0;
-    for (std::size_t i = 0; i < first_ring; ++i) size += length(around[i] - middle);
+    for (std::size_t i = 0; i < first_ring; ++i) size += length(neighbours[i] - middle);
     size /= static_cast<double>(first_ring);
     std::size_t order = 0;
     for (const std::size_t unknowns : {std::size_t{9}, std::size_t{5}}) {
       Frame frame(mean);
-      std::optional<Shape> shape;
+      std::optional<Polynomial> polynomial;
       for (int pass = 0; pass < 2; ++pass) {
-        shape = fitShape(middle, around, frame, size, unknowns);
-        if (!shape) break;
-        const Vec3 leaning = unit(frame.normal - shape->a * frame.x - shape->b * frame.y);
-        if (!(dot(leaning, mean) > kSteepest)) {
-          shape.reset();
+        polynomial = fitPolynomial(middle, neighbours, frame, size, unknowns);
+        if (!polynomial) break;
+        const Vec3 fitted_normal = unit(frame.normal - polynomial->a * frame.x - polynomial->b * frame.y);
+        if (!(dot(fitted_normal, mean) > kLeastNormalCosine)) {
+          polynomial.reset();
           break;
         }
-        if (pass == 0) frame = Frame(leaning);
-        corner.normal = leaning;
+        if (pass == 0) frame = Frame(fitted_normal);
+        corner.normal = fitted_normal;
       }
-      if (shape && std::max({std::abs(shape->c), std::abs(shape->d), std::abs(shape->e)}) * size < kMostBent) {
+      if (polynomial && std::max({std::abs(polynomial->c), std::abs(polynomial->d), std::abs(polynomial->e)}) * size <
+                            kMostCurvature) {
         const Vec3 x = frame.x, y = frame.y;
         const auto of = [&](double xa, double xb, double ya, double yb) {
-          return shape->c * xa * xb + shape->d * (xa * yb + xb * ya) + shape->e * ya * yb;
+          return polynomial->c * xa * xb + polynomial->d * (xa * yb + xb * ya) + polynomial->e * ya * yb;
         };
         corner.curvature = {of(x.x, x.x, y.x, y.x), of(x.x, x.y, y.x, y.y), of(x.x, x.z, y.x, y.z),
                             of(x.y, x.y, y.y, y.y), of(x.y, x.z, y.y, y.z), of(x.z, x.z, y.z, y.z)};

@@ -80,13 +80,14 @@ class Step {
       const Vec3 x = piece.position(t);
       return gapTo(racketAt(racket_->at(from_s + t), x), x, piece.velocity(t));
     };
-    return firstMeeting(gap, h, racket_->seen(most, speed, far_mm), near_mm_);
+    return firstMeeting(gap, h, racket_->mostRelativeAcceleration(most, speed, far_mm), near_mm_);
   }
 
   /// Moves the ball out of a racket or court that it overlaps. A ball that was put elsewhere no longer rests.
   void begin() {
     Vec3& x = ball_.position_mm;
-    if (state_.rest == BallRest::on_racket && (racket_ == nullptr || racket_->put())) state_.rest = BallRest::flies;
+    if (state_.rest == BallRest::on_racket && (racket_ == nullptr || racket_->teleported()))
+      state_.rest = BallRest::flies;
     if (racket_ != nullptr) {
       const Surface surface = racketAt(racket_->at(0.0), x);
       const double gap = gapTo(surface, x, {}).mm;

@@ -49,43 +49,73 @@ struct BallParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    v.real("ball.radius_mm", radius_mm, {.unit = "mm", .minimum = 0.01, .maximum = 1e4, .help = "Of the ball."});
-    v.real("ball.mass_kg", mass_kg, {.unit = "kg", .minimum = 1e-6, .maximum = 100, .help = "Of the ball."});
+    v.real("ball.radius_mm", radius_mm, {.unit = "mm", .minimum = 0.01, .maximum = 1e4, .help = "Radius of the ball."});
+    v.real("ball.mass_kg", mass_kg, {.unit = "kg", .minimum = 1e-6, .maximum = 100, .help = "Mass of the ball."});
     v.real("ball.gravity_m_per_s2", gravity_m_per_s2,
-           {.unit = "m/s²", .minimum = 0, .maximum = 1000, .help = "Against z."});
+           {.unit = "m/s²", .minimum = 0, .maximum = 1000, .help = "Acceleration of gravity, downwards (against z)."});
     v.real("ball.drag_per_m", drag_per_m,
            {.unit = "1/m",
             .minimum = 0,
             .maximum = 10,
-            .help = "Deceleration by the speed squared: air density × drag coefficient × cross section / (2 × mass)."});
+            .help = "Air drag: the ball's deceleration divided by the square of its speed; 0: none. Of a real ball: "
+                    "air density × drag coefficient × cross section / (2 × mass)."});
     v.real("ball.inertia", inertia,
-           {.minimum = 0.01, .maximum = 1, .help = "Moment of inertia by mass × radius²: 2/5 solid, 2/3 hollow."});
+           {.minimum = 0.01,
+            .maximum = 1,
+            .help = "Moment of inertia divided by mass × radius²: 2/5 for a solid ball, 2/3 for a hollow one. With "
+                    "more, friction spins the ball less."});
     v.real("ball.restitution", restitution,
-           {.minimum = 0, .maximum = 1, .help = "On the racket: speed after an impact by speed before it."});
-    v.real("ball.friction", friction, {.minimum = 0, .maximum = 2, .help = "On the racket; it turns the ball."});
+           {.minimum = 0,
+            .maximum = 1,
+            .help = "Bounce on the racket: speed after an impact divided by the speed before it."});
+    v.real("ball.friction", friction,
+           {.minimum = 0,
+            .maximum = 2,
+            .help = "Friction coefficient between ball and racket; with more, a glancing stroke spins the ball more."});
     v.real("ball.rest_speed_mm_per_s", rest_speed_mm_per_s,
            {.unit = "mm/s",
             .minimum = 0.01,
             .maximum = 1e4,
-            .help = "A slower impact does not come back: the ball rests."});
+            .help = "Impacts slower than this do not bounce: the ball stays on the racket or the court."});
     v.real("ball.contact_time_s", contact_time_s,
-           {.unit = "s", .minimum = 1e-4, .maximum = 1, .help = "Time in which the force of a blow falls to a third."});
-    v.real("ball.most_force_N", most_force_N, {.unit = "N", .minimum = 0, .maximum = 1e4, .help = "In the hand."});
+           {.unit = "s",
+            .minimum = 1e-4,
+            .maximum = 1,
+            .help = "Time in which the force felt after an impact falls to about a third; a longer time makes it "
+                    "weaker and softer."});
+    v.real("ball.most_force_N", most_force_N,
+           {.unit = "N",
+            .minimum = 0,
+            .maximum = 1e4,
+            .help = "Largest force that the hand feels; larger ones are reduced to it."});
     v.choice("ball.racket_shape", racket_shape, kRacketShapes,
-             {.help = "A plate without thickness; both faces strike."});
+             {.help = "Shape of the racket, a thin plate that strikes with both faces."});
     v.real("ball.racket_width_mm", racket_width_mm,
-           {.unit = "mm", .minimum = 1, .maximum = 1e5, .help = "Along the racket's own x; the disc's diameter."});
+           {.unit = "mm",
+            .minimum = 1,
+            .maximum = 1e5,
+            .help = "Width of a rectangular racket, along its own x axis; the diameter of a disc."});
     v.real("ball.racket_height_mm", racket_height_mm,
-           {.unit = "mm", .minimum = 1, .maximum = 1e5, .help = "Across it; of a rectangle only."});
+           {.unit = "mm",
+            .minimum = 1,
+            .maximum = 1e5,
+            .help = "Height of a rectangular racket, at right angles to its width; a disc has none."});
     v.real("ball.racket_most_speed_m_per_s", racket_most_speed_m_per_s,
            {.unit = "m/s",
             .minimum = 0.1,
             .maximum = 1000,
-            .help = "A racket that moves faster has been put elsewhere: it strikes nothing on its way."});
-    v.boolean("ball.court", court, {.help = "Whether there is a floor."});
-    v.real("ball.court_z_mm", court_z_mm, {.unit = "mm", .minimum = -1e6, .maximum = 1e6, .help = "Its height."});
-    v.real("ball.court_restitution", court_restitution, {.minimum = 0, .maximum = 1, .help = "On the court."});
-    v.real("ball.court_friction", court_friction, {.minimum = 0, .maximum = 2, .help = "On the court."});
+            .help = "A racket that moves faster than this is taken as placed anew: it strikes nothing on its way."});
+    v.boolean("ball.court", court, {.help = "Whether there is a court: a level floor from which the ball bounces."});
+    v.real("ball.court_z_mm", court_z_mm,
+           {.unit = "mm", .minimum = -1e6, .maximum = 1e6, .help = "Height of the court, as a z coordinate."});
+    v.real("ball.court_restitution", court_restitution,
+           {.minimum = 0,
+            .maximum = 1,
+            .help = "Bounce on the court: speed after an impact divided by the speed before it."});
+    v.real("ball.court_friction", court_friction,
+           {.minimum = 0,
+            .maximum = 2,
+            .help = "Friction coefficient between ball and court; with more, a glancing impact spins the ball more."});
   }
 };
 
@@ -96,8 +126,10 @@ struct ServeParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    const ParameterInfo place{.unit = "mm", .minimum = -1e6, .maximum = 1e6, .help = "Where the ball is served."};
-    const ParameterInfo speed{.unit = "mm/s", .minimum = -1e6, .maximum = 1e6, .help = "How fast it is then."};
+    const ParameterInfo place{
+        .unit = "mm", .minimum = -1e6, .maximum = 1e6, .help = "Position of the ball's centre when it is served."};
+    const ParameterInfo speed{
+        .unit = "mm/s", .minimum = -1e6, .maximum = 1e6, .help = "Velocity of the ball when it is served."};
     v.real("serve.x_mm", x_mm, place);
     v.real("serve.y_mm", y_mm, place);
     v.real("serve.z_mm", z_mm, place);

@@ -37,27 +37,51 @@ struct PalpationParameters {
            {.unit = "N/mm",
             .minimum = 1e-6,
             .maximum = 1e4,
-            .help = "Of the abdomen, where the scene has no body of its own."});
-    v.real("palpation.damping_Ns_per_mm", damping_Ns_per_mm,
-           {.unit = "N·s/mm", .minimum = 0, .maximum = 10, .help = "Along the normal, at most as much as the spring."});
+            .help = "Stiffness of the abdomen where the scene has no body of its own; more feels harder."});
+    v.real(
+        "palpation.damping_Ns_per_mm", damping_Ns_per_mm,
+        {.unit = "N·s/mm",
+         .minimum = 0,
+         .maximum = 10,
+         .help = "Damping: force along the normal per speed of pressing, never larger than the force of the spring."});
     v.real("palpation.most_force_N", most_force_N,
-           {.unit = "N", .minimum = 0, .maximum = 1000, .help = "Along the normal."});
-    v.real("palpation.speed_limit_mm_per_s", speed_limit_mm_per_s,
-           {.unit = "mm/s", .minimum = 0, .maximum = 1e4, .help = "Of the remote robot, across the normal."});
+           {.unit = "N", .minimum = 0, .maximum = 1000, .help = "Largest force along the normal."});
+    v.real(
+        "palpation.speed_limit_mm_per_s", speed_limit_mm_per_s,
+        {.unit = "mm/s",
+         .minimum = 0,
+         .maximum = 1e4,
+         .help =
+             "Highest speed of the remote robot along the surface; a hand that is faster feels a force against it."});
     v.real("palpation.steepness_Ns_per_mm", steepness_Ns_per_mm,
            {.unit = "N·s/mm",
             .minimum = 0,
             .maximum = 1,
-            .help = "Force against the hand by its speed beyond the limit; in steps of 1 ms less than the hand's mass "
-                    "in kg."});
+            .help = "How fast the force against the hand grows with its speed above the limit. To be stable in steps "
+                    "of 1 ms it must be less than the hand's mass in kg."});
     v.real("palpation.most_tangential_N", most_tangential_N,
-           {.unit = "N", .minimum = 0, .maximum = 1000, .help = "The force against the hand stays below."});
+           {.unit = "N",
+            .minimum = 0,
+            .maximum = 1000,
+            .help = "Upper limit of the force against a hand that is too fast."});
     v.real("palpation.engage_mm", engage_mm,
-           {.unit = "mm", .minimum = 1e-3, .maximum = 100, .help = "Depth from which the limit acts fully."});
-    v.real("palpation.speed_time_constant_s", speed_time_constant_s,
-           {.unit = "s", .minimum = 0, .maximum = 1, .help = "Of the low-pass of the hand's speed."});
+           {.unit = "mm",
+            .minimum = 1e-3,
+            .maximum = 100,
+            .help = "Depth from which a hand that is too fast feels the whole force against it; at less depth it feels "
+                    "a part."});
+    v.real(
+        "palpation.speed_time_constant_s", speed_time_constant_s,
+        {.unit = "s",
+         .minimum = 0,
+         .maximum = 1,
+         .help =
+             "Time constant of the low-pass filter on the hand's speed; with more, the force is smoother but later."});
     v.real("palpation.segment_mm_per_N", segment_mm_per_N,
-           {.unit = "mm/N", .minimum = 0, .maximum = 1e4, .help = "Length of the green segment."});
+           {.unit = "mm/N",
+            .minimum = 0,
+            .maximum = 1e4,
+            .help = "Length of the green line that shows the force, for each newton."});
   }
 };
 
@@ -68,8 +92,13 @@ struct PlaneParameters {
 
   template <class Visitor>
   void describe(Visitor& v) {
-    const ParameterInfo place{.unit = "mm", .minimum = -1e6, .maximum = 1e6, .help = "A point of the plane."};
-    const ParameterInfo normal{.minimum = -1, .maximum = 1, .help = "Outwards; of any length but 0."};
+    const ParameterInfo place{.unit = "mm",
+                              .minimum = -1e6,
+                              .maximum = 1e6,
+                              .help = "Position of any point of the plane that stands for the abdomen."};
+    const ParameterInfo normal{.minimum = -1,
+                               .maximum = 1,
+                               .help = "Direction of the plane's normal, out of the abdomen; of any length but 0."};
     v.real("plane.x_mm", x_mm, place);
     v.real("plane.y_mm", y_mm, place);
     v.real("plane.z_mm", z_mm, place);

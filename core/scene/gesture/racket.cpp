@@ -45,8 +45,8 @@ RacketMotion::RacketMotion(const RacketPose& from, const RacketPose& to, double 
   const double cosine = 0.5 * (dot(from.normal, to.normal) + dot(from.along, to.along) +
                                dot(cross(from.normal, from.along), cross(to.normal, to.along)) - 1.0);
   const double angle = math::atan2(length(sine), cosine);
-  put_ = length(moved) > most_mm_per_s * dt_s || angle > kMostTurn_rad;
-  if (put_) {
+  teleported_ = length(moved) > most_mm_per_s * dt_s || angle > kMostTurn_rad;
+  if (teleported_) {
     from_ = to;
   } else {
     velocity_ = (1.0 / dt_s) * moved;
@@ -66,7 +66,7 @@ RacketPose RacketMotion::at(double t_s) const {
   return out;
 }
 
-double RacketMotion::seen(double acceleration, double speed, double most_mm) const {
+double RacketMotion::mostRelativeAcceleration(double acceleration, double speed, double most_mm) const {
   const double rate = length(turning_);
   return acceleration + 2.0 * rate * (speed + length(velocity_) + rate * most_mm) + rate * rate * most_mm;
 }

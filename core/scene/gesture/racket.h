@@ -37,24 +37,25 @@ struct Plate {
 class RacketMotion {
  public:
   /// A racket whose centre moves faster than `most_mm_per_s`, or that turns by more than 1 rad, has been put at `to`:
-  /// it is there from the start of the step and does not move (`put`).
+  /// it is there from the start of the step and does not move (`teleported`).
   RacketMotion(const RacketPose& from, const RacketPose& to, double dt_s, double most_mm_per_s);
 
   [[nodiscard]] RacketPose at(double t_s) const;
-  [[nodiscard]] bool put() const { return put_; }
+  [[nodiscard]] bool teleported() const { return teleported_; }
   /// Of its material at p.
   [[nodiscard]] Vec3 velocity(const RacketPose& pose, const Vec3& p) const {
     return velocity_ + cross(turning_, p - pose.centre_mm);
   }
   /// Upper bound of a thing's acceleration in the plate's rotating frame, mm/s².
   /// @param most_mm its largest distance from the centre
-  [[nodiscard]] double seen(double acceleration_mm_per_s2, double speed_mm_per_s, double most_mm) const;
+  [[nodiscard]] double mostRelativeAcceleration(double acceleration_mm_per_s2, double speed_mm_per_s,
+                                                double most_mm) const;
   [[nodiscard]] double speed() const { return length(velocity_); }
 
  private:
   RacketPose from_;
   Vec3 velocity_, turning_;  ///< mm/s, rad/s
-  bool put_ = false;
+  bool teleported_ = false;
 };
 
 }  // namespace fyd::scene

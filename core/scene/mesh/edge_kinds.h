@@ -1,4 +1,5 @@
-// Which edges and vertices of a mesh are a rim (nothing lies across) or a crease (folded by more than 40°).
+// Which edges and vertices of a mesh are a rim (boundary: an edge with one triangle) or a crease (folded by more than
+// 40°).
 #pragma once
 
 #include <vector>

@@ -99,8 +99,8 @@ std::size_t dropDuplicates(std::vector<Triangle>& triangles) {
   return dropped;
 }
 
-/// Bits of a number with two zeros between each two.
-std::uint64_t spread(std::uint64_t bits) {
+/// The lowest 21 bits of a number with two zeros between each two (Morton code).
+std::uint64_t spreadBits(std::uint64_t bits) {
   bits &= 0x1fffff;
   bits = (bits | bits << 32) & 0x1f00000000ffff;
   bits = (bits | bits << 16) & 0x1f0000ff0000ff;
@@ -126,7 +126,7 @@ void sortInSpace(TriangleSoup& soup) {
   order.reserve(soup.triangles.size());
   for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
     const Vec3 m = cells * (middle(soup.triangles[t]) - low);
-    const auto cell = [](double at) { return spread(static_cast<std::uint64_t>(at)); };
+    const auto cell = [](double at) { return spreadBits(static_cast<std::uint64_t>(at)); };
     order.emplace_back(cell(m.x) | cell(m.y) << 1 | cell(m.z) << 2, t);
   }
   std::sort(order.begin(), order.end());
@@ -172,7 +172,7 @@ Result<Mesh> Mesh::build(TriangleSoup soup) {
   mesh.vertices_ = std::move(soup.vertices);
   mesh.triangles_ = std::move(soup.triangles);
   mesh.findNeighbours();
-  mesh.turnConsistently();
+  mesh.orientConsistently();
   mesh.measure();
   return mesh;
 }
@@ -188,14 +188,14 @@ void Mesh::findNeighbours() {
   });
 }
 
-void Mesh::turnConsistently() {
+void Mesh::orientConsistently() {
   const auto goesFrom = [this](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
     const Triangle& v = triangles_[t];
     return (v[0] == from && v[1] == to) || (v[1] == from && v[2] == to) || (v[2] == from && v[0] == to);
   };
   std::vector<std::int8_t> turn(triangles_.size(), 0);  // 1: as the first of its piece, −1: against it
   std::vector<std::uint32_t> piece;
-  std::size_t closed_rims = 0;
+  std::size_t rim_edges = 0;
   for (std::uint32_t first = 0; first < triangles_.size(); ++first) {
     if (turn[first] != 0) continue;
     piece.assign(1, first);
@@ -226,13 +226,13 @@ void Mesh::turnConsistently() {
       volume_mm3 += dot(vertices_[v[0]], cross(vertices_[v[1]], vertices_[v[2]])) / 6.0;
     }
     ++report_.pieces;
-    closed_rims += rims;
+    rim_edges += rims;
     if (rims == 0) {
       report_.volume_mm3 += volume_mm3;
       report_.inside_out += volume_mm3 < 0.0 ? 1 : 0;
     }
   }
-  if (closed_rims == 0) return;
+  if (rim_edges == 0) return;
   // Loops of the rim, by union-find: every rim edge joins its two vertices.
   std::vector<std::uint32_t> root(vertices_.size());
   std::iota(root.begin(), root.end(), 0U);

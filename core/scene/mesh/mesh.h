@@ -70,7 +70,7 @@ class Mesh {
 
  private:
   void findNeighbours();
-  void turnConsistently();
+  void orientConsistently();
   void measure();
 
   std::vector<Vec3> vertices_;

@@ -14,7 +14,7 @@
 namespace fyd::scene {
 namespace {
 
-constexpr double kMostEdges = 10.0;
+constexpr double kMostEdges = 10.0;  // mean edges: the largest radius of a certificate
 /// A triangle at a vertex with more triangles has no certificate: checking all of them would be slower than the tree.
 constexpr std::size_t kLargestFan = 64;
 constexpr std::size_t kAtATime = 1024;  // triangles that a thread takes at a time
@@ -22,8 +22,8 @@ constexpr int kMostMoves = 64;          // of a walk; for a probe that moved far
 /// A foot this near to an edge (as a share of the triangle) is compared with what lies across it: rounding may put it
 /// on either side.
 constexpr double kAtEdge = 1e-6;
-/// 0, 2^(n/8) around 1, and infinite.
-constexpr std::array<float, 256> roughNumbers() {
+/// 0, 2^(n/8) from 2^−16 to 2^16, and infinite.
+constexpr std::array<float, 256> quantisationLevels() {
   std::array<float, 256> out{};
   double eighth = 1.0;
   for (std::size_t i = 0; i < 8; ++i, eighth *= 1.0905077326652577) {
@@ -39,7 +39,7 @@ constexpr std::array<float, 256> roughNumbers() {
 
 }  // namespace
 
-constexpr std::array<float, 256> WalkableMesh::kRough = roughNumbers();
+constexpr std::array<float, 256> WalkableMesh::kLevels = quantisationLevels();
 
 WalkableMesh::WalkableMesh(const TriangleTree& tree) : tree_(&tree), fans_(tree.mesh()) {
   const std::size_t count = mesh().triangles().size();
@@ -70,8 +70,8 @@ void WalkableMesh::certify(std::uint32_t triangle) {
   const double edge_mm = mesh().report().mean_edge_mm;
   const auto empty_mm = tree_->emptyBalls_mm(triangle, kMostEdges * edge_mm);
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto* const above = std::upper_bound(kRough.begin(), kRough.end(), empty_mm[side] / edge_mm);
-    sides_[side][triangle].empty = static_cast<Side::Rough>(above - kRough.begin() - 1);
+    const auto* const above = std::upper_bound(kLevels.begin(), kLevels.end(), empty_mm[side] / edge_mm);
+    sides_[side][triangle].empty = static_cast<Side::Quantised>(above - kLevels.begin() - 1);
   }
   checkVertexNeighbours(triangle);
 }
@@ -87,7 +87,7 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 /// A point of U at the distance s from the vertex rises by s·slope at most. Seen from the line of a it is s·sin γ
 /// beyond it, the touching point f at least x before it: |f − q|² ≥ (x + s sin γ)², which is at least 2 r s·slope for
 /// every s if x ≥ r·slope / (2 sin γ).
-double besideVertex(double slope, double from, double to) {
+double insetForVertexNeighbour(double slope, double from, double to) {
   if (from < 0.0 || to >= std::numbers::pi) return kUnknown;
   const double sine = std::min(math::sin(from), math::sin(to));
   return sine > 0.0 ? 0.5 * slope / sine : kUnknown;
@@ -150,8 +150,8 @@ void WalkableMesh::checkVertexNeighbours(std::uint32_t triangle) {
           if (dot(cross(p_flat, steepest), normal) > 0.0 && dot(cross(steepest, q_flat), normal) > 0.0) {
             slope = std::max(slope, length(steepest) / lean);
           }
-          by_previous = besideVertex(slope, from - opening, to - opening);
-          by_next = besideVertex(slope, 2.0 * std::numbers::pi - to, 2.0 * std::numbers::pi - from);
+          by_previous = insetForVertexNeighbour(slope, from - opening, to - opening);
+          by_next = insetForVertexNeighbour(slope, 2.0 * std::numbers::pi - to, 2.0 * std::numbers::pi - from);
           // |f − q|² ≥ x² + s² − 2 x s cos γ, with x from the vertex
           const double apart = std::min(from - opening, 2.0 * std::numbers::pi - to);
           const double cosine = apart < 0.5 * std::numbers::pi ? math::cos(apart) : 0.0;
@@ -165,14 +165,15 @@ void WalkableMesh::checkVertexNeighbours(std::uint32_t triangle) {
       }
     }
   }
-  constexpr double kMore = 1.0 + 1e-6;
+  constexpr double kRoundedUp = 1.0 + 1e-6;
   for (std::size_t side = 0; side < 2; ++side) {
     Side& to = sides_[side][triangle];
     for (std::size_t i = 0; i < 3; ++i) {
       const auto height_mm = [&](std::size_t edge) { return twice_area / length(v[t[(edge + 1) % 3]] - v[t[edge]]); };
       const auto atLeast = [this](double per_mm) {
-        const double per_edge = per_mm * mesh().report().mean_edge_mm * kMore;
-        return static_cast<Side::Rough>(std::lower_bound(kRough.begin(), kRough.end(), per_edge) - kRough.begin());
+        const double per_edge = per_mm * mesh().report().mean_edge_mm * kRoundedUp;
+        return static_cast<Side::Quantised>(std::lower_bound(kLevels.begin(), kLevels.end(), per_edge) -
+                                            kLevels.begin());
       };
       to.edge[i] = atLeast(inset[side][i] / height_mm(i));
       to.strip[i] = atLeast(strip[side][i] / height_mm(i));
@@ -189,7 +190,7 @@ Nearest NearestPoint::ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) c
   return nearestOf(probe_mm, v[t[0]], v[t[1]], v[t[2]], triangle);
 }
 
-struct NearestPoint::Looked {
+struct NearestPoint::CheckedVertices {
   std::array<std::uint32_t, 6> vertex;
   std::size_t count = 0;
 
@@ -204,10 +205,10 @@ struct NearestPoint::Looked {
   }
 };
 
-bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, Looked& looked, Nearest& best) const {
+bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, CheckedVertices& checked, Nearest& best) const {
   // Its triangles were no nearer than an earlier `best`, so none is nearer now.
-  if (looked.at(vertex)) return false;
-  looked.add(vertex);
+  if (checked.at(vertex)) return false;
+  checked.add(vertex);
   bool found = false;
   const auto fan = on_->fans()[vertex];
   if (fan.size() > kLargestFan) return false;
@@ -222,10 +223,12 @@ bool NearestPoint::improve(const Vec3& probe_mm, std::uint32_t vertex, Looked& l
 }
 
 bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, const std::array<double, 3>& share,
-                                 const WalkableMesh::Side& side, double radius, std::size_t on_edge, Looked& looked,
-                                 Nearest& best) const {
+                                 const WalkableMesh::Side& side, double radius, std::size_t on_edge,
+                                 CheckedVertices& checked, Nearest& best) const {
   constexpr std::array<std::size_t, 3> kNext = {1, 2, 0};
-  const auto away = [radius](WalkableMesh::Side::Rough rough) { return radius * WalkableMesh::exact(rough); };
+  const auto away = [radius](WalkableMesh::Side::Quantised quantised) {
+    return radius * WalkableMesh::dequantised(quantised);
+  };
   std::array<bool, 3> beyond, strip;
   for (std::size_t e = 0; e < 3; ++e) {
     const double over = share[kNext[kNext[e]]];
@@ -236,13 +239,13 @@ bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, c
   bool better = false;
   for (std::size_t e = 0; e < 3; ++e) {  // corner e is between the edges e and the one before
     if ((strip[e] || strip[kNext[kNext[e]]]) && 1.0 - share[e] < away(side.disc[e])) {
-      better = improve(probe_mm, link.corner[e], looked, best) || better;
+      better = improve(probe_mm, link.corner[e], checked, best) || better;
     }
     if (!beyond[e]) continue;
     const std::uint32_t across = link.across[e];
     if (across == kNoTriangle) {
-      better = improve(probe_mm, link.corner[e], looked, best) || better;
-      better = improve(probe_mm, link.corner[kNext[e]], looked, best) || better;
+      better = improve(probe_mm, link.corner[e], checked, best) || better;
+      better = improve(probe_mm, link.corner[kNext[e]], checked, best) || better;
       continue;
     }
     const Nearest other = ofTriangle(probe_mm, across);
@@ -253,10 +256,10 @@ bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, c
   return better;
 }
 
-bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
+bool NearestPoint::improveUntilCertain(const Vec3& probe_mm, Nearest& best) const {
   const auto v = on_->mesh().vertices();
   const double per_edge = 1.0 / on_->mesh().report().mean_edge_mm;
-  Looked looked;
+  CheckedVertices checked;
   for (int moves = 0; moves < kMostMoves; ++moves) {
     const std::uint32_t triangle = best.triangle;
     const auto& [t, neighbours] = on_->link(triangle);
@@ -267,11 +270,11 @@ bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
     const bool outside = dot(one, away) > 0.0;
     if (best.feature == Feature::inside) {
       const WalkableMesh::Side& side = on_->side(triangle, outside);
-      if (improveAround(probe_mm, triangle, share, side, distance, 3, looked, best)) continue;
-      return distance < WalkableMesh::exact(side.empty);
+      if (improveAround(probe_mm, triangle, share, side, distance, 3, checked, best)) continue;
+      return distance < WalkableMesh::dequantised(side.empty);
     }
     if (feature < 3) {
-      if (improve(probe_mm, t[feature], looked, best)) continue;
+      if (improve(probe_mm, t[feature], checked, best)) continue;
       return false;
     }
     const std::size_t edge = feature - 3;
@@ -297,9 +300,9 @@ bool NearestPoint::isCertain(const Vec3& probe_mm, Nearest& best) const {
       }
       if (its_neighbours[i] == triangle) its_edge = i;
     }
-    if (improveAround(probe_mm, triangle, share, side, radius, edge, looked, best)) continue;
-    if (improveAround(probe_mm, across, its_share, beyond, radius, its_edge, looked, best)) continue;
-    return radius < std::min(WalkableMesh::exact(side.empty), WalkableMesh::exact(beyond.empty));
+    if (improveAround(probe_mm, triangle, share, side, radius, edge, checked, best)) continue;
+    if (improveAround(probe_mm, across, its_share, beyond, radius, its_edge, checked, best)) continue;
+    return radius < std::min(WalkableMesh::dequantised(side.empty), WalkableMesh::dequantised(beyond.empty));
   }
   return false;
 }
@@ -308,7 +311,7 @@ std::uint32_t NearestPoint::walk(const Vec3& probe_mm) const {
   const auto v = on_->mesh().vertices();
   std::uint32_t at = last_, before = kNoTriangle;
   for (int moves = 0; moves < kMostMoves; ++moves) {
-    // On a large mesh most of a step is waiting for memory: fetch early what isCertain will read.
+    // On a large mesh most of a step is waiting for memory: fetch early what improveUntilCertain will read.
     __builtin_prefetch(&on_->side(at, false));
     const auto& [t, across] = on_->link(at);
     const Vec3 ab = v[t[1]] - v[t[0]], ac = v[t[2]] - v[t[0]], ap = probe_mm - v[t[0]];
@@ -331,7 +334,7 @@ Nearest NearestPoint::find(const Vec3& probe_mm) {
     best = on_->tree().nearest(probe_mm);
   } else {
     best = ofTriangle(probe_mm, walk(probe_mm));
-    if (!isCertain(probe_mm, best)) best = on_->tree().nearest(probe_mm, best.triangle);
+    if (!improveUntilCertain(probe_mm, best)) best = on_->tree().nearest(probe_mm, best.triangle);
   }
   last_ = best.triangle;
   return best;

@@ -38,25 +38,26 @@ class WalkableMesh {
   [[nodiscard]] const Mesh& mesh() const { return tree_->mesh(); }
   [[nodiscard]] const VertexFans& fans() const { return fans_; }
 
-  /// The certificate of one side of a triangle, in few bytes (Rough): on a large mesh memory access takes most of a
+  /// The certificate of one side of a triangle, in few bytes: on a large mesh memory access takes most of a
   /// step. Lengths are in mean edges.
   struct Side {
-    using Rough = std::uint8_t;
-    Rough empty = 0;  ///< a ball of this radius that touches it holds nothing of those that share no vertex with it
+    /// A number in logarithmic steps of 2^(1/8), rounded to the safe side (dequantised).
+    using Quantised = std::uint8_t;
+    Quantised empty = 0;  ///< a ball of this radius that touches it holds nothing of those that share no vertex with it
     // A ball of radius r that touches the triangle in f holds nothing of …
-    std::array<Rough, 3> edge{};   ///< … what lies across the edge 01, 12, 20, if f is this · r away from the edge
-    std::array<Rough, 3> strip{};  ///< … the others at its ends, likewise; or
-    std::array<Rough, 3> disc{};   ///< … those at the corner 0, 1, 2, if f is this · r away from the corner.
+    std::array<Quantised, 3> edge{};  ///< … what lies across the edge 01, 12, 20, if f is this · r away from the edge
+    std::array<Quantised, 3> strip{};  ///< … the others at its ends, likewise; or
+    std::array<Quantised, 3> disc{};   ///< … those at the corner 0, 1, 2, if f is this · r away from the corner.
     // Distances from an edge are shares of the triangle's height over that edge; those from a corner, of the height of
     // that corner over the opposite edge. Infinite: nothing is known.
   };
   [[nodiscard]] const Side& side(std::uint32_t triangle, bool outside) const {
     return sides_[outside ? 1 : 0][triangle];
   }
-  /// The number that a Rough stands for: 0, 2^(n/8), or infinite.
-  [[nodiscard]] static double exact(Side::Rough rough) { return kRough[rough]; }
+  /// 0, 2^(n/8), or infinite.
+  [[nodiscard]] static double dequantised(Side::Quantised level) { return kLevels[level]; }
   [[nodiscard]] double emptyBall_mm(std::uint32_t triangle, bool outside) const {
-    return exact(side(triangle, outside).empty) * mesh().report().mean_edge_mm;
+    return dequantised(side(triangle, outside).empty) * mesh().report().mean_edge_mm;
   }
 
   /// Vertices and neighbours (Mesh) of a triangle, side by side.
@@ -68,7 +69,7 @@ class WalkableMesh {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  static const std::array<float, 256> kRough;
+  static const std::array<float, 256> kLevels;
 
   const TriangleTree* tree_;
   VertexFans fans_;
@@ -95,18 +96,20 @@ class NearestPoint {
 
  private:
   /// Vertices whose triangles have all been checked.
-  struct Looked;
+  struct CheckedVertices;
 
   [[nodiscard]] Nearest ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const;
   /// From the last triangle to one over or under which the probe is, or as near to that as the walk gets.
   [[nodiscard]] std::uint32_t walk(const Vec3& probe_mm) const;
   /// Takes the nearest of the triangles at a vertex, if it is nearer than `best`. @return whether one was
-  bool improve(const Vec3& probe_mm, std::uint32_t vertex, Looked& looked, Nearest& best) const;
+  bool improve(const Vec3& probe_mm, std::uint32_t vertex, CheckedVertices& checked, Nearest& best) const;
   /// The same for the triangles around a triangle that its certificate for this distance does not cover.
   bool improveAround(const Vec3& probe_mm, std::uint32_t triangle, const std::array<double, 3>& share,
-                     const WalkableMesh::Side& side, double radius, std::size_t on_edge, Looked& looked,
+                     const WalkableMesh::Side& side, double radius, std::size_t on_edge, CheckedVertices& checked,
                      Nearest& best) const;
-  [[nodiscard]] bool isCertain(const Vec3& probe_mm, Nearest& best) const;
+  /// Moves `best` to nearer triangles around it until none is nearer. @return whether a certificate then proves that it
+  /// is the nearest of the whole mesh
+  [[nodiscard]] bool improveUntilCertain(const Vec3& probe_mm, Nearest& best) const;
 
   const WalkableMesh* on_;
   std::uint32_t last_ = kNoTriangle;

@@ -17,8 +17,8 @@ struct Nearest {
   double at_1 = 0.0, at_2 = 0.0;  ///< the point's share of the vertices 1 and 2; the rest is of vertex 0
 };
 
-/// The same for a needle triangle, for which rounding spoils the barycentric shares that nearestOf computes. Compares
-/// the distance to its plane, if the foot is within it, with the distances to its edges.
+/// nearestOf for a needle triangle (kNeedle), where rounding spoils the barycentric shares that nearestOf computes.
+/// Takes the smallest of the distances to its edges and, if the foot is within the triangle, to its plane.
 [[nodiscard]] inline Nearest nearestOfNeedle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
                                              std::uint32_t triangle) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a, normal = cross(ab, ac);
@@ -47,7 +47,7 @@ struct Nearest {
   return best;
 }
 
-/// A triangle with an angle whose squared sine is less than this is a needle.
+/// A triangle is a needle if the squared sine of its angle at vertex 0 is less than this.
 inline constexpr double kNeedle = 1e-4;
 
 [[nodiscard]] inline Nearest nearestOf(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
@@ -83,6 +83,12 @@ inline constexpr double kNeedle = 1e-4;
   const double share = 1.0 / (va + vb + vc);
   const double v = vb * share, w = vc * share;
   return at(a + v * ab + w * ac, Feature::inside, v, w);
+}
+
+[[nodiscard]] inline Nearest nearestOnTriangle(const Mesh& mesh, const Vec3& probe_mm, std::uint32_t triangle) {
+  const Triangle& t = mesh.triangles()[triangle];
+  const auto v = mesh.vertices();
+  return nearestOf(probe_mm, v[t[0]], v[t[1]], v[t[2]], triangle);
 }
 
 /// Which of two is taken: the nearer; of two equally near the one that comes first in the mesh, so that the answer

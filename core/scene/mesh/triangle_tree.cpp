@@ -14,7 +14,7 @@ namespace {
 constexpr float kFar = std::numeric_limits<float>::max();
 constexpr int kDeepest = 40;        // levels; below, ranges are halved, which bounds the depth and the open list
 constexpr double kRounding = 1e-6;  // of a distance and of the mesh's size: more than floats lose
-constexpr float kLost = 1e-6F;      // of a squared distance: more than cancellation loses
+constexpr float kRoundingOfSquares = 1e-6F;  // of a squared distance: more than cancellation loses
 constexpr int kBins = 16;
 
 /// Lower bounds of the squared distances of four discs from a point.
@@ -27,7 +27,7 @@ Floats squaredDistances(const Node& node, const std::array<float, 3>& point) {
   const Floats along = root(larger(all - across * across, Floats{})) - load(node.radius);
   const Floats above = larger(across, -across) - load(node.height);
   const Floats out = larger(along, Floats{}), up = larger(above, Floats{});
-  return larger(out * out + up * up - kLost * all, Floats{});
+  return larger(out * out + up * up - kRoundingOfSquares * all, Floats{});
 }
 
 }  // namespace
@@ -168,15 +168,15 @@ struct TriangleTree::Builder {
   }
 
   void build() {
-    struct Open {
+    struct Task {
       Range range;
       std::size_t node;
       int depth;
     };
     nodes.emplace_back();
-    std::vector<Open> open{{{0, order.size()}, 0, 0}};
+    std::vector<Task> open{{{0, order.size()}, 0, 0}};
     while (!open.empty()) {
-      const Open now = open.back();
+      const Task now = open.back();
       open.pop_back();
       std::array<Range, 4> part{now.range};
       std::size_t parts = 1;
@@ -229,12 +229,6 @@ TriangleTree::TriangleTree(const Mesh& mesh) : mesh_(&mesh) {
   nodes_.shrink_to_fit();
 }
 
-Nearest TriangleTree::ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const {
-  const Triangle& t = mesh_->triangles()[triangle];
-  const auto v = mesh_->vertices();
-  return nearestOf(probe_mm, v[t[0]], v[t[1]], v[t[2]], triangle);
-}
-
 struct TriangleTree::Search {
   Vec3 probe_mm;
   std::array<float, 3> point{};  // the probe from the mesh's middle
@@ -254,7 +248,7 @@ struct TriangleTree::Search {
   }
 };
 
-struct TriangleTree::Open {
+struct TriangleTree::OpenList {
   struct Place {
     float squared;
     std::int32_t child;
@@ -270,11 +264,11 @@ bool TriangleTree::begin(const Vec3& probe_mm, std::uint32_t hint, Search& searc
   search.point = {static_cast<float>(from_middle.x), static_cast<float>(from_middle.y),
                   static_cast<float>(from_middle.z)};
   search.size_mm = size_mm_;
-  if (hint < mesh_->triangles().size()) search.take(ofTriangle(probe_mm, hint));
+  if (hint < mesh_->triangles().size()) search.take(nearestOnTriangle(*mesh_, probe_mm, hint));
   return true;
 }
 
-void TriangleTree::look(Search& search, std::int32_t from, Open& open) const {
+void TriangleTree::pushNearChildren(Search& search, std::int32_t from, OpenList& open) const {
   const Node& node = nodes_[static_cast<std::size_t>(from)];
   const Floats squared = squaredDistances(node, search.point);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -283,7 +277,7 @@ void TriangleTree::look(Search& search, std::int32_t from, Open& open) const {
   }
 }
 
-void TriangleTree::empty(Search& search, Open& open) const {
+void TriangleTree::searchOpen(Search& search, OpenList& open) const {
   while (open.count > 0) {
     // The nearest of the last four entries first: its triangles may exclude the others.
     const std::size_t last = open.count - 1;
@@ -296,9 +290,9 @@ void TriangleTree::empty(Search& search, Open& open) const {
     open.count = last;
     if (!(squared <= search.squared_bound)) continue;
     if (child < 0) {
-      search.take(ofTriangle(search.probe_mm, static_cast<std::uint32_t>(~child)));
+      search.take(nearestOnTriangle(*mesh_, search.probe_mm, static_cast<std::uint32_t>(~child)));
     } else {
-      look(search, child, open);
+      pushNearChildren(search, child, open);
     }
   }
 }
@@ -306,9 +300,9 @@ void TriangleTree::empty(Search& search, Open& open) const {
 Nearest TriangleTree::nearest(const Vec3& probe_mm, std::uint32_t hint) const {
   Search search;
   if (!begin(probe_mm, hint, search)) return {};
-  Open open;
-  look(search, 0, open);
-  empty(search, open);
+  OpenList open;
+  pushNearChildren(search, 0, open);
+  searchOpen(search, open);
   return search.best;
 }
 
@@ -318,16 +312,16 @@ void TriangleTree::visitNear(const Vec3& from_mm, const Vec3& to_mm, double dist
   const double reach_mm = std::sqrt(half.x * half.x + half.y * half.y + half.z * half.z);
   const double far_mm = length(a) + length(b);
   if (!(far_mm + distance_mm < kFarthest_mm)) return;
-  const double lost_mm = 2.0 * kRounding * (far_mm + size_mm_ + distance_mm);
+  const double rounding_mm = 2.0 * kRounding * (far_mm + size_mm_ + distance_mm);
   const auto floats = [](const Vec3& v) {
     return std::array<float, 3>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   };
   const std::array<float, 3> middle = floats(a + half), ways = floats(half);
-  const auto bound = static_cast<float>((distance_mm + reach_mm + lost_mm) * (1.0 + kRounding));
-  const auto beside = static_cast<float>((distance_mm + lost_mm) * (1.0 + kRounding));
+  const auto bound = static_cast<float>((distance_mm + reach_mm + rounding_mm) * (1.0 + kRounding));
+  const auto beside = static_cast<float>((distance_mm + rounding_mm) * (1.0 + kRounding));
   const auto way_squared = static_cast<float>(squared(half));
   const float by_way = way_squared > 0.0F ? 1.0F / way_squared : 0.0F;
-  std::array<std::int32_t, 256> open;  // as Open's
+  std::array<std::int32_t, 256> open;  // as OpenList's
   std::size_t count = 0;
   open[count++] = 0;
   while (count > 0) {

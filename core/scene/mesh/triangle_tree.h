@@ -49,14 +49,15 @@ class TriangleTree {
   struct Box;
   struct Builder;
   struct Search;
-  struct Open;
-  struct Balls;
+  struct OpenList;
+  struct EmptyBalls;
 
   [[nodiscard]] bool begin(const Vec3& probe_mm, std::uint32_t hint, Search& search) const;
-  [[nodiscard]] Nearest ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) const;
-  /// Adds a node's children that are near enough to the open list.
-  void look(Search& search, std::int32_t from, Open& open) const;
-  void empty(Search& search, Open& open) const;
+  /// Adds a node's children to the open list if they may hold something nearer than the best so far.
+  void pushNearChildren(Search& search, std::int32_t from, OpenList& open) const;
+  /// Searches the nodes of the open list until none is left.
+  void searchOpen(Search& search, OpenList& open) const;
+  /// forEachNear, without a template.
   void visitNear(const Vec3& from_mm, const Vec3& to_mm, double distance_mm, void (*visit)(void*, std::uint32_t),
                  void* with) const;
 

@@ -53,8 +53,8 @@ SoftBody::SoftBody(const TriangleTree& tree, const SoftMaterial& material, const
   v_.assign(n, {});
   elastic_.assign(n, {});
   inertia_.assign(n, 0.0);
-  right_.assign(n, Four::Zero());
-  answer_.assign(n, Four::Zero());
+  rhs_.assign(n, Four::Zero());
+  solution_.assign(n, Four::Zero());
   is_awake_.assign(n, 0);
   weight_.assign(n, 0.0);
   slope_.assign(n, {});
@@ -139,7 +139,7 @@ const SoftContact& SoftBody::step(double step_s, const Vec3& hand_mm) {
   const double parts = std::clamp(std::ceil(step_s / resolution_.longest_step_s - 1e-9), 1.0, kMostParts);
   const Vec3 from = hand_known_ ? last_hand_mm_ : hand_mm;
   for (double i = 1.0; i <= parts; ++i) {
-    part(step_s / parts, i == parts ? hand_mm : from + (i / parts) * (hand_mm - from));
+    substep(step_s / parts, i == parts ? hand_mm : from + (i / parts) * (hand_mm - from));
   }
   limitToPaidEnergy(hand_mm - from);
   last_hand_mm_ = hand_mm;
@@ -170,7 +170,7 @@ SoftTouch SoftBody::touch(double date_s) const {
   return t;
 }
 
-void SoftBody::part(double h, const Vec3& hand) {
+void SoftBody::substep(double h, const Vec3& hand) {
   if (awake_.empty() && squared(hand - clear_at_mm_) < clear_mm_ * clear_mm_) return;
   clear_mm_ = 0.0;
 
@@ -215,30 +215,30 @@ void SoftBody::part(double h, const Vec3& hand) {
     inertia_[i] = mass_[i] / (h * h);
     const double w = may ? weight_[i] : 0.0;
     const Vec3 b = (mass_[i] / h) * v_[i] - elastic_[i] - (w * before_N) * place.normal;
-    right_[i] = Four(b.x, b.y, b.z, w);
+    rhs_[i] = Four(b.x, b.y, b.z, w);
     if (w > 0.0) press += w * w / (inertia_[i] + scale * stiffness_.diagonal[i]);
   }
   if (h != last_step_s_) {
-    for (const std::uint32_t i : awake_) answer_[i].head<3>() *= last_step_s_ > 0.0 ? h / last_step_s_ : 0.0;
+    for (const std::uint32_t i : awake_) solution_[i].head<3>() *= last_step_s_ > 0.0 ? h / last_step_s_ : 0.0;
   }
   last_step_s_ = h;
   const double of_force = before_N * before_N * press;
-  solver_.solve(stiffness_, scale, inertia_, awake_, right_, answer_, resolution_.tolerance,
+  solver_.solve(stiffness_, scale, inertia_, awake_, rhs_, solution_, resolution_.tolerance,
                 Four(of_force, of_force, of_force, 0.0));
   double force = 0.0;
   if (may) {
-    double answer = 0.0;
+    double response = 0.0;
     Vec3 moved{};
     for (const std::uint32_t i : pressed_) {
-      answer += weight_[i] * answer_[i][3];
-      moved = moved + weight_[i] * Vec3{answer_[i][0], answer_[i][1], answer_[i][2]};
+      response += weight_[i] * solution_[i][3];
+      moved = moved + weight_[i] * Vec3{solution_[i][0], solution_[i][1], solution_[i][2]};
     }
-    if (answer > 0.0) force = std::max(0.0, before_N + (dot(place.normal, moved) - gap) / answer);
+    if (response > 0.0) force = std::max(0.0, before_N + (dot(place.normal, moved) - gap) / response);
   }
   const double more = force - before_N;
   double worked = 0.0;
   for (const std::uint32_t i : awake_) {
-    const Four& a = answer_[i];
+    const Four& a = solution_[i];
     const Vec3 du = Vec3{a[0], a[1], a[2]} - (more * a[3]) * place.normal;
     u_[i] = u_[i] + du;
     v_[i] = (1.0 / h) * du;

@@ -93,7 +93,7 @@ class SoftBody {
         is_awake_[i] = 1;
         awake_.push_back(i);
       }
-      archive(u_[i], v_[i], elastic_[i], answer_[i][0], answer_[i][1], answer_[i][2], answer_[i][3]);
+      archive(u_[i], v_[i], elastic_[i], solution_[i][0], solution_[i][1], solution_[i][2], solution_[i][3]);
     }
     if constexpr (kLoading) ++near_;
     auto near = woken_ ? static_cast<std::uint32_t>(std::count(is_near_.begin(), is_near_.end(), near_)) : 0U;
@@ -123,7 +123,7 @@ class SoftBody {
   [[nodiscard]] Place placeUnder(const Vec3& hand_mm);
   void wakeAround(const Place& place);
   bool wake(std::uint32_t vertex);
-  void part(double step_s, const Vec3& hand_mm);
+  void substep(double step_s, const Vec3& hand_mm);
   void measure();  // updates energy and largest displacement
   void wakeWhereItMatters();
   void fallAsleep();
@@ -148,7 +148,7 @@ class SoftBody {
 
   std::vector<Vec3> u_, v_, elastic_;  // displacement, speed, K·u
   std::vector<double> inertia_;        // mass over step²
-  std::vector<Four> right_, answer_;   // right sides and solutions: displacement in a step (x, y, z), unit press
+  std::vector<Four> rhs_, solution_;   // of a step's equations: displacement (x, y, z), response to a unit press
   std::vector<std::uint8_t> is_awake_;
   std::vector<std::uint32_t> awake_;
 

@@ -20,7 +20,7 @@ struct SoftChoiceReport {
 };
 
 /// Presses a few places to the depth of one newton, quickly, and then holds. Deterministic.
-/// @param body whose material SoftBody::build accepts
+/// @return an error if SoftBody::build does not accept the material
 [[nodiscard]] Result<SoftChoiceReport> chooseSoft(const TriangleTree& tree, const SoftMaterial& material,
                                                   double accuracy);
 

@@ -80,7 +80,7 @@ bool SoftBody::wake(std::uint32_t i) {
   if (awake_.size() >= resolution_.most_points && weight_[i] == 0.0) return false;
   is_awake_[i] = 1;
   awake_.push_back(i);
-  answer_[i] = Four::Zero();
+  solution_[i] = Four::Zero();
   elastic_[i] = elastic(i);
   return true;
 }
@@ -196,7 +196,7 @@ void SoftBody::fallAsleep() {
     }
     energy_mJ_ += more;
     u_[i] = v_[i] = elastic_[i] = {};
-    answer_[i] = Four::Zero();
+    solution_[i] = Four::Zero();
     is_awake_[i] = 0;
   }
   awake_.resize(kept);
@@ -205,7 +205,7 @@ void SoftBody::fallAsleep() {
 void SoftBody::sleepWhole() {
   for (const std::uint32_t i : awake_) {
     u_[i] = v_[i] = elastic_[i] = {};
-    answer_[i] = Four::Zero();
+    solution_[i] = Four::Zero();
     is_awake_[i] = 0;
   }
   awake_.clear();

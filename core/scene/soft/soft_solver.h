@@ -1,5 +1,5 @@
 // Conjugate gradients for the points of a soft body that are awake: four right sides at once, as the displacement's
-// three components and the answer to a press share one matrix.
+// three components and the response to a press share one matrix.
 #pragma once
 
 #include <cstdint>

@@ -70,7 +70,7 @@ scene::SwordTouch FencingEnd::step(const DeviceState& device, double now_s) {
   }
   if (!stepped_s_) {
     smooth_ =
-        teleop::SmoothOutput(settings_.smooth_s.value_or(teleop::usualSmoothing_s(settings_.players.period_s, 0.0)));
+        teleop::SmoothOutput(settings_.smooth_s.value_or(teleop::defaultSmoothing_s(settings_.players.period_s, 0.0)));
     along_mm_per_s_ = {};
     corrected_ = true;
   }

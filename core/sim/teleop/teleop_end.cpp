@@ -51,7 +51,7 @@ TeleopEnd::TeleopEnd(const TeleopEndSettings& settings)
       turning_(settings.predictor, settings.period_s),
       smooth_(0.0),
       channels_(channelsOf(settings.deadband)),
-      sender_(channels_, kRefresh_s, DeviceMessage::kEarlier + 1) {}
+      sender_(channels_, kRefresh_s, protocol::DeviceMessage::kEarlier + 1) {}
 
 void TeleopEnd::start(std::uint16_t session) {
   session_ = session;
@@ -67,7 +67,7 @@ void TeleopEnd::stop() {
   farewells_ = kFarewells;
 }
 
-void TeleopEnd::link(const DeviceMessage& first, double now_s) {
+void TeleopEnd::link(const protocol::DeviceMessage& first, double now_s) {
   other_session_ = first.session;
   for (auto& each : couplings_) {
     each = settings_.at_hand ? teleop::makeHandEnd(settings_.coupling, settings_.coupling_settings)
@@ -76,7 +76,7 @@ void TeleopEnd::link(const DeviceMessage& first, double now_s) {
   predictor_ = teleop::makePredictor(settings_.predictor, {.axes = 3, .period_s = settings_.period_s});
   turning_ = teleop::OrientationPredictor(settings_.predictor, settings_.period_s);
   smooth_ = teleop::SmoothOutput(
-      settings_.smooth_s.value_or(teleop::usualSmoothing_s(settings_.period_s, now_s - first.date_s)));
+      settings_.smooth_s.value_or(teleop::defaultSmoothing_s(settings_.period_s, now_s - first.date_s)));
   receiver_ = {};
   fed_s_.reset();
   newest_ = first;
@@ -85,7 +85,7 @@ void TeleopEnd::link(const DeviceMessage& first, double now_s) {
 }
 
 void TeleopEnd::receive(std::span<const std::uint8_t> datagram, double now_s) {
-  const auto message = decodeDeviceMessage(datagram, code_);
+  const auto message = protocol::decodeDeviceMessage(datagram, code_);
   if (!message || phase_ == Phase::stopped) return;
   if (ended_ == message->session) return;         // overtaken by the farewell
   if (message->date_s > now_s + kLost_s) return;  // a wrong date: it would stay the newest for that long
@@ -104,17 +104,17 @@ void TeleopEnd::receive(std::span<const std::uint8_t> datagram, double now_s) {
                                                        message->orientation.gamma_rad));
 }
 
-void TeleopEnd::hear(const DeviceMessage& message) {
+void TeleopEnd::hear(const protocol::DeviceMessage& message) {
   if (message.number > 0) {
     teleop::DeadbandPacket packet;
     auto number = message.number - static_cast<std::uint32_t>(message.earlier.size());
-    const auto add = [&](const DeviceSample& each) {
+    const auto add = [&](const protocol::DeviceSample& each) {
       static_cast<void>(packet.push({.number = number++,
                                      .date_s = each.date_s,
                                      .value = values(each.position_mm, each.force_N),
                                      .slope = values(each.velocity_mm_per_s, {})}));
     };
-    for (const DeviceSample& each : message.earlier) add(each);
+    for (const protocol::DeviceSample& each : message.earlier) add(each);
     add({message.date_s, message.position_mm, message.velocity_mm_per_s, message.force_N});
     receiver_.receive(packet);
     // The positions that a message each period would have carried, to within the band.
@@ -167,7 +167,7 @@ Vec3 TeleopEnd::step(const DeviceState& device, double now_s) {
 }
 
 /// Whether the surface differs from the last one sent by more than the deadband.
-bool TeleopEnd::surfaceIsAnother(const DeviceMessage& message) const {
+bool TeleopEnd::surfaceIsAnother(const protocol::DeviceMessage& message) const {
   const double share = settings_.deadband;
   for (std::size_t a = 0; a < message.axes.size(); ++a) {
     const teleop::CouplingMessage &now = message.axes[a], &told = told_axes_[a];
@@ -184,16 +184,16 @@ std::span<const std::uint8_t> TeleopEnd::datagram(double now_s) {
   if (phase_ == Phase::stopped && farewells_ == 0) return {};
   const bool feels = settings_.deadband > 0.0 && phase_ == Phase::linked;  // checks for changes at each call
   if (!feels && now_s < next_s_ - 1e-9) return {};
-  DeviceMessage message{.session = session_,
-                        .running = phase_ != Phase::stopped,
-                        .date_s = now_s,
-                        .position_mm = device_.position_mm,
-                        .orientation = device_.orientation,
-                        .force_N = device_.force_N,
-                        .tells_energy = settings_.coupling == teleop::CouplingChoice::tdpa,
-                        .velocity_mm_per_s = device_.velocity_mm_per_s,
-                        .earlier = {},
-                        .axes = {}};
+  protocol::DeviceMessage message{.session = session_,
+                                  .running = phase_ != Phase::stopped,
+                                  .date_s = now_s,
+                                  .position_mm = device_.position_mm,
+                                  .orientation = device_.orientation,
+                                  .force_N = device_.force_N,
+                                  .tells_energy = settings_.coupling == teleop::CouplingChoice::tdpa,
+                                  .velocity_mm_per_s = device_.velocity_mm_per_s,
+                                  .earlier = {},
+                                  .axes = {}};
   if (phase_ == Phase::linked) {
     for (std::size_t a = 0; a < 3; ++a) message.axes[a] = couplings_[a]->message();
   }
@@ -214,7 +214,7 @@ std::span<const std::uint8_t> TeleopEnd::datagram(double now_s) {
   if (!message.running) --farewells_;
   const auto out = std::span<const std::uint8_t>(bytes_).first(encode(message, code_, bytes_));
   if (message.number > 0) {
-    const auto read = decodeDeviceMessage(out, code_);
+    const auto read = protocol::decodeDeviceMessage(out, code_);
     if (read) sender_.told(values(read->position_mm, read->force_N), values(read->velocity_mm_per_s, {}));
   }
   return out;

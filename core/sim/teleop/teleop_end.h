@@ -26,7 +26,7 @@ struct TeleopEndSettings {
   teleop::CouplingChoice coupling = teleop::CouplingChoice::model;
   teleop::CouplingSettings coupling_settings;
   teleop::PredictorChoice predictor = teleop::PredictorChoice::experts;
-  std::optional<double> smooth_s;  ///< of corrections; none: usualSmoothing_s(period, age of the first message)
+  std::optional<double> smooth_s;  ///< of corrections; none: defaultSmoothing_s(period, age of the first message)
   double period_s = 0.010;         ///< of messages; with a deadband the least time between two
   std::optional<double> lost_s;    ///< without a message; none: TeleopEnd::kLost_s
   double deadband = 0.0;           ///< smallest relative difference that can be felt, 0 … 1; 0: a message each period
@@ -71,9 +71,9 @@ class TeleopEnd {
   [[nodiscard]] teleop::CouplingTelemetry telemetry() const;
 
  private:
-  void link(const DeviceMessage& first, double now_s);
-  void hear(const DeviceMessage& message);
-  [[nodiscard]] bool surfaceIsAnother(const DeviceMessage& message) const;
+  void link(const protocol::DeviceMessage& first, double now_s);
+  void hear(const protocol::DeviceMessage& message);
+  [[nodiscard]] bool surfaceIsAnother(const protocol::DeviceMessage& message) const;
 
   TeleopEndSettings settings_;
   protocol::PositionCode code_;
@@ -92,14 +92,14 @@ class TeleopEnd {
   teleop::DeadbandReceiver receiver_;
   std::optional<double> fed_s_;  ///< date of the last position given to the predictor
   std::array<teleop::CouplingMessage, 3> told_axes_;
-  DeviceMessage newest_;
+  protocol::DeviceMessage newest_;
   DeviceState device_;
   teleop::Position apart_mm_{};
   bool apart_known_ = false;
   double stepped_s_ = 0.0;
   teleop::Position other_mm_{};
   teleop::Orientation other_orientation_;
-  std::array<std::uint8_t, kMostDeviceMessage> bytes_{};
+  std::array<std::uint8_t, protocol::kMostDeviceMessage> bytes_{};
 };
 
 }  // namespace fyd::sim

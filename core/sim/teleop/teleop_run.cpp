@@ -212,7 +212,7 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
     const double t = kStep_s * static_cast<double>(i);
     there.deliver(t, [&](const Datagram& each) {
       far_end.receive(each, t);
-      if (const auto message = decodeDeviceMessage(each, code)) last_heard = message->orientation;
+      if (const auto message = protocol::decodeDeviceMessage(each, code)) last_heard = message->orientation;
       heard = true;
     });
     back.deliver(t, [&](const Datagram& each) { hand_end.receive(each, t); });

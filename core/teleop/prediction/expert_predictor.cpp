@@ -9,80 +9,81 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr double kNewAnchor = 0.7;     // of Δ: messages closer together share one
-constexpr int kMostInCentre = 300;     // messages in the mean that is the centre of a motion
-constexpr double kLossMemory = 0.99;   // per settled anchor
-constexpr double kBeginLosses = 50.0;  // settled anchors that the initial losses are worth
-constexpr int kSharpness = 4;          // the ratio of losses is raised to the power 2^kSharpness
-constexpr double kRoom = 1.25;         // limit of a prediction: this times the largest motion seen over its horizon
+constexpr double kAnchorSpacing = 0.7;       // least spacing of anchors, in Δ
+constexpr int kCentreMessages = 300;         // length of the running mean that is a motion's centre
+constexpr double kLossForgetting = 0.99;     // per evaluated anchor
+constexpr double kInitialLossCount = 50.0;   // weight of the initial losses, in evaluated anchors
+constexpr int kWeightDoublings = 4;          // weight: (smallest loss / loss)^(2^kWeightDoublings)
+constexpr double kDisplacementLimit = 1.25;  // of a prediction, times the largest motion over its horizon
 
-// Initial losses as shares of hold's, in the order of the experts. The perceptron was trained on strokes in a plane, so
-// motions with one or three axes give it a larger one.
-constexpr std::array<double, 5> kBeginLoss = {1.0, 0.5, 0.3, 0.35, 0.35};
-constexpr double kBeginLossOutOfPlane = 0.8;
+// Initial losses relative to hold's, in the order of the experts. The perceptron was trained on strokes in a plane:
+// with one or three axes its initial loss is larger.
+constexpr std::array<double, 5> kInitialLoss = {1.0, 0.5, 0.3, 0.35, 0.35};
+constexpr double kInitialLossOutOfPlane = 0.8;
 
-constexpr std::array<ForecastSettings, 2> kMemories = {{
-    {.order = 20, .smooth_s = 0.030, .far_lag_cost = 0.05},
-    {.order = LinearForecast::kMostOrder, .smooth_s = 0.040, .far_lag_cost = 0.03},
+/// Medium and long memory.
+constexpr std::array<ForecastSettings, 2> kLinearSettings = {{
+    {.order = 20, .prior_correlation_s = 0.030, .prior_noise_per_lag = 0.05},
+    {.order = LinearForecast::kMostOrder, .prior_correlation_s = 0.040, .prior_noise_per_lag = 0.03},
 }};
 
 }  // namespace
 
-ExpertPredictor::ExpertPredictor(std::size_t axes, Team team, std::shared_ptr<const StrokeWeights> weights)
-    : axes_(axes), team_(team), learned_(std::move(weights)), history_(Horizons::kLeastStep_s / 4.0) {
+ExpertPredictor::ExpertPredictor(std::size_t axes, ExpertSet experts, std::shared_ptr<const StrokeWeights> weights)
+    : axes_(axes), experts_(experts), learned_(std::move(weights)), history_(Horizons::kLeastStep_s / 4.0) {
   begin(Horizons::kLeastStep_s);
 }
 
 void ExpertPredictor::begin(double step_s) {
   for (std::size_t e = 0; e < kLinear; ++e) {
-    for (LinearForecast& each : linear_[e]) each.begin(kMemories[e], step_s);
+    for (LinearForecast& each : linear_[e]) each.begin(kLinearSettings[e], step_s);
   }
   first_of_motion_ = index_ + 1;
-  settled_ = settled_ticks_ = index_;
-  furthest_mm_.fill(-1.0);
+  evaluated_ = evaluated_ticks_ = index_;
+  largest_mm_.fill(-1.0);
   trust_ = {};
   personal_.begin();
   loss_.fill(0.0);
-  losses_ = 0.0;
-  begin_losses_ = kBeginLosses;
-  displaced_ = {};
-  weigh();
+  loss_count_ = 0.0;
+  initial_loss_count_ = kInitialLossCount;
+  displacements_ = {};
+  updateWeights();
 }
 
 void ExpertPredictor::endMotion() {
   history_.clear();
   first_of_motion_ = index_ + 1;
-  settled_ = settled_ticks_ = index_;
-  displaced_ = {};
+  evaluated_ = evaluated_ticks_ = index_;
+  displacements_ = {};
   stale_ = false;
 }
 
-void ExpertPredictor::watchCentre(const Position& position_mm) {
-  in_centre_ = index_ + 1 == first_of_motion_ ? 1 : std::min(in_centre_ + 1, kMostInCentre);
-  for (std::size_t a = 0; a < axes_; ++a) centre_mm_[a] += (position_mm[a] - centre_mm_[a]) / in_centre_;
+void ExpertPredictor::updateCentre(const Position& position_mm) {
+  centre_count_ = index_ + 1 == first_of_motion_ ? 1 : std::min(centre_count_ + 1, kCentreMessages);
+  for (std::size_t a = 0; a < axes_; ++a) centre_mm_[a] += (position_mm[a] - centre_mm_[a]) / centre_count_;
 }
 
 void ExpertPredictor::chooseNodes() {
   const Horizons::Steps before = horizons_.steps();
   const Horizons::Steps* wanted = horizons_.choose();
   if (wanted == nullptr) return;
-  keepFurthest(before, *wanted);
+  transferLargest(before, *wanted);
   personal_.setNodes(before, *wanted);
   for (auto& expert : linear_) {
     for (LinearForecast& each : expert) each.setNodes(*wanted);
   }
-  for (Anchor& each : anchors_) each.said_all = false;
+  for (Anchor& each : anchors_) each.forecasts_complete = false;
 }
 
-void ExpertPredictor::keepFurthest(const Horizons::Steps& before, const Horizons::Steps& wanted) {
-  const auto known_mm = furthest_mm_;
+void ExpertPredictor::transferLargest(const Horizons::Steps& before, const Horizons::Steps& wanted) {
+  const auto known_mm = largest_mm_;
   Horizons::Steps known = before;
   for (std::size_t node = 0; node < kNodes; ++node) {
     if (known_mm[node] < 0.0) known[node] = 0;
   }
   for (std::size_t node = 0; node < kNodes; ++node) {
     const std::size_t old = LinearForecast::nearest(known, wanted[node]);
-    furthest_mm_[node] =
+    largest_mm_[node] =
         old == kNodes ? -1.0 : known_mm[old] * std::max(1.0, static_cast<double>(wanted[node]) / known[old]);
   }
 }
@@ -90,33 +91,33 @@ void ExpertPredictor::keepFurthest(const Horizons::Steps& before, const Horizons
 ExpertPredictor::FeatureSet ExpertPredictor::featuresAt(const DatedPosition& from) const {
   FeatureSet out{};
   Position later = from.position_mm;
-  std::size_t place = 0;
+  std::size_t search_index = 0;
   for (std::size_t k = 0; k + 1 < LinearForecast::kMostOrder; ++k) {
     const double date_s = from.date_s - static_cast<double>(k + 1) * horizons_.step_s();
-    const Position each = history_.at(date_s, place);
+    const Position each = history_.at(date_s, search_index);
     for (std::size_t a = 0; a < axes_; ++a) out[a][k] = later[a] - each[a];
     later = each;
-    if (place + 1 >= history_.size() && history_.oldest().date_s > date_s) break;  // nothing further back
+    if (search_index + 1 >= history_.size() && history_.oldest().date_s > date_s) break;  // no older messages
   }
   for (std::size_t a = 0; a < axes_; ++a) {
-    out[a].back() = LinearForecast::kCentre * (from.position_mm[a] - centre_mm_[a]);
+    out[a].back() = LinearForecast::kCentreScale * (from.position_mm[a] - centre_mm_[a]);
   }
   return out;
 }
 
-ExpertPredictor::Opinions ExpertPredictor::opinionsAt(const DatedPosition& from, const FeatureSet& features,
-                                                      StrokeForecast& learned) const {
-  Opinions out{};
+ExpertPredictor::Forecasts ExpertPredictor::forecastsAt(const DatedPosition& from, const FeatureSet& features,
+                                                        StrokeForecast& learned) const {
+  Forecasts out{};
   const Position slope = newestSlope(history_, std::max(PlainPredictor::kSlopeWindow_s, newestSpacing(history_)));
-  if (team_ == Team::all) learned = learned_.look(history_, from);
+  if (experts_ == ExpertSet::all) learned = learned_.forecastFrom(history_, from);
   const PersonalLayer::Differences own = personal_(learned.hidden());
   for (std::size_t node = 0; node < kNodes; ++node) {
     if (horizons_.steps()[node] == 0) continue;
     const double horizon_s = horizons_.steps()[node] * horizons_.step_s();
-    const Position usual = learned.displacement(horizon_s), besides = learned.outOfPlane(own[node]);
+    const Position general = learned.displacement(horizon_s), correction = learned.fromMotionFrame(own[node]);
     for (std::size_t a = 0; a < axes_; ++a) {
       out[kOrder1][node][a] = slope[a] * horizon_s;
-      out[kLearned][node][a] = usual[a] + besides[a];
+      out[kLearned][node][a] = general[a] + correction[a];
       for (std::size_t e = 0; e < kLinear; ++e) {
         out[kFirstLinear + e][node][a] = linear_[e][a].forecast(node, features[a]);
       }
@@ -125,17 +126,17 @@ ExpertPredictor::Opinions ExpertPredictor::opinionsAt(const DatedPosition& from,
   return out;
 }
 
-void ExpertPredictor::settleAnchors() {
+void ExpertPredictor::evaluateAnchors() {
   const int longest = *std::ranges::max_element(horizons_.steps());
   if (longest == 0) return;
   const double known_s = history_.newest().date_s - (longest - 0.02) * horizons_.step_s();
-  const long before = settled_;
-  settled_ = std::max(settled_, index_ - static_cast<long>(kKept));
-  while (settled_ < index_ && anchor(settled_ + 1).date_s <= known_s) settle(anchor(++settled_));
-  if (settled_ != before) weigh();
+  const long before = evaluated_;
+  evaluated_ = std::max(evaluated_, index_ - static_cast<long>(kAnchorCapacity));
+  while (evaluated_ < index_ && anchor(evaluated_ + 1).date_s <= known_s) evaluate(anchor(++evaluated_));
+  if (evaluated_ != before) updateWeights();
 }
 
-void ExpertPredictor::settle(const Anchor& then) {
+void ExpertPredictor::evaluate(const Anchor& then) {
   std::array<Position, kNodes> displacement{};
   std::array<std::array<double, kNodes>, kMostAxes> of_axis{};
   for (std::size_t node = 0; node < kNodes; ++node) {
@@ -146,92 +147,94 @@ void ExpertPredictor::settle(const Anchor& then) {
       of_axis[a][node] = displacement[node][a] = now[a] - then.position_mm[a];
       squares += displacement[node][a] * displacement[node][a];
     }
-    furthest_mm_[node] = std::max(furthest_mm_[node], std::sqrt(squares));
+    largest_mm_[node] = std::max(largest_mm_[node], std::sqrt(squares));
   }
   for (auto& expert : linear_) {
     for (std::size_t a = 0; a < axes_; ++a) expert[a].learn(then.features[a], of_axis[a]);
   }
-  if (!then.said_all) return;
-  if (team_ == Team::all) {
+  if (!then.forecasts_complete) return;
+  if (experts_ == ExpertSet::all) {
     PersonalLayer::Differences differences{};
     for (std::size_t node = 0; node < kNodes; ++node) {
       if (horizons_.steps()[node] == 0) continue;
       Position apart = then.learned.displacement(horizons_.steps()[node] * horizons_.step_s());
       for (std::size_t a = 0; a < axes_; ++a) apart[a] = displacement[node][a] - apart[a];
-      differences[node] = then.learned.inPlane(apart);
+      differences[node] = then.learned.toMotionFrame(apart);
     }
     personal_.learn(then.learned.hidden(), differences);
   }
-  losses_ = losses_ * kLossMemory + 1.0;
-  begin_losses_ *= kLossMemory;
+  loss_count_ = loss_count_ * kLossForgetting + 1.0;
+  initial_loss_count_ *= kLossForgetting;
   for (std::size_t e = 0; e < kExperts; ++e) {
     double squares = 0.0;
     for (std::size_t node = 0; node < kNodes; ++node) {
       for (std::size_t a = 0; a < axes_; ++a) {
-        const double error = then.said[e][node][a] - displacement[node][a];
+        const double error = then.forecasts[e][node][a] - displacement[node][a];
         squares += error * error;
       }
     }
-    loss_[e] = loss_[e] * kLossMemory + squares;
+    loss_[e] = loss_[e] * kLossForgetting + squares;
   }
 }
 
-void ExpertPredictor::settleTicks() {
+void ExpertPredictor::evaluateTicks() {
   const double newest_s = history_.newest().date_s;
-  settled_ticks_ = std::max(settled_ticks_, index_ - static_cast<long>(kKept));
-  for (; settled_ticks_ < index_; ++settled_ticks_) {
-    const Anchor& then = anchor(settled_ticks_ + 1);
+  evaluated_ticks_ = std::max(evaluated_ticks_, index_ - static_cast<long>(kAnchorCapacity));
+  for (; evaluated_ticks_ < index_; ++evaluated_ticks_) {
+    const Anchor& then = anchor(evaluated_ticks_ + 1);
     if (!then.has_tick) continue;
     if (then.tick_s > newest_s) break;
-    if (!history_.knows(then.tick_s, Horizons::kLonger * horizons_.step_s())) continue;
-    Position came = history_.at(then.tick_s);
-    for (std::size_t a = 0; a < kMostAxes; ++a) came[a] -= then.tick_from_mm[a];
-    trust_.settle(then.tick_by_mm, came);
+    if (!history_.hasCloseMessages(then.tick_s, Horizons::kLossSpacing * horizons_.step_s())) continue;
+    Position travelled = history_.at(then.tick_s);
+    for (std::size_t a = 0; a < kMostAxes; ++a) travelled[a] -= then.tick_origin_mm[a];
+    trust_.addOutcome(then.tick_displacement_mm, travelled);
   }
 }
 
-double ExpertPredictor::believed(const Position& by_mm) const {
-  if (!(losses_ > 0.0)) return trust_.first(by_mm);
-  return trust_.now(loss_[kHold] / losses_, begin_losses_ / kBeginLosses, horizons_.mostAge_s());
+double ExpertPredictor::trustFactor(const Position& by_mm) const {
+  if (!(loss_count_ > 0.0)) return trust_.initialFactor(by_mm);
+  return trust_.factor(loss_[kHold] / loss_count_, initial_loss_count_ / kInitialLossCount,
+                       horizons_.agePercentile95_s());
 }
 
-void ExpertPredictor::weigh() {
+void ExpertPredictor::updateWeights() {
   weight_.fill(0.0);
-  if (team_ == Team::ar) {
+  if (experts_ == ExpertSet::ar) {
     weight_[kFirstLinear] = 1.0;
     return;
   }
-  const double unit = losses_ > 0.0 ? loss_[kHold] / losses_ + 1e-9 : 1.0;
+  const double unit = loss_count_ > 0.0 ? loss_[kHold] / loss_count_ + 1e-9 : 1.0;
   std::array<double, kExperts> total{};
   double least = 0.0;
   for (std::size_t e = 0; e < kExperts; ++e) {
-    total[e] = loss_[e] + begin_losses_ * unit * (e == kLearned && axes_ != 2 ? kBeginLossOutOfPlane : kBeginLoss[e]);
+    total[e] = loss_[e] +
+               initial_loss_count_ * unit * (e == kLearned && axes_ != 2 ? kInitialLossOutOfPlane : kInitialLoss[e]);
     if (e == 0 || total[e] < least) least = total[e];
   }
   double sum = 0.0;
   for (std::size_t e = 0; e < kExperts; ++e) {
     double share = least / total[e];
-    for (int doubling = 0; doubling < kSharpness; ++doubling) share *= share;
+    for (int doubling = 0; doubling < kWeightDoublings; ++doubling) share *= share;
     weight_[e] = share;
     sum += share;
   }
   for (double& each : weight_) each /= sum;
 }
 
-ExpertPredictor::Displacements ExpertPredictor::mixed(const Opinions& opinions) const {
+ExpertPredictor::Displacements ExpertPredictor::combined(const Forecasts& forecasts) const {
   Displacements out{};
-  double came = 0.0;  // in this motion, altogether
+  double travelled = 0.0;  // distance of the newest message from the motion's oldest, mm
   for (std::size_t a = 0; a < axes_; ++a) {
-    came += math::square(history_.newest().position_mm[a] - history_.oldest().position_mm[a]);
+    travelled += math::square(history_.newest().position_mm[a] - history_.oldest().position_mm[a]);
   }
-  came = std::sqrt(came);
+  travelled = std::sqrt(travelled);
   for (std::size_t node = 0; node < kNodes; ++node) {
     double squares = 0.0;
     for (std::size_t a = 0; a < axes_; ++a) {
-      for (std::size_t e = 0; e < kExperts; ++e) out[node][a] += weight_[e] * opinions[e][node][a];
+      for (std::size_t e = 0; e < kExperts; ++e) out[node][a] += weight_[e] * forecasts[e][node][a];
       squares += out[node][a] * out[node][a];
     }
-    const double most = kRoom * (furthest_mm_[node] < 0.0 ? came : furthest_mm_[node]);
+    const double most = kDisplacementLimit * (largest_mm_[node] < 0.0 ? travelled : largest_mm_[node]);
     if (squares > most * most) {
       for (double& each : out[node]) each *= most / std::sqrt(squares);
     }
@@ -244,39 +247,40 @@ void ExpertPredictor::message(double date_s, const Position& position_mm) {
   if (silent) endMotion();
   const double before_s = history_.empty() ? 0.0 : history_.newest().date_s;
   const bool first = history_.empty();
-  const MotionHistory::Taken taken = history_.insert(date_s, position_mm);
-  if (taken == MotionHistory::Taken::refused) return;
+  const MotionHistory::Insertion taken = history_.insert(date_s, position_mm);
+  if (taken == MotionHistory::Insertion::refused) return;
   stale_ = true;
-  if (taken == MotionHistory::Taken::overtaken || first) return;
-  if (horizons_.watchSpacing(date_s - before_s)) begin(horizons_.step_s());
-  if (index_ >= first_of_motion_ && date_s - anchor(index_).date_s < kNewAnchor * horizons_.step_s()) return;
-  watchCentre(position_mm);
+  if (taken == MotionHistory::Insertion::out_of_order || first) return;
+  if (horizons_.updateSpacing(date_s - before_s)) begin(horizons_.step_s());
+  if (index_ >= first_of_motion_ && date_s - anchor(index_).date_s < kAnchorSpacing * horizons_.step_s()) return;
+  updateCentre(position_mm);
   const FeatureSet features = featuresAt(history_.newest());
   for (auto& expert : linear_) {
-    for (std::size_t a = 0; a < axes_; ++a) expert[a].watch(features[a][0]);
+    for (std::size_t a = 0; a < axes_; ++a) expert[a].updatePower(features[a][0]);
   }
-  double step_mm2 = 0.0, bend_mm2 = 0.0;
+  double first_mm2 = 0.0, second_mm2 = 0.0;
   for (std::size_t a = 0; a < axes_; ++a) {
-    step_mm2 += math::square(features[a][0]);
-    bend_mm2 += math::square(features[a][0] - features[a][1]);
+    first_mm2 += math::square(features[a][0]);
+    second_mm2 += math::square(features[a][0] - features[a][1]);
   }
-  trust_.watch(step_mm2, bend_mm2);
-  settleAnchors();
-  settleTicks();
+  trust_.addDifferences(first_mm2, second_mm2);
+  evaluateAnchors();
+  evaluateTicks();
   chooseNodes();
   Anchor& now = anchor(++index_);
   now.date_s = date_s;
   now.position_mm = position_mm;
   now.features = features;
-  now.said = opinionsAt(history_.newest(), features, now.learned);
-  now.said_all = true;
+  now.forecasts = forecastsAt(history_.newest(), features, now.learned);
+  now.forecasts_complete = true;
   now.has_tick = false;
-  displaced_ = mixed(now.said);
+  displacements_ = combined(now.forecasts);
   stale_ = false;
 }
 
-Position ExpertPredictor::moved(double age_s) const {
-  // Lagrange's polynomial through 0 at age 0 and the nodes; beyond the last one linear with half of its chord's slope.
+Position ExpertPredictor::displacementAt(double age_s) const {
+  // Lagrange polynomial through 0 at age 0 and the nodes. Beyond the longest node: extrapolated at half the slope
+  // between the shortest and the longest node, less with the distance.
   std::array<double, kNodes + 1> at{};
   std::array<const Position*, kNodes + 1> to{};
   static constexpr Position kNothing{};
@@ -287,7 +291,7 @@ Position ExpertPredictor::moved(double age_s) const {
     if (horizons_.steps()[node] == 0) continue;
     at[points] = horizons_.steps()[node] * horizons_.step_s();
     last_s = std::max(last_s, at[points]);
-    to[points++] = &displaced_[node];
+    to[points++] = &displacements_[node];
   }
   const double beyond_s = std::max(0.0, age_s - last_s);
   const double within_s = std::min(age_s, last_s);
@@ -307,7 +311,7 @@ Position ExpertPredictor::moved(double age_s) const {
 }
 
 Position ExpertPredictor::withinHandLimits(Position by, double age_s) const {
-  // First the limit of acceleration relative to the newest messages' slope, then the limit of speed.
+  // First limit the acceleration relative to motion at the newest slope, then the speed.
   const Position slope = newestSlope(history_, std::max(PlainPredictor::kSlopeWindow_s, newestSpacing(history_)));
   const auto shorten = [](Position from, Position to, double most) {
     double squares = 0.0;
@@ -318,8 +322,8 @@ Position ExpertPredictor::withinHandLimits(Position by, double age_s) const {
   };
   Position straight{};
   for (std::size_t a = 0; a < kMostAxes; ++a) straight[a] = slope[a] * age_s;
-  by = shorten(straight, by, 0.5 * kHandAcceleration_mm_per_s2 * age_s * age_s);
-  return shorten({}, by, kHandSpeed_mm_per_s * age_s);
+  by = shorten(straight, by, 0.5 * kLargestHandAcceleration_mm_per_s2 * age_s * age_s);
+  return shorten({}, by, kLargestHandSpeed_mm_per_s * age_s);
 }
 
 Position ExpertPredictor::predict(double time_s) {
@@ -327,24 +331,24 @@ Position ExpertPredictor::predict(double time_s) {
   const DatedPosition& newest = history_.newest();
   const double age_s = time_s - newest.date_s;
   if (!std::isfinite(age_s)) return newest.position_mm;
-  if (horizons_.watchAge(age_s)) {
+  if (horizons_.updateAge(age_s)) {
     chooseNodes();
     stale_ = true;
   }
-  if (age_s <= 0.0) return newest.position_mm;  // dated in the future: the clocks differ
+  if (age_s <= 0.0) return newest.position_mm;  // the date is in the future: the clocks differ
   if (stale_ && history_.size() > 1) {
     StrokeForecast learned;
-    displaced_ = mixed(opinionsAt(newest, featuresAt(newest), learned));
+    displacements_ = combined(forecastsAt(newest, featuresAt(newest), learned));
   }
   stale_ = false;
   Position out = newest.position_mm;
-  const Position by = withinHandLimits(moved(age_s), age_s);
-  const double share = believed(by);
+  const Position by = withinHandLimits(displacementAt(age_s), age_s);
+  const double share = trustFactor(by);
   if (index_ >= first_of_motion_) {
     Anchor& now = anchor(index_);
     now.tick_s = time_s;
-    now.tick_from_mm = newest.position_mm;
-    now.tick_by_mm = by;
+    now.tick_origin_mm = newest.position_mm;
+    now.tick_displacement_mm = by;
     now.has_tick = true;
   }
   for (std::size_t a = 0; a < axes_; ++a) {
@@ -358,9 +362,9 @@ Position ExpertPredictor::velocity(double time_s) const {
   if (history_.empty()) return {};
   const double age_s = std::max(time_s - history_.newest().date_s, kApart_s);
   if (!std::isfinite(age_s)) return {};
-  Position out = moved(age_s);
-  const double share = believed(out);
-  const Position before = moved(age_s - kApart_s);
+  Position out = displacementAt(age_s);
+  const double share = trustFactor(out);
+  const Position before = displacementAt(age_s - kApart_s);
   for (std::size_t a = 0; a < kMostAxes; ++a) {
     out[a] = share * (out[a] - before[a]) / kApart_s;
     if (!std::isfinite(out[a])) out[a] = 0.0;

@@ -8,7 +8,7 @@
 namespace fyd::teleop {
 
 Position EmissionFilter::step(double time_s, const Position& position_mm) {
-  if (history_.insert(time_s, position_mm) != MotionHistory::Taken::newest) return last_mm_;
+  if (history_.insert(time_s, position_mm) != MotionHistory::Insertion::newest) return last_mm_;
   last_mm_ = position_mm;
   if (!(window_s_ > 0.0)) return last_mm_;
   double n = 0.0, sum_t = 0.0, sum_tt = 0.0;

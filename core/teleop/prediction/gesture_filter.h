@@ -4,9 +4,9 @@
 // the last `window` of samples, evaluated at its newest end (tele-gesture paper: linear regression): noise is divided
 // by about √n / 2, motion at constant speed is not delayed, and an acceleration a gives an error of a·window²/12.
 //
-// Reception: messages are passed on in the order of their dates, each `hold` after its date, so that reordering and
-// jitter up to `hold` have no effect; then the speed between them is low-passed. Delay: `hold`, plus one time constant
-// while the speed changes.
+// Reception: a jitter buffer. Messages are passed on in the order of their dates, each `hold` after its date, so that
+// reordering and jitter up to `hold` have no effect; then the speed between them is low-passed. Delay: `hold`, plus one
+// time constant while the speed changes.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ class EmissionFilter {
   /// @param window_s 0: nothing is filtered
   explicit EmissionFilter(double window_s) : window_s_(window_s) {}
 
-  /// @return the position to send; one that is not finite leaves the last one
+  /// @return the position to send; the previous one if the input is not finite or not newer
   [[nodiscard]] Position step(double time_s, const Position& position_mm);
   void reset() { history_.clear(); }
 
@@ -38,7 +38,7 @@ class ReceptionFilter {
 
   void message(double date_s, const Position& position_mm) { history_.insert(date_s, position_mm); }
   /// At each tick, in the order of time.
-  /// @return the hand's position `hold` ago by the messages; nothing before the first
+  /// @return the hand's position `hold` ago by the messages, low-passed; nothing before the first message
   [[nodiscard]] std::optional<Position> step(double time_s);
   void reset();
 

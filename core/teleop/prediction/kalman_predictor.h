@@ -2,7 +2,7 @@
 //
 // [Singer 1970]
 // State per axis: position, velocity, acceleration. Every axis has the same dates, hence the same covariance. A message
-// that is older than the newest one is ignored.
+// older than the newest one is ignored.
 #pragma once
 
 #include "core/teleop/prediction/predictor.h"
@@ -11,9 +11,9 @@ namespace fyd::teleop {
 
 class KalmanPredictor final : public Predictor {
  public:
-  static constexpr double kAccelerationMemory_s = 0.050;
-  static constexpr double kAcceleration_mm_per_s2 = 3000.0;  ///< RMS of a hand's
-  static constexpr double kMessageNoise_mm = 0.02;
+  static constexpr double kAccelerationTimeConstant_s = 0.050;  ///< τ
+  static constexpr double kAccelerationRms_mm_per_s2 = 3000.0;  ///< of a hand
+  static constexpr double kPositionNoise_mm = 0.02;             ///< standard deviation of a message's position
 
   void message(double date_s, const Position& position_mm) override;
   [[nodiscard]] Position predict(double time_s) override;
@@ -24,7 +24,7 @@ class KalmanPredictor final : public Predictor {
   struct State {
     Position x{}, v{}, a{};
   };
-  [[nodiscard]] State ahead(double by_s) const;
+  [[nodiscard]] State stateAfter(double by_s) const;
 
   bool begun_ = false;
   double date_s_ = 0.0;

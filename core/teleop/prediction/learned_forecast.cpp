@@ -11,15 +11,15 @@ namespace fyd::teleop {
 namespace {
 
 constexpr double kLeastScale_mm = 0.05;
-constexpr std::size_t kAhead = 3;  // steps that make the first axis
-constexpr double kNoDirection_mm = 1e-9;
+constexpr std::size_t kHeadingSteps = 3;  // newest steps whose sum is the first axis
+constexpr double kLeastLength_mm = 1e-9;  // of a vector that has a direction
 
 constexpr std::size_t kIn = StrokeWeights::kInputs, kHid = StrokeWeights::kHidden, kOut = StrokeWeights::kOutputs;
 // Offset of each part in the file: W1 b1 W2 b2 W3 b3 L; matrices with one row per input.
 constexpr std::size_t kW1 = 0, kB1 = kW1 + kIn * kHid, kW2 = kB1 + kHid, kB2 = kW2 + kHid * kHid, kW3 = kB2 + kHid,
                       kB3 = kW3 + kHid * kOut, kDirect = kB3 + kOut, kNumbers = kDirect + kIn * kOut;
 
-/// out += in · matrix, row by row: in this order the compiler can use vectors without changing a sum.
+/// out += in · matrix, row by row: this order lets the compiler vectorise without reordering any sum.
 template <std::size_t kRows, std::size_t kColumns>
 void addProduct(const std::array<float, kRows>& in, const float* matrix, std::array<float, kColumns>& out) {
   for (std::size_t i = 0; i < kRows; ++i) {
@@ -41,7 +41,7 @@ double dot(const Position& a, const Position& b) { return a[0] * b[0] + a[1] * b
 
 double normalize(Position& v) {
   const double length = std::sqrt(dot(v, v));
-  for (double& each : v) each = length > kNoDirection_mm ? each / length : 0.0;
+  for (double& each : v) each = length > kLeastLength_mm ? each / length : 0.0;
   return length;
 }
 
@@ -83,7 +83,7 @@ Result<std::shared_ptr<const StrokeWeights>> StrokeWeights::parse(std::string_vi
   return out;
 }
 
-std::shared_ptr<const StrokeWeights> StrokeWeights::usual() {
+std::shared_ptr<const StrokeWeights> StrokeWeights::builtIn() {
   static const std::shared_ptr<const StrokeWeights> weights = parse(strokeWeightsText()).value();
   return weights;
 }
@@ -102,22 +102,22 @@ StrokeWeights::Outputs StrokeWeights::operator()(const Inputs& inputs, Hidden& s
   return out;
 }
 
-StrokeForecast LearnedForecast::look(const MotionHistory& history, const DatedPosition& from) const {
+StrokeForecast LearnedForecast::forecastFrom(const MotionHistory& history, const DatedPosition& from) const {
   StrokeForecast out;
   std::array<Position, StrokeWeights::kLags> steps{};
   Position later = from.position_mm, ahead{}, before{};
-  std::size_t place = 0;
+  std::size_t search_index = 0;
   double squares = 0.0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    const Position each = history.at(from.date_s - static_cast<double>(k + 1) * kStep_s, place);
+    const Position each = history.at(from.date_s - static_cast<double>(k + 1) * kStep_s, search_index);
     for (std::size_t a = 0; a < kMostAxes; ++a) {
       steps[k][a] = later[a] - each[a];
-      (k < kAhead ? ahead : before)[a] += steps[k][a];
+      (k < kHeadingSteps ? ahead : before)[a] += steps[k][a];
     }
     squares += dot(steps[k], steps[k]);
     later = each;
   }
-  if (normalize(ahead) <= kNoDirection_mm) ahead = {1.0, 0.0, 0.0};
+  if (normalize(ahead) <= kLeastLength_mm) ahead = {1.0, 0.0, 0.0};
   const double along = dot(before, ahead);
   for (std::size_t a = 0; a < kMostAxes; ++a) before[a] -= along * ahead[a];
   normalize(before);
@@ -144,11 +144,11 @@ StrokeForecast LearnedForecast::look(const MotionHistory& history, const DatedPo
   return out;
 }
 
-std::array<float, 2> StrokeForecast::inPlane(const Position& mm) const {
+std::array<float, 2> StrokeForecast::toMotionFrame(const Position& mm) const {
   return {static_cast<float>(dot(mm, ahead_) / scale_mm_), static_cast<float>(dot(mm, across_) / scale_mm_)};
 }
 
-Position StrokeForecast::outOfPlane(const std::array<float, 2>& in_plane) const {
+Position StrokeForecast::fromMotionFrame(const std::array<float, 2>& in_plane) const {
   Position out{};
   for (std::size_t a = 0; a < kMostAxes; ++a) {
     out[a] = scale_mm_ * (static_cast<double>(in_plane[0]) * ahead_[a] + static_cast<double>(in_plane[1]) * across_[a]);
@@ -157,7 +157,7 @@ Position StrokeForecast::outOfPlane(const std::array<float, 2>& in_plane) const 
 }
 
 Position StrokeForecast::displacement(double horizon_s) const {
-  // The cubic through the four knots around it; straight on beyond the last.
+  // Cubic Lagrange interpolation of the four knots around the horizon; linear beyond the last knot.
   constexpr double kLast = StrokeWeights::kKnots;
   const double knot = std::min(horizon_s / LearnedForecast::kStep_s, kLast);
   const auto first = static_cast<std::size_t>(std::clamp(knot - 1.0, 0.0, kLast - 3.0));

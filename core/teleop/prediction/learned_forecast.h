@@ -28,8 +28,8 @@ class StrokeWeights {
   /// @param text as train_strokes.py writes it
   /// @return an error when it has another shape, or an entry that is no finite number
   [[nodiscard]] static Result<std::shared_ptr<const StrokeWeights>> parse(std::string_view text);
-  /// Those of the resources.
-  [[nodiscard]] static std::shared_ptr<const StrokeWeights> usual();
+  /// Those embedded in the library.
+  [[nodiscard]] static std::shared_ptr<const StrokeWeights> builtIn();
 
   using Inputs = std::array<float, kInputs>;
   using Outputs = std::array<float, kOutputs>;
@@ -44,21 +44,23 @@ class StrokeWeights {
 /// The perceptron's forecast from one message on.
 class StrokeForecast {
  public:
-  /// @param horizon_s 0 and more; beyond the last knot linear at half the slope
+  /// @param horizon_s 0 and more; beyond the last knot extrapolated at half the slope
   /// @return mm
   [[nodiscard]] Position displacement(double horizon_s) const;
-  /// From mm to the motion's frame and scale, and back.
-  [[nodiscard]] std::array<float, 2> inPlane(const Position& mm) const;
-  [[nodiscard]] Position outOfPlane(const std::array<float, 2>& in_plane) const;
+  /// From mm to the motion's frame and scale. The part out of its plane is lost.
+  [[nodiscard]] std::array<float, 2> toMotionFrame(const Position& mm) const;
+  /// The inverse; mm.
+  [[nodiscard]] Position fromMotionFrame(const std::array<float, 2>& in_plane) const;
   [[nodiscard]] const StrokeWeights::Hidden& hidden() const { return hidden_; }
 
  private:
   friend class LearnedForecast;
 
   double scale_mm_ = 1.0;
-  Position ahead_{}, across_{};  ///< unit vectors; both zero: nothing is known
+  Position ahead_{}, across_{};  ///< unit vectors of the motion's frame; both zero: no forecast
   StrokeWeights::Hidden hidden_{};
-  std::array<Position, StrokeWeights::kKnots + 1> knots_{};  ///< mm, from no displacement at 0
+  /// Displacement after k · LearnedForecast::kStep_s, mm; the first is 0.
+  std::array<Position, StrokeWeights::kKnots + 1> knots_{};
 };
 
 class LearnedForecast {
@@ -68,7 +70,7 @@ class LearnedForecast {
   explicit LearnedForecast(std::shared_ptr<const StrokeWeights> weights) : weights_(std::move(weights)) {}
 
   /// Forecast of a motion from its newest message `from` on. Never fails: a motion of one message stays where it is.
-  [[nodiscard]] StrokeForecast look(const MotionHistory& history, const DatedPosition& from) const;
+  [[nodiscard]] StrokeForecast forecastFrom(const MotionHistory& history, const DatedPosition& from) const;
 
  private:
   std::shared_ptr<const StrokeWeights> weights_;

@@ -12,19 +12,19 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr double kVelocityMemory_s = 0.060;   // of the initial weights
-constexpr double kFar_s = 0.100;              // horizon beyond which the memory is shorter: a hand reverses
-constexpr double kPowerMemory = 1.0 / 500.0;  // messages⁻¹
-constexpr double kLeastPower_mm2 = 1e-6;      // steps of 1 µm are noise of the sensor
-constexpr double kStill = 1e-4;               // below this share of the usual power nothing is learnt
-constexpr double kMostVariance = 1e6;         // of P: above it P has diverged
+constexpr double kInitialVelocityDecay_s = 0.060;  // time constant of the initial weights
+constexpr double kReversalHorizon_s = 0.100;       // beyond this horizon it is shorter, because a hand reverses
+constexpr double kPowerRate = 1.0 / 500.0;         // weight of a message in the running mean of d_0²
+constexpr double kLeastPower_mm2 = 1e-6;           // (1 µm)²: sensor noise
+constexpr double kLeastExcitation = 1e-4;          // least sum of squared normalised features to learn from
+constexpr double kLargestVariance = 1e6;           // of P: above it P has diverged
 
 }  // namespace
 
 void LinearForecast::begin(const ForecastSettings& settings, double step_s) {
   settings_ = settings;
   step_s_ = step_s;
-  power_ = weight_ = 0.0;
+  power_mm2_ = power_count_ = 0.0;
   for (Features& each : weights_) each = {};
   steps_.fill(0);
   beginCovariance();
@@ -36,12 +36,12 @@ void LinearForecast::beginCovariance() {
   Matrix information(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index k = 0; k < n; ++k) {
-      const double apart = static_cast<double>(i - k) * step_s_ / settings_.smooth_s;
+      const double apart = static_cast<double>(i - k) * step_s_ / settings_.prior_correlation_s;
       information(i, k) = math::exp(-0.5 * apart * apart);
     }
-    information(i, i) += settings_.noise + settings_.far_lag_cost * static_cast<double>(i);
+    information(i, i) += settings_.prior_noise + settings_.prior_noise_per_lag * static_cast<double>(i);
   }
-  information *= settings_.trust;
+  information *= settings_.prior_weight;
   const Matrix inverse = Eigen::LLT<Matrix>(information).solve(Matrix::Identity(n, n));
   std::copy_n(inverse.data(), n * n, covariance_.begin());
 }
@@ -63,8 +63,8 @@ void LinearForecast::setNodes(const Steps& steps) {
     const std::size_t old = nearest(steps_, steps[node]);
     const double horizon_s = steps[node] * step_s_;
     if (old == kNodes) {
-      const double far = std::max(1.0, horizon_s / kFar_s);
-      const double memory_s = kVelocityMemory_s / (far * far);
+      const double far = std::max(1.0, horizon_s / kReversalHorizon_s);
+      const double memory_s = kInitialVelocityDecay_s / (far * far);
       weights[0] = memory_s * (1.0 - math::exp(-horizon_s / memory_s)) / step_s_;
     } else {
       weights = before[old];
@@ -74,21 +74,21 @@ void LinearForecast::setNodes(const Steps& steps) {
   steps_ = steps;
 }
 
-void LinearForecast::watch(double newest_d_mm) {
-  weight_ = std::min(weight_ + 1.0, 1.0 / kPowerMemory);
-  power_ += (newest_d_mm * newest_d_mm - power_) / weight_;
+void LinearForecast::updatePower(double newest_d_mm) {
+  power_count_ = std::min(power_count_ + 1.0, 1.0 / kPowerRate);
+  power_mm2_ += (newest_d_mm * newest_d_mm - power_mm2_) / power_count_;
 }
 
 void LinearForecast::learn(const Features& d_mm, const std::array<double, kNodes>& displacement_mm) {
   const std::size_t n = settings_.order;
-  const double per_mm = 1.0 / std::sqrt(power_ + kLeastPower_mm2);
+  const double per_mm = 1.0 / std::sqrt(power_mm2_ + kLeastPower_mm2);
   Features f{};
   double squares = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     f[i] = d_mm[i] * per_mm;
     squares += f[i] * f[i];
   }
-  if (!(squares > kStill) || !std::isfinite(squares)) return;
+  if (!(squares > kLeastExcitation) || !std::isfinite(squares)) return;
   Features pf{};
   double* p = covariance_.data();
   for (std::size_t k = 0; k < n; ++k) {  // P is symmetric: its rows are its columns
@@ -97,12 +97,12 @@ void LinearForecast::learn(const Features& d_mm, const std::array<double, kNodes
   }
   double quadratic = settings_.forgetting;
   for (std::size_t i = 0; i < n; ++i) quadratic += f[i] * pf[i];
-  const double back = 1.0 / settings_.forgetting;
+  const double inflation = 1.0 / settings_.forgetting;
   double largest = 0.0;
   for (std::size_t k = 0; k < n; ++k) {
     double* row = p + k * n;
     const double gain = pf[k] / quadratic;
-    for (std::size_t i = 0; i < n; ++i) row[i] = (row[i] - gain * pf[i]) * back;
+    for (std::size_t i = 0; i < n; ++i) row[i] = (row[i] - gain * pf[i]) * inflation;
     largest = std::max(largest, row[k]);
   }
   for (std::size_t node = 0; node < kNodes; ++node) {
@@ -114,7 +114,7 @@ void LinearForecast::learn(const Features& d_mm, const std::array<double, kNodes
     const double share = error / quadratic;
     for (std::size_t i = 0; i < n; ++i) weights[i] += pf[i] * share;
   }
-  if (!(largest < kMostVariance)) beginCovariance();
+  if (!(largest < kLargestVariance)) beginCovariance();
 }
 
 double LinearForecast::forecast(std::size_t node, const Features& d_mm) const {

@@ -5,35 +5,35 @@
 
 namespace fyd::teleop {
 
-MotionHistory::Taken MotionHistory::insert(double date_s, const Position& position_mm) {
-  const bool sound =
-      std::isfinite(date_s) && std::ranges::all_of(position_mm, [](double x) { return std::abs(x) <= kFurthest_mm; });
-  if (!sound) return Taken::refused;
+MotionHistory::Insertion MotionHistory::insert(double date_s, const Position& position_mm) {
+  const bool valid = std::isfinite(date_s) &&
+                     std::ranges::all_of(position_mm, [](double x) { return std::abs(x) <= kLargestCoordinate_mm; });
+  if (!valid) return Insertion::refused;
   if (count_ == 0 || date_s > newest().date_s) {
-    const bool replaces = count_ > 1 && newest().date_s - back(1).date_s < finest_s_;
+    const bool replaces = count_ > 1 && newest().date_s - back(1).date_s < least_spacing_s_;
     if (!replaces) {
-      end_ = (end_ + 1) % kMost;
-      count_ = std::min(count_ + 1, kMost);
+      end_ = (end_ + 1) % kCapacity;
+      count_ = std::min(count_ + 1, kCapacity);
     }
     slot(0) = {date_s, position_mm};
-    return Taken::newest;
+    return Insertion::newest;
   }
   std::size_t later = 0;  // messages with a later date
   while (later < count_ && back(later).date_s > date_s) ++later;
-  if (later == count_ || back(later).date_s == date_s) return Taken::refused;
-  if (count_ == kMost) return Taken::refused;  // full: older messages are not inserted
-  end_ = (end_ + 1) % kMost;
+  if (later == count_ || back(later).date_s == date_s) return Insertion::refused;
+  if (count_ == kCapacity) return Insertion::refused;  // full: older messages are not inserted
+  end_ = (end_ + 1) % kCapacity;
   ++count_;
   for (std::size_t i = 0; i < later; ++i) slot(i) = back(i + 1);
   slot(later) = {date_s, position_mm};
-  return Taken::overtaken;
+  return Insertion::out_of_order;
 }
 
-Position MotionHistory::at(double time_s, std::size_t& from) const {
-  while (from + 1 < count_ && back(from).date_s > time_s) ++from;
-  const DatedPosition& before = back(from);
-  if (from == 0 || before.date_s > time_s) return before.position_mm;
-  const DatedPosition& after = back(from - 1);
+Position MotionHistory::at(double time_s, std::size_t& search_index) const {
+  while (search_index + 1 < count_ && back(search_index).date_s > time_s) ++search_index;
+  const DatedPosition& before = back(search_index);
+  if (search_index == 0 || before.date_s > time_s) return before.position_mm;
+  const DatedPosition& after = back(search_index - 1);
   const double share = std::clamp((time_s - before.date_s) / (after.date_s - before.date_s), 0.0, 1.0);
   Position out{};
   for (std::size_t a = 0; a < kMostAxes; ++a) {
@@ -42,11 +42,11 @@ Position MotionHistory::at(double time_s, std::size_t& from) const {
   return out;
 }
 
-bool MotionHistory::knows(double time_s, double apart_s) const {
+bool MotionHistory::hasCloseMessages(double time_s, double largest_spacing_s) const {
   std::size_t before = 0;
   while (before < count_ && back(before).date_s > time_s) ++before;
   if (before == count_) return false;
-  return before == 0 || back(before - 1).date_s - back(before).date_s <= apart_s;
+  return before == 0 || back(before - 1).date_s - back(before).date_s <= largest_spacing_s;
 }
 
 }  // namespace fyd::teleop

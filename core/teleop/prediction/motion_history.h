@@ -15,44 +15,44 @@ struct DatedPosition {
 
 class MotionHistory {
  public:
-  static constexpr std::size_t kMost = 256;
-  enum class Taken : std::uint8_t { newest, overtaken, refused };
+  static constexpr std::size_t kCapacity = 256;
+  enum class Insertion : std::uint8_t { newest, out_of_order, refused };
 
-  /// @param finest_s messages closer together than this are thinned, so that the history reaches further back: the
-  ///        newest takes the place of the one before it
-  explicit MotionHistory(double finest_s = 0.0) : finest_s_(finest_s) {}
+  /// @param least_spacing_s closer messages are thinned, so that the history covers a longer time: a message replaces
+  ///        the previous one if that is closer to its own predecessor
+  explicit MotionHistory(double least_spacing_s = 0.0) : least_spacing_s_(least_spacing_s) {}
 
   /// Largest coordinate accepted: squares and sums of such values cannot overflow.
-  static constexpr double kFurthest_mm = 1e9;
+  static constexpr double kLargestCoordinate_mm = 1e9;
 
   /// Refuses a message that is not finite or too far away, that has the date of another, or that is older than all
   /// kept.
-  Taken insert(double date_s, const Position& position_mm);
+  Insertion insert(double date_s, const Position& position_mm);
   void clear() { count_ = 0; }
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::size_t size() const { return count_; }
-  /// The i-th newest, from 0.
-  [[nodiscard]] const DatedPosition& back(std::size_t i) const { return at_[(end_ + kMost - 1 - i) % kMost]; }
+  /// The i-th newest; 0 is the newest.
+  [[nodiscard]] const DatedPosition& back(std::size_t i) const { return at_[(end_ + kCapacity - 1 - i) % kCapacity]; }
   [[nodiscard]] const DatedPosition& newest() const { return back(0); }
   [[nodiscard]] const DatedPosition& oldest() const { return back(count_ - 1); }
 
-  /// Linear between the two messages around `time_s`; the first or last one outside of them.
-  /// @param from where the search starts (an index of `back`); set to where it ended, for later calls with earlier
-  /// times
-  [[nodiscard]] Position at(double time_s, std::size_t& from) const;
-  /// Whether the messages around `time_s` are no further apart than this, so that `at` does not bridge a gap.
-  [[nodiscard]] bool knows(double time_s, double apart_s) const;
+  /// Linear interpolation between the two messages around `time_s`; outside of all, the nearest one.
+  /// @param search_index index of `back` where the search starts; set to where it ended, for a next call with an
+  ///        earlier time
+  [[nodiscard]] Position at(double time_s, std::size_t& search_index) const;
+  /// Whether the messages around `time_s` are no further apart than this, so that `at` does not interpolate over a gap.
+  [[nodiscard]] bool hasCloseMessages(double time_s, double largest_spacing_s) const;
   [[nodiscard]] Position at(double time_s) const {
-    std::size_t from = 0;
-    return at(time_s, from);
+    std::size_t search_index = 0;
+    return at(time_s, search_index);
   }
 
  private:
-  [[nodiscard]] DatedPosition& slot(std::size_t i) { return at_[(end_ + kMost - 1 - i) % kMost]; }
+  [[nodiscard]] DatedPosition& slot(std::size_t i) { return at_[(end_ + kCapacity - 1 - i) % kCapacity]; }
 
-  double finest_s_;
-  std::array<DatedPosition, kMost> at_{};
+  double least_spacing_s_;
+  std::array<DatedPosition, kCapacity> at_{};
   std::size_t end_ = 0;
   std::size_t count_ = 0;
 };

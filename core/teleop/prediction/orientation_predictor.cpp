@@ -9,7 +9,7 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr double kUnit = 0.1;  // a quaternion's length may be this far from 1
+constexpr double kLengthTolerance = 0.1;  // a quaternion's length may be this far from 1
 
 Orientation product(const Orientation& a, const Orientation& b) {
   return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
@@ -26,7 +26,7 @@ Orientation unit(const Orientation& q) {
 }
 
 /// The shortest rotation as a vector, rad.
-Position vectorOf(const Orientation& q) {
+Position rotationVector(const Orientation& q) {
   const double sine = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
   const double sign = q.w < 0.0 ? -1.0 : 1.0;
   // 2·atan2(sine, |w|) / sine, and 2 / |w| where sine vanishes.
@@ -43,7 +43,7 @@ Orientation rotationBy(const Position& rad) {
 }  // namespace
 
 double angle_deg(const Orientation& from, const Orientation& to) {
-  const Position by = vectorOf(product(inverse(from), to));
+  const Position by = rotationVector(product(inverse(from), to));
   return std::sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]) * 180.0 / std::numbers::pi;
 }
 
@@ -53,28 +53,28 @@ Orientation fromAngles(double alpha, double beta, double gamma) {
 
 void OrientationPredictor::message(double date_s, const Orientation& orientation) {
   const double size = length(orientation);
-  if (!std::isfinite(date_s) || !(std::abs(size - 1.0) <= kUnit)) return;
+  if (!std::isfinite(date_s) || !(std::abs(size - 1.0) <= kLengthTolerance)) return;
   const Orientation now = unit(orientation);
   std::size_t later = 0;
   while (later < count_ && back(later).date_s > date_s) ++later;
   if (count_ > 0 && later == count_) return;  // older than all that is kept
   if (later < count_ && back(later).date_s == date_s) return;
-  Rolled rolled{.date_s = date_s, .orientation = now, .path_mm = {}};
+  PathPoint point{.date_s = date_s, .orientation = now, .path_mm = {}};
   if (later < count_) {
-    const Rolled& before = back(later);
-    const Position by = vectorOf(product(inverse(before.orientation), now));
-    for (std::size_t a = 0; a < kMostAxes; ++a) rolled.path_mm[a] = before.path_mm[a] + kMillimetresPerRadian * by[a];
+    const PathPoint& before = back(later);
+    const Position by = rotationVector(product(inverse(before.orientation), now));
+    for (std::size_t a = 0; a < kMostAxes; ++a) point.path_mm[a] = before.path_mm[a] + kMillimetresPerRadian * by[a];
   }
-  end_ = (end_ + 1) % kKept;
-  count_ = std::min(count_ + 1, kKept);
-  for (std::size_t i = 0; i < later; ++i) rolled_[(end_ + kKept - 1 - i) % kKept] = back(i + 1);
-  rolled_[(end_ + kKept - 1 - later) % kKept] = rolled;
-  predictor_->message(date_s, rolled.path_mm);
+  end_ = (end_ + 1) % kCapacity;
+  count_ = std::min(count_ + 1, kCapacity);
+  for (std::size_t i = 0; i < later; ++i) path_[(end_ + kCapacity - 1 - i) % kCapacity] = back(i + 1);
+  path_[(end_ + kCapacity - 1 - later) % kCapacity] = point;
+  predictor_->message(date_s, point.path_mm);
 }
 
 Orientation OrientationPredictor::predict(double time_s) {
   if (count_ == 0) return {};
-  const Rolled& newest = back(0);
+  const PathPoint& newest = back(0);
   Position by = predictor_->predict(time_s);
   for (std::size_t a = 0; a < kMostAxes; ++a) by[a] = (by[a] - newest.path_mm[a]) / kMillimetresPerRadian;
   return unit(product(newest.orientation, rotationBy(by)));

@@ -1,7 +1,7 @@
 // Predicts a hand's present orientation from messages of past ones, by rotation vectors instead of Euler angles.
 //
 // From message to message the shortest rotation is taken as a vector along its axis in the hand's own frame, and these
-// vectors are summed to a path in three dimensions, scaled with 100 mm per rad (about the motion of a fingertip). A
+// vectors are summed to a path in three dimensions, scaled with 100 mm per rad (a fingertip moves about as much). A
 // predictor of positions extrapolates this path, and the predicted vector is applied to the newest orientation. So
 // there is no discontinuity at ±180° and no gimbal lock, and a quaternion and its negative are the same. Between two
 // messages a hand must turn by less than half a turn.
@@ -25,27 +25,28 @@ class OrientationPredictor {
  public:
   static constexpr double kMillimetresPerRadian = 100.0;
 
-  /// @param period_s as of PredictorSetup
+  /// @param period_s as in PredictorSetup
   OrientationPredictor(PredictorChoice choice, double period_s)
       : predictor_(makePredictor(choice, {.axes = 3, .period_s = period_s})) {}
 
-  /// As of Predictor. A quaternion whose length is not within 1 ± 0.1 is ignored; others are normalised.
+  /// As Predictor::message. A quaternion whose length is not within 1 ± 0.1 is ignored; others are normalised.
   void message(double date_s, const Orientation& orientation);
   /// @return a unit quaternion; no rotation before the first message
   [[nodiscard]] Orientation predict(double time_s);
   void endMotion() { predictor_->endMotion(); }
 
  private:
-  struct Rolled {
+  /// A message, and the sum of the rotation vectors up to it.
+  struct PathPoint {
     double date_s = 0.0;
     Orientation orientation;
     Position path_mm{};
   };
-  static constexpr std::size_t kKept = 64;
-  [[nodiscard]] const Rolled& back(std::size_t i) const { return rolled_[(end_ + kKept - 1 - i) % kKept]; }
+  static constexpr std::size_t kCapacity = 64;
+  [[nodiscard]] const PathPoint& back(std::size_t i) const { return path_[(end_ + kCapacity - 1 - i) % kCapacity]; }
 
   std::unique_ptr<Predictor> predictor_;
-  std::array<Rolled, kKept> rolled_{};  ///< by date
+  std::array<PathPoint, kCapacity> path_{};  ///< ring, by date
   std::size_t end_ = 0, count_ = 0;
 };
 

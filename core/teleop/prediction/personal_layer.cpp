@@ -6,10 +6,10 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr float kBegin = 1.0F / 200.0F;
-constexpr float kForgetting = 0.9998F;  // per message
-constexpr float kUsualError = 0.1F;     // of the motion's scale
-constexpr float kMostCovariance = 1.0F;
+constexpr float kInitialVariance = 1.0F / 200.0F;  // of P
+constexpr float kForgetting = 0.9998F;             // per message
+constexpr float kErrorFloor = 0.1F;                // in the motion's scale; the 0.1 of the weight
+constexpr float kLargestVariance = 1.0F;           // of P: above it P has diverged
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void PersonalLayer::begin() {
 
 void PersonalLayer::beginCovariance() {
   covariance_.fill(0.0F);
-  for (std::size_t i = 0; i < kInputs; ++i) covariance_[i * kInputs + i] = kBegin;
+  for (std::size_t i = 0; i < kInputs; ++i) covariance_[i * kInputs + i] = kInitialVariance;
 }
 
 void PersonalLayer::setNodes(const Horizons::Steps& before, const Horizons::Steps& steps) {
@@ -39,35 +39,35 @@ void PersonalLayer::learn(const Inputs& inputs, const Differences& differences) 
     const float* row = covariance_.data() + k * kInputs;
     for (std::size_t i = 0; i < kInputs; ++i) gain[i] += inputs[k] * row[i];
   }
-  float seen = 0.0F;
-  for (std::size_t i = 0; i < kInputs; ++i) seen += inputs[i] * gain[i];
-  const InPlane& far = differences[Horizons::kLongest];
-  const float unusual = kUsualError + std::sqrt(far[0] * far[0] + far[1] * far[1]);
-  const float per = 1.0F / (kForgetting * unusual + seen);
-  if (!(seen >= 0.0F) || !std::isfinite(per) || !std::isfinite(unusual)) {
-    if (!(seen >= 0.0F) || !std::isfinite(seen)) beginCovariance();
+  float input_variance = 0.0F;
+  for (std::size_t i = 0; i < kInputs; ++i) input_variance += inputs[i] * gain[i];
+  const PlaneVector& longest = differences[Horizons::kLongestNode];
+  const float error_scale = kErrorFloor + std::sqrt(longest[0] * longest[0] + longest[1] * longest[1]);
+  const float normaliser = 1.0F / (kForgetting * error_scale + input_variance);
+  if (!(input_variance >= 0.0F) || !std::isfinite(normaliser) || !std::isfinite(error_scale)) {
+    if (!(input_variance >= 0.0F) || !std::isfinite(input_variance)) beginCovariance();
     return;
   }
-  const Differences said = (*this)(inputs);
+  const Differences forecasts = (*this)(inputs);
   Differences errors{};
   for (std::size_t node = 0; node < errors.size(); ++node) {
     for (std::size_t axis = 0; axis < 2; ++axis)
-      errors[node][axis] = (differences[node][axis] - said[node][axis]) * per;
+      errors[node][axis] = (differences[node][axis] - forecasts[node][axis]) * normaliser;
   }
   for (std::size_t i = 0; i < kInputs; ++i) {
     for (std::size_t node = 0; node < errors.size(); ++node) {
       for (std::size_t axis = 0; axis < 2; ++axis) weights_[i][node][axis] += gain[i] * errors[node][axis];
     }
   }
-  constexpr float kBack = 1.0F / kForgetting;
+  constexpr float kInflation = 1.0F / kForgetting;
   float largest = 0.0F;
   for (std::size_t k = 0; k < kInputs; ++k) {
     float* row = covariance_.data() + k * kInputs;
-    const float share = gain[k] * per;
-    for (std::size_t i = 0; i < kInputs; ++i) row[i] = (row[i] - share * gain[i]) * kBack;
+    const float share = gain[k] * normaliser;
+    for (std::size_t i = 0; i < kInputs; ++i) row[i] = (row[i] - share * gain[i]) * kInflation;
     largest = std::max(largest, row[k]);
   }
-  if (!(largest < kMostCovariance)) beginCovariance();
+  if (!(largest < kLargestVariance)) beginCovariance();
 }
 
 PersonalLayer::Differences PersonalLayer::operator()(const Inputs& inputs) const {

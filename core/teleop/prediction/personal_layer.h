@@ -2,8 +2,9 @@
 //
 // Its inputs are the activations of the perceptron's second hidden layer (64). Its outputs are the differences of the
 // displacements over the horizons in use from the perceptron's, in the frame and scale of the motion. Recursive least
-// squares with a weight of 1 / (0.1 + |error over the longest horizon|), which approximates the mean distance and
-// limits the influence of outliers. P begins at 1/200: its outputs stay small for some hundred messages.
+// squares with a weight of 1 / (0.1 + |difference over the longest horizon|), which limits the influence of outliers
+// and approximates least mean distance instead of least mean square. P is initialised with 1/200 on its diagonal, so
+// that the outputs stay small for some hundred messages.
 #pragma once
 
 #include <array>
@@ -17,14 +18,14 @@ class PersonalLayer {
  public:
   static constexpr std::size_t kInputs = 64;
   using Inputs = std::array<float, kInputs>;
-  using InPlane = std::array<float, 2>;
-  using Differences = std::array<InPlane, Horizons::kNodes>;
+  using PlaneVector = std::array<float, 2>;
+  using Differences = std::array<PlaneVector, Horizons::kNodes>;
 
   PersonalLayer() { begin(); }
   void begin();
-  /// A node that is new begins with the differences of the nearest one before.
+  /// A new node starts with the weights of the nearest old one.
   void setNodes(const Horizons::Steps& before, const Horizons::Steps& steps);
-  /// Learns from the differences that followed these inputs, over each node's horizon. Non-finite values are ignored.
+  /// One RLS step: the differences that followed these inputs, over each node's horizon. Non-finite ones are ignored.
   void learn(const Inputs& inputs, const Differences& differences);
   [[nodiscard]] Differences operator()(const Inputs& inputs) const;
 

@@ -47,7 +47,7 @@ double newestSpacing(const MotionHistory& history) {
 
 void PlainPredictor::message(double date_s, const Position& position_mm) {
   if (!history_.empty() && date_s - history_.newest().date_s > kSilence_s) endMotion();
-  if (history_.insert(date_s, position_mm) == MotionHistory::Taken::refused || share_ == 0.0) return;
+  if (history_.insert(date_s, position_mm) == MotionHistory::Insertion::refused || slope_factor_ == 0.0) return;
   const double period_s = period_s_ > 0.0 ? period_s_ : newestSpacing(history_);
   slope_mm_per_s_ = newestSlope(history_, std::max(kSlopeWindow_s, period_s));
 }
@@ -57,7 +57,7 @@ Position PlainPredictor::predict(double time_s) {
   const DatedPosition& newest = history_.newest();
   Position out = newest.position_mm;
   for (std::size_t a = 0; a < kMostAxes; ++a) {
-    const double moved = out[a] + share_ * slope_mm_per_s_[a] * (time_s - newest.date_s);
+    const double moved = out[a] + slope_factor_ * slope_mm_per_s_[a] * (time_s - newest.date_s);
     if (std::isfinite(moved)) out[a] = moved;
   }
   return out;
@@ -65,7 +65,7 @@ Position PlainPredictor::predict(double time_s) {
 
 Position PlainPredictor::velocity(double) const {
   Position out = slope_mm_per_s_;
-  for (double& each : out) each *= share_;
+  for (double& each : out) each *= slope_factor_;
   return out;
 }
 

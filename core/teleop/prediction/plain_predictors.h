@@ -2,10 +2,10 @@
 //
 //   order 0   the newest position
 //   order 1   the newest position + slope · its age
-//   hybrid    half the sum of both
+//   hybrid    the mean of both
 //
-// The slope is the least-squares line's through the messages no older, by date, than max(10 ms, one period) than the
-// newest; with one message there is none. Where the sender has no period, it is the time between the two newest.
+// The slope is that of the least-squares line through the messages dated within max(10 ms, one period) before the
+// newest; with one message it is 0. For an unknown period the time between the two newest messages is taken.
 #pragma once
 
 #include "core/teleop/prediction/motion_history.h"
@@ -16,9 +16,9 @@ class PlainPredictor final : public Predictor {
  public:
   static constexpr double kSlopeWindow_s = 0.010;
 
-  /// @param share of the slope that counts: 0 order 0, 1 order 1, ½ hybrid
+  /// @param slope_factor 0: order 0, 1: order 1, ½: hybrid
   /// @param period_s of the sender's messages; 0: not known
-  PlainPredictor(double share, double period_s) : share_(share), period_s_(period_s) {}
+  PlainPredictor(double slope_factor, double period_s) : slope_factor_(slope_factor), period_s_(period_s) {}
 
   void message(double date_s, const Position& position_mm) override;
   [[nodiscard]] Position predict(double time_s) override;
@@ -26,7 +26,7 @@ class PlainPredictor final : public Predictor {
   void endMotion() override;
 
  private:
-  double share_;
+  double slope_factor_;
   double period_s_;
   MotionHistory history_;
   Position slope_mm_per_s_{};

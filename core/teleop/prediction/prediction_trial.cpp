@@ -12,11 +12,11 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr double kSameTime_s = 1e-6;  // rows at n · period in spite of rounding
-constexpr double kFast_Hz = 999.0;    // 1 kHz and more, whatever the rounding of the rows' times
-constexpr int kSegment = 1024;        // of the spectrum: 1 Hz apart
+constexpr double kSameTime_s = 1e-6;              // tolerance for the rounding of the rows' times
+constexpr double kLeastVibrationRate_Hz = 999.0;  // 1 kHz, less the rounding of the rows' times
+constexpr int kSegment = 1024;                    // samples per segment of the spectrum: 1 Hz resolution at 1 kHz
 constexpr double kLow_Hz = 20.0, kHigh_Hz = 200.0;
-constexpr double kMost_ms = 10'000.0;
+constexpr double kLongest_ms = 10'000.0;  // period, delay and jitter
 
 /// Uniform in [0, 1), the same on every machine.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -57,7 +57,7 @@ std::vector<Sent> sentMessages(const Trace& trace, const TrialNetwork& network) 
   return out;
 }
 
-/// The power of a motion's velocity between 20 and 200 Hz, times its length.
+/// Power of a motion's velocity between 20 and 200 Hz, times its number of samples.
 double bandPower(std::span<const Position> motion, std::size_t axes, double rate_Hz) {
   if (motion.size() < 3) return 0.0;
   double power = 0.0;
@@ -115,14 +115,14 @@ Result<void> checkTrace(const Trace& trace) {
 
 Result<void> checkNetwork(const TrialNetwork& network) {
   const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
-  if (network.period_ms != 0.0 && !within(network.period_ms, 0.1, kMost_ms)) {
-    return fail("period {} ms: expected 0 (each row) or 0.1 … {}", network.period_ms, kMost_ms);
+  if (network.period_ms != 0.0 && !within(network.period_ms, 0.1, kLongest_ms)) {
+    return fail("period {} ms: expected 0 (each row) or 0.1 … {}", network.period_ms, kLongest_ms);
   }
-  if (!within(network.delay_ms, 0.0, kMost_ms)) {
-    return fail("delay {} ms: expected 0 … {}", network.delay_ms, kMost_ms);
+  if (!within(network.delay_ms, 0.0, kLongest_ms)) {
+    return fail("delay {} ms: expected 0 … {}", network.delay_ms, kLongest_ms);
   }
-  if (!within(network.jitter_ms, 0.0, kMost_ms)) {
-    return fail("jitter {} ms: expected 0 … {}", network.jitter_ms, kMost_ms);
+  if (!within(network.jitter_ms, 0.0, kLongest_ms)) {
+    return fail("jitter {} ms: expected 0 … {}", network.jitter_ms, kLongest_ms);
   }
   if (!within(network.loss_percent, 0.0, 100.0)) {
     return fail("loss {} %: expected 0 … 100", network.loss_percent);
@@ -205,7 +205,7 @@ TrialFigures trialFigures(const Trace& trace, const TrialPlan& plan, std::span<c
     out.rms_mm = std::sqrt(squares / count);
     out.mean_mm /= count;
   }
-  out.vibration_ratio = rate_Hz >= kFast_Hz ? ratio(vibration, true_vibration) : std::nan("");
+  out.vibration_ratio = rate_Hz >= kLeastVibrationRate_Hz ? ratio(vibration, true_vibration) : std::nan("");
   out.jerk_ratio = ratio(jerk, true_jerk);
   return out;
 }

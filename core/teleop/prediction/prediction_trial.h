@@ -3,7 +3,8 @@
 // Message n is the newest row at or before n·period after the first row, with that row's own date, position and date
 // only; it arrives delay + U(0, jitter) after n·period, and may overtake another. Without a period each row is a
 // message, dated and sent at its own time. Ticks are the trace's rows, from the first arrival on. Rows of NaN are a
-// gap: no messages, no ticks, what was under way is dropped, and it goes on with the first arrival of the new motion.
+// gap, which ends a motion: it has no messages and no ticks, and messages still in transit are dropped. Ticks begin
+// again with the first arrival of the next motion.
 #pragma once
 
 #include <cstdint>
@@ -50,8 +51,8 @@ struct TrialMessage {
 struct TrialPlan {
   struct Tick {
     std::size_t row = 0;
-    std::size_t first = 0, last = 0;  ///< messages [first, last) arrive before it
-    bool begins = false;              ///< the first of a motion
+    std::size_t first = 0, last = 0;  ///< messages [first, last) arrive since the tick before
+    bool begins = false;              ///< first tick of a motion
   };
   std::vector<TrialMessage> messages;  ///< in the order of arrival; without those after their motion's end
   std::vector<Tick> ticks;
@@ -70,7 +71,7 @@ struct TrialFigures {
   double mean_mm = 0.0;
   double max_mm = 0.0;
   double vibration_ratio = 0.0;  ///< 20–200 Hz RMS of the output's velocity over the true motion's; NaN below 1 kHz
-  double largest_step_mm = 0.0;  ///< between two ticks of one motion
+  double largest_step_mm = 0.0;  ///< of the output, between two ticks of one motion
   double jerk_ratio = 0.0;       ///< RMS of the third difference over the true motion's; NaN when that one is 0
 };
 

@@ -1,7 +1,7 @@
 // Predicts a hand's present position from messages of its past positions.
 //
 // A message carries a position and the date at which the hand was there; it arrives late, irregularly, perhaps twice,
-// overtaken by others, or not at all. A predictor gets each message as it arrives and gives, at each tick of the
+// out of order, or not at all. A predictor gets each message as it arrives and gives, at each tick of the
 // receiver, the position at that tick. It allocates nothing after it was made, reads no clock, and gives the same
 // bits for the same calls on every processor. Tele-gesture paper: order 0, order 1 and their mean ("hybrid").
 #pragma once
@@ -21,19 +21,19 @@ class Predictor {
   virtual ~Predictor() = default;
 
   /// A message has arrived.
-  /// @param date_s when the hand was there, on the clock of `predict`'s time; older than the newest: it was overtaken
-  /// Ignored are positions that are not finite or too far away, and dates that are known already. A date more than
-  /// kSilence_s ahead of the newest one begins a new motion.
+  /// @param date_s when the hand was there, on the clock of `predict`'s time; older than the newest: out of order
+  /// Ignored: positions that are not finite or too far away, and dates received before. A date more than kSilence_s
+  /// after the newest one begins a new motion.
   virtual void message(double date_s, const Position& position_mm) = 0;
 
   /// @return the position at `time_s`, always finite; all zeros before the first message
   [[nodiscard]] virtual Position predict(double time_s) = 0;
 
-  /// Velocity of the prediction at `time_s`, from the messages so far: without the jumps at new ones.
+  /// Time derivative of the prediction at `time_s` for the messages so far: its jumps at new messages are left out.
   /// @return mm/s, always finite
   [[nodiscard]] virtual Position velocity(double time_s) const = 0;
 
-  /// The hand was lifted: the motion ends, and the next message begins another. Learnt parameters stay.
+  /// The motion ends (the hand was lifted); the next message begins another. Learnt parameters are kept.
   virtual void endMotion() = 0;
 
  protected:

@@ -9,17 +9,17 @@
 namespace fyd::teleop {
 
 std::unique_ptr<Predictor> makePredictor(PredictorChoice choice, PredictorSetup setup) {
-  auto weights = setup.weights ? std::move(setup.weights) : StrokeWeights::usual();
+  auto weights = setup.weights ? std::move(setup.weights) : StrokeWeights::builtIn();
   switch (choice) {
     case PredictorChoice::order0: return std::make_unique<PlainPredictor>(0.0, setup.period_s);
     case PredictorChoice::order1: return std::make_unique<PlainPredictor>(1.0, setup.period_s);
     case PredictorChoice::hybrid: return std::make_unique<PlainPredictor>(0.5, setup.period_s);
     case PredictorChoice::kalman: return std::make_unique<KalmanPredictor>();
     case PredictorChoice::ar:
-      return std::make_unique<ExpertPredictor>(setup.axes, ExpertPredictor::Team::ar, std::move(weights));
+      return std::make_unique<ExpertPredictor>(setup.axes, ExpertPredictor::ExpertSet::ar, std::move(weights));
     case PredictorChoice::experts: break;
   }
-  return std::make_unique<ExpertPredictor>(setup.axes, ExpertPredictor::Team::all, std::move(weights));
+  return std::make_unique<ExpertPredictor>(setup.axes, ExpertPredictor::ExpertSet::all, std::move(weights));
 }
 
 Result<PredictorChoice> predictorNamed(std::string_view name) {

@@ -21,7 +21,7 @@ class StrokeWeights;
 struct PredictorSetup {
   std::size_t axes = 1;                                    ///< 1 … kMostAxes
   double period_s = 0.0;                                   ///< of the sender's messages; 0: not known
-  std::shared_ptr<const StrokeWeights> weights = nullptr;  ///< of the default's perceptron; null: the resources' own
+  std::shared_ptr<const StrokeWeights> weights = nullptr;  ///< of the perceptron; null: StrokeWeights::builtIn()
 };
 [[nodiscard]] std::unique_ptr<Predictor> makePredictor(PredictorChoice choice, PredictorSetup setup);
 /// By its name on the command line. @return an error with the names when there is none of that name

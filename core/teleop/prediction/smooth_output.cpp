@@ -12,14 +12,15 @@ bool finite(const Position& p) {
   return std::ranges::all_of(p, [](double x) { return std::isfinite(x); });
 }
 
-constexpr double kLeast_s = 0.015, kUntilPeriod_s = 0.010;
-constexpr double kMost_s = 0.055, kMorePerDelay = 0.15, kMostDelay_s = 0.5;
+constexpr double kShortest_s = 0.015, kPeriodOffset_s = 0.010;
+constexpr double kLongest_s = 0.055, kLongestPerDelay = 0.15, kLargestDelay_s = 0.5;
 
 }  // namespace
 
-double usualSmoothing_s(double period_s, double delay_s) {
-  const double most_s = kMost_s + kMorePerDelay * std::clamp(std::isfinite(delay_s) ? delay_s : 0.0, 0.0, kMostDelay_s);
-  return std::min(kLeast_s + std::max(0.0, period_s - kUntilPeriod_s), most_s);
+double defaultSmoothing_s(double period_s, double delay_s) {
+  const double most_s =
+      kLongest_s + kLongestPerDelay * std::clamp(std::isfinite(delay_s) ? delay_s : 0.0, 0.0, kLargestDelay_s);
+  return std::min(kShortest_s + std::max(0.0, period_s - kPeriodOffset_s), most_s);
 }
 
 Position SmoothOutput::step(double time_s, const Position& predicted_mm, const Position& velocity_mm_per_s) {
@@ -34,11 +35,11 @@ Position SmoothOutput::step(double time_s, const Position& predicted_mm, const P
   }
   const double decay = math::exp(-dt / tau_s_);
   for (std::size_t a = 0; a < kMostAxes; ++a) {
-    const double apart = position_mm_[a] - (predicted_mm[a] - velocity_mm_per_s[a] * dt);
-    const double parting = velocity_mm_per_s_[a] - velocity_mm_per_s[a];
-    const double slope = parting + apart / tau_s_;  // e(t) = (apart + slope·t)·exp(−t/τ)
-    position_mm_[a] = predicted_mm[a] + (apart + slope * dt) * decay;
-    velocity_mm_per_s_[a] = velocity_mm_per_s[a] + (slope - (apart + slope * dt) / tau_s_) * decay;
+    const double error = position_mm_[a] - (predicted_mm[a] - velocity_mm_per_s[a] * dt);
+    const double error_velocity = velocity_mm_per_s_[a] - velocity_mm_per_s[a];
+    const double error_slope = error_velocity + error / tau_s_;  // e(t) = (error + error_slope·t)·exp(−t/τ)
+    position_mm_[a] = predicted_mm[a] + (error + error_slope * dt) * decay;
+    velocity_mm_per_s_[a] = velocity_mm_per_s[a] + (error_slope - (error + error_slope * dt) / tau_s_) * decay;
   }
   return position_mm_;
 }

@@ -1,11 +1,11 @@
 // Factor on predicted displacements, 0 … 1, from how well recent predictions came true.
 //
 // It is the regression coefficient of the true displacement on the predicted one over about the last hundred ticks,
-// times 1.2, at most 1: on noise, which cannot be predicted, it goes to 0. It is initialised as by five predictions
-// that came true to a share that depends on the motion's smoothness. That is the ratio of the sums of squared second
-// and first differences of the messages: 0 on a straight line, 2 on a random walk and 3 on white noise; from 2 on the
-// share is 0. Beyond 220 ms ahead the initial share falls with the square of the horizon, as the hand's intention may
-// change.
+// times 1.2, limited to 0 … 1: on noise, which cannot be predicted, it goes to 0. At the beginning the regression has a
+// prior with the weight of five predictions. The prior coefficient depends on the motion's smoothness: the ratio of the
+// sums of squared second and first differences of the messages is 0 on a straight line, 2 on a random walk and 3 on
+// white noise; from 2 on the prior coefficient is 0. For horizons beyond 220 ms it falls with the square of the
+// horizon, because the hand may change its aim.
 #pragma once
 
 #include "core/teleop/prediction/predictor.h"
@@ -15,23 +15,25 @@ namespace fyd::teleop {
 class Trust {
  public:
   /// At each message.
-  /// @param step_mm2 the squared difference to the one before, @param bend_mm2 the second difference's
-  void watch(double step_mm2, double bend_mm2);
-  /// The displacement that was predicted for a tick, from the newest message at that time, and the true one.
-  void settle(const Position& predicted_by_mm, const Position& true_by_mm);
+  /// @param first_mm2 squared first difference of the positions, @param second_mm2 squared second difference
+  void addDifferences(double first_mm2, double second_mm2);
+  /// The displacement predicted for a past tick, from the newest message at that time, and the true one.
+  void addOutcome(const Position& predicted_mm, const Position& true_mm);
 
   /// The factor on a prediction before any error is known; 0 … 1.
-  [[nodiscard]] double first(const Position& by_mm) const;
+  [[nodiscard]] double initialFactor(const Position& predicted_mm) const;
   /// The factor on predictions; 0 … 1.
-  /// @param usual_mm2 recent squared displacement over the horizons
-  /// @param youth 1 at the beginning, less with each message
-  [[nodiscard]] double now(double usual_mm2, double youth, double age_s) const;
+  /// @param typical_mm2 mean of recent squared displacements over the horizons
+  /// @param initial_share remaining weight of the prior: 1 at the beginning, less with each message
+  /// @param age_s horizon: age of the newest message
+  [[nodiscard]] double factor(double typical_mm2, double initial_share, double age_s) const;
 
  private:
+  /// 1 on a straight line, 0 on a random walk and on noise.
   [[nodiscard]] double smoothness() const;
 
-  double steps_mm2_ = 0.0, bends_mm2_ = 0.0;
-  double by_mm2_ = 0.0, along_mm2_ = 0.0;  ///< running Σ|predicted|² and Σ predicted · true
+  double first_mm2_ = 0.0, second_mm2_ = 0.0;       ///< Σ of squared first and second differences
+  double predicted_mm2_ = 0.0, product_mm2_ = 0.0;  ///< running Σ|predicted|² and Σ predicted · true
 };
 
 }  // namespace fyd::teleop

@@ -1,10 +1,11 @@
 // Fits resonance, damping and gain of the cloth under a finger to the accelerations measured during chirps.
 //
-// The rollers' acceleration x follows from the duty by the motor model of FeltPlant (free speed, time constant,
-// position gain and radius as given, breakaway as found, sliding friction the share of it that fits best). Then
+// The rollers' acceleration x is simulated from the duty by the motor model of FeltPlant: free speed, time constant,
+// position gain, radius and breakaway as given; sliding friction is the share of the breakaway that fits best. With
+// the measured acceleration y,
 //   Σ |Y(f) − g·e^(−2πi·f·d)·H(f; f₀, ζ)·X(f)|² over 10…400 Hz
-// is least for resonance f₀, damping ζ, gain g and the sensor's delay d; every other band of 5 Hz is held out and
-// gives the error. Offline: allocates.
+// is minimised over resonance f₀, damping ζ, gain g and delay d of the accelerometer. Every other band of 5 Hz is held
+// out of the fit and gives its error. Offline: allocates.
 #pragma once
 
 #include <vector>
@@ -22,11 +23,11 @@ struct FoundCloth {
   double sigma_damping = 0.0;
   double gain = 0.0;
   double delay_ms = 0.0;
-  double held_out_error = 0.0;  ///< of the acceleration, RMS over RMS
+  double held_out_error = 0.0;  ///< in the held-out bands: RMS error over RMS acceleration
 };
 
 struct ChirpFit {
-  double sliding_share = 1.0;  ///< friction of a turning motor over its breakaway
+  double sliding_share = 1.0;  ///< sliding friction over breakaway
   std::vector<FoundCloth> cloths;
 };
 

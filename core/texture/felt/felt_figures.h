@@ -1,5 +1,5 @@
-// Compares what arrived at the finger with what was wanted. Offline: allocates. Figures about accelerations, never
-// about what a person feels.
+// Compares the acceleration at the finger with the wanted texture signal. Offline: allocates. The figures describe
+// accelerations, not perception.
 #pragma once
 
 #include <span>
@@ -7,16 +7,18 @@
 namespace fyd::texture {
 
 struct FeltFigures {
-  double spectral_match = 0.0;         ///< as in spectral_match.h, both spectra scaled to the same sum; 1 is equal
-  double third_octave_error_dB = 0.0;  ///< mean distance in third octaves 20…400 Hz, weighted by the wanted amplitude
-  double envelope = 0.0;               ///< correlation of the RMS in windows of 50 ms
+  double spectral_match = 0.0;         ///< as in spectral_match.h, both spectra scaled to the same sum; 1: equal
+  double third_octave_error_dB = 0.0;  ///< mean |difference| of levels in third octaves from 25 Hz
+                                       ///< to 400 Hz without their mean, weighted by the wanted amplitude
+  double envelope = 0.0;               ///< correlation of the envelopes: RMS in windows of 50 ms
   double level_g = 0.0;                ///< RMS at the finger
-  double level_dB = 0.0;               ///< that over kFeltThreshold_g
-  double lag_ms = 0.0;                 ///< where the cross-correlation is largest, within 0…50 ms
+  double level_dB = 0.0;               ///< level_g relative to kFeltThreshold_g
+  double lag_ms = 0.0;                 ///< of the largest |cross-correlation|, within 0…50 ms
 };
 
-/// NaN where nothing was wanted; spectral match 0 where nothing arrived.
-/// @param wanted texture signal, 1 kHz; @param finger acceleration, as long
+/// The longer input is cut to the shorter. Spectral figures are NaN for a wanted signal of zeros, and all are NaN for
+/// less than 64 samples; spectral_match is 0 for a finger signal of zeros.
+/// @param wanted texture signal, g, 1 kHz; @param finger acceleration, g, 1 kHz
 [[nodiscard]] FeltFigures compareFelt(std::span<const double> wanted, std::span<const double> finger);
 
 }  // namespace fyd::texture

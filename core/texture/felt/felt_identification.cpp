@@ -10,15 +10,15 @@
 namespace fyd::texture {
 namespace {
 
-constexpr double kCount_deg = 360.0 / kSweepCountsPerTurn;
-constexpr int kForGood = 5;  // samples that an encoder must stay away from where it stood
+constexpr double kEncoderStep_deg = 360.0 / kSweepCountsPerTurn;
+constexpr int kSustainedSamples = 5;  // in which the encoder must stay off its first count to count as motion
 constexpr double kCoarsestRamp_percent = 1.0;
-constexpr double kApart_deg = 10.0;
-constexpr double kGoodError = 0.3;
-constexpr double kUsableError = 0.6;
-constexpr double kUsableSigma = 0.1;  // of the resonance
+constexpr double kLeastStretchSpan_deg = 10.0;
+constexpr double kGoodError = 0.3;            // FoundCloth::held_out_error
+constexpr double kUsableError = 0.6;          // the same
+constexpr double kUsableRelativeSigma = 0.1;  // of the resonance
 
-/// The motor whose ramp it is; −1: none.
+/// The only motor that has a duty; −1: none, or both.
 int rampedMotor(const SweepPart& part) {
   int motor = -1;
   for (const SweepRow& row : part) {
@@ -37,7 +37,7 @@ struct Ramp {
   double stretch_deg = 0.0;
 };
 
-/// From the second to the first, the short way round.
+/// first − second, modulo a turn, within ± half a turn.
 int countsBetween(int first, int second) {
   return (first - second + kSweepCountsPerTurn + kSweepCountsPerTurn / 2) % kSweepCountsPerTurn -
          kSweepCountsPerTurn / 2;
@@ -58,18 +58,18 @@ Result<Ramp> readRamp(const SweepPart& part, std::size_t motor, const FeltPlant&
     }
     largest = std::max(largest, std::abs(duty));
   }
-  for (std::size_t n = 0; n + kForGood <= part.size(); ++n) {
-    bool for_good = true;
-    for (std::size_t k = n; k < n + kForGood; ++k) for_good = for_good && moved(k) != 0;
-    if (!for_good) continue;
+  for (std::size_t n = 0; n + kSustainedSamples <= part.size(); ++n) {
+    bool sustained = true;
+    for (std::size_t k = n; k < n + kSustainedSamples; ++k) sustained = sustained && moved(k) != 0;
+    if (!sustained) continue;
     const double duty = part[n].duty_percent[motor];
     if (duty == 0.0) return fail("part {}: motor {} moves before it has a duty", part.front().part, motor + 1);
-    // A motor that creeps fights the position loop up to the count's edge, half a count away on average; one that
-    // jumps has broken away just now.
+    // A creeping motor has moved half a count on average before the count changes, against the position loop, whose
+    // duty is subtracted. One that jumps (3 counts within 20 ms) broke away at this duty.
     const std::size_t later = std::min(n + 20, part.size() - 1);
     const bool creeps = std::abs(moved(later)) < 3;
-    const double fought = creeps ? 0.5 * kCount_deg * base.position_gain_percent_per_deg : 0.0;
-    return Ramp{.breakaway_percent = std::copysign(std::max(std::abs(duty) - fought, 0.0), duty),
+    const double position_loop_percent = creeps ? 0.5 * kEncoderStep_deg * base.position_gain_percent_per_deg : 0.0;
+    return Ramp{.breakaway_percent = std::copysign(std::max(std::abs(duty) - position_loop_percent, 0.0), duty),
                 .start_counts = part.front().encoder_counts[motor],
                 .stretch_deg = part.front().stretch_deg};
   }
@@ -77,15 +77,15 @@ Result<Ramp> readRamp(const SweepPart& part, std::size_t motor, const FeltPlant&
               motor + 1, largest);
 }
 
-/// What a ramp needs, %, as if the motor had stood where it stood before its first ramp: a motor that stuck on its way
-/// back is pushed by the board's position loop, and needs less one way and more the other.
+/// Breakaway of a ramp, %, corrected to the motor's position before its first ramp: a motor that stuck off that
+/// position is pushed back by the board's position loop, so it needs less duty in one direction and more in the other.
 double breakawayFrom(const Ramp& first, const Ramp& ramp, const FeltPlant& base) {
   constexpr double kSameStretch_deg = 3.0;
-  const double way = std::copysign(1.0, ramp.breakaway_percent);
-  const double stuck_deg = std::abs(ramp.stretch_deg - first.stretch_deg) <= kSameStretch_deg
-                               ? kCount_deg * countsBetween(ramp.start_counts, first.start_counts)
-                               : 0.0;
-  return std::abs(ramp.breakaway_percent) - way * stuck_deg * base.position_gain_percent_per_deg;
+  const double direction = std::copysign(1.0, ramp.breakaway_percent);
+  const double offset_deg = std::abs(ramp.stretch_deg - first.stretch_deg) <= kSameStretch_deg
+                                ? kEncoderStep_deg * countsBetween(ramp.start_counts, first.start_counts)
+                                : 0.0;
+  return std::abs(ramp.breakaway_percent) - direction * offset_deg * base.position_gain_percent_per_deg;
 }
 
 double mean(const std::vector<double>& x) {
@@ -98,26 +98,27 @@ Result<std::array<FoundBreakaway, kFeltMotors>> breakaways(
     const std::array<std::array<std::vector<double>, 2>, kFeltMotors>& ramps, const FeltPlant& base) {
   std::array<FoundBreakaway, kFeltMotors> out;
   for (std::size_t i = 0; i < kFeltMotors; ++i) {
-    for (std::size_t way = 0; way < 2; ++way) {
-      if (ramps[i][way].empty()) {
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+      if (ramps[i][direction].empty()) {
         return fail("no ramp of motor {} with {} duty; expected each motor both ways", i + 1,
-                    way == 0 ? std::string_view("+") : std::string_view("-"));
+                    direction == 0 ? std::string_view("+") : std::string_view("-"));
       }
     }
     const double forward = mean(ramps[i][0]);
     const double backward = mean(ramps[i][1]);
     double spread = 0.0;
     double count = 0.0;
-    for (std::size_t way = 0; way < 2; ++way) {
-      for (const double v : ramps[i][way]) {
-        spread += math::square(v - (way == 0 ? forward : backward));
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+      for (const double v : ramps[i][direction]) {
+        spread += math::square(v - (direction == 0 ? forward : backward));
         count += 1.0;
       }
     }
-    const double random = count > 2.0 ? spread / (count - 2.0) / count : 0.0;
-    const double edge = kCount_deg * base.position_gain_percent_per_deg / std::sqrt(12.0) / std::sqrt(2.0);
+    const double scatter = count > 2.0 ? spread / (count - 2.0) / count : 0.0;
+    const double quantisation =
+        kEncoderStep_deg * base.position_gain_percent_per_deg / std::sqrt(12.0) / std::sqrt(2.0);
     out[i] = {.percent = 0.5 * (forward + backward),
-              .sigma_percent = std::sqrt(random + edge * edge),
+              .sigma_percent = std::sqrt(scatter + quantisation * quantisation),
               .asymmetry_percent = 0.5 * std::abs(forward - backward)};
   }
   return out;
@@ -158,9 +159,9 @@ Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, con
     lowest_deg = std::min(lowest_deg, chirp->front().stretch_deg);
     highest_deg = std::max(highest_deg, chirp->front().stretch_deg);
   }
-  if (chirps.size() < 2 || highest_deg - lowest_deg < kApart_deg) {
+  if (chirps.size() < 2 || highest_deg - lowest_deg < kLeastStretchSpan_deg) {
     return fail("{} chirps, stretches {} ° apart; expected two or more chirps, {} ° apart", chirps.size(),
-                chirps.empty() ? 0.0 : highest_deg - lowest_deg, kApart_deg);
+                chirps.empty() ? 0.0 : highest_deg - lowest_deg, kLeastStretchSpan_deg);
   }
   const auto fitted = fitChirps(chirps, out.plant);
   if (!fitted) return tl::unexpected(fitted.error());
@@ -176,9 +177,9 @@ Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, con
       return fail("part {}: the model leaves {:.0f} % of the acceleration held out; expected at most {:.0f} %",
                   cloth.part, 100.0 * cloth.held_out_error, 100.0 * kUsableError);
     }
-    if (!(cloth.sigma_Hz <= kUsableSigma * cloth.resonance_Hz)) {
+    if (!(cloth.sigma_Hz <= kUsableRelativeSigma * cloth.resonance_Hz)) {
       return fail("part {}: resonance {:.1f} ± {:.1f} Hz: not determined; expected ± {:.0f} % or better", cloth.part,
-                  cloth.resonance_Hz, cloth.sigma_Hz, 100.0 * kUsableSigma);
+                  cloth.resonance_Hz, cloth.sigma_Hz, 100.0 * kUsableRelativeSigma);
     }
     out.held_out_error = std::max(out.held_out_error, cloth.held_out_error);
     const auto count = static_cast<double>(chirps.size());
@@ -187,18 +188,18 @@ Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, con
     damping += cloth.damping / count;
     gain += cloth.gain / count;
   }
-  double across = 0.0;
-  double along = 0.0;
+  double covariance = 0.0;
+  double variance = 0.0;
   for (const FoundCloth& cloth : out.cloths) {
-    along += math::square(cloth.stretch_deg - stretch);
-    across += (cloth.stretch_deg - stretch) * (cloth.resonance_Hz - resonance);
+    variance += math::square(cloth.stretch_deg - stretch);
+    covariance += (cloth.stretch_deg - stretch) * (cloth.resonance_Hz - resonance);
     out.sigma_resonance_Hz = std::max(out.sigma_resonance_Hz, cloth.sigma_Hz);
   }
   out.plant.stretch_deg = stretch;
   out.plant.resonance_Hz = resonance;
   out.plant.damping = damping;
   out.plant.cloth_gain = gain;
-  out.plant.resonance_Hz_per_deg = across / along;
+  out.plant.resonance_Hz_per_deg = covariance / variance;
   out.plant.identified = true;
   out.verdict = out.held_out_error <= kGoodError ? sentence("good") : sentence("usable");
   return out;

@@ -10,45 +10,52 @@
 namespace fyd::texture {
 namespace {
 
-// Chosen on random materials and noise bands (seed 2026) at the finger of the plant in tests/cli/felt_peer.py; judged
-// on the signals of that test.
+// Tuned on random materials and noise bands (seed 2026) with the simulated plant of tests/cli/felt_peer.py, and
+// evaluated on the signals of that test.
 
 constexpr double kLargestSignal_g = 1000.0;
-constexpr double kLeak_Hz = 4.0;  // of the integrators: slower motion belongs to the position loop
-constexpr double kRetune_Hz = 0.5;
+constexpr double kIntegratorLeak_Hz = 4.0;  // slower motion is left to the position loop
+constexpr double kRetune_Hz = 0.5;          // shift of the resonance that needs a new inverse filter
 
-constexpr double kGate_s = 0.025;
-constexpr double kGateCloses_s = 0.03;
-constexpr double kGatePeak = 4.0;  // times the gate's level: a tap opens it at once
+constexpr double kGateAveraging_s = 0.025;
+constexpr double kGateRelease_s = 0.03;  // from open to closed
+constexpr double kGateTapRatio = 4.0;    // a sample above this times the threshold starts to open the gate at once
 
-constexpr double kLearning_s = 2.0;
-constexpr double kEager = 4.0;     // the weight of the first guess falls with this power of time
-constexpr double kGuess_s = 0.05;  // weight of the first guess, in time
-constexpr double kBurst = 9.0;    // so that a tap does not change what was learned: largest square, in mean squares …
-constexpr double kBegin_s = 0.3;  // … once so much of it is known
+constexpr double kLearningTimeConstant_s = 2.0;
+constexpr double kInitialDecayExponent = 4.0;  // the initial values' weight falls with this power of the time of touch
+constexpr double kInitialWeight_s = 0.05;      // time of touch that the initial values count for
+// A square counts at most kOutlierRatio times the running mean, so that a single tap does not change the estimate. The
+// limit is wider at first: it is reached after kInitialDecayExponent · kOutlierOnset_s of touch.
+constexpr double kOutlierRatio = 9.0;
+constexpr double kOutlierOnset_s = 0.3;
 
-constexpr double kUsualLevel_g = 0.1;  // before anything is learned
-constexpr double kUsualGain = 2.5;
-constexpr double kUsual_Hz = 120.0;
+// Surface that is assumed before anything is estimated.
+constexpr double kInitialLevel_g = 0.1;
+constexpr double kInitialGain = 2.5;
+constexpr double kInitialFrequency_Hz = 120.0;
 
-constexpr double kStrongest_g = 2.0;
-constexpr double kRange = 4.605170185988091;  // 40 dB in nepers
-constexpr double kCompressed = 1.05;          // what it becomes: 9 dB in nepers
-constexpr double kEven = 0.15;                // share of that compression which is linear in dB …
-constexpr double kConcave = 5.0;              // … the rest grows with this power of the dB below kStrongest_g
+// Compression: 40 dB of signal below kFullDutyLevel_g become 9 dB of duty.
+constexpr double kFullDutyLevel_g = 2.0;              // RMS signal that gets the largest duty
+constexpr double kInputRange_Np = 4.605170185988091;  // 40 dB in nepers
+constexpr double kOutputRange_Np = 1.05;              // 9 dB in nepers
+constexpr double kLinearShare = 0.15;                 // share of the output range that is linear in dB of the input …
+constexpr double kCompressionExponent = 5.0;          // … the rest falls with this power of the dB below full duty
 
-constexpr double kFrictionShare = 0.95;  // of the breakaway: a turning motor has less
-constexpr double kSoftSign = 0.15;       // of the wanted speed's RMS
-constexpr double kLead = 0.2;            // samples by which the wanted speed is ahead of the end of the sample
-constexpr double kWarm = 0.85;           // of the limit's square: least heat_, so that a start counts as warm
-constexpr double kHeat_s = 1.0;     // far shorter than a motor takes to warm, longer than a surface's own variations
-constexpr double kAim = 0.92;       // of the heat limit, friction included
-constexpr double kHeadroom = 0.97;  // margin to the limits, because clipping distorts the texture
+constexpr double kFrictionCompensation = 0.95;  // of the breakaway duty: sliding friction is less than static
+constexpr double kSoftSignWidth = 0.15;         // of the wanted speed's RMS
+constexpr double kSpeedLead_samples = 0.2;      // extrapolation of the wanted speed before its soft sign is taken
+constexpr double kLeastHeatShare = 0.85;        // lower bound of heat_percent2_, of the RMS limit's square: after a
+                                                // pause the heat limit acts as on a warm motor
+constexpr double kHeatAveraging_s = 1.0;  // far shorter than a motor's thermal time constant, longer than a surface's
+                                          // own variations
+constexpr double kRmsTargetShare = 0.92;  // of the limits, friction compensation included
+constexpr double kHeadroom = 0.97;        // margin to the limits, because clipping distorts the texture
 
-/// Denormals would cost hundreds of cycles each.
+/// 0 for tiny values: denormal numbers would cost hundreds of processor cycles each.
 double flushed(double value) { return std::abs(value) < 1e-30 ? 0.0 : value; }
 
-double shareOf(double position_share_percent) {
+/// Magnitude of the position loop's duty, 0 … 100.
+double positionDuty_percent(double position_share_percent) {
   return std::isfinite(position_share_percent) ? std::min(std::abs(position_share_percent), 100.0) : 0.0;
 }
 
@@ -63,17 +70,17 @@ FeltMapping::FeltMapping(const FeltSettings& settings, double sample_rate_Hz)
 }
 
 void FeltMapping::configure(const FeltSettings& settings) {
-  const bool other_cloth = settings.plant.damping != settings_.plant.damping;
+  const bool damping_changed = settings.plant.damping != settings_.plant.damping;
   settings_ = settings;
-  if (other_cloth) tune();
+  if (damping_changed) tune();
 }
 
 void FeltMapping::reset() {
   tune();
   inverse_.reset();
-  speed_deg_s_ = angle_deg_ = gate_level_ = gate_ = samples_ = 0.0;
-  heat_ = warm();
-  learned_ = usual();
+  speed_deg_s_ = angle_deg_ = gate_mean_square_ = gate_gain_ = samples_ = 0.0;
+  heat_percent2_ = leastHeat_percent2();
+  learned_ = initialMeanSquares();
 }
 
 void FeltMapping::tune() {
@@ -81,112 +88,118 @@ void FeltMapping::tune() {
   inverse_.tune(tuned_Hz_, settings_.plant.damping);
 }
 
-FeltMapping::Surface FeltMapping::usual() const {
-  const double speed_deg_s =
-      kUsualLevel_g * kUsualGain * settings_.plant.degreesPerG() / (2.0 * std::numbers::pi * kUsual_Hz);
-  return {.level = kUsualLevel_g * kUsualLevel_g,
-          .cost = math::square(target_percent(kUsualLevel_g) / kUsualGain),
+FeltMapping::MeanSquares FeltMapping::initialMeanSquares() const {
+  const double speed_deg_s = kInitialLevel_g * kInitialGain * settings_.plant.rollerAccelerationPerG_deg_s2() /
+                             (2.0 * std::numbers::pi * kInitialFrequency_Hz);
+  return {.signal = kInitialLevel_g * kInitialLevel_g,
+          .duty = math::square(linearRms_percent(kInitialLevel_g) / kInitialGain),
           .speed = speed_deg_s * speed_deg_s};
 }
 
-void FeltMapping::openGate(double signal_g) {
+void FeltMapping::updateGate(double signal_g) {
   const double T = 1.0 / rate_Hz_;
-  gate_level_ = flushed(gate_level_ + std::min(1.0, T / kGate_s) * (signal_g * signal_g - gate_level_));
+  gate_mean_square_ =
+      flushed(gate_mean_square_ + std::min(1.0, T / kGateAveraging_s) * (signal_g * signal_g - gate_mean_square_));
   if (!(settings_.gate_g > 0.0)) {
-    gate_ = 1.0;
+    gate_gain_ = 1.0;
     return;
   }
-  const double steady = std::clamp(gate_level_ / (settings_.gate_g * settings_.gate_g) - 1.0, 0.0, 1.0);
-  const double tap = std::clamp(std::abs(signal_g) / (kGatePeak * settings_.gate_g) - 1.0, 0.0, 1.0);
-  gate_ = std::max({steady, tap, gate_ - T / kGateCloses_s});
+  const double steady = std::clamp(gate_mean_square_ / (settings_.gate_g * settings_.gate_g) - 1.0, 0.0, 1.0);
+  const double tap = std::clamp(std::abs(signal_g) / (kGateTapRatio * settings_.gate_g) - 1.0, 0.0, 1.0);
+  gate_gain_ = std::max({steady, tap, gate_gain_ - T / kGateRelease_s});
 }
 
-void FeltMapping::learn(const Surface& squares) {
-  const double slow = kLearning_s * rate_Hz_;
-  double share = 1.0 / slow;
-  double burst = std::numeric_limits<double>::infinity();
-  Surface towards = squares;
-  if (gate_ <= 0.0) {  // what was touched long ago is forgotten
-    samples_ -= samples_ / slow;
-    towards = usual();
+void FeltMapping::learn(const MeanSquares& squares) {
+  const double time_constant_samples = kLearningTimeConstant_s * rate_Hz_;
+  double weight = 1.0 / time_constant_samples;
+  double outlier_limit = std::numeric_limits<double>::infinity();
+  MeanSquares target = squares;
+  if (gate_gain_ <= 0.0) {  // not touched: decay to the initial values
+    samples_ -= samples_ / time_constant_samples;
+    target = initialMeanSquares();
   } else {
-    samples_ = std::min(samples_ + gate_, kEager * slow);
-    share = kEager * gate_ / (samples_ + kEager * kGuess_s * rate_Hz_);
-    burst = kBurst * std::max(1.0, kEager * kBegin_s * rate_Hz_ / samples_);
+    samples_ = std::min(samples_ + gate_gain_, kInitialDecayExponent * time_constant_samples);
+    weight = kInitialDecayExponent * gate_gain_ / (samples_ + kInitialDecayExponent * kInitialWeight_s * rate_Hz_);
+    outlier_limit = kOutlierRatio * std::max(1.0, kInitialDecayExponent * kOutlierOnset_s * rate_Hz_ / samples_);
   }
-  const auto follow = [share, burst](double& mean, double square) {
-    mean += share * (std::min(square, burst * mean) - mean);
+  const auto update = [weight, outlier_limit](double& mean, double square) {
+    mean += weight * (std::min(square, outlier_limit * mean) - mean);
   };
-  follow(learned_.level, towards.level);
-  follow(learned_.cost, towards.cost);
-  follow(learned_.speed, towards.speed);
+  update(learned_.signal, target.signal);
+  update(learned_.duty, target.duty);
+  update(learned_.speed, target.speed);
 }
 
-double FeltMapping::limit_percent() const {
-  return kAim * std::min(settings_.rms_limit_percent, settings_.maximum_percent);
+double FeltMapping::rmsTarget_percent() const {
+  return kRmsTargetShare * std::min(settings_.rms_limit_percent, settings_.maximum_percent);
 }
 
 double FeltMapping::friction_percent(std::size_t motor) const {
-  return std::min(kFrictionShare * settings_.plant.breakaway_percent[motor], limit_percent());
+  return std::min(kFrictionCompensation * settings_.plant.breakaway_percent[motor], rmsTarget_percent());
 }
 
-double FeltMapping::target_percent(double level_g) const {
+double FeltMapping::linearRms_percent(double level_g) const {
   const double friction = std::max(friction_percent(0), friction_percent(1));
-  const double limit = limit_percent();
-  const double most = std::sqrt(std::max(limit * limit - friction * friction, 0.04 * limit * limit));
-  const double below = std::clamp(math::log(kStrongest_g / level_g) / kRange, 0.0, 2.0);
-  return most * math::exp(-kCompressed * (kEven * below + (1.0 - kEven) * math::pow(below, kConcave)));
+  const double limit = rmsTarget_percent();
+  const double largest_percent = std::sqrt(std::max(limit * limit - friction * friction, 0.04 * limit * limit));
+  const double input_share = std::clamp(math::log(kFullDutyLevel_g / level_g) / kInputRange_Np, 0.0, 2.0);
+  return largest_percent *
+         math::exp(-kOutputRange_Np *
+                   (kLinearShare * input_share + (1.0 - kLinearShare) * math::pow(input_share, kCompressionExponent)));
 }
 
-double FeltMapping::warm() const { return kWarm * math::square(settings_.rms_limit_percent); }
+double FeltMapping::leastHeat_percent2() const { return kLeastHeatShare * math::square(settings_.rms_limit_percent); }
 
 double FeltMapping::gain() const {
-  constexpr double kFaintest = 1e-6;  // g and %; a silent surface has neither
-  const double learned_g = std::max(std::sqrt(learned_.level), kFaintest);
+  constexpr double kLeast = 1e-6;  // g and %: no division by 0 for a silent surface
+  const double learned_g = std::max(std::sqrt(learned_.signal), kLeast);
   const double level_g = settings_.surface_level_g > 0.0 ? settings_.surface_level_g : learned_g;
-  const double cost_percent = std::max(std::sqrt(learned_.cost), kFaintest) * level_g / learned_g;
-  return settings_.gain * target_percent(level_g) / cost_percent;
+  const double duty_percent = std::max(std::sqrt(learned_.duty), kLeast) * level_g / learned_g;
+  return settings_.gain * linearRms_percent(level_g) / duty_percent;
 }
 
 FeltDuty FeltMapping::step(double signal_g, double position_share_percent) {
   const FeltPlant& plant = settings_.plant;
   const double T = 1.0 / rate_Hz_;
   const double signal = std::isfinite(signal_g) ? std::clamp(signal_g, -kLargestSignal_g, kLargestSignal_g) : 0.0;
-  if (!inverse_.gliding() && std::abs(plant.resonanceAt_Hz(stretch_deg_) - tuned_Hz_) > kRetune_Hz) tune();
-  openGate(signal);
+  if (!inverse_.inTransition() && std::abs(plant.resonanceAt_Hz(stretch_deg_) - tuned_Hz_) > kRetune_Hz) tune();
+  updateGate(signal);
 
-  const double acceleration = inverse_.step(signal) / plant.cloth_gain * plant.degreesPerG();
-  const double leak = std::max(0.0, 1.0 - 2.0 * std::numbers::pi * kLeak_Hz * T);
+  const double acceleration = inverse_.step(signal) / plant.cloth_gain * plant.rollerAccelerationPerG_deg_s2();
+  const double leak = std::max(0.0, 1.0 - 2.0 * std::numbers::pi * kIntegratorLeak_Hz * T);
   speed_deg_s_ = flushed(leak * speed_deg_s_ + T * acceleration);
   angle_deg_ = flushed(leak * angle_deg_ + T * speed_deg_s_);
   const double linear_percent =
       100.0 * (plant.time_constant_ms * 1e-3 * acceleration + speed_deg_s_) / plant.free_speed_deg_s +
       plant.position_gain_percent_per_deg * angle_deg_;
-  learn({.level = signal * signal, .cost = linear_percent * linear_percent, .speed = speed_deg_s_ * speed_deg_s_});
+  learn({.signal = signal * signal, .duty = linear_percent * linear_percent, .speed = speed_deg_s_ * speed_deg_s_});
 
   FeltDuty out;
-  if (gate_ <= 0.0 || settings_.gain <= 0.0) {
-    heat_ -= std::min(1.0, T / kHeat_s) * (heat_ - warm());
+  if (gate_gain_ <= 0.0 || settings_.gain <= 0.0) {
+    heat_percent2_ -= std::min(1.0, T / kHeatAveraging_s) * (heat_percent2_ - leastHeat_percent2());
     return out;
   }
   const double gain_now = gain();
-  out.wanted_g = gate_ * gain_now * signal;
-  const double share = shareOf(position_share_percent);
-  const double room = kHeadroom * std::max(0.0, std::min(settings_.maximum_percent, 100.0 - share));
-  const double turning =
-      (speed_deg_s_ + kLead * T * acceleration) / (kSoftSign * std::max(std::sqrt(learned_.speed), 1e-6));
-  const double sign = turning / std::sqrt(1.0 + turning * turning);
-  const double cool = std::min(1.0, kHeadroom * settings_.rms_limit_percent / std::sqrt(std::max(heat_, 1e-12)));
-  double hottest = 0.0;
+  out.wanted_g = gate_gain_ * gain_now * signal;
+  const double position_percent = positionDuty_percent(position_share_percent);
+  const double largest_duty = kHeadroom * std::max(0.0, std::min(settings_.maximum_percent, 100.0 - position_percent));
+  const double relative_speed = (speed_deg_s_ + kSpeedLead_samples * T * acceleration) /
+                                (kSoftSignWidth * std::max(std::sqrt(learned_.speed), 1e-6));
+  const double soft_sign = relative_speed / std::sqrt(1.0 + relative_speed * relative_speed);
+  const double heat_gain =
+      std::min(1.0, kHeadroom * settings_.rms_limit_percent / std::sqrt(std::max(heat_percent2_, 1e-12)));
+  double largest_square = 0.0;
   for (std::size_t i = 0; i < kFeltMotors; ++i) {
-    const double still = std::max(0.0, 1.0 - share / std::max(2.0 * plant.breakaway_percent[i], 1.0));
-    const double friction = friction_percent(i) * sign * still * std::min(settings_.gain, 1.0);
-    const double wanted = gate_ * (gain_now * linear_percent + friction);
-    out.percent[i] = std::clamp(cool * wanted, -room, room);
-    out.clipped = out.clipped || std::abs(cool * wanted) > room;
-    hottest = std::max(hottest, math::square(std::clamp(wanted, -room, room)));
+    const double friction_fade =
+        std::max(0.0, 1.0 - position_percent / std::max(2.0 * plant.breakaway_percent[i], 1.0));
+    const double friction = friction_percent(i) * soft_sign * friction_fade * std::min(settings_.gain, 1.0);
+    const double wanted = gate_gain_ * (gain_now * linear_percent + friction);
+    out.percent[i] = std::clamp(heat_gain * wanted, -largest_duty, largest_duty);
+    out.clipped = out.clipped || std::abs(heat_gain * wanted) > largest_duty;
+    largest_square = std::max(largest_square, math::square(std::clamp(wanted, -largest_duty, largest_duty)));
   }
-  heat_ = std::max(heat_ + std::min(1.0, T / kHeat_s) * (hottest - heat_), warm());
+  heat_percent2_ = std::max(heat_percent2_ + std::min(1.0, T / kHeatAveraging_s) * (largest_square - heat_percent2_),
+                            leastHeat_percent2());
   return out;
 }
 

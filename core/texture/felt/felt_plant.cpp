@@ -9,10 +9,12 @@
 namespace fyd::texture {
 
 double FeltPlant::resonanceAt_Hz(double at_deg) const {
-  const double away_deg = std::isfinite(at_deg) ? at_deg - stretch_deg : 0.0;
-  return std::clamp(resonance_Hz + resonance_Hz_per_deg * away_deg, 10.0, 400.0);
+  const double offset_deg = std::isfinite(at_deg) ? at_deg - stretch_deg : 0.0;
+  return std::clamp(resonance_Hz + resonance_Hz_per_deg * offset_deg, 10.0, 400.0);
 }
 
-double FeltPlant::degreesPerG() const { return kStandardGravity * 1e3 / roller_radius_mm * 180.0 / std::numbers::pi; }
+double FeltPlant::rollerAccelerationPerG_deg_s2() const {
+  return kStandardGravity * 1e3 / roller_radius_mm * 180.0 / std::numbers::pi;
+}
 
 }  // namespace fyd::texture

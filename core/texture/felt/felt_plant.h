@@ -1,12 +1,12 @@
 // Plant model from a duty to the finger: motors, rollers, and the cloth with the finger on it.
 //
-//   motor   turns only where its drive exceeds the friction; then a first-order lag up to its free speed
-//   board   its own position loop pulls back, so many % for each degree
+//   motor   breakaway friction, then a first-order lag to the free speed
+//   board   its own proportional position loop: opposing duty in % per degree
 //   roller  moves the cloth sideways at its radius
-//   cloth   carries the finger like a spring with damping: a resonance, which stretching shifts
+//   cloth   couples the finger by a spring and a damper: a second-order resonance that depends on the stretch
 //
-// Found by identification (felt_identification.h). Without it the defaults apply, the middle of the plausible range,
-// and `identified` stays false.
+// The constants are found by identification (felt_identification.h). Until then the defaults apply, the middle of the
+// plausible range, and `identified` is false.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 namespace fyd::texture {
 
 inline constexpr std::size_t kFeltMotors = 2;
-/// Below it a finger feels no vibration; RMS.
+/// Perception threshold of a finger for vibration, RMS.
 inline constexpr double kFeltThreshold_g = 0.02;
 
 struct FeltPlant {
@@ -37,10 +37,10 @@ struct FeltPlant {
   double stretch_deg = 45.0;
   double resonance_Hz_per_deg = 0.0;
 
-  /// At this stretch; within 10…400 Hz. A stretch that is not a number counts as the one of identification.
+  /// Resonance at this stretch; within 10…400 Hz. NaN counts as stretch_deg.
   [[nodiscard]] double resonanceAt_Hz(double stretch_deg) const;
-  /// A roller that accelerates the cloth by 1 g turns by so many °/s².
-  [[nodiscard]] double degreesPerG() const;
+  /// Angular acceleration of a roller that moves the cloth with 1 g, °/s² per g.
+  [[nodiscard]] double rollerAccelerationPerG_deg_s2() const;
 
   template <class Visitor>
   void describe(Visitor& v) {

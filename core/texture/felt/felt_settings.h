@@ -1,4 +1,4 @@
-// Settings of the mapping felt (felt_mapping.h).
+// Settings of FeltMapping (felt_mapping.h).
 #pragma once
 
 #include "core/texture/felt/felt_plant.h"
@@ -7,11 +7,11 @@ namespace fyd::texture {
 
 struct FeltSettings {
   FeltPlant plant;
-  double gain = 1.0;                ///< k_vib, at the finger
+  double gain = 1.0;                ///< k_vib: factor on the duties, 1: the whole range
   double maximum_percent = 100.0;   ///< largest duty
-  double rms_limit_percent = 38.7;  ///< heat: largest RMS duty, over a second
-  double gate_g = 0.0075;           ///< a steady signal of less RMS is noise
-  double surface_level_g = 0.0;     ///< stored RMS of this surface; 0: learned
+  double rms_limit_percent = 38.7;  ///< heat limit: largest RMS of a duty over 1 s
+  double gate_g = 0.0075;           ///< threshold of the noise gate: RMS of a steady signal; 0: no gate
+  double surface_level_g = 0.0;     ///< stored RMS signal of this surface; 0: estimated while touching
 };
 
 }  // namespace fyd::texture

@@ -9,24 +9,24 @@
 namespace fyd::texture {
 namespace {
 
-constexpr double kMean_s = 1.0;
-constexpr double kFaintest = 1e-6;  // of the threshold: −120 dB
+constexpr double kAveraging_s = 1.0;
+constexpr double kLeastRatio = 1e-6;  // of the threshold: −120 dB
 
 signal::BiquadCoefficients clothFilter(double resonance_Hz, double damping, double gain, double rate_Hz) {
   const double w = 2.0 * std::numbers::pi * resonance_Hz;
-  const double c = 2.0 * rate_Hz;  // bilinear
-  const double across = 2.0 * damping * w * c;
-  const double a0 = c * c + across + w * w;
-  return {.b0 = gain * (across + w * w) / a0,
+  const double c = 2.0 * rate_Hz;  // bilinear transform
+  const double damping_term = 2.0 * damping * w * c;
+  const double a0 = c * c + damping_term + w * w;
+  return {.b0 = gain * (damping_term + w * w) / a0,
           .b1 = gain * 2.0 * w * w / a0,
-          .b2 = gain * (w * w - across) / a0,
+          .b2 = gain * (w * w - damping_term) / a0,
           .a1 = 2.0 * (w * w - c * c) / a0,
-          .a2 = (c * c - across + w * w) / a0};
+          .a2 = (c * c - damping_term + w * w) / a0};
 }
 
 }  // namespace
 
-bool isDead(const std::array<double, kFeltMotors>& duty_percent, const FeltPlant& plant) {
+bool inDeadZone(const std::array<double, kFeltMotors>& duty_percent, const FeltPlant& plant) {
   bool any = false;
   for (std::size_t i = 0; i < kFeltMotors; ++i) {
     if (std::abs(duty_percent[i]) >= plant.breakaway_percent[i]) return false;
@@ -41,51 +41,51 @@ FingerPrediction::FingerPrediction(const FeltPlant& plant, double sample_rate_Hz
 
 void FingerPrediction::configure(const FeltPlant& plant, double stretch_deg) {
   const double resonance_Hz = plant.resonanceAt_Hz(stretch_deg);
-  if (resonance_Hz == tuned_Hz_ && plant == plant_) return;
+  if (resonance_Hz == resonance_Hz_ && plant == plant_) return;
   plant_ = plant;
-  tuned_Hz_ = resonance_Hz;
+  resonance_Hz_ = resonance_Hz;
   cloth_.setCoefficients(clothFilter(resonance_Hz, plant.damping, plant.cloth_gain, rate_Hz_));
 }
 
 void FingerPrediction::reset() {
   cloth_.reset();
-  speed_deg_s_ = angle_deg_ = heat_ = {};
-  newest_g_ = felt_ = wanted_ = dead_ = clipped_ = 0.0;
+  speed_deg_s_ = angle_deg_ = duty_mean_square_ = {};
+  acceleration_g_ = finger_mean_square_ = wanted_mean_square_ = dead_share_ = clipped_share_ = 0.0;
 }
 
 void FingerPrediction::step(const std::array<double, kFeltMotors>& duty_percent, double wanted_g, bool clipped) {
   const double T = 1.0 / rate_Hz_;
-  const double share = std::min(1.0, T / kMean_s);
+  const double weight = std::min(1.0, T / kAveraging_s);
   const double tau = plant_.time_constant_ms * 1e-3;
-  const double slows = T / tau;
+  const double dt_per_tau = T / tau;
   double acceleration = 0.0;
   for (std::size_t i = 0; i < kFeltMotors; ++i) {
     const double friction = plant_.breakaway_percent[i];
     const double drive = duty_percent[i] - plant_.position_gain_percent_per_deg * angle_deg_[i];
     const double before = speed_deg_s_[i];
-    // Implicit in the speed's own drag, so that no time constant makes it unstable.
-    const double pushed = (before + slows * plant_.free_speed_deg_s * drive / 100.0) / (1.0 + slows);
-    const double stops = slows * plant_.free_speed_deg_s * friction / 100.0 / (1.0 + slows);
-    speed_deg_s_[i] = std::copysign(std::max(std::abs(pushed) - stops, 0.0), pushed);
+    // Implicit Euler for the speed-dependent term: stable for any time constant.
+    const double driven = (before + dt_per_tau * plant_.free_speed_deg_s * drive / 100.0) / (1.0 + dt_per_tau);
+    const double friction_step = dt_per_tau * plant_.free_speed_deg_s * friction / 100.0 / (1.0 + dt_per_tau);
+    speed_deg_s_[i] = std::copysign(std::max(std::abs(driven) - friction_step, 0.0), driven);
     angle_deg_[i] += T * speed_deg_s_[i];
     acceleration += (speed_deg_s_[i] - before) / T;
-    heat_[i] += share * (duty_percent[i] * duty_percent[i] - heat_[i]);
+    duty_mean_square_[i] += weight * (duty_percent[i] * duty_percent[i] - duty_mean_square_[i]);
   }
-  newest_g_ = cloth_.step(acceleration / kFeltMotors / plant_.degreesPerG());
-  felt_ += share * (newest_g_ * newest_g_ - felt_);
-  wanted_ += share * (wanted_g * wanted_g - wanted_);
-  dead_ += share * ((isDead(duty_percent, plant_) ? 1.0 : 0.0) - dead_);
-  clipped_ += share * ((clipped ? 1.0 : 0.0) - clipped_);
+  acceleration_g_ = cloth_.step(acceleration / kFeltMotors / plant_.rollerAccelerationPerG_deg_s2());
+  finger_mean_square_ += weight * (acceleration_g_ * acceleration_g_ - finger_mean_square_);
+  wanted_mean_square_ += weight * (wanted_g * wanted_g - wanted_mean_square_);
+  dead_share_ += weight * ((inDeadZone(duty_percent, plant_) ? 1.0 : 0.0) - dead_share_);
+  clipped_share_ += weight * ((clipped ? 1.0 : 0.0) - clipped_share_);
 }
 
 FingerFigures FingerPrediction::figures() const {
-  const double relative = std::sqrt(felt_) / kFeltThreshold_g;
-  return {.acceleration_g = newest_g_,
-          .level_dB = 20.0 / std::numbers::ln10 * math::log(std::max(relative, kFaintest)),
-          .dead_share = dead_,
-          .clipped_share = clipped_,
-          .duty_rms_percent = std::sqrt(std::max(heat_[0], heat_[1])),
-          .out_of_reach = wanted_ > kWanting_g * kWanting_g && relative < 1.0};
+  const double relative = std::sqrt(finger_mean_square_) / kFeltThreshold_g;
+  return {.acceleration_g = acceleration_g_,
+          .level_dB = 20.0 / std::numbers::ln10 * math::log(std::max(relative, kLeastRatio)),
+          .dead_share = dead_share_,
+          .clipped_share = clipped_share_,
+          .duty_rms_percent = std::sqrt(std::max(duty_mean_square_[0], duty_mean_square_[1])),
+          .out_of_reach = wanted_mean_square_ > kWantedThreshold_g * kWantedThreshold_g && relative < 1.0};
 }
 
 }  // namespace fyd::texture

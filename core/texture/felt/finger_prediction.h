@@ -1,10 +1,10 @@
-// Predicts what arrives at the finger from the duties sent, by the plant model (felt_plant.h); shown to the operator.
+// Predicts the acceleration at the finger from the duties sent, by the plant model (felt_plant.h), for display.
 //
-//   motor   ω̇ = (ω_free/τ)·(u/100 − ω/ω_free − K·θ), less the friction (breakaway); mean of both motors
+//   motor   ω̇ = (ω_free/τ)·((u − K·θ)/100 − ω/ω_free), less the friction (breakaway); mean of both motors
 //   finger  H(s) = gain·(2ζω₀s + ω₀²)/(s² + 2ζω₀s + ω₀²) of the rollers' acceleration
 //
-// Rough on purpose, one step a sample; an estimate, never a measurement: encoders, load cell and current see none of
-// it. Figures are running means over 1 s. Allocation-free.
+// A coarse model with one integration step per sample. It is an estimate, not a measurement: encoders, load cell and
+// motor current do not sense this vibration. The figures are running means over 1 s. Allocation-free.
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@
 namespace fyd::texture {
 
 struct FingerFigures {
-  double acceleration_g = 0.0;    ///< newest, of the finger
-  double level_dB = 0.0;          ///< RMS at the finger over kFeltThreshold_g; −120 at least
-  double dead_share = 0.0;        ///< of the samples (isDead)
-  double clipped_share = 0.0;     ///< of the samples: cut by a limit
-  double duty_rms_percent = 0.0;  ///< of the motor with more
-  bool out_of_reach = false;      ///< something is wanted, and less than the threshold arrives
+  double acceleration_g = 0.0;    ///< of the finger, newest sample
+  double level_dB = 0.0;          ///< RMS at the finger relative to kFeltThreshold_g; −120 at least
+  double dead_share = 0.0;        ///< share of the samples with inDeadZone
+  double clipped_share = 0.0;     ///< share of the samples in which a limit cut a duty
+  double duty_rms_percent = 0.0;  ///< of the motor with the larger one
+  bool out_of_reach = false;      ///< a signal is wanted, but the finger gets less than the threshold
 };
 
-inline constexpr double kWanting_g = 0.01;  ///< RMS of the texture signal from which something is wanted
-/// There is a duty, but each motor's is below its breakaway.
-[[nodiscard]] bool isDead(const std::array<double, kFeltMotors>& duty_percent, const FeltPlant& plant);
+inline constexpr double kWantedThreshold_g = 0.01;  ///< a texture signal of more RMS is wanted
+/// At least one duty is not 0, and every duty is below its motor's breakaway: no motor turns.
+[[nodiscard]] bool inDeadZone(const std::array<double, kFeltMotors>& duty_percent, const FeltPlant& plant);
 
 class FingerPrediction {
  public:
@@ -43,22 +43,23 @@ class FingerPrediction {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(cloth_, newest_g_, speed_deg_s_, angle_deg_, felt_, wanted_, dead_, clipped_, heat_);
+    archive(cloth_, acceleration_g_, speed_deg_s_, angle_deg_, finger_mean_square_, wanted_mean_square_, dead_share_,
+            clipped_share_, duty_mean_square_);
   }
 
  private:
   FeltPlant plant_;
   double rate_Hz_;
-  double tuned_Hz_ = 0.0;
+  double resonance_Hz_ = 0.0;
   signal::Biquad<double> cloth_;
-  double newest_g_ = 0.0;
+  double acceleration_g_ = 0.0;
   std::array<double, kFeltMotors> speed_deg_s_{};
   std::array<double, kFeltMotors> angle_deg_{};
-  double felt_ = 0.0;  // mean squares and shares
-  double wanted_ = 0.0;
-  double dead_ = 0.0;
-  double clipped_ = 0.0;
-  std::array<double, kFeltMotors> heat_{};
+  double finger_mean_square_ = 0.0;  // g²; this and the following: running means
+  double wanted_mean_square_ = 0.0;
+  double dead_share_ = 0.0;
+  double clipped_share_ = 0.0;
+  std::array<double, kFeltMotors> duty_mean_square_{};
 };
 
 }  // namespace fyd::texture

@@ -12,7 +12,8 @@
 namespace fyd::texture {
 namespace {
 
-// More would match the spectrum better and be felt less, because the motors' duty is limited.
+// A larger gain would match the spectrum better, but use up the limited duty at frequencies where it moves the finger
+// least.
 const double kLargestLogGain = 14.0 / 20.0 * std::numbers::ln10;
 
 using Taps = Eigen::Map<Eigen::ArrayXd>;
@@ -20,41 +21,41 @@ using Taps = Eigen::Map<Eigen::ArrayXd>;
 }  // namespace
 
 InverseCloth::InverseCloth(double sample_rate_Hz) : rate_Hz_(sample_rate_Hz), fft_(kFrame) {
-  taps_[0] = goal_[0] = 1.0;
+  taps_[0] = target_taps_[0] = 1.0;
 }
 
 void InverseCloth::reset() {
-  taps_ = goal_;
-  gliding_ = 0;
-  recent_.fill(0.0);
+  taps_ = target_taps_;
+  transition_left_ = 0;
+  delay_line_.fill(0.0);
   newest_ = 0;
 }
 
 void InverseCloth::tune(double resonance_Hz, double damping) {
   const auto bins = fft_.bins();
   for (std::size_t k = 0; k < bins.size(); ++k) {
-    const double f = static_cast<double>(k) / kFrame;  // of the rate
+    const double f = static_cast<double>(k) / kFrame;  // relative to the sampling rate
     const double r = f * rate_Hz_ / resonance_Hz;
-    const double across = math::square(2.0 * damping * r);
-    const double log_cloth = 0.5 * math::log((1.0 + across) / (math::square(1.0 - r * r) + across));
-    const double held = k == 0 ? 1.0 : math::sin(std::numbers::pi * f) / (std::numbers::pi * f);
-    bins[k] = std::min(-log_cloth - math::log(held), kLargestLogGain);
+    const double damping_term = math::square(2.0 * damping * r);
+    const double log_magnitude = 0.5 * math::log((1.0 + damping_term) / (math::square(1.0 - r * r) + damping_term));
+    const double hold_gain = k == 0 ? 1.0 : math::sin(std::numbers::pi * f) / (std::numbers::pi * f);
+    bins[k] = std::min(-log_magnitude - math::log(hold_gain), kLargestLogGain);
   }
   signal::minimumPhase(fft_);
-  std::copy_n(fft_.time().begin(), kTaps, goal_.begin());
-  gliding_ = kGlide;
+  std::copy_n(fft_.time().begin(), kTaps, target_taps_.begin());
+  transition_left_ = kTransitionSamples;
 }
 
 double InverseCloth::step(double wanted) {
   newest_ = newest_ == 0 ? kTaps - 1 : newest_ - 1;
-  recent_[static_cast<std::size_t>(newest_)] = wanted;
-  recent_[static_cast<std::size_t>(newest_ + kTaps)] = wanted;
+  delay_line_[static_cast<std::size_t>(newest_)] = wanted;
+  delay_line_[static_cast<std::size_t>(newest_ + kTaps)] = wanted;
   Taps taps(taps_.data(), kTaps);
-  if (gliding_ > 0) {
-    taps += (Taps(goal_.data(), kTaps) - taps) / gliding_;
-    --gliding_;
+  if (transition_left_ > 0) {
+    taps += (Taps(target_taps_.data(), kTaps) - taps) / transition_left_;
+    --transition_left_;
   }
-  return (taps * Taps(recent_.data() + newest_, kTaps)).sum();
+  return (taps * Taps(delay_line_.data() + newest_, kTaps)).sum();
 }
 
 }  // namespace fyd::texture

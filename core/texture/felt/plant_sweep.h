@@ -1,5 +1,5 @@
-// What an identification of the way to the finger measures: one table at 1 kHz of several experiments, each with its
-// own number `part`.
+// Measurements for the identification of the plant from duty to finger: one table at 1 kHz of several experiments, each
+// with its own number `part`.
 //
 //   ramp    one motor's duty grows slowly from 0, the other's is 0
 //   chirp   both motors have the same duty, a sine whose frequency rises
@@ -26,13 +26,13 @@ struct SweepRow {
   double acceleration_g = 0.0;                    ///< NaN where no accelerometer was read
 };
 
-using SweepPart = std::vector<SweepRow>;  ///< of one number, never empty
+using SweepPart = std::vector<SweepRow>;  ///< the rows of one experiment, never empty
 
 /// CSV with columns t_s, part, stretch_deg, duty1_percent, duty2_percent, encoder1_counts, encoder2_counts,
 /// acceleration_g; an empty field is allowed in the last.
 [[nodiscard]] Result<std::vector<SweepRow>> parseSweep(std::string_view text, std::string_view source_name);
 
-/// Its experiments, in order.
+/// Splits the table where `part` changes.
 [[nodiscard]] std::vector<SweepPart> partsOf(const std::vector<SweepRow>& sweep);
 
 }  // namespace fyd::texture

@@ -219,14 +219,14 @@ TEST(ObserverHardCases, StaysFiniteAndForgets) {
     for (const double sigma : kBad) {
       for (const double dt : {0.001, 0.0, -1.0, 1e300, kNaN, kInfinity}) {
         observer.step(z, sigma, 0.1, dt);
-        ASSERT_TRUE(std::isfinite(observer.credible()));
+        ASSERT_TRUE(std::isfinite(observer.significantLogScale()));
         ASSERT_TRUE(std::isfinite(observer.sigma()));
         ASSERT_GT(observer.sigma(), 0.0);
       }
     }
   }
   observer.reset();
-  EXPECT_EQ(observer.credible(), 0.0);
+  EXPECT_EQ(observer.significantLogScale(), 0.0);
 }
 
 TEST(LawHardCases, InverseAtTheEndsAndARoundTripOnDenseTargets) {

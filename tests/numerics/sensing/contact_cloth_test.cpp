@@ -187,7 +187,7 @@ TEST(ContactMode, AnyContactGivesFiniteSharesBetweenZeroAndOne) {
               for (std::size_t i = 0; i < 3; ++i) {
                 EXPECT_GE(cloth.share(i), 0.0);
                 EXPECT_LE(cloth.share(i), 1.0);
-                EXPECT_TRUE(std::isfinite(cloth.doubt(i)))
+                EXPECT_TRUE(std::isfinite(cloth.shareSigma(i)))
                     << x << ' ' << y << ' ' << area << ' ' << depth << ' ' << ratio;
               }
             }

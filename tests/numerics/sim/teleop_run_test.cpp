@@ -49,17 +49,17 @@ TEST(DesktopArm, HasThePapersFigures) {
 
 TEST(DeviceMessage, GoesThroughAnIsdnLineEachTenMilliseconds) {
   const auto code = *protocol::PositionCode::make(DesktopArm::workspace());
-  DeviceMessage message{.session = 7,
-                        .date_s = 12.345678,
-                        .position_mm = {12.34, -50.0, 64.98},
-                        .orientation = {1.0, -2.0, 3.0},
-                        .force_N = {1.234, -6.4, 40.0},
-                        .axes = {}};
+  protocol::DeviceMessage message{.session = 7,
+                                  .date_s = 12.345678,
+                                  .position_mm = {12.34, -50.0, 64.98},
+                                  .orientation = {1.0, -2.0, 3.0},
+                                  .force_N = {1.234, -6.4, 40.0},
+                                  .axes = {}};
   message.axes[1] = {.touching = true, .knows_surface = true, .surface_m = 0.0125, .stiffness_N_per_m = 800.0};
-  std::array<std::uint8_t, kMostDeviceMessage> bytes{};
+  std::array<std::uint8_t, protocol::kMostDeviceMessage> bytes{};
   const std::size_t size = encode(message, code, bytes);
   EXPECT_LE(8 * (size + 28), 640U);  // equation 2: 64 kbit/s · 10 ms
-  const auto again = decodeDeviceMessage(std::span(bytes).first(size), code);
+  const auto again = protocol::decodeDeviceMessage(std::span(bytes).first(size), code);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->session, 7);
   EXPECT_NEAR(again->date_s, 12.345678, 1e-6);
@@ -71,27 +71,27 @@ TEST(DeviceMessage, GoesThroughAnIsdnLineEachTenMilliseconds) {
   EXPECT_TRUE(again->axes[1].touching && again->axes[1].knows_surface && !again->axes[0].knows_surface);
   EXPECT_NEAR(again->axes[1].surface_m, 0.0125, 1e-8);
   for (std::size_t cut = 0; cut < size; ++cut)
-    EXPECT_FALSE(decodeDeviceMessage(std::span(bytes).first(cut), code)) << cut;
+    EXPECT_FALSE(protocol::decodeDeviceMessage(std::span(bytes).first(cut), code)) << cut;
 }
 
 TEST(DeviceMessage, WithADeadbandItRepeatsTheTwoBefore) {
   const auto code = *protocol::PositionCode::make(DesktopArm::workspace());
-  DeviceMessage message{.session = 7,
-                        .date_s = 12.5,
-                        .position_mm = {12.34, -50.0, 64.98},
-                        .force_N = {1.234, -6.4, 4.0},
-                        .number = 4'000'000'000U,
-                        .velocity_mm_per_s = {-123.4, 0.05, 9999.0},
-                        .earlier = {},
-                        .axes = {}};
+  protocol::DeviceMessage message{.session = 7,
+                                  .date_s = 12.5,
+                                  .position_mm = {12.34, -50.0, 64.98},
+                                  .force_N = {1.234, -6.4, 4.0},
+                                  .number = 4'000'000'000U,
+                                  .velocity_mm_per_s = {-123.4, 0.05, 9999.0},
+                                  .earlier = {},
+                                  .axes = {}};
   ASSERT_TRUE(message.earlier.push({12.25, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {0.7, 0.8, 0.9}}));
   ASSERT_TRUE(message.earlier.push({12.375, {-1.0, -2.0, -3.0}, {-4.0, -5.0, -6.0}, {-0.7, -0.8, -0.9}}));
   for (auto& axis : message.axes) axis = {.knows_surface = true, .surface_m = 0.01, .stiffness_N_per_m = 500.0};
   message.tells_energy = true;
-  std::array<std::uint8_t, kMostDeviceMessage> bytes{};
+  std::array<std::uint8_t, protocol::kMostDeviceMessage> bytes{};
   const std::size_t size = encode(message, code, bytes);
   ASSERT_GT(size, 0U);  // the longest there is
-  const auto again = decodeDeviceMessage(std::span(bytes).first(size), code);
+  const auto again = protocol::decodeDeviceMessage(std::span(bytes).first(size), code);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->number, 4'000'000'000U);
   EXPECT_NEAR(again->velocity_mm_per_s.x, -123.4, 1e-9);
@@ -103,7 +103,7 @@ TEST(DeviceMessage, WithADeadbandItRepeatsTheTwoBefore) {
   EXPECT_NEAR(again->earlier[0].velocity_mm_per_s.z, 6.0, 1e-9);
   EXPECT_NEAR(again->earlier[1].force_N.z, -0.9, 1e-9);
   for (std::size_t cut = 0; cut < size; ++cut) {
-    const auto shorter = decodeDeviceMessage(std::span(bytes).first(cut), code);
+    const auto shorter = protocol::decodeDeviceMessage(std::span(bytes).first(cut), code);
     EXPECT_TRUE(!shorter || shorter->earlier.size() < 2) << cut;  // whole samples may be left out, nothing else
   }
 }

@@ -455,8 +455,8 @@ TEST(LinkEnds, DelayedMessagesAreStale) {
 TEST(LinkEnds, HandshakeThatTookTooLongTellsNothingOfTheClocks) {
   LinkPair pair;
   pair.weather.delay_ms = 450.0;  // a round trip of 900 ms where 600 are allowed
-  ASSERT_TRUE(pair.runUntil([&] { return pair.robot.session() != nullptr; }, 5.0));
-  EXPECT_FALSE(pair.robot.session()->clock().known());
+  ASSERT_TRUE(pair.runUntil([&] { return pair.robot.connection() != nullptr; }, 5.0));
+  EXPECT_FALSE(pair.robot.connection()->clock().known());
   pair.run(0.9);
   EXPECT_EQ(pair.touches, 0U);
   EXPECT_EQ(pair.states, 0U);

@@ -91,12 +91,12 @@ TEST(DeviceTestRunner, EverySignOfTroubleEndsItAtOnceAndForGood) {
       {"do not answer", [](Loop& l) { l.encoders_answer = false; }},
       {"stood still", [](Loop& l) { l.inputs.now += std::chrono::milliseconds(25); }},
       {"stood still", [](Loop& l) { l.inputs.now -= std::chrono::milliseconds(25); }},
-      {"not where it was sent",
+      {"did not follow",
        [](Loop& l) {
          l.follows = false;
          l.counts[0] += 512;
        }},
-      {"not where it was sent", [](Loop& l) { l.counts[1] = 5000; }},
+      {"did not follow", [](Loop& l) { l.counts[1] = 5000; }},
   };
   for (const Trouble& trouble : kTroubles) {
     Loop loop;
@@ -141,7 +141,7 @@ TEST(DeviceTestRunner, APressThatComesTooLateMovesNothing) {
   loop.outputs.telemetry.state = SafetyState::active;  // armed between the press and the next step
   loop.outputs.motors.active = true;
   EXPECT_EQ(loop.run(10), 0);
-  EXPECT_THAT(loop.words(), HasSubstr("not free"));
+  EXPECT_THAT(loop.words(), HasSubstr("in use"));
 }
 
 TEST(DeviceTestRunner, BeforeTheFirstStepNothingMayMove) {
@@ -192,7 +192,7 @@ TEST(DeviceTestRunner, ASweepBelievesNeitherZeroNorSignButNeedsAMotorThatTurns) 
   stuck.follows = false;
   ASSERT_TRUE(stuck.press(DeviceTest::sweep));
   EXPECT_LT(stuck.run(20'000), 6000) << "within the third step of 5°";
-  EXPECT_THAT(stuck.words(), HasSubstr("not where it was sent"));
+  EXPECT_THAT(stuck.words(), HasSubstr("did not follow"));
   Loop silent;
   ASSERT_TRUE(silent.press(DeviceTest::sweep));
   silent.run(500);

@@ -62,16 +62,16 @@ TEST(PersonalLayer, WhatIsNotFiniteLeavesItAsItWasOrAnew) {
 
 TEST(Trust, IsTheShareThatCameTrueAndNothingOfNoise) {
   Trust trust;
-  EXPECT_NEAR(trust.first({10.0}), 1.0, 1e-3);  // large against a hand's noise, and nothing known against it
-  EXPECT_LT(trust.first({0.02}), 0.02);
-  for (int i = 0; i < 500; ++i) trust.settle({4.0}, {1.0});
-  EXPECT_NEAR(trust.now(1.0, 0.0, 0.05), 1.2 * 0.25, 0.01);
-  for (int i = 0; i < 500; ++i) trust.settle({4.0}, {-1.0});
-  EXPECT_EQ(trust.now(1.0, 0.0, 0.05), 0.0);
+  EXPECT_NEAR(trust.initialFactor({10.0}), 1.0, 1e-3);  // large against a hand's noise, and nothing known against it
+  EXPECT_LT(trust.initialFactor({0.02}), 0.02);
+  for (int i = 0; i < 500; ++i) trust.addOutcome({4.0}, {1.0});
+  EXPECT_NEAR(trust.factor(1.0, 0.0, 0.05), 1.2 * 0.25, 0.01);
+  for (int i = 0; i < 500; ++i) trust.addOutcome({4.0}, {-1.0});
+  EXPECT_EQ(trust.factor(1.0, 0.0, 0.05), 0.0);
   Trust walk;  // steps of a random walk: second differences are twice the first ones
-  walk.watch(100.0, 200.0);
-  EXPECT_EQ(walk.first({10.0}), 0.0);
-  EXPECT_EQ(walk.now(1.0, 1.0, 0.05), 0.0);
+  walk.addDifferences(100.0, 200.0);
+  EXPECT_EQ(walk.initialFactor({10.0}), 0.0);
+  EXPECT_EQ(walk.factor(1.0, 1.0, 0.05), 0.0);
 }
 
 }  // namespace

@@ -154,13 +154,13 @@ TEST(SmoothOutput, ACorrectionDecaysAsACriticallyDampedSystemAndSteadyMotionDoes
 }
 
 TEST(SmoothOutput, TheUsualTimeConstantGrowsWithThePeriodAndALittleWithTheDelay) {
-  for (const double period_s : {0.0, 0.001, 0.010}) EXPECT_EQ(usualSmoothing_s(period_s, 0.3), 0.015) << period_s;
-  EXPECT_NEAR(usualSmoothing_s(0.030, 0.0), 0.035, 1e-12);
-  EXPECT_NEAR(usualSmoothing_s(0.100, 0.0), 0.055, 1e-12);
-  EXPECT_NEAR(usualSmoothing_s(0.500, 0.100), 0.070, 1e-12);
+  for (const double period_s : {0.0, 0.001, 0.010}) EXPECT_EQ(defaultSmoothing_s(period_s, 0.3), 0.015) << period_s;
+  EXPECT_NEAR(defaultSmoothing_s(0.030, 0.0), 0.035, 1e-12);
+  EXPECT_NEAR(defaultSmoothing_s(0.100, 0.0), 0.055, 1e-12);
+  EXPECT_NEAR(defaultSmoothing_s(0.500, 0.100), 0.070, 1e-12);
   for (const double wrong : {std::nan(""), -1e9, 1e9, std::numeric_limits<double>::infinity()}) {
-    EXPECT_GE(usualSmoothing_s(0.5, wrong), 0.055) << wrong;
-    EXPECT_LE(usualSmoothing_s(0.5, wrong), 0.130) << wrong;
+    EXPECT_GE(defaultSmoothing_s(0.5, wrong), 0.055) << wrong;
+    EXPECT_LE(defaultSmoothing_s(0.5, wrong), 0.130) << wrong;
   }
 }
 

@@ -1,5 +1,5 @@
-// What both ends of a running FYD Link session do alike: seal and open, judge freshness, measure the connection,
-// and decide when the other end counts as lost.
+// The connection between the two ends of FYD Link while a session runs, as either end sees it: it opens sealed datagrams,
+// judges their freshness, measures clocks, jitter and loss, and decides when the other end counts as lost.
 //
 // Freshness: a message older than the limit (by the offset of the clocks, whose error is at most half the best round
 // trip) or from the future is refused. A heartbeat may prove its freshness by its echo instead: its round trip is at
@@ -19,18 +19,18 @@
 namespace fyd::protocol {
 
 struct LinkReceived {
-  LinkEnvelope message;  ///< points into the session's buffer until the next call
+  LinkEnvelope message;  ///< points into the connection's buffer until the next call
   std::int64_t age_us = 0;
   LinkRefusal refusal = LinkRefusal::none;
   [[nodiscard]] bool ok() const { return refusal == LinkRefusal::none; }
 };
 
-class LinkSession {
+class LinkConnection {
  public:
-  LinkSession() = default;
+  LinkConnection() = default;
   /// @param period_ms between two messages of the other end, as negotiated
-  LinkSession(const SecretBytes<32>& send_key, const SecretBytes<32>& receive_key, std::uint16_t session,
-              double period_ms, LinkTime now_us)
+  LinkConnection(const SecretBytes<32>& send_key, const SecretBytes<32>& receive_key, std::uint16_t session,
+                 double period_ms, LinkTime now_us)
       : sealer_(send_key, session),
         opener_(receive_key, session),
         session_(session),

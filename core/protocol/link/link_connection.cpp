@@ -1,4 +1,4 @@
-#include "core/protocol/link/link_session.h"
+#include "core/protocol/link/link_connection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ std::int64_t longestRoundTrip_us(const LinkParameters& parameters) {
 
 }  // namespace
 
-LinkReceived LinkSession::receive(Bytes datagram, LinkTime now_us, const LinkParameters& parameters) {
+LinkReceived LinkConnection::receive(Bytes datagram, LinkTime now_us, const LinkParameters& parameters) {
   const Opened opened = opener_.open(datagram, plain_);
   if (!opened.ok()) return {.refusal = opened.refusal};
   ++window_taken_;
@@ -31,8 +31,8 @@ LinkReceived LinkSession::receive(Bytes datagram, LinkTime now_us, const LinkPar
   return out;
 }
 
-LinkRefusal LinkSession::judge(const LinkEnvelope& message, LinkTime now_us, const LinkParameters& parameters,
-                               std::int64_t& age_us) {
+LinkRefusal LinkConnection::judge(const LinkEnvelope& message, LinkTime now_us, const LinkParameters& parameters,
+                                  std::int64_t& age_us) {
   const auto limit_us = static_cast<std::int64_t>(1e3 * parameters.freshness_ms);
   bool fresh_by_echo = false;
   if (message.type == LinkMessage::heartbeat) {
@@ -53,8 +53,8 @@ LinkRefusal LinkSession::judge(const LinkEnvelope& message, LinkTime now_us, con
   return LinkRefusal::none;
 }
 
-void LinkSession::learnClock(LinkTime now_us, LinkTime sent_us, LinkTime echo_us, std::uint32_t held_us,
-                             const LinkParameters& parameters) {
+void LinkConnection::learnClock(LinkTime now_us, LinkTime sent_us, LinkTime echo_us, std::uint32_t held_us,
+                                const LinkParameters& parameters) {
   if (signedDifference(now_us, echo_us) - std::int64_t{held_us} <= longestRoundTrip_us(parameters)) {
     static_cast<void>(clock_.sample(now_us, sent_us, echo_us, held_us));
   }
@@ -62,13 +62,13 @@ void LinkSession::learnClock(LinkTime now_us, LinkTime sent_us, LinkTime echo_us
   newest_heard_us_ = now_us;
 }
 
-LinkHeartbeat LinkSession::heartbeat(LinkTime now_us) const {
+LinkHeartbeat LinkConnection::heartbeat(LinkTime now_us) const {
   constexpr LinkTime kLongest = 0xFFFF'FFFF;
   return {.echo_us = newest_sent_us_,
           .held_us = static_cast<std::uint32_t>(std::min(now_us - newest_heard_us_, kLongest))};
 }
 
-void LinkSession::measure(LinkTime now_us, LinkTime sent_us) {
+void LinkConnection::measure(LinkTime now_us, LinkTime sent_us) {
   heard_us_ = now_us;
   if (sent_us >= newest_sent_us_) {
     newest_sent_us_ = sent_us;
@@ -93,9 +93,9 @@ void LinkSession::measure(LinkTime now_us, LinkTime sent_us) {
   window_began_us_ = now_us;
 }
 
-double LinkSession::jitter_ms() const { return kJitterDeviations * deviation_ms_; }
+double LinkConnection::jitter_ms() const { return kJitterDeviations * deviation_ms_; }
 
-double LinkSession::lostLimit_ms(const LinkParameters& parameters) const {
+double LinkConnection::lostLimit_ms(const LinkParameters& parameters) const {
   const double wanted_ms = std::max(kLostFloor_ms, 3.0 * period_ms_ + jitter_ms());
   return std::min(wanted_ms, std::max(kLostFloor_ms, parameters.lost_cap_ms));
 }

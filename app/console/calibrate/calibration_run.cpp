@@ -1,0 +1,319 @@
+#include "app/console/calibrate/calibration_run.h"
+
+#include <QTimer>
+
+#include "core/calibration/calibration_dependence.h"
+#include "core/calibration/stiffness_map.h"
+#include "core/device/touchpad/test_motion.h"
+#include "core/station/profile/calibration_file.h"
+#include "widgets/basics/core_text.h"
+
+namespace fyd::console {
+
+using pipeline::SafetyState;
+
+namespace {
+
+constexpr int kLiftedFinger_ms = 1000;  // until the camera has seen the simulated finger leave
+
+/// Number of readings in the live figures: those of 1 s, or of one point when points are taken automatically.
+int liveReadings(const CalibrationStep& step) {
+  constexpr int kSecond_ms = 1000;
+  return step.motion() != CalibrationStep::Motion::none ? step.readings() : kSecond_ms / step.interval_ms();
+}
+
+}  // namespace
+
+CalibrationRun::CalibrationRun(const PageContext& context, widgets::HoldButton* move_button, QObject* parent)
+    : QObject(parent),
+      context_(context),
+      motion_(new HeldMotion(context.session, move_button, this)),
+      profile_(context.session.currentProfile()),
+      steps_(makeCalibrationSteps(profile_)) {
+  connect(move_button, &widgets::HoldButton::letGo, motion_, &HeldMotion::end);
+  connect(motion_, &HeldMotion::ended, this, [this] {
+    emit said(tr("The motors are off. %1 points so far.").arg(points().size()), false);
+    emit motionEnded();
+    emit allowedChanged();
+  });
+  const SessionFeed* feed = &context_.feed;
+  connect(feed, &SessionFeed::telemetry, this, [this](std::span<const pipeline::TelemetrySample> samples) {
+    newest_ = samples.back();
+    if (std::exchange(state_, newest_.state) != newest_.state) emit allowedChanged();
+  });
+  connect(feed, &SessionFeed::silent, this, [this](bool silent) {
+    silent_ = silent;
+    emit allowedChanged();
+  });
+}
+
+double CalibrationRun::progress() const {
+  if (taking_now_) return taking_.progress();
+  return motion_->active() && step().motion() == CalibrationStep::Motion::experiment ? motion_->status().progress : 0.0;
+}
+
+bool CalibrationRun::mayMove() const {
+  return !silent_ &&
+         (state_ == SafetyState::connected || state_ == SafetyState::ready || state_ == SafetyState::stopped);
+}
+
+bool CalibrationRun::renders() const { return !silent_ && !mayMove(); }
+
+void CalibrationRun::takeProfile() {
+  profile_ = context_.session.currentProfile();
+  refit();
+}
+
+void CalibrationRun::choose(int step) {
+  end();
+  step_ = step;
+  restartReadings();
+  emit said({}, false);
+  refit();
+}
+
+void CalibrationRun::end() {
+  motion_->end();
+  endPoint({});
+}
+
+void CalibrationRun::restartReadings() { recent_.restart(liveReadings(step())); }
+
+CalibrationScene CalibrationRun::scene(const Picks& picks) const {
+  return {.devices = devices_,
+          .newest = newest_,
+          .finger = finger_,
+          .profile = profile_,
+          .picture = picks.picture,
+          .place_px = picks.place_px,
+          .rectangle_px = picks.rectangle_px,
+          .motion = motion_->status()};
+}
+
+Result<std::vector<double>> CalibrationRun::read(const Picks& picks) {
+  devices_ = context_.session.devices();
+  motion_->readStatus();
+  finger_ = context_.session.cameraView().finger;
+  auto reading = step().read(scene(picks));
+  if (reading) {
+    recent_.add(*reading);
+    return reading;
+  }
+  restartReadings();
+  if (taking_now_) endPoint(tr("Not taken: %1.").arg(widgets::coreText(reading.error().message)));
+  return reading;
+}
+
+void CalibrationRun::advance(const Picks& picks, const std::vector<double>& reading) {
+  if (step().motion() != CalibrationStep::Motion::none) takeByItself(picks);
+  if (!taking_now_) return;
+  taking_.add(reading);
+  if (!taking_.full()) return;
+  const QString moves = taking_.moving(step().signalsWanted(profile_));
+  if (moves.isEmpty()) {
+    takePoint();
+  } else {
+    endPoint(tr("Not taken: %1. Wait until it rests and take the point again.").arg(moves));
+  }
+}
+
+PointOrigin CalibrationRun::originOfReadings() const {
+  return context_.session.simulated() ? PointOrigin::measured_on_simulation : PointOrigin::measured;
+}
+
+void CalibrationRun::startPoint(const Picks& picks, const Entered& entered) {
+  if (taking_now_) return;
+  if (step().motion() != CalibrationStep::Motion::none) {
+    emit said(tr("This part's points are taken by themselves while the button is held."), true);
+    return;
+  }
+  if (holdsSimulated() && !lifted_ && !step().onePoint()) {
+    emit said(tr("These points are simulated: discard them before you measure."), true);
+    return;
+  }
+  if (!entered) {
+    emit said(tr("Not taken: see the entry at the left."), true);
+    return;
+  }
+  entered_ = *entered;
+  devices_ = context_.session.devices();
+  finger_ = context_.session.cameraView().finger;
+  const auto reading = step().read(scene(picks));
+  if (!reading) {
+    endPoint(tr("Not taken: %1.").arg(widgets::coreText(reading.error().message)));
+    return;
+  }
+  taking_.restart(step().readings());
+  if (step().readings() == 1) {
+    taking_.add(*reading);
+    takePoint();
+    return;
+  }
+  taking_now_ = true;
+  emit said(tr("Averaging for %1 s: keep still.").arg(step().readings() * step().interval_ms() / 1000.0), false);
+  emit allowedChanged();
+}
+
+void CalibrationRun::endPoint(const QString& why_not) {
+  if (lifted_) context_.session.releaseSimulatedFinger();
+  lifted_ = false;
+  taking_now_ = false;
+  if (!why_not.isEmpty()) emit said(why_not, true);
+  emit allowedChanged();
+}
+
+void CalibrationRun::takePoint() {
+  if (step().onePoint()) points_.clear(step_);
+  CalibrationPoint whole = step().pointOf(taking_.readings());
+  points_.add(step_, whole.empty() ? step().point(entered_, taking_.mean(), taking_.spread()) : std::move(whole),
+              lifted_ ? PointOrigin::simulated : PointOrigin::measured);
+  endPoint({});
+  emit said(step().onePoint() ? tr("Measured.") : tr("Point %1 taken.").arg(points().size()), false);
+  refit();
+  emit pointTaken(true);
+}
+
+void CalibrationRun::takeBack() {
+  if (points().empty() || taking_now_) return;
+  points_.takeBack(step_);
+  emit said(tr("The last point is taken back."), false);
+  refit();
+}
+
+void CalibrationRun::discard() {
+  if (points().empty() && !taking_now_) return;
+  endPoint({});
+  points_.clear(step_);
+  emit said(tr("Points discarded; the values in force stay."), false);
+  refit();
+}
+
+void CalibrationRun::simulate() {
+  if (taking_now_ || lifted_) return;
+  if (!points().empty() && !holdsSimulated()) {
+    emit said(tr("These points are measured: discard them before you take simulated ones."), true);
+    return;
+  }
+  auto simulated = step().simulatedPoints(profile_);
+  if (!simulated.empty()) {
+    points_.clear(step_);
+    for (CalibrationPoint& point : simulated) points_.add(step_, std::move(point), PointOrigin::simulated);
+    emit said(tr("Simulated points, from the simulator's own truth and noise. No part was measured."), false);
+    refit();
+    return;
+  }
+  lifted_ = true;
+  context_.session.moveSimulatedFinger(0.0, 0.0, 0.0);
+  emit said(tr("The simulated finger leaves the cloth…"), false);
+  QTimer::singleShot(kLiftedFinger_ms, this, [this] {
+    if (lifted_) emit fingerLifted();
+  });
+}
+
+void CalibrationRun::startMotion(const Entered& entered) {
+  if (holdsSimulated()) {
+    emit said(tr("These points are simulated: discard them before you measure."), true);
+    return;
+  }
+  if (!entered) {
+    emit said(tr("Not moved: see the entry at the left."), true);
+    return;
+  }
+  const device::DeviceTest test = step().test(points());
+  const auto started = motion_->start(test, device::goesToStretch(test) && !entered->empty() ? entered->front() : 0.0);
+  if (!started) {
+    emit said(tr("Not moved: %1.").arg(widgets::coreText(started.error().message)), true);
+    return;
+  }
+  if (test == device::DeviceTest::sweep) points_.clear(step_);  // a sweep is only used complete
+  entered_ = *entered;
+  recent_.restart(step().readings());
+  emit said(tr("The motors move; let go and they are off."), false);
+  refit();
+}
+
+void CalibrationRun::takeByItself(const Picks& picks) {
+  if (!motion_->active()) return;
+  if (!motion_->status().running) {
+    const station::DeviceTestStatus ended = motion_->status();
+    if (ended.finished) takeExperiment();
+    motion_->end();
+    emit said(tr("The motors are off: %1. %2 points so far.").arg(widgets::coreText(ended.words)).arg(points().size()),
+              !ended.finished);
+    return;
+  }
+  if (step().motion() == CalibrationStep::Motion::experiment) {
+    (void)context_.session.deviceTestSweep();
+    return;
+  }
+  const auto wanted = step().signalsWanted(profile_);
+  const QString moving = recent_.full() ? recent_.moving(wanted) : QString();
+  const QString not_yet = step().notYet(scene(picks), points(), recent_.mean());
+  if (!not_yet.isEmpty() || !moving.isEmpty() || !recent_.full()) {
+    emit said(!not_yet.isEmpty() ? not_yet : !moving.isEmpty() ? moving + QLatin1Char('.') : tr("Hold still."), false);
+    if (!not_yet.isEmpty()) recent_.restart(step().readings());
+    return;
+  }
+  points_.add(step_, step().point(entered_, recent_.mean(), recent_.spread()), originOfReadings());
+  emit said(tr("Point %1 taken.").arg(points().size()), false);
+  recent_.restart(step().readings());
+  refit();
+  emit pointTaken(false);
+}
+
+void CalibrationRun::takeExperiment() {
+  CalibrationPoint point = step().pointOfExperiment(context_.session.deviceTestSweep());
+  if (point.empty()) return;
+  points_.add(step_, std::move(point), originOfReadings());
+  refit();
+}
+
+void CalibrationRun::refit() {
+  fit_ = step().fit(points(), profile_);
+  if (step().trustsIndentation() && !points().empty()) {
+    const auto records = station::loadCalibrationRecords(context_.tuning.profilePath().toStdString());
+    if (!records || !calibration::clothProven(*records, bindParameters(profile_))) {
+      calibration::sayIndentationUnproven(fit_.result);
+    }
+  }
+  emit fitted();
+}
+
+void CalibrationRun::accept(const AcceptedWords& words) {
+  if (points().empty() || !fit_.result.verdict.accepted) {
+    emit said(tr("There is nothing to accept yet: %1.")
+                  .arg(points().empty() ? tr("take points first") : widgets::coreText(fit_.result.verdict.reason)),
+              true);
+    return;
+  }
+  if (silent_) {
+    emit said(tr("The station is silent: wait until it answers."), true);
+    return;
+  }
+  if (newest_.state == SafetyState::active || newest_.state == SafetyState::held) {
+    emit said(tr("Accepting begins the session anew, and that is not done while motors can move: press Esc first."),
+              true);
+    return;
+  }
+  if (context_.session.recorderStatus().state == recording::RecorderState::recording) {
+    emit said(tr("Accepting begins the session anew and would end the recording: stop the recording first."), true);
+    return;
+  }
+  AcceptedWords record = words;
+  if (points_.originOf(step_) != PointOrigin::measured)
+    record.conditions = "simulated points" + (record.conditions.empty() ? "" : "; " + record.conditions);
+  if (!acceptCalibration(context_, fit_.result, step().sensor(), record)) return;
+  points_.clear(step_);
+  profile_ = context_.session.currentProfile();
+  emit said(tr("Accepted. The values are in force and in the profile."), false);
+  emit accepted();
+  refit();
+}
+
+void CalibrationRun::writeReport() {
+  const QString problem = writeCalibrationReport(context_, step().procedure(), step().sensor());
+  emit said(problem.isEmpty() ? tr("The report stands beside the profile.") : tr("No report: %1.").arg(problem),
+            !problem.isEmpty());
+}
+
+}  // namespace fyd::console
