@@ -44,7 +44,7 @@ Periods haptic() {
   station::HapticLoop loop;
   std::jthread thread([&](const std::stop_token&) {
     std::stop_source enough;
-    loop.run(enough.get_token(), [&](Instant now, std::uint64_t) {
+    loop.run(enough.get_token(), false, [&](Instant now, std::uint64_t) {
       starts.push_back(now);
       if (starts.size() == kCycles) enough.request_stop();
     });
@@ -54,7 +54,7 @@ Periods haptic() {
 }
 
 Periods wholeStation() {
-  auto opened = station::Station::open({});
+  auto opened = station::Station::open({.real_time = true});  // what is judged is how late it is
   if (!opened) return {};
   std::vector<Instant> starts;
   std::vector<pipeline::TelemetrySample> batch(1000);

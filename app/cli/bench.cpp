@@ -23,8 +23,7 @@ void add_bench(CLI::App& app) {
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execv(program.c_str(), arguments.data());
-    if (errno == ENOENT)
-      throw Failure(say("{}: is not there; it is built with FYD_BUILD_BENCHMARKS", program.string()));
+    if (errno == ENOENT) throw Failure(say("{}: not found; it is built with FYD_BUILD_BENCHMARKS", program.string()));
     throw Failure(about(program.string(), systemReason(errno)));
   });
 }

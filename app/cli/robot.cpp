@@ -139,7 +139,8 @@ void add_robot(CLI::App& app) {
   robot->add_option("--probe-estimate", options->probe_estimate, "Stiffness from the samples")
       ->check(CLI::IsMember({"slope", "mean", "thesis"}))
       ->capture_default_str();
-  robot->add_option("--scale", options->scale, "XY,Z: robot's way for the finger's")->capture_default_str();
+  robot->add_option("--scale", options->scale, "XY,Z: movement of the robot divided by that of the finger")
+      ->capture_default_str();
   robot
       ->add_option("--predictor", options->predictor,
                    "How the arm is led: default, order0, order1, hybrid, kalman or ar say where the finger is now; "
@@ -149,13 +150,15 @@ void add_robot(CLI::App& app) {
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   robot
-      ->add_option("--arm-lag", options->arm_lag_ms,
-                   "How far the tool runs behind what the arm is told, ms, which is predicted too; the simulated arm "
-                   "says its own, the KUKA none")
+      ->add_option(
+          "--arm-lag", options->arm_lag_ms,
+          "Delay of the tool behind the commands to the arm, ms; it is predicted too. The simulated arm knows its own, "
+          "the KUKA does not")
       ->check(CLI::Range(0.0, 500.0));
   robot->add_option("--smoothing", options->smoothing, "XY,Z: share of the old target kept at each touch, of thesis")
       ->capture_default_str();
-  robot->add_option("--workspace", options->workspace, "X,Y,Z: farthest from the start, mm")->capture_default_str();
+  robot->add_option("--workspace", options->workspace, "X,Y,Z: largest distances from the start, mm")
+      ->capture_default_str();
   robot->add_option("--speed-limit", options->limits.speed_mm_s, "mm/s")->capture_default_str();
   robot->add_option("--acceleration-limit", options->limits.acceleration_mm_s2, "mm/s²")->capture_default_str();
   robot->add_option("--jerk-limit", options->limits.jerk_mm_s3, "mm/s³")->capture_default_str();

@@ -121,6 +121,8 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
   json["steps"] = status.loop.steps;
   json["missed_cycles"] = status.loop.missed_cycles;
   json["real_time"] = status.loop.real_time;
+  json["lateness"] = status.loop.waits ? recording::kLatenessWaits : recording::kLatenessFault;
+  json["waited_s"] = status.loop.waited_s;
   json["step_ns_p50"] = status.loop.step_ns_p50;
   json["step_ns_p99"] = status.loop.step_ns_p99;
   json["stiffness_target_N_per_mm"] = jsonNumber(figures.last.target_N_per_mm);
@@ -254,7 +256,7 @@ void add_station(CLI::App& app) {
       throw UsageError(say("station: {}", words::contradiction(options->touchpad)));
     }
     if (!options->simulate && options->touchpad.empty() && options->profile.file.empty()) {
-      throw UsageError(say("station: which touchpad? Add --simulate, --touchpad or a --profile that says it"));
+      throw UsageError(say("station: no touchpad is named: add --simulate, --touchpad or a --profile that names one"));
     }
     options->station.touchpad = options->simulate ? "simulated" : options->touchpad;
     if (!options->record.path.empty()) {

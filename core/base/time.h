@@ -4,9 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/clock.h"
+
 namespace fyd {
 
-using Clock = std::chrono::steady_clock;
 using Instant = Clock::time_point;  ///< ns since an arbitrary origin, monotonic when it comes from Clock
 using Duration = Clock::duration;   ///< ns
 

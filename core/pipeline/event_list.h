@@ -17,7 +17,7 @@
 EVENT(state_changed, 0, "state changed",  // state, fault
       e.state == SafetyState::held ? warning : information, e.state == SafetyState::held,
       e.state == SafetyState::held || e.state == SafetyState::stopped ? serious : plain,
-      stateSentence(e), withFault(toString(e.state), e))
+      stateSentence(e, lateness), withFault(toString(e.state), e))
 EVENT(arm_refused, 1, "arm refused",  // fault: what is missing
       warning, true, plain,
       say("Not armed: {}. {}", phrase(toString(e.fault)), phrase(remedy(e.fault))), withFault("not armed", e))

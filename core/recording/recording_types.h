@@ -26,6 +26,10 @@ struct MissingRows {
   bool operator==(const MissingRows&) const = default;
 };
 
+/// What a late computer did to a session: everything was simulated and the clock waited, or it was a fault.
+inline constexpr const char* kLatenessWaits = "waits";
+inline constexpr const char* kLatenessFault = "fault";
+
 /// What is known when a recording starts.
 struct RecordingHeader {
   std::string id;           ///< random and so globally unique: 32 hexadecimal digits
@@ -43,6 +47,7 @@ struct RecordingHeader {
   std::shared_ptr<const std::string> scene;  ///< virtual, in the robot's place (core/scene/scene_bytes.h); null: none
   std::string step_state;                    ///< Pipeline::saveState before the first row
   std::string version;                       ///< of the program that records
+  std::string lateness;                      ///< of the computer: kLatenessWaits, kLatenessFault; empty: not recorded
   std::vector<MissingRows> missing;          ///< of a recovered recording only
   int arithmetic = pipeline::kArithmetic;    ///< of the step that was recorded
 };

@@ -125,7 +125,7 @@ void CameraThread::process(device::CameraFrame frame) {
     return;
   }
   if (frozen_.frozen() && !was_frozen) {
-    failed(say("the picture is frozen: the camera sends one and the same; unplug it and plug it in again"));
+    failed(say("the picture is frozen: the camera sends the same one again and again; unplug it and plug it in again"));
   }
   const std::lock_guard lock(mutex_);
   ++repeated_;

@@ -1,24 +1,11 @@
 #include "core/station/haptic_loop.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <vector>
 
 #include "core/station/real_time.h"
 
 namespace fyd::station {
-namespace {
-
-void sleepUntil(Instant when) {
-  const auto since_epoch = std::chrono::duration_cast<std::chrono::nanoseconds>(when.time_since_epoch()).count();
-  const timespec due{.tv_sec = since_epoch / 1'000'000'000, .tv_nsec = since_epoch % 1'000'000'000};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
-  }
-}
-
-}  // namespace
-
 void StepTimes::add(Duration time) {
   const std::uint64_t count = count_.load(std::memory_order_relaxed);
   const auto ns = std::clamp<std::int64_t>(time.count(), 0, UINT32_MAX);
@@ -35,12 +22,16 @@ StepTimes::Figures StepTimes::figures() const {
   return {.p50_ns = static_cast<double>(sorted[count / 2]), .p99_ns = static_cast<double>(sorted[count * 99 / 100])};
 }
 
-void HapticLoop::run(const std::stop_token& stop, const Cycle& cycle) {
+void HapticLoop::run(const std::stop_token& stop, bool waits, const Cycle& cycle) {
+  // Just less than one period late: the next cycle is then never counted as missed.
+  constexpr Duration kLatest = kHapticPeriod - Duration(1);
   real_time_ = askForRealTime(Urgency::haptic);
   if (real_time_) lockMemory();
+  ClockHold hold(waits);
   Instant due = Clock::now() + kHapticPeriod;
   while (!stop.stop_requested()) {
-    sleepUntil(due);
+    hold.until(due + kLatest);
+    Clock::sleepUntil(due);
     const Instant now = Clock::now();
     const auto late_cycles = static_cast<std::uint64_t>((now - due) / kHapticPeriod);
     missed_.fetch_add(late_cycles, std::memory_order_relaxed);

@@ -36,6 +36,9 @@ struct LoopStatus {
   double step_ns_p50 = 0.0;  ///< over the last 10 000 steps
   double step_ns_p99 = 0.0;
   bool real_time = false;  ///< SCHED_FIFO granted
+  /// Everything is simulated: the world waits for a late computer, and no cycle is missed.
+  bool waits = false;
+  double waited_s = 0.0;  ///< since the session began
 };
 
 class HapticLoop {
@@ -44,7 +47,8 @@ class HapticLoop {
   using Cycle = std::function<void(Instant now, std::uint64_t missed_cycles)>;
 
   /// Runs on the calling thread until asked to stop.
-  void run(const std::stop_token& stop, const Cycle& cycle);
+  /// @param waits the session's clock waits for this thread, so that no cycle is missed
+  void run(const std::stop_token& stop, bool waits, const Cycle& cycle);
 
   [[nodiscard]] std::uint64_t cycles() const { return cycles_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::uint64_t missedCycles() const { return missed_.load(std::memory_order_relaxed); }

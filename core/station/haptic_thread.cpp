@@ -14,8 +14,11 @@ HapticThread::HapticThread(const pipeline::Parameters& step, const pipeline::Loc
       longest_input_delay_ms_(parameters[input_delay_index_].info.maximum) {}
 
 void HapticThread::start(const Neighbours& neighbours) {
+  waits_ = neighbours.waits;
+  waited_before_ = Clock::heldBack();
   thread_ = std::jthread([this, neighbours](const std::stop_token& stop) {
-    loop_.run(stop, [&](Instant now, std::uint64_t missed_cycles) { cycle(neighbours, now, missed_cycles); });
+    loop_.run(stop, neighbours.waits,
+              [&](Instant now, std::uint64_t missed_cycles) { cycle(neighbours, now, missed_cycles); });
   });
 }
 
@@ -35,7 +38,9 @@ LoopStatus HapticThread::status() const {
           .missed_cycles = loop_.missedCycles(),
           .step_ns_p50 = times.p50_ns,
           .step_ns_p99 = times.p99_ns,
-          .real_time = loop_.realTime()};
+          .real_time = loop_.realTime(),
+          .waits = waits_,
+          .waited_s = waits_ ? toSeconds(Clock::heldBack() - waited_before_) : 0.0};
 }
 
 void HapticThread::takeDevices(const Neighbours& neighbours) {
@@ -69,7 +74,7 @@ void HapticThread::takeOperator() {
   if (stop_requested_.exchange(false, std::memory_order_acq_rel)) {
     (void)inputs_.commands.push({.action = pipeline::OperatorAction::stop});
   }
-  if (window.fellSilent(inputs_.now)) {
+  if (!waits_ && window.fellSilent(inputs_.now)) {
     (void)inputs_.commands.push({.action = pipeline::OperatorAction::fell_silent});
   }
   pipeline::OperatorCommand command;
@@ -89,6 +94,7 @@ void HapticThread::fitInputDelay(LinkThread* link) {
 void HapticThread::cycle(const Neighbours& neighbours, Instant now, std::uint64_t missed_cycles) {
   inputs_.now = now;
   inputs_.missed_cycles = missed_cycles;
+  lateness_.add(now, missed_cycles);
   takeDevices(neighbours);
   takeLink(neighbours.link);
   takeOperator();
@@ -115,7 +121,8 @@ void HapticThread::publish(const Neighbours& neighbours, const pipeline::Outputs
   if (neighbours.stage != nullptr) neighbours.stage->show(*pipeline_.scene());
   if (!telemetry.push(outputs.telemetry)) telemetry_lost_.fetch_add(1, std::memory_order_relaxed);
   for (const pipeline::Event& event : outputs.events) {
-    (void)events.push({.when = now, .event = event});
+    const bool state = event.kind == pipeline::EventKind::state_changed;
+    (void)events.push({.when = now, .event = event, .lateness = state ? lateness_.lastSecond() : Lateness{}});
     if (event.kind != pipeline::EventKind::tare_done) continue;
     tare_.write(outputs.tare);
     tares_.fetch_add(1, std::memory_order_release);

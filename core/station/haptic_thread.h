@@ -14,6 +14,7 @@
 #include "core/station/camera_thread.h"
 #include "core/station/device_test.h"
 #include "core/station/haptic_loop.h"
+#include "core/station/lateness.h"
 #include "core/station/link_thread.h"
 #include "core/station/touchpad_thread.h"
 #include "core/station/window_watch.h"
@@ -23,6 +24,7 @@ namespace fyd::station {
 struct TimedEvent {
   Instant when{};
   pipeline::Event event;
+  Lateness lateness;  ///< of a change of state
 };
 
 class HapticThread {
@@ -34,6 +36,7 @@ class HapticThread {
     LinkThread* link = nullptr;          ///< none without a robot
     scene::SceneStage* stage = nullptr;  ///< none without a scene in this process
     recording::Recorder& recorder;
+    bool waits = false;  ///< everything is simulated: the clock waits for this thread, and a late window is no fault
   };
 
   /// @param parameters the profile's, by whose indices changes are asked for
@@ -77,7 +80,10 @@ class HapticThread {
   const double longest_input_delay_ms_;
 
   HapticLoop loop_;
+  bool waits_ = false;
+  Duration waited_before_{};  // by the clock, before the session began
   StepTimes step_times_;
+  LatenessMeter lateness_;
   std::atomic<bool> stop_requested_{false};
   std::atomic<std::uint64_t> telemetry_lost_{0};
   std::atomic<std::uint32_t> faults_{0};

@@ -7,11 +7,12 @@ namespace fyd::station {
 
 Result<std::unique_ptr<InProcessRobot>> InProcessRobot::open(const protocol::Endpoint& touchpad,
                                                              const sim::SimParameters& parameters,
-                                                             const std::string& predictor) {
+                                                             const std::string& predictor, bool clock_waits) {
   auto any_port = protocol::parseEndpoint("127.0.0.1:0");
   device::RobotRunnerOptions options;
   options.touchpad = touchpad;
   options.bind = *any_port;
+  options.clock_waits = clock_waits;
   const auto following = device::followingNamed(predictor);
   if (!following) return tl::unexpected(following.error());
   options.reference.predictor = *following;

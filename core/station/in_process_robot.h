@@ -13,9 +13,10 @@ namespace fyd::station {
 class InProcessRobot {
  public:
   /// @param predictor how it leads its arm; a name that device::followingNamed knows
+  /// @param clock_waits everything is simulated: the session's clock waits for this robot
   [[nodiscard]] static Result<std::unique_ptr<InProcessRobot>> open(const protocol::Endpoint& touchpad,
                                                                     const sim::SimParameters& parameters,
-                                                                    const std::string& predictor);
+                                                                    const std::string& predictor, bool clock_waits);
   ~InProcessRobot() { shutDown(); }
   void start();
   void shutDown();

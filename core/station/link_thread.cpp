@@ -11,6 +11,7 @@ namespace fyd::station {
 namespace {
 
 constexpr Duration kPatience = std::chrono::milliseconds(1);  // also how late a lost link may be noticed
+constexpr Duration kLateness = std::chrono::milliseconds(4);  // of this thread, where the clock waits for it
 constexpr Duration kStatusPeriod = std::chrono::milliseconds(50);
 constexpr double kDelayStep_ms = 5.0;
 constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
@@ -48,8 +49,8 @@ LinkThread::LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::Tou
 
 LinkThread::~LinkThread() { shutDown(); }
 
-void LinkThread::start() {
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+void LinkThread::start(bool clock_waits) {
+  thread_ = std::jthread([this, clock_waits](const std::stop_token& stop) { run(stop, clock_waits); });
 }
 
 void LinkThread::shutDown() {
@@ -73,13 +74,15 @@ protocol::TouchpadAnswer LinkThread::answerFrom(const Announcement& said) const 
           .image = image_};
 }
 
-void LinkThread::run(const std::stop_token& stop) {
+void LinkThread::run(const std::stop_token& stop, bool clock_waits) {
   askForRealTime(Urgency::link);
+  ClockHold hold(clock_waits);
   std::vector<std::uint8_t> buffer(protocol::kMaximumDatagram);
   Instant published{};
   while (!stop.stop_requested()) {
     const auto received = socket_.receive(buffer, kPatience);
     const Instant now = Clock::now();
+    hold.until(now + kLateness);
     const Announcement& said = announcement.read();
     if (received) {
       if (end_->imagesOn()) {

@@ -45,7 +45,8 @@ class LinkThread {
       const protocol::Endpoint& local, const protocol::LinkParameters& parameters,
       const std::optional<protocol::LinkKey>& key = std::nullopt, std::string scene = {});
   ~LinkThread();
-  void start();
+  /// @param clock_waits everything is simulated: the session's clock waits for this thread
+  void start(bool clock_waits = false);
   void shutDown();
 
   LatestValue<Announcement> announcement;                 ///< written by the haptic loop
@@ -64,7 +65,7 @@ class LinkThread {
  private:
   LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured, std::string scene);
   [[nodiscard]] protocol::TouchpadAnswer answerFrom(const Announcement& said) const;
-  void run(const std::stop_token& stop);
+  void run(const std::stop_token& stop, bool clock_waits);
   void take(const protocol::TouchpadReception& reception, Instant now);
   void send(std::span<const protocol::Datagram> datagrams);
   void publish(Instant now);

@@ -21,11 +21,19 @@ constexpr std::array<std::string_view, 12> kRobotCommands = {sentence("none"),
                                                              sentence("motor reference on"),
                                                              sentence("motor reference off")};
 
-Message stateSentence(const pipeline::Event& event) {
+Message heldSentence(const pipeline::Event& event, const Lateness& lateness) {
+  const Message name = phrase(toString(event.state));
+  if (lateness.worthNaming() && mayBeLateness(event.fault)) {
+    return say("{}: {}; {}. Then re-arm.", name, phrase(toString(event.fault)), describe(lateness));
+  }
+  return say("{}: {}. {} Then re-arm.", name, phrase(toString(event.fault)), phrase(remedy(event.fault)));
+}
+
+Message stateSentence(const pipeline::Event& event, const Lateness& lateness) {
   using enum pipeline::SafetyState;
   const Message name = phrase(toString(event.state));
   switch (event.state) {
-    case held: return say("{}: {}. {} Then re-arm.", name, phrase(toString(event.fault)), phrase(remedy(event.fault)));
+    case held: return heldSentence(event, lateness);
     case stopped: return say("{} by the operator. Motors are off. Arm to start again.", name);
     case active: return say("{}: rendering.", name);
     case ready: return say("{}: everything needed is there. Arm to start.", name);
@@ -60,7 +68,7 @@ std::string_view toString(pipeline::RobotCommand command) {
   return index < kRobotCommands.size() ? kRobotCommands[index] : sentence("unknown");
 }
 
-Message describeEvent(const pipeline::Event& e, std::span<const Parameter> parameters) {
+Message describeEvent(const pipeline::Event& e, std::span<const Parameter> parameters, const Lateness& lateness) {
   using pipeline::EventKind;
   using pipeline::RobotCommand;
   switch (e.kind) {

@@ -7,6 +7,7 @@
 #include "core/base/parameter.h"
 #include "core/base/time.h"
 #include "core/pipeline/outputs.h"
+#include "core/station/lateness.h"
 
 namespace fyd::station {
 
@@ -18,7 +19,9 @@ struct Notice {
 };
 
 /// @param parameters the step's, for the names behind indices
-[[nodiscard]] Message describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters);
+/// @param lateness of this computer in the second before: what went missing then is blamed on it, not on a cable
+[[nodiscard]] Message describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters,
+                                    const Lateness& lateness = {});
 
 /// Of a robot's command: "vibration up".
 [[nodiscard]] std::string_view toString(pipeline::RobotCommand command);

@@ -17,26 +17,38 @@
 namespace fyd::station {
 namespace {
 
-recording::StationDescription describeForRecording(const StationOptions& options) {
+/// Whether nothing outside this process takes part, so that the session's clock may wait for a late computer.
+bool clockWaits(const StationOptions& options, const RobotChoice& robot) {
+  const bool other_end = robot.listen && !robot.in_process;
+  return !options.real_time && options.touchpad == kSimulated && options.motors.empty() && options.camera.empty() &&
+         !other_end;
+}
+
+recording::StationDescription describeForRecording(const StationOptions& options, bool clock_waits) {
   return {.touchpad = options.touchpad + (options.motors.empty() ? "" : " with " + options.motors),
           .camera = options.camera.empty() ? std::string(kSimulated) : options.camera,
-          .robot = options.robot};
+          .robot = options.robot,
+          .lateness = clock_waits ? recording::kLatenessWaits : recording::kLatenessFault};
 }
 
 }  // namespace
 
 struct Station::Impl {
   Impl(const StationOptions& options, const pipeline::LocalModel& local, std::shared_ptr<sim::TouchpadWorld> simulated,
-       std::unique_ptr<device::Touchpad> opened_touchpad, const std::shared_ptr<replay::PlaybackStart>& playback)
+       std::unique_ptr<device::Touchpad> opened_touchpad, const std::shared_ptr<replay::PlaybackStart>& playback,
+       bool everything_simulated)
       : profile(options.profile),
         bound(bindParameters(profile)),
         haptic(options.profile.step, local, bound),
-        recorder(options.profile.session, options.profile.step, local, describeForRecording(options), recorderSource()),
+        recorder(options.profile.session, options.profile.step, local,
+                 describeForRecording(options, everything_simulated), recorderSource()),
         world(std::move(simulated)),
         errors(world, options.camera.empty()),
-        touchpad(std::move(opened_touchpad), options.profile.device),
+        clock_waits(everything_simulated),
+        touchpad(std::move(opened_touchpad), options.profile.device, everything_simulated),
         camera(options.camera.empty() ? say("simulated camera") : verbatim(options.camera),
-               cameraOpener(options, world, playback), options.profile.step.sensing.finger, options.profile.device) {
+               cameraOpener(options, world, playback, everything_simulated), options.profile.step.sensing.finger,
+               options.profile.device) {
     camera.observe([this](const CameraView& view) { onPicture(view); });
   }
 
@@ -51,6 +63,7 @@ struct Station::Impl {
   recording::Recorder recorder;
   std::shared_ptr<sim::TouchpadWorld> world;  // none with a real touchpad
   SimulationErrors errors;
+  bool clock_waits;  // everything is simulated: for a late computer
   TouchpadThread touchpad;
   CameraThread camera;
   std::unique_ptr<LinkThread> link;  // none without a robot
@@ -118,7 +131,8 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   auto touchpad = openTouchpad(options, world, playback);
   if (!touchpad) return tl::unexpected(touchpad.error());
 
-  auto impl = std::make_unique<Impl>(options, *local, std::move(world), std::move(*touchpad), playback);
+  auto impl = std::make_unique<Impl>(options, *local, std::move(world), std::move(*touchpad), playback,
+                                     clockWaits(options, *choice));
   if (choice->listen) {
     auto link = LinkThread::open(*choice->listen, options.profile.link, choice->key,
                                  local->scene ? local->scene->digest() : std::string{});
@@ -129,7 +143,7 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
         {.action = pipeline::OperatorAction::target_by_hand, .value = options.profile.step.step.hand_target_N_per_mm});
   }
   if (choice->in_process) {
-    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim, choice->predictor);
+    auto robot = InProcessRobot::open(impl->link->local(), options.profile.sim, choice->predictor, impl->clock_waits);
     if (!robot) return tl::unexpected(robot.error());
     impl->robot = std::move(*robot);
     impl->predictor = choice->predictor;
@@ -145,13 +159,14 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
 void Station::start() {
   impl_->touchpad.start();
   impl_->camera.start();
-  if (impl_->link) impl_->link->start();
+  if (impl_->link) impl_->link->start(impl_->clock_waits);
   if (impl_->robot) impl_->robot->start();
   impl_->haptic.start({.touchpad = impl_->touchpad,
                        .camera = impl_->camera,
                        .link = impl_->link.get(),
                        .stage = impl_->stage.get(),
-                       .recorder = impl_->recorder});
+                       .recorder = impl_->recorder,
+                       .waits = impl_->clock_waits});
 }
 
 void Station::shutDown() {
@@ -202,7 +217,9 @@ std::vector<Notice> Station::takeNotices() {
   std::vector<Notice> out;
   TimedEvent event;
   while (impl_->haptic.events.pop(event)) {
-    out.push_back({.when = event.when, .event = event.event, .message = describeEvent(event.event, impl_->bound)});
+    out.push_back({.when = event.when,
+                   .event = event.event,
+                   .message = describeEvent(event.event, impl_->bound, event.lateness)});
     // What the robot's operator changed belongs to the profile as well.
     if (event.event.kind == pipeline::EventKind::parameter_changed && event.event.index < impl_->bound.size()) {
       impl_->bound[event.event.index].set(event.event.value);

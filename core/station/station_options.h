@@ -21,6 +21,9 @@ struct StationOptions {
   std::string key_file;    ///< of FYD Link; "link:" needs one, the others take none
   std::string scene;       ///< file of a scene that is touched here, with any robot; empty: robot's "scene:FILE"
   std::string surface;     ///< file of a stored surface, touched while robot is "none"; empty: none
+  /// Where every part is simulated in this process, the session's clock waits for a late computer and nothing is Held
+  /// for it; true: lateness is a fault there too, as it is with any real or remote part.
+  bool real_time = false;
   std::optional<recording::RecordingRequest> record;  ///< recorded from the first step on
 };
 

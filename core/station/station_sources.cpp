@@ -61,10 +61,10 @@ Result<std::unique_ptr<device::Touchpad>> openTouchpad(const StationOptions& opt
 }
 
 CameraThread::Opener cameraOpener(const StationOptions& options, const std::shared_ptr<sim::TouchpadWorld>& world,
-                                  const std::shared_ptr<replay::PlaybackStart>& playback) {
-  return [source = options.camera, world, device = options.profile.device,
-          playback]() -> Result<std::unique_ptr<device::Camera>> {
-    if (source.empty()) return std::make_unique<sim::SimulatedCamera>(world);
+                                  const std::shared_ptr<replay::PlaybackStart>& playback, bool clock_waits) {
+  return [source = options.camera, world, device = options.profile.device, playback,
+          clock_waits]() -> Result<std::unique_ptr<device::Camera>> {
+    if (source.empty()) return std::make_unique<sim::SimulatedCamera>(world, clock_waits);
     if (const auto recording = replay::recordingOf(source)) return replay::RecordedCamera::open(*recording, playback);
     return device::openCamera(source, device);
   };

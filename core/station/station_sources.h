@@ -29,8 +29,10 @@ inline constexpr std::string_view kSimulated = "simulated";
     const StationOptions& options, const std::shared_ptr<sim::TouchpadWorld>& world,
     const std::shared_ptr<replay::PlaybackStart>& playback);
 
+/// @param clock_waits the session's clock waits for the simulated camera
 [[nodiscard]] CameraThread::Opener cameraOpener(const StationOptions& options,
                                                 const std::shared_ptr<sim::TouchpadWorld>& world,
-                                                const std::shared_ptr<replay::PlaybackStart>& playback);
+                                                const std::shared_ptr<replay::PlaybackStart>& playback,
+                                                bool clock_waits);
 
 }  // namespace fyd::station

@@ -10,6 +10,7 @@ namespace {
 constexpr Duration kSilence = std::chrono::milliseconds(500);
 constexpr Duration kFirstRetry = std::chrono::milliseconds(20);
 constexpr Duration kLongestRetry = std::chrono::milliseconds(500);
+constexpr Duration kLateness = std::chrono::milliseconds(2);       // of this thread, where the clock waits for it
 constexpr Duration kReportPeriod = std::chrono::milliseconds(16);  // as often as a distance sensor measures
 
 }  // namespace
@@ -20,11 +21,13 @@ control::MotorCommand guardedCommand(const StampedMotorCommand& stamped, Instant
   return command;
 }
 
-TouchpadThread::TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const device::DeviceParameters& parameters)
+TouchpadThread::TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const device::DeviceParameters& parameters,
+                               bool clock_waits)
     : touchpad_(std::move(touchpad)),
       plausibility_(parameters),
       frozen_(parameters),
-      monitor_(device::Part::touchpad, touchpad_->description(), kSilence) {}
+      monitor_(device::Part::touchpad, touchpad_->description(), kSilence),
+      clock_waits_(clock_waits) {}
 
 TouchpadThread::~TouchpadThread() { shutDown(); }
 
@@ -75,6 +78,7 @@ std::vector<device::DeviceReport> TouchpadThread::reports(Instant now) const {
 
 void TouchpadThread::run(const std::stop_token& stop) {
   askForRealTime(Urgency::device);
+  ClockHold hold(clock_waits_);
   Duration retry = kFirstRetry;
   Instant due = Clock::now();
   control::MotorCommand last;
@@ -97,7 +101,8 @@ void TouchpadThread::run(const std::stop_token& stop) {
       retry = std::min(2 * retry, kLongestRetry);
     }
     publishReports(now);
-    std::this_thread::sleep_until(due);
+    hold.until(due + kLateness);
+    Clock::sleepUntil(due);
   }
   takeDuties();
   last.active = false;

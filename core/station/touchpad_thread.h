@@ -30,7 +30,9 @@ inline constexpr Duration kCommandTimeout = std::chrono::milliseconds(20);
 
 class TouchpadThread {
  public:
-  explicit TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const device::DeviceParameters& parameters = {});
+  /// @param clock_waits everything is simulated: the session's clock waits for this thread
+  explicit TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const device::DeviceParameters& parameters = {},
+                          bool clock_waits = false);
   ~TouchpadThread();
 
   void start();
@@ -54,6 +56,7 @@ class TouchpadThread {
   device::Plausibility plausibility_;
   device::FrozenReadings frozen_;
   device::PartMonitor monitor_;
+  const bool clock_waits_;
   bool answering_ = false;
   Instant reports_due_{};
   mutable std::mutex reports_mutex_;

@@ -194,8 +194,8 @@
         <translation>%1 pas sont au-delà de la tolérance indiquée pour cela.</translation>
     </message>
     <message>
-        <source>%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)</source>
-        <translation>%1 pas, %2 cycles manqués ; un pas dure %3 µs (médiane), %4 µs (99e centile)</translation>
+        <source>%1 steps, %2 cycles missed since the start; a step takes %3 µs (median), %4 µs (99th percentile)</source>
+        <translation>%1 pas, %2 cycles manqués depuis le début ; un pas dure %3 µs (médiane), %4 µs (99e percentile)</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -428,6 +428,10 @@
     <message>
         <source>1 kHz · %1 % missed</source>
         <translation>1 kHz · %1 % manqués</translation>
+    </message>
+    <message>
+        <source>1 kHz · waits for this computer</source>
+        <translation>1 kHz · attend cet ordinateur</translation>
     </message>
     <message>
         <source>: no. </source>
@@ -1488,6 +1492,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Every parameter takes its saved value again; one step to undo</source>
         <translation>Chaque paramètre reprend sa valeur enregistrée ; une seule étape à annuler</translation>
+    </message>
+    <message>
+        <source>Everything is simulated: time waits for this computer when it is late, %1 s so far, and nothing is Held for it.</source>
+        <translation>Tout est simulé : le temps attend cet ordinateur quand il est en retard, %1 s jusqu&apos;ici, et rien n&apos;est Bloqué pour cela.</translation>
     </message>
     <message>
         <source>Everything needed is there; motors off.</source>
@@ -5580,8 +5588,8 @@ Pour commencer : %1</translation>
         <translation>essai de l'appareil '{}' : {}</translation>
     </message>
     <message>
-        <source>device test {}: there is none of this number</source>
-        <translation>essai d'appareil {} : il n'y en a pas de ce numéro</translation>
+        <source>device test {}: no test has this number</source>
+        <translation>essai d'appareil {} : aucun essai ne porte ce numéro</translation>
     </message>
     <message>
         <source>device test: the session is closed</source>
@@ -5672,8 +5680,8 @@ Pour commencer : %1</translation>
         <translation>le codeur {} reste immobile bien que son moteur ait été envoyé {:.0f}° plus loin : vérifier l'alimentation des moteurs et le câble du codeur ; arrêter, puis armer de nouveau</translation>
     </message>
     <message>
-        <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
-        <translation>terminé : un moteur n'était pas là où il fut envoyé ; vérifier son codeur et qu'il peut tourner</translation>
+        <source>ended: a motor did not follow its commanded angle; check its encoder and that it can turn</source>
+        <translation>terminé : un moteur n'a pas suivi l'angle commandé ; vérifier son codeur et qu'il peut tourner</translation>
     </message>
     <message>
         <source>ended: the button was released</source>
@@ -7464,8 +7472,8 @@ Pour commencer : %1</translation>
         <translation>la carte moteurs est silencieuse</translation>
     </message>
     <message>
-        <source>the motors are not free: stop the session first</source>
-        <translation>les moteurs ne sont pas libres : arrêter d'abord la session</translation>
+        <source>the motors are in use: stop the session first</source>
+        <translation>les moteurs sont utilisés : arrêter d'abord la session</translation>
     </message>
     <message>
         <source>the motors do not answer</source>
@@ -7492,8 +7500,8 @@ Pour commencer : %1</translation>
         <translation>l'image n'a qu'un niveau de gris : vérifier la caméra et la lumière</translation>
     </message>
     <message>
-        <source>the picture is frozen: the camera sends one and the same; unplug it and plug it in again</source>
-        <translation>l'image est figée : la caméra envoie toujours la même ; la débrancher et la rebrancher</translation>
+        <source>the picture is frozen: the camera sends the same one again and again; unplug it and plug it in again</source>
+        <translation>l'image est figée : la caméra envoie toujours la même ; la débrancher et la rebrancher</translation>
     </message>
     <message>
         <source>the ply header does not end</source>
@@ -7690,6 +7698,10 @@ Pour commencer : %1</translation>
     <message>
         <source>this camera has none, or refuses the value</source>
         <translation>cette caméra n'en a pas, ou refuse la valeur</translation>
+    </message>
+    <message>
+        <source>this computer was late: {:.1f} % of the haptic cycles of the second before were missed, the longest gap between two was {:.0f} ms; close other programs</source>
+        <translation>cet ordinateur était en retard : {:.1f} % des cycles haptiques de la seconde précédente manqués, le plus long écart entre deux était de {:.0f} ms ; fermer d&apos;autres programmes</translation>
     </message>
     <message>
         <source>this part was never calibrated: accept a calibration first</source>
@@ -9158,6 +9170,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: {}; the recording stays at {}</source>
         <translation>{} : {} ; l'enregistrement reste à {}</translation>
+    </message>
+    <message>
+        <source>{}: {}; {}. Then re-arm.</source>
+        <translation>{} : {} ; {}. Puis réarmer.</translation>
     </message>
     <message>
         <source>{}: {}{}: expected a number from {} to {}</source>

@@ -194,8 +194,8 @@
         <translation>%1 passi sono oltre la tolleranza indicata per questo.</translation>
     </message>
     <message>
-        <source>%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)</source>
-        <translation>%1 passi, %2 cicli mancati; un passo dura %3 µs (mediana), %4 µs (99º percentile)</translation>
+        <source>%1 steps, %2 cycles missed since the start; a step takes %3 µs (median), %4 µs (99th percentile)</source>
+        <translation>%1 passi, %2 cicli mancati dall&apos;inizio; un passo dura %3 µs (mediana), %4 µs (99º percentile)</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -428,6 +428,10 @@
     <message>
         <source>1 kHz · %1 % missed</source>
         <translation>1 kHz · %1 % mancati</translation>
+    </message>
+    <message>
+        <source>1 kHz · waits for this computer</source>
+        <translation>1 kHz · aspetta questo computer</translation>
     </message>
     <message>
         <source>: no. </source>
@@ -1488,6 +1492,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Every parameter takes its saved value again; one step to undo</source>
         <translation>Ogni parametro riprende il valore salvato; un solo passo da annullare</translation>
+    </message>
+    <message>
+        <source>Everything is simulated: time waits for this computer when it is late, %1 s so far, and nothing is Held for it.</source>
+        <translation>Tutto è simulato: il tempo aspetta questo computer quando è in ritardo, %1 s finora, e nulla viene Bloccato per questo.</translation>
     </message>
     <message>
         <source>Everything needed is there; motors off.</source>
@@ -5580,8 +5588,8 @@ Per cominciare: %1</translation>
         <translation>prova del dispositivo '{}': {}</translation>
     </message>
     <message>
-        <source>device test {}: there is none of this number</source>
-        <translation>prova del dispositivo {}: non esiste con questo numero</translation>
+        <source>device test {}: no test has this number</source>
+        <translation>prova del dispositivo {}: nessuna prova ha questo numero</translation>
     </message>
     <message>
         <source>device test: the session is closed</source>
@@ -5672,8 +5680,8 @@ Per cominciare: %1</translation>
         <translation>l'encoder {} è fermo benché il suo motore sia stato mandato {:.0f}° più in là: controllare l'alimentazione dei motori e il cavo dell'encoder; fermare, poi armare di nuovo</translation>
     </message>
     <message>
-        <source>ended: a motor was not where it was sent; check its encoder and that it can turn</source>
-        <translation>terminata: un motore non era dove è stato mandato; controllare il suo encoder e che possa girare</translation>
+        <source>ended: a motor did not follow its commanded angle; check its encoder and that it can turn</source>
+        <translation>terminata: un motore non ha seguito l'angolo comandato; controllare il suo encoder e che possa girare</translation>
     </message>
     <message>
         <source>ended: the button was released</source>
@@ -7464,8 +7472,8 @@ Per cominciare: %1</translation>
         <translation>la scheda motori tace</translation>
     </message>
     <message>
-        <source>the motors are not free: stop the session first</source>
-        <translation>i motori non sono liberi: fermare prima la sessione</translation>
+        <source>the motors are in use: stop the session first</source>
+        <translation>i motori sono in uso: fermare prima la sessione</translation>
     </message>
     <message>
         <source>the motors do not answer</source>
@@ -7492,7 +7500,7 @@ Per cominciare: %1</translation>
         <translation>l'immagine ha un solo valore di grigio: controllare la telecamera e la luce</translation>
     </message>
     <message>
-        <source>the picture is frozen: the camera sends one and the same; unplug it and plug it in again</source>
+        <source>the picture is frozen: the camera sends the same one again and again; unplug it and plug it in again</source>
         <translation>l'immagine è congelata: la telecamera manda sempre la stessa; scollegarla e ricollegarla</translation>
     </message>
     <message>
@@ -7690,6 +7698,10 @@ Per cominciare: %1</translation>
     <message>
         <source>this camera has none, or refuses the value</source>
         <translation>questa telecamera non ne ha, o rifiuta il valore</translation>
+    </message>
+    <message>
+        <source>this computer was late: {:.1f} % of the haptic cycles of the second before were missed, the longest gap between two was {:.0f} ms; close other programs</source>
+        <translation>questo computer era in ritardo: {:.1f} % dei cicli aptici del secondo precedente mancati, l&apos;intervallo più lungo tra due era di {:.0f} ms; chiudere altri programmi</translation>
     </message>
     <message>
         <source>this part was never calibrated: accept a calibration first</source>
@@ -9158,6 +9170,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: {}; the recording stays at {}</source>
         <translation>{}: {}; la registrazione resta in {}</translation>
+    </message>
+    <message>
+        <source>{}: {}; {}. Then re-arm.</source>
+        <translation>{}: {}; {}. Poi riarmare.</translation>
     </message>
     <message>
         <source>{}: {}{}: expected a number from {} to {}</source>

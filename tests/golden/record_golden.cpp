@@ -106,7 +106,8 @@ std::map<std::string, Scene> scenes(const std::string& surface) {
 /// @return why the session is not the one wanted; empty: it is
 std::string record(const std::string& folder, const std::string& name, const Scene& scene) {
   const std::string key_file = folder + "/golden.key";
-  station::StationOptions options{.touchpad = "simulated", .robot = scene.robot, .surface = scene.surface};
+  station::StationOptions options{
+      .touchpad = "simulated", .robot = scene.robot, .surface = scene.surface, .real_time = true};
   station::Profile& profile = options.profile;
   const std::vector<Parameter> bound = bindParameters(profile);
   std::vector<std::pair<std::string, std::string>> settings = scene.settings;

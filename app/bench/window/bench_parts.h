@@ -24,6 +24,7 @@ struct Row {
 struct Settings {
   double seconds = 10.0;  ///< of measuring at full load
   double hours = 0.25;    ///< simulated in the soak
+  std::string recording;  ///< that is opened in `blocks`; empty: none is
 };
 
 /// The whole window at full load: frame times, processor load, latency of the stop key, age of the shown data.
@@ -36,6 +37,8 @@ struct Settings {
 [[nodiscard]] std::vector<Row> sceneRows(const Settings& settings);
 /// From the start of the process to the first curve of a simulated session on the screen.
 [[nodiscard]] std::vector<Row> startRows(const Settings& settings);
+/// The longest silences of the window's thread.
+[[nodiscard]] std::vector<Row> blockRows(const Settings& settings);
 /// Hours of samples through the live curves.
 [[nodiscard]] std::vector<Row> soakRows(const Settings& settings);
 

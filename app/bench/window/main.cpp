@@ -38,7 +38,8 @@ struct Part {
 const std::vector<Part>& parts() {
   static const std::vector<Part> kParts = {{"frame", frameRows, {"1", "2"}}, {"naive", naiveFrameRows, {"1", "2"}},
                                            {"zoom", zoomRows, {"1", "2"}},   {"scene", sceneRows, {"1", "2"}},
-                                           {"start", startRows, {"1"}},      {"soak", soakRows, {"1"}}};
+                                           {"start", startRows, {"1"}},      {"blocks", blockRows, {"1", "2"}},
+                                           {"soak", soakRows, {"1"}}};
   return kParts;
 }
 
@@ -108,6 +109,7 @@ int main(int argc, char** argv) {
   for (const Part& part : parts()) names << QLatin1String(part.name);
   parser.addOptions({{"part", "One of " + names.join(QStringLiteral(", ")) + "; all when left out.", "NAME"},
                      {"seconds", "Of measuring at full load; default: 10.", "S"},
+                     {"recording", "Recording that is opened in the part blocks; none when left out.", "FILE"},
                      {"hours", "Of samples in the soak; default: 0.25.", "H"}});
   parser.process(application);
   Settings settings;
@@ -123,6 +125,10 @@ int main(int argc, char** argv) {
   if (!read("seconds", settings.seconds, 3600.0) || !read("hours", settings.hours, 100.0)) {
     std::fputs("fyd-window-bench: expected a number above 0, of seconds up to 3600, of hours up to 100\n", stderr);
     return 2;
+  }
+  if (const QString recording = parser.value(QStringLiteral("recording")); !recording.isEmpty()) {
+    settings.recording = recording.toStdString();
+    passed << QStringLiteral("--recording") << recording;
   }
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
   const QString wanted = parser.value(QStringLiteral("part"));

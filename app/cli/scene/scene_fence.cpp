@@ -171,7 +171,7 @@ class Player {
       there_ = digest;
       return;
     }
-    const auto message = sim::decodeDeviceMessage(bytes, code_);
+    const auto message = protocol::decodeDeviceMessage(bytes, code_);
     if (!message) {
       ++figures.not_understood;
       return;
@@ -188,12 +188,12 @@ class Player {
   void remember(double now_s) {
     believed_.emplace_back(now_s, end_.other().grip_mm);
     while (now_s - believed_.front().first > kKept_s) believed_.pop_front();
-    for (const sim::DeviceMessage& message : to_compare_) compare(message);
+    for (const protocol::DeviceMessage& message : to_compare_) compare(message);
     to_compare_.clear();
   }
 
   /// Compares the position in a message with the estimate for its date.
-  void compare(const sim::DeviceMessage& message) {
+  void compare(const protocol::DeviceMessage& message) {
     const auto then = std::ranges::lower_bound(believed_, message.date_s, {}, &std::pair<double, Vec3>::first);
     if (then == believed_.end() || then == believed_.begin()) return;
     const Vec3 was = sim::asTheOtherSees(settings_, sim::swordOf(settings_, message.position_mm, {})).grip_mm;
@@ -214,7 +214,7 @@ class Player {
   double began_s_ = 0.0, tell_s_ = 0.0;
   std::optional<std::string> there_;
   std::deque<std::pair<double, Vec3>> believed_;
-  std::vector<sim::DeviceMessage> to_compare_;  // of this step
+  std::vector<protocol::DeviceMessage> to_compare_;  // of this step
   std::string rows_;
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(protocol::kMaximumDatagram);
 };
@@ -260,7 +260,7 @@ void fence(const FenceOptions& options) {
     std::stop_source ended;
     const std::stop_callback interrupted(stop, [&ended] { ended.request_stop(); });
     const Instant start = Clock::now();
-    loop.run(ended.get_token(), [&](Instant now, std::uint64_t /*missed*/) {
+    loop.run(ended.get_token(), false, [&](Instant now, std::uint64_t /*missed*/) {
       player.step(now);
       if (player.linked() != std::exchange(linked, player.linked())) {
         std::cerr << (linked ? "the other player is there\n" : "the other player is gone\n");

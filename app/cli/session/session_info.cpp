@@ -42,6 +42,7 @@ nlohmann::ordered_json describe(const std::string& path, const recording::Record
   out["touchpad"] = info.header.touchpad;
   out["camera"] = info.header.camera;
   out["robot"] = info.header.robot;
+  out["lateness"] = info.header.lateness;
   out["version"] = info.header.version;
   out["replayable"] = !info.header.step_state.empty();
   out["why_no_exact_replay"] = recording::whyNoExactReplay(info);

@@ -16,6 +16,7 @@ struct SessionReplayOptions {
 nlohmann::ordered_json toJson(const replay::ReplayResult& result, const recording::RecordingInfo& info) {
   nlohmann::ordered_json out;
   out["wholeness"] = catalogue::toString(info.wholeness);
+  out["lateness"] = info.header.lateness;
   out["identical"] = result.identical;
   out["what_if"] = result.what_if;
   out["loop"] = result.closed_loop ? "closed" : "open";
@@ -63,7 +64,7 @@ void sayArithmetic(const std::string& file, const replay::ReplayResult& result) 
                          result.beyond_tolerance == 0 ? "none" : fmt::format("{}", result.beyond_tolerance));
   }
   fmt::print(stderr,
-             "fyd: {}: recorded with arithmetic {}, replayed with {}: {} of {} steps came out otherwise, by at most "
+             "fyd: {}: recorded with arithmetic {}, replayed with {}: {} of {} steps differ, by at most "
              "{:.3g} in {} ({})\n",
              file, result.arithmetic_recorded, pipeline::kArithmetic, result.different, result.samples,
              result.max_abs_difference, result.max_difference_field, judged);
@@ -72,7 +73,7 @@ void sayArithmetic(const std::string& file, const replay::ReplayResult& result) 
 Message whyNotIdentical(const replay::ReplayResult& result) {
   if (!result.why_not_exact.empty()) return say("cannot be proven bit for bit: {}", result.why_not_exact);
   if (result.different > 0)
-    return say("{} of {} steps came out otherwise, the first at {:.3f} s in {}", result.different, result.samples,
+    return say("{} of {} steps differ, the first at {:.3f} s in {}", result.different, result.samples,
                result.first_difference_s, result.first_difference_field);
   return say("only {} of {} steps could be replayed: after them steps were lost", result.samples, result.of);
 }

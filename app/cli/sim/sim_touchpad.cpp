@@ -85,9 +85,11 @@ void addSimTouchpad(CLI::App& sim) {
   CLI::App* command = sim.add_subcommand("touchpad", "The touchpad behind Modbus, its motor board and a camera stream");
   command->add_option("--modbus-tcp", options->modbus_tcp, "Serve the registers there, HOST:PORT; port 0: any");
   command->add_option("--modbus-rtu", process.modbus_rtu,
-                      "Serve the registers on this serial port; a path of nothing becomes a pseudo-terminal");
+                      "Serve the registers on this serial port; a path that does not exist becomes a pseudo-terminal");
   command->add_option("--baud", process.modbus_baud, "Speed of a real port of --modbus-rtu")->capture_default_str();
-  command->add_option("--qbmove", process.qbmove, "Serve the motor board's protocol on this serial port, likewise");
+  command->add_option(
+      "--qbmove", process.qbmove,
+      "Serve the motor board's protocol on this serial port; a path that does not exist becomes a pseudo-terminal");
   command->add_option("--qbmove-baud", process.qbmove_baud, "Speed of a real port of --qbmove")->capture_default_str();
   command
       ->add_option("--qbmove-vibration", process.board.vibration_opcode,

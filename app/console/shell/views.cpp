@@ -32,18 +32,24 @@ PartView toPart(const device::DeviceReport& part) {
 PartView loopPart(const station::LoopStatus& loop, double missed_now, std::uint64_t telemetry_lost) {
   constexpr double kUsualMissed = 5.0;  // 0.5 % of a second's cycles
   PartView view{.icon = QStringLiteral("loop"), .name = tr("Loop")};
-  const double share = loop.steps > 0 ? 100.0 * static_cast<double>(loop.missed_cycles) /
-                                            static_cast<double>(loop.steps + loop.missed_cycles)
-                                      : 0.0;
-  view.figures = tr("1 kHz · %1 % missed").arg(widgets::numberText(share, 2));
+  constexpr double kCyclesOfSecond = 1000.0;
+  view.figures = loop.waits
+                     ? tr("1 kHz · waits for this computer")
+                     : tr("1 kHz · %1 % missed").arg(widgets::numberText(100.0 * missed_now / kCyclesOfSecond, 1));
   view.health = missed_now > kUsualMissed ? PartView::Health::doubtful : PartView::Health::well;
-  view.detail = tr("%1 steps, %2 cycles missed; a step takes %3 µs (median), %4 µs (99th percentile)")
+  view.detail = tr("%1 steps, %2 cycles missed since the start; a step takes %3 µs (median), %4 µs (99th percentile)")
                     .arg(loop.steps)
                     .arg(loop.missed_cycles)
                     .arg(widgets::numberText(loop.step_ns_p50 / 1000.0, 1))
                     .arg(widgets::numberText(loop.step_ns_p99 / 1000.0, 1));
   view.detail += QLatin1Char('\n') + (loop.real_time ? tr("Real-time priority granted.")
                                                      : tr("No real-time priority: the system may delay the loop."));
+  if (loop.waits) {
+    view.detail +=
+        QLatin1Char('\n') + tr("Everything is simulated: time waits for this computer when it is late, %1 s so "
+                               "far, and nothing is Held for it.")
+                                .arg(widgets::numberText(loop.waited_s, 1));
+  }
   if (telemetry_lost > 0) view.detail += QLatin1Char('\n') + tr("The curves lost %1 samples.").arg(telemetry_lost);
   return view;
 }

@@ -1,12 +1,14 @@
 #include "core/device/robot/robot_runner.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace fyd::device {
 namespace {
 
 constexpr Duration kVirtualStep = std::chrono::milliseconds(1);
+constexpr Duration kLateness = std::chrono::milliseconds(2);  // of this loop, where the clock waits for it
 constexpr Duration kLongestBraking = std::chrono::seconds(5);
 constexpr Duration kPublishEvery = std::chrono::milliseconds(50);
 
@@ -82,6 +84,7 @@ void RobotRunner::run(const std::stop_token& stop, Duration limit) {
   const Duration period = fromSeconds(1.0 / options_.rate_Hz);
   Instant due = began_;
   std::optional<Instant> braking_since;
+  std::optional<ClockHold> hold(std::in_place, options_.clock_waits);
   for (Instant now = began_;; now = Clock::now()) {
     const bool closed = end_->phase() == protocol::RobotPhase::closed;
     if (closed || stop.stop_requested() || now - began_ >= limit) {
@@ -108,8 +111,10 @@ void RobotRunner::run(const std::stop_token& stop, Duration limit) {
       now_.missed_cycles += static_cast<std::uint64_t>(behind + 1);
       due += period * behind;
     }
+    hold->until(due + kLateness);
     receiveUntil(due);
   }
+  hold.reset();
   if (options_.farewell > Duration::zero()) sayFarewell();
   publish(Clock::now());
 }

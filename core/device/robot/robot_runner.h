@@ -46,6 +46,7 @@ struct RobotRunnerOptions {
   Duration farewell = std::chrono::milliseconds(100);
   MotionLimits limits;
   bool probe_material = true;
+  bool clock_waits = false;               ///< everything is simulated: the session's clock waits for this loop
   double known_stiffness_N_per_mm = 0.0;  ///< sent to the touchpad when the material is not probed
 };
 

@@ -47,8 +47,9 @@ std::vector<std::string> parted(const std::string& text) {
   return tags;
 }
 
-constexpr const char* kScenePath = "/header/scene";      // only where one was felt
-constexpr const char* kMissingPath = "/header/missing";  // only where something is missing
+constexpr const char* kScenePath = "/header/scene";        // only where one was felt
+constexpr const char* kLatenessPath = "/header/lateness";  // not in older files
+constexpr const char* kMissingPath = "/header/missing";    // only where something is missing
 
 /// A line for each: table, first, count, why.
 std::string linesOf(const std::vector<MissingRows>& missing) {
@@ -86,8 +87,13 @@ std::int64_t checksum(const RecordingHeader& header) {
   if (header.scene) {
     all += fmt::format("{}:{}:{};", kScenePath, header.scene->size(), crc32c(std::as_bytes(std::span(*header.scene))));
   }
+  if (!header.lateness.empty()) add(kLatenessPath, header.lateness);
   if (!header.missing.empty()) add(kMissingPath, linesOf(header.missing));
   return crc32c(std::as_bytes(std::span(all)));
+}
+
+std::string readLateness(hid_t file) {
+  return H5Lexists(file, kLatenessPath, H5P_DEFAULT) > 0 ? readText(file, kLatenessPath) : std::string{};
 }
 
 std::shared_ptr<const std::string> readScene(hid_t file) {
@@ -119,6 +125,7 @@ void writeHeader(hid_t file, const RecordingHeader& header) {
   writeBytes(file, "/header/step_state", header.step_state);
   writeNumber(file, "arithmetic", header.arithmetic);
   if (header.scene) writeBytes(file, kScenePath, *header.scene);
+  if (!header.lateness.empty()) writeText(file, kLatenessPath, header.lateness);
   if (!header.missing.empty()) writeText(file, kMissingPath, linesOf(header.missing));
   writeNumber(file, "header_crc32c", checksum(header));
 }
@@ -132,6 +139,7 @@ RecordingHeader readHeader(hid_t file) {
   header.step_state = readBytes(file, "/header/step_state");
   header.arithmetic = readArithmetic(file);
   header.scene = readScene(file);
+  header.lateness = readLateness(file);
   if (H5Lexists(file, kMissingPath, H5P_DEFAULT) > 0) header.missing = missingOf(readText(file, kMissingPath));
   if (readNumber(file, "header_crc32c") != checksum(header)) failHard("its header is damaged: the checksum differs");
   return header;
@@ -157,6 +165,7 @@ RecordingHeader salvageHeader(hid_t file) {
   attempt([&] { header.step_state = readBytes(file, "/header/step_state"); });
   attempt([&] { header.arithmetic = readArithmetic(file); });
   attempt([&] { header.scene = readScene(file); });
+  attempt([&] { header.lateness = readLateness(file); });
   return header;
 }
 

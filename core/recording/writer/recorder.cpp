@@ -237,7 +237,8 @@ Result<void> Recorder::Impl::open(const RecordingRequest& request) {
       .surface = local.surface ? texture::formatSurface(*local.surface) : std::string{},
       .scene = local.scene ? std::make_shared<const std::string>(scene::packScene(*local.scene)) : nullptr,
       .step_state = std::move(from.state),
-      .version = FYD_VERSION};
+      .version = FYD_VERSION,
+      .lateness = description.lateness};
   auto opened = LiveRecording::open(request.path, std::move(header), options,
                                     {.steps = steps, .pictures = pictures.history(), .station = source}, disk);
   if (!opened) return tl::unexpected(opened.error());

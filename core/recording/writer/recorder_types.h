@@ -42,9 +42,9 @@ struct RecorderStatus {
   double processor_percent = 0.0;  ///< of one core, the recorder's thread, since the recording (or the thread) began
 };
 
-/// As in the station's options (station_options.h).
 struct StationDescription {
-  std::string touchpad, camera, robot;
+  std::string touchpad, camera, robot;  ///< as in the station's options (station_options.h)
+  std::string lateness = {};            ///< as in RecordingHeader
 };
 
 /// What the recorder needs from the station.

@@ -12,12 +12,13 @@ namespace fyd::sim {
 
 class SimulatedCamera final : public device::Camera {
  public:
-  explicit SimulatedCamera(std::shared_ptr<TouchpadWorld> world);
+  /// @param clock_waits everything is simulated: the session's clock waits for a camera that is late
+  explicit SimulatedCamera(std::shared_ptr<TouchpadWorld> world, bool clock_waits = false);
 
   [[nodiscard]] Message description() const override;
   [[nodiscard]] Message kind() const override { return say("simulated"); }
 
-  /// Sleeps until the next picture is due on the steady clock, advances the world to it and draws it.
+  /// Sleeps until the next picture is due, advances the world to it and draws it.
   /// Pictures that became due while the caller was busy are skipped, as with a real camera. Never fails.
   [[nodiscard]] Result<device::CameraFrame> next() override;
 
@@ -32,6 +33,7 @@ class SimulatedCamera final : public device::Camera {
   std::mt19937_64 random_;
   Instant due_{};
   std::uint64_t number_ = 0;
+  ClockHold hold_;
 };
 
 }  // namespace fyd::sim

@@ -167,7 +167,7 @@ TEST(Station, StopIsHeardAndLatches) {
 }
 
 TEST(Station, AWindowThatStopsAnsweringHoldsTheTouchpadAndItsReturnDoesNotArmIt) {
-  auto station = opened({});
+  auto station = opened({.real_time = true});
   station->start();
   Sample held;
   // An operator arms again whenever a busy machine holds it for another reason; what counts is the instant at which the
@@ -194,6 +194,17 @@ TEST(Station, AWindowThatStopsAnsweringHoldsTheTouchpadAndItsReturnDoesNotArmIt)
   EXPECT_EQ(held.fault, pipeline::Fault::operator_silent) << toString(held.fault);
   EXPECT_TRUE(staysFor(*station, 200, SafetyState::held, [&] { station->windowAlive(); }));
   ASSERT_TRUE(arm(*station));
+}
+
+TEST(Station, AWindowThatStopsAnsweringHoldsNothingWhereEverythingIsSimulated) {
+  auto station = opened({});
+  station->start();
+  ASSERT_TRUE(waitForState(*station, SafetyState::ready));
+  station->windowAlive();
+  ASSERT_TRUE(arm(*station));
+  EXPECT_TRUE(staysFor(*station, 1500, SafetyState::active));
+  EXPECT_EQ(station->status().loop.missed_cycles, 0U);
+  EXPECT_TRUE(station->status().loop.waits);
 }
 
 TEST(Station, ARobotThatGoesSilentHoldsTheTouchpadAndItsReturnDoesNotArmIt) {
