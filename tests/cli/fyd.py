@@ -171,6 +171,7 @@ class Telemetry:
 
     def pass_steps(self, count):
         """What may happen within so many steps has happened then."""
+        self.wait_for("the first step", lambda row: True)
         end = self.newest()["step"] + count
         self.wait_for(f"step {end:.0f}", lambda row: row["step"] >= end)
 
