@@ -123,9 +123,11 @@ class TwoProcesses(fyd.Case):
         self.assertIn("robot", session["reason"])
 
     def test_beside_a_robot_of_another_process_a_late_computer_is_a_fault_and_called_so(self):
-        address = f"127.0.0.1:{fyd.free_port()}"
+        port = fyd.free_port()
+        address = f"127.0.0.1:{port}"
         recording = self.path("late.h5")
         station = fyd.Running(self, *SESSION, "--robot", "classic:" + address, "--record", recording, "--json")
+        fyd.wait_for_udp("127.0.0.1", port)  # the authors' wireless robot says its ACK once
         robot = fyd.Running(self, "sim", "robot", "--connect", address, "--waits", "wireless", "--json")
         station.await_log("Active")
         station.process.send_signal(signal.SIGSTOP)
