@@ -48,7 +48,7 @@ nlohmann::ordered_json predicted(const control::LoopPrediction& loop) {
           {"settling_s", jsonNumber(loop.settling_s)},
           {"gain_margin", jsonNumber(loop.margins.gain_margin)},
           {"phase_margin_deg", jsonNumber(loop.margins.phase_margin_deg)},
-          {"stable", loop.stable}};
+          {"stable", loop.stable()}};
 }
 
 nlohmann::ordered_json simulated(sim::StiffnessTrial trial, const control::ControlParameters& parameters,

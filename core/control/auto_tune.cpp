@@ -15,6 +15,7 @@ constexpr double kLeastPhaseMargin_deg = 60.0;
 
 ControlParameters tuned(const ControlParameters& present, const IdentifiedCloth& cloth, double lambda_s) {
   ControlParameters p = present;
+  p.mode = ControlMode::normal;  // the gains are of this mode, whichever the touchpad runs
   p.ki_per_s = 1.0 / (std::max(1.0, cloth.shape_gain) * lambda_s);
   p.kp = kMotorLag_s * p.ki_per_s;
   p.kd_s = 0.0;
@@ -54,7 +55,10 @@ Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const C
     if (ended(kIdentified + (1 - kIdentified) * tried)) return fail("auto-tune: cancelled");
     const ControlParameters proposed = tuned(present, *cloth, lambda_s);
     if (!keepsMargins(*cloth, proposed)) continue;
-    return TuneProposal{*cloth, proposed, predictLoop(*cloth, present), predictLoop(*cloth, proposed)};
+    ControlParameters before = present, after = proposed;
+    before.mode = proposed.mode;
+    after.mode = present.mode;
+    return TuneProposal{*cloth, after, predictLoop(*cloth, before), predictLoop(*cloth, proposed)};
   }
   return fail(
       "auto-tune: no time constant up to {} s keeps gain margin {} and phase margin {}° (dead time {:.3f} s, lag "

@@ -31,6 +31,17 @@ inline constexpr std::array<std::string_view, 2> kCorrectionRuleNames = {"excess
 /// No limit in effect: ln(1 + 4) exceeds the largest ln S that the observer can learn (1.5, scale_observer.cpp).
 inline constexpr double kNoCorrectionLimit = 4.0;
 
+// Largest gains: what no cloth bears on any touchpad of this kind. With motors of 30 ms (loop_prediction.h) and nothing
+// later than the step itself, the gain margin of Ki alone is used up at 118, that of Kd at 3.3 (filter 0.1 s) and that
+// of Kp at 31; but from 15 up Kp drives the motors so far into their speed limit that the stretch swings on. In mode
+// thesis, with its default period and measurement, at 358, 770 and 52. Later sensors and motors bear less: tuning.md.
+inline constexpr double kMostKp = 20.0;
+inline constexpr double kMostKi_per_s = 120.0;
+inline constexpr double kMostKd_s = 3.5;
+inline constexpr double kMostThesisKp = 400.0;  // deg/(N/mm)
+inline constexpr double kMostThesisKi = 800.0;  // deg/(N/mm)/s
+inline constexpr double kMostThesisKd = 60.0;   // deg/(N/mm)·s
+
 struct ControlParameters {
   ControlMode mode = ControlMode::normal;
   StaticLawKind law = StaticLawKind::interpolated;
@@ -84,21 +95,21 @@ struct ControlParameters {
     v.real("control.kp", kp,
            {.name = sentence("Kp"),
             .minimum = 0,
-            .maximum = 1e12,
+            .maximum = kMostKp,
             .help = sentence("Proportional gain: relative correction for relative error."),
             .live = true});
     v.real("control.ki", ki_per_s,
            {.name = sentence("Ki"),
             .unit = "1/s",
             .minimum = 0,
-            .maximum = 1e12,
+            .maximum = kMostKi_per_s,
             .help = sentence("Integral gain, of the relative error."),
             .live = true});
     v.real("control.kd", kd_s,
            {.name = sentence("Kd"),
             .unit = "s",
             .minimum = 0,
-            .maximum = 1e12,
+            .maximum = kMostKd_s,
             .help = sentence("Derivative gain, on the measured stiffness and not on the target."),
             .live = true});
     v.real("control.derivative_filter_s", derivative_filter_s,
@@ -168,7 +179,7 @@ struct ControlParameters {
            {.name = sentence("Rate limit"),
             .unit = "deg/s",
             .minimum = 1,
-            .maximum = 1000,
+            .maximum = 360,
             .help = sentence("Fastest change of the commanded stretch."),
             .live = true});
     v.real("control.motor_limit_deg", motor_limit_deg,
@@ -181,21 +192,21 @@ struct ControlParameters {
            {.name = sentence("Thesis kp"),
             .unit = "deg/(N/mm)",
             .minimum = 0,
-            .maximum = 1e12,
+            .maximum = kMostThesisKp,
             .help = sentence("Proportional gain in thesis mode."),
             .live = true});
     v.real("control.thesis_ki", thesis_ki,
            {.name = sentence("Thesis ki"),
             .unit = "deg/(N/mm)/s",
             .minimum = 0,
-            .maximum = 1e12,
+            .maximum = kMostThesisKi,
             .help = sentence("Integral gain in thesis mode."),
             .live = true});
     v.real("control.thesis_kd", thesis_kd,
            {.name = sentence("Thesis kd"),
             .unit = "deg/(N/mm)*s",
             .minimum = 0,
-            .maximum = 1e12,
+            .maximum = kMostThesisKd,
             .help = sentence("Derivative gain in thesis mode (the thesis used none)."),
             .live = true});
     v.real("control.thesis_period_ms", thesis_period_ms,

@@ -7,7 +7,8 @@
 //   inward the integrator returns to the limit's edge at once, so nothing has to unwind.
 // - Bumpless: new gains take effect without a step of u (the integrator takes up the difference).
 // - Limits on u and on its rate; NaN, infinity, dt ≤ 0 leave everything as it was; a larger dt counts as the maximum.
-// - Gains below 0 or not finite count as 0; gains up to 1e12 give a bang-bang between the limits, never an overflow.
+// - Gains below 0 or not finite count as 0; gains up to 1e12, which recordings of earlier programs may have, give a bang-bang
+//   between the limits, never an overflow.
 #pragma once
 
 namespace fyd::control {

@@ -40,6 +40,10 @@ enum class PwmChoice : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 3> kPwmNames = {"symmetric", "thesis", "felt"};
 
+// Signals from the least that a finger feels to the sum of an accelerometer's three axes of 5 g, with a third to spare.
+inline constexpr double kFeltLeast_g = 0.02;
+inline constexpr double kMostSignal_g = 20.0;
+
 struct TextureParameters {
   MethodChoice method = MethodChoice::dft321;
   FilterChoice filter = FilterChoice::standard;
@@ -115,8 +119,8 @@ struct TextureParameters {
     v.real("texture.full_scale_g", full_scale_g,
            {.name = sentence("Full scale"),
             .unit = "g",
-            .minimum = 0.001,
-            .maximum = 100,
+            .minimum = kFeltLeast_g,
+            .maximum = kMostSignal_g,
             .help = sentence("Signal that asks for the largest duty (s_max of the thesis)."),
             .live = true});
     v.choice("texture.pwm", pwm, kPwmNames,
@@ -143,7 +147,7 @@ struct TextureParameters {
            {.name = sentence("Surface level"),
             .unit = "g",
             .minimum = 0,
-            .maximum = 100,
+            .maximum = kMostSignal_g,
             .help = sentence("Mapping felt: stored RMS of the surface, to which the gain is fitted; 0 learns it from "
                              "the touch."),
             .live = true});

@@ -147,13 +147,15 @@ TEST(ControlParameters, NamesWhatIsWrongWithTheLawsPoints) {
   EXPECT_THAT(problem("[control]\ntravel_minimum_deg = 90"), testing::HasSubstr("travel_maximum_deg = 90"));
 }
 
-TEST(ControlParameters, NegativeGainsAreRefusedByTheirRange) {
+TEST(ControlParameters, GainsOutsideTheirRangeAreRefusedWithNameValueAndRange) {
   for (const std::string id : {"kp", "ki", "kd", "thesis_kp", "thesis_ki", "thesis_kd"}) {
     ControlParameters parameters;
     const auto bound = bindParameters(parameters);
     EXPECT_FALSE(parseProfile("[control]\n" + id + " = -0.1\n", "p.toml", bound)) << id;
     EXPECT_TRUE(parseProfile("[control]\n" + id + " = 0\n", "p.toml", bound)) << id;
-    EXPECT_TRUE(parseProfile("[control]\n" + id + " = 1e12\n", "p.toml", bound)) << id;
+    const auto refused = parseProfile("[control]\n" + id + " = 99999\n", "p.toml", bound);
+    ASSERT_FALSE(refused) << id;
+    EXPECT_THAT(refused.error().text(), testing::HasSubstr("p.toml:2: control." + id + " = 99999: expected a number"));
   }
 }
 
