@@ -5,11 +5,18 @@ namespace {
 
 constexpr std::string_view kInputDelay = "texture.input_delay_ms";
 
+/// Of the board that has the longer one: which of the two drives the motors is not known here.
+Duration longestWatchdog(std::span<const Parameter> parameters) {
+  const auto ms = [&](std::string_view id) { return findParameter(parameters, id)->value(); };
+  return fromSeconds(1e-3 * std::max(ms("device.watchdog_ms"), ms("device.qbmove_watchdog_ms")));
+}
+
 }  // namespace
 
 HapticThread::HapticThread(const pipeline::Parameters& step, const pipeline::LocalModel& local,
                            std::span<const Parameter> parameters)
     : pipeline_(step, local),
+      release_(longestWatchdog(parameters)),
       input_delay_index_(static_cast<std::uint16_t>(findParameter(parameters, kInputDelay) - parameters.data())),
       longest_input_delay_ms_(parameters[input_delay_index_].info.maximum) {}
 
@@ -109,7 +116,8 @@ void HapticThread::cycle(const Neighbours& neighbours, Instant now, std::uint64_
 void HapticThread::publish(const Neighbours& neighbours, const pipeline::Outputs& outputs) {
   const Instant now = inputs_.now;
   const auto tested = device_test.step(inputs_, outputs, pipeline_.parameters().control);
-  const control::MotorCommand& motors = tested ? *tested : outputs.motors;
+  control::MotorCommand motors = tested ? *tested : outputs.motors;
+  if (release_.step(outputs.telemetry.state, inputs_.motors.age(now))) motors.active = false;
   neighbours.touchpad.command.write({.command = motors, .given = now});
   (void)neighbours.touchpad.duties.push(motors.vibration_duty_percent);  // full only while the device is silent
   if (neighbours.link != nullptr) {

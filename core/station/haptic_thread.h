@@ -16,6 +16,7 @@
 #include "core/station/haptic_loop.h"
 #include "core/station/lateness.h"
 #include "core/station/link_thread.h"
+#include "core/station/motor_release.h"
 #include "core/station/touchpad_thread.h"
 #include "core/station/window_watch.h"
 
@@ -76,6 +77,7 @@ class HapticThread {
   pipeline::Pipeline pipeline_;
   pipeline::Inputs inputs_;
   std::uint64_t losses_seen_ = 0;
+  MotorRelease release_;
   const std::uint16_t input_delay_index_;
   const double longest_input_delay_ms_;
 

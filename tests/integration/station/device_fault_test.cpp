@@ -139,6 +139,31 @@ TEST_P(EveryBackend, ACableThatComesOutIsShownAndItsReturnDoesNotArm) {
   EXPECT_LT(shown_s, 3.0) << "1 s where nothing else runs";
 }
 
+class EveryMotorBoard : public testing::TestWithParam<Backend> {};
+INSTANTIATE_TEST_SUITE_P(Backends, EveryMotorBoard,
+                         testing::Values(Backend::modbus_tcp, Backend::modbus_rtu, Backend::qbmove),
+                         [](const auto& backend) { return kBackendNames[static_cast<std::size_t>(backend.param)]; });
+
+TEST_P(EveryMotorBoard, ATouchpadThatRestartsIsArmedAgainFromHeldAndMovesNothingBefore) {
+  DeviceRig rig(GetParam());
+  ASSERT_TRUE(rig.armed());
+  rig.unplug();
+  ASSERT_TRUE(rig.wait("Held", [&] { return rig.state == SafetyState::held; }));
+  rig.startPeer();
+  ASSERT_TRUE(rig.wait("everything that is needed, by itself", [&] { return rig.allOk(); }));
+  ASSERT_TRUE(rig.pass(300));
+  EXPECT_EQ(rig.state, SafetyState::held) << "its return must not arm";
+  EXPECT_FALSE(rig.process->electronics().figures().motors_on);
+  // What the bar says: hold Re-arm. Again where the machine stood still in that very moment.
+  for (int attempt = 0; attempt < 20 && rig.state != SafetyState::active; ++attempt) {
+    ASSERT_TRUE(rig.station->command({.action = pipeline::OperatorAction::arm}));
+    (void)rig.wait(
+        "Active", [&] { return rig.state == SafetyState::active; }, std::chrono::milliseconds(500));
+  }
+  EXPECT_EQ(rig.state, SafetyState::active);
+  EXPECT_TRUE(rig.wait("the motors to be on", [&] { return rig.process->electronics().figures().motors_on; }));
+}
+
 TEST(StationDevices, ReportsCarryWhatADevicesPageShows) {
   DeviceRig rig(Backend::qbmove);
   std::vector<device::DeviceReport> devices;
