@@ -14,7 +14,8 @@ TuningFoot::TuningFoot(TuningModel& model, Rows rows, QWidget* own, QWidget* par
       undo_(new QToolButton(this)),
       redo_(new QToolButton(this)),
       compare_(new TuningCompare(model, this)),
-      save_(new QPushButton(this)) {
+      save_(new QPushButton(this)),
+      question_(new TuningQuestionBox(model, this)) {
   undo_->setObjectName(QStringLiteral("undo_button"));
   undo_->setIcon(icon(QStringLiteral("undo")));
   undo_->setAccessibleName(tr("Undo"));
@@ -30,6 +31,7 @@ TuningFoot::TuningFoot(TuningModel& model, Rows rows, QWidget* own, QWidget* par
   connect(save_, &QPushButton::clicked, this, &TuningFoot::saveAsked);
   connect(&model_, &TuningModel::changed, this, &TuningFoot::refresh);
   connect(&model_, &TuningModel::feelingSavedChanged, this, &TuningFoot::refresh);
+  connect(&model_, &TuningModel::questionChanged, this, &TuningFoot::showQuestion);
   connect(model_.undoStack(), &QUndoStack::indexChanged, this, &TuningFoot::refresh);
   refresh();
 }
@@ -38,6 +40,7 @@ void TuningFoot::arrange(Rows rows, QWidget* own) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kGrid, kGrid / 2, kGrid, kGrid);
   layout->setSpacing(kGrid / 2);
+  layout->addWidget(question_);
   auto* first = new QHBoxLayout;
   first->setSpacing(kGrid / 2);
   first->addWidget(undo_);
@@ -55,6 +58,15 @@ void TuningFoot::arrange(Rows rows, QWidget* own) {
   first->addStretch(1);
   first->addWidget(compare_);
   layout->addWidget(save_, 0, Qt::AlignRight);
+}
+
+void TuningFoot::showQuestion() {
+  const auto& question = model_.question();
+  if (question && question->id.isEmpty()) {
+    question_->showQuestion(question->words);
+  } else {
+    question_->hide();
+  }
 }
 
 void TuningFoot::refresh() {

@@ -7,6 +7,7 @@
 
 #include "widgets/tuning/tuning_compare.h"
 #include "widgets/tuning/tuning_model.h"
+#include "widgets/tuning/tuning_question_box.h"
 
 namespace fyd::widgets {
 
@@ -20,6 +21,8 @@ class TuningFoot : public QWidget {
 
   [[nodiscard]] TuningCompare* compare() const { return compare_; }
   [[nodiscard]] QPushButton* saveButton() const { return save_; }
+  /// The doubt about a change of several values, or by undo, redo, A and B.
+  [[nodiscard]] TuningQuestionBox* questionBox() const { return question_; }
 
  signals:
   void saveAsked();
@@ -27,12 +30,14 @@ class TuningFoot : public QWidget {
  private:
   void arrange(Rows rows, QWidget* own);
   void refresh();
+  void showQuestion();
 
   TuningModel& model_;
   QToolButton* undo_;
   QToolButton* redo_;
   TuningCompare* compare_;
   QPushButton* save_;
+  TuningQuestionBox* question_;
 };
 
 }  // namespace fyd::widgets

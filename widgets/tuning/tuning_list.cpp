@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <ranges>
 
 #include "widgets/basics/vertical_scroll.h"
@@ -32,7 +33,8 @@ TuningList::TuningList(TuningModel& model, QWidget* parent)
   search_->setObjectName(QStringLiteral("tuning_search"));
   search_->setPlaceholderText(tr("Search parameters"));
   search_->setAccessibleName(tr("Search parameters"));
-  search_->setToolTip(tr("Words of the name, the identifier, the help or the group (Ctrl+F)"));
+  search_->setToolTip(
+      tr("Words of the name, the identifier, the help or the group (Ctrl+F); Enter goes to the first that is found"));
   search_->setClearButtonEnabled(true);
   only_changed_->setObjectName(QStringLiteral("tuning_only_changed"));
   only_changed_->setToolTip(tr("Show only parameters that differ from the saved profile"));
@@ -60,6 +62,7 @@ TuningList::TuningList(TuningModel& model, QWidget* parent)
   layout->addLayout(head);
   layout->addWidget(scroll_, 1);
   connect(search_, &QLineEdit::textChanged, this, &TuningList::filter);
+  connect(search_, &QLineEdit::returnPressed, this, &TuningList::goToFirst);
   connect(only_changed_, &QCheckBox::toggled, this, &TuningList::filter);
   connect(&model_, &TuningModel::changed, this, [this] {
     if (only_changed_->isChecked()) filter();
@@ -68,10 +71,15 @@ TuningList::TuningList(TuningModel& model, QWidget* parent)
 }
 
 void TuningList::addRows(QVBoxLayout* layout) {
-  QString room;
+  std::vector<const TunedParameter*> live;
   for (const TunedParameter& parameter : model_.parameters()) {
-    const Parameter& info = parameter.info;
-    if (!info.info.live) continue;
+    if (parameter.info.info.live) live.push_back(&parameter);
+  }
+  // The gains first: they are what the step response beside the list is about.
+  std::ranges::stable_partition(live, [](const TunedParameter* each) { return each->info.id.starts_with("control."); });
+  QString room;
+  for (const TunedParameter* parameter : live) {
+    const Parameter& info = parameter->info;
     if (const QString title = moduleTitle(info.id); title != room) {
       room = title;
       auto* label = new QLabel(title, this);
@@ -83,6 +91,7 @@ void TuningList::addRows(QVBoxLayout* layout) {
     const QString id = QString::fromUtf8(info.id.data(), static_cast<qsizetype>(info.id.size()));
     auto* row = new TuningRow(model_, id, tunedName(info), quantityOf(info.id), this, RowDetail::full);
     connect(row, &TuningRow::refused, this, &TuningList::refused);
+    connect(row, &TuningRow::entered, this, &TuningList::entered);
     layout->addWidget(row);
     rows_.push_back(row);
     groups_.back().rows.push_back(row);
@@ -115,6 +124,15 @@ void TuningList::filter() {
   }
   empty_->setVisible(shown == 0);
   summary_->setText(tr("%1 of %2").arg(shown).arg(static_cast<qsizetype>(rows_.size())));
+}
+
+void TuningList::goToFirst() {
+  const auto found = std::ranges::find_if(rows_, [](const TuningRow* row) { return !row->isHidden(); });
+  if (found == rows_.end()) return;
+  QWidget* editor = (*found)->field();
+  if (editor == nullptr) editor = (*found)->choice();
+  editor->setFocus(Qt::TabFocusReason);  // which marks what a field holds
+  scroll_->ensureWidgetVisible(*found);
 }
 
 TuningRow* TuningList::row(const QString& id) const {

@@ -30,6 +30,7 @@ class TuningList : public QFrame {
 
  signals:
   void refused(const QString& why);
+  void entered();  ///< Enter ended an entry: the focus is free to go
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -42,6 +43,8 @@ class TuningList : public QFrame {
 
   void addRows(QVBoxLayout* layout);
   void filter();
+  /// The first row that the search leaves gets the focus.
+  void goToFirst();
 
   TuningModel& model_;
   QLineEdit* search_;

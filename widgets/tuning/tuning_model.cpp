@@ -31,6 +31,13 @@ class ChangeCommand : public QUndoCommand {
   void redo() override {
     for (const Change& each : changes_) model_.store(each.id, each.to, each.from);
   }
+  /// The values that its parameters have before or after it.
+  [[nodiscard]] std::vector<Setting> values(bool before) const {
+    std::vector<Setting> out;
+    for (const Change& each : changes_)
+      out.push_back({.id = each.id.toStdString(), .value = before ? each.from : each.to});
+    return out;
+  }
   int id() const override { return merge_ ? 1 : -1; }
   bool mergeWith(const QUndoCommand* other) override {
     constexpr qint64 kSameDrag_ms = 800;
@@ -52,9 +59,12 @@ class ChangeCommand : public QUndoCommand {
   QElapsedTimer age_;
 };
 
-TuningModel::TuningModel(QObject* parent) : QObject(parent), undo_(this) {}
+TuningModel::TuningModel(QObject* parent) : QObject(parent), undo_(this) {
+  connect(&undo_, &QUndoStack::indexChanged, this, &TuningModel::leaveAsItIs);
+}
 
 void TuningModel::load(std::span<const Parameter> current, std::span<const Parameter> defaults) {
+  leaveAsItIs();
   undo_.clear();
   parameters_.clear();
   for (std::size_t i = 0; i < current.size(); ++i) {
@@ -95,24 +105,59 @@ Result<void> TuningModel::change(std::string_view id, double value, bool merge) 
   if (auto good = check(id, value); !good) return good;
   if (feeling_saved_) return fail("{}: saved values are felt now; go back to the current ones to change it", id);
   const TunedParameter& parameter = *find(id);
-  if (value == parameter.value) return {};
+  if (value == parameter.value) {
+    leaveAsItIs();
+    return {};
+  }
   const QString name = fromView(id);
-  undo_.push(new ChangeCommand(*this, tr("%1 to %2").arg(name, plainNumber(value)),
-                               {{.id = name, .from = parameter.value, .to = value}}, merge));
+  const Setting next{.id = std::string(id), .value = value};
+  propose({&next, 1}, {.id = name, .value = value, .apply = [this, name, next, merge] {
+                         push(tr("%1 to %2").arg(name, plainNumber(next.value)), {&next, 1}, merge);
+                       }});
   return {};
 }
 
 Result<void> TuningModel::changeAll(const QString& words, std::span<const Setting> settings) {
   if (feeling_saved_) return fail("saved values are felt now; go back to the current ones to change any");
-  std::vector<Change> changes;
+  std::vector<Setting> next;
   for (const Setting& setting : settings) {
     if (auto good = check(setting.id, setting.value); !good) return good;
-    const double present = find(setting.id)->value;
-    if (present == setting.value) continue;
-    changes.push_back({.id = QString::fromStdString(setting.id), .from = present, .to = setting.value});
+    if (find(setting.id)->value != setting.value) next.push_back(setting);
   }
-  if (!changes.empty()) undo_.push(new ChangeCommand(*this, words, std::move(changes), false));
+  if (!next.empty()) propose(next, {.apply = [this, words, next] { push(words, next, false); }});
   return {};
+}
+
+void TuningModel::push(const QString& words, std::span<const Setting> settings, bool merge) {
+  std::vector<Change> changes;
+  for (const Setting& setting : settings) {
+    changes.push_back({.id = QString::fromStdString(setting.id), .from = find(setting.id)->value, .to = setting.value});
+  }
+  undo_.push(new ChangeCommand(*this, words, std::move(changes), merge));
+}
+
+void TuningModel::propose(std::span<const Setting> next, TuningQuestion change) {
+  change.words = doubt_ ? doubt_(next) : QString();
+  if (change.words.isEmpty()) {
+    leaveAsItIs();
+    change.apply();
+    return;
+  }
+  question_ = std::move(change);
+  emit questionChanged();
+}
+
+void TuningModel::applyAnyway() {
+  if (!question_) return;
+  const auto apply = std::move(question_->apply);
+  leaveAsItIs();
+  apply();
+}
+
+void TuningModel::leaveAsItIs() {
+  if (!question_) return;
+  question_.reset();
+  emit questionChanged();
 }
 
 void TuningModel::store(const QString& id, double value, double was) {
@@ -175,7 +220,7 @@ void TuningModel::undo() {
   if (feeling_saved_) {
     feelSaved(false);
   } else {
-    undo_.undo();
+    step(undo_.index() - 1, true);
   }
 }
 
@@ -183,11 +228,30 @@ void TuningModel::redo() {
   if (feeling_saved_) {
     feelSaved(false);
   } else {
-    undo_.redo();
+    step(undo_.index(), false);
   }
 }
 
+void TuningModel::step(int index, bool back) {
+  const QUndoCommand* command = undo_.command(index);  // nullptr: there is none
+  if (command == nullptr) return;
+  const auto* change = dynamic_cast<const ChangeCommand*>(command);
+  const std::vector<Setting> next = change != nullptr ? change->values(back) : std::vector<Setting>{};
+  propose(next, {.apply = [this, back] { back ? undo_.undo() : undo_.redo(); }});
+}
+
 void TuningModel::feelSaved(bool saved) {
+  if (saved == feeling_saved_) return;
+  std::vector<Setting> next;
+  for (const TunedParameter& parameter : parameters_) {
+    if (!parameter.changed()) continue;
+    next.push_back({.id = std::string(parameter.info.id), .value = saved ? parameter.saved : parameter.value});
+  }
+  propose(next, {.apply = [this, saved] { switchFelt(saved); }});
+}
+
+void TuningModel::switchFelt(bool saved) {
+  leaveAsItIs();
   if (saved == feeling_saved_) return;
   feeling_saved_ = saved;
   emit feelingSavedChanged(saved);

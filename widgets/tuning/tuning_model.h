@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,17 @@ struct Setting {
   double value = 0.0;
 };
 
+/// A change that is not applied before the operator has said so.
+struct TuningQuestion {
+  QString id = {};     ///< its parameter; empty: several, or a change by undo, redo, A and B
+  double value = 0.0;  ///< that the parameter would take
+  QString words = {};  ///< what speaks against it, as a sentence
+  std::function<void()> apply = {};
+};
+
+/// What speaks against using these values beside the others that are felt, as a sentence; empty: nothing.
+using TuningDoubt = std::function<QString(std::span<const Setting> next)>;
+
 class TuningModel : public QObject {
   Q_OBJECT
  public:
@@ -53,9 +66,16 @@ class TuningModel : public QObject {
   /// Whether any value differs from the saved profile.
   [[nodiscard]] bool anyChanged() const;
 
+  /// Asked before every change of the operator's. A change with a doubt waits as the question.
+  void setDoubt(TuningDoubt doubt) { doubt_ = std::move(doubt); }
+  [[nodiscard]] const std::optional<TuningQuestion>& question() const { return question_; }
+  /// The operator's answers; without a question nothing happens. Any other change is "leave" as well.
+  void applyAnyway();
+  void leaveAsItIs();
+
   /// The operator's change: checked, undoable. Changes of one parameter that follow closely merge, as a slider gives
   /// them.
-  /// @return an error naming the allowed range, or that saved values are being felt; nothing is changed then
+  /// @return also without an error it may wait as question(); an error naming the allowed range, or that saved values are being felt; nothing is changed then
   Result<void> change(std::string_view id, double value, bool merge = false);
   /// Several at once, as one step of the undo stack; those that are there already are left out.
   /// @param words what the step is called: "Preset soft"
@@ -78,7 +98,10 @@ class TuningModel : public QObject {
   void refuse(std::string_view id, const QString& reason);
 
   /// A: the saved values are applied, and nothing can be changed; B: the current ones again. No step of the undo stack.
+  /// With a doubt it waits as question().
   void feelSaved(bool saved);
+  /// B without a question: for a session that begins anew.
+  void returnToCurrent() { switchFelt(false); }
   [[nodiscard]] bool feelingSaved() const { return feeling_saved_; }
   /// The value that is felt now.
   [[nodiscard]] double felt(const TunedParameter& parameter) const {
@@ -96,15 +119,24 @@ class TuningModel : public QObject {
   /// The parameter has to be shown anew.
   void changed(const QString& id);
   void feelingSavedChanged(bool saved);
+  void questionChanged();
 
  private:
   friend class ChangeCommand;
   [[nodiscard]] TunedParameter* entry(std::string_view id);
   [[nodiscard]] Result<void> check(std::string_view id, double value) const;
   void store(const QString& id, double value, double was);
+  void switchFelt(bool saved);
+  void push(const QString& words, std::span<const Setting> settings, bool merge);
+  /// Undoes or redoes this step of the stack.
+  void step(int index, bool back);
+  /// Applies it, or lets it wait when there is a doubt about `next`.
+  void propose(std::span<const Setting> next, TuningQuestion change);
 
   std::vector<TunedParameter> parameters_;
   QUndoStack undo_;
+  TuningDoubt doubt_;
+  std::optional<TuningQuestion> question_;
   bool feeling_saved_ = false;
 };
 

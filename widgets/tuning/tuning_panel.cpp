@@ -74,6 +74,7 @@ void TuningPanel::addSection(QVBoxLayout* layout, const TuningSection& section, 
     const QString label = entry.label.isEmpty() ? tunedName(tuned->info) : entry.label;
     auto* row = new TuningRow(model_, entry.id, label, section.quantity, this);
     connect(row, &TuningRow::refused, this, &TuningPanel::refused);
+    connect(row, &TuningRow::entered, this, &TuningPanel::entered);
     layout->addWidget(row);
     rows_.push_back(row);
   }

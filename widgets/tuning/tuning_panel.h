@@ -40,6 +40,7 @@ class TuningPanel : public QFrame {
   /// Presets are files, so the owner provides their menu. Without one there is no button.
   void setPresetMenu(QMenu* menu);
   [[nodiscard]] QToolButton* presetButton() const { return preset_; }
+  [[nodiscard]] TuningFoot* foot() const { return foot_; }
   [[nodiscard]] TuningCompare* compare() const { return foot_->compare(); }
   [[nodiscard]] QRadioButton* byHandButton() const { return by_hand_; }
   [[nodiscard]] QRadioButton* fromRobotButton() const { return from_robot_; }
@@ -49,6 +50,7 @@ class TuningPanel : public QFrame {
   void targetFromRobotAsked();
   void saveAsked();
   void refused(const QString& why);
+  void entered();  ///< Enter ended an entry: the focus is free to go
 
  private:
   void addSection(class QVBoxLayout* layout, const TuningSection& section, const QString& target_id);

@@ -21,7 +21,7 @@ constexpr int kMostTicks = 5;
 constexpr int kTick_px = 50;  // width of a number with margin
 
 QString marginText(double factor) {
-  return std::isinf(factor) ? QStringLiteral("∞") : quantityText(factor, 2, QStringLiteral("×"));
+  return quantityText(factor, 2, QStringLiteral("×"));  // "—" for infinite: no gain, no loop
 }
 
 }  // namespace
@@ -32,7 +32,8 @@ TuningResponse::TuningResponse(QWidget* parent)
   auto* title = new QLabel(tr("Step response"), this);
   title->setFont(textFont(TextSize::normal, true));
   plot_->setMinimumSize(160, 120);
-  plot_->setFocusPolicy(Qt::NoFocus);
+  plot_->setFocusPolicy(Qt::ClickFocus);
+  plot_->setAccessibleName(tr("Step response"));
   plot_->xAxis->setLabel(tr("time (s)"));
   plot_->yAxis->setLabel(tr("% of target"));
   upper_ = plot_->addGraph();
@@ -128,22 +129,35 @@ void TuningResponse::setPlotBackground(const QString& words) { ground_->setText(
 
 void TuningResponse::setBusy(bool busy) { busy_->setVisible(busy); }
 
+void TuningResponse::takeFocus() { plot_->setFocus(Qt::OtherFocusReason); }
+
+void TuningResponse::displayVerdict(Which which) {
+  using control::LoopVerdict;
+  const LoopVerdict verdict = views_[which].verdict;
+  QLabel* cell = cells_[which][kFigures - 1];
+  cell->setText(!has(which)                        ? kNoValue
+                : verdict == LoopVerdict::unstable ? tr("unstable")
+                : verdict == LoopVerdict::rings    ? tr("rings, then settles")
+                : verdict == LoopVerdict::settles  ? tr("settles")
+                                                   : tr("does not settle"));
+  cell->setProperty("role", has(which) && verdict == LoopVerdict::unstable ? "warning" : "");
+  restyle(*cell);
+}
+
 void TuningResponse::display(Which which) {
   const ResponseView& view = views_[which];
   const bool any = has(which);
   const auto seconds = [&](double value) { return any ? quantityText(value, 2, tr("s")) : kNoValue; };
   const auto percent = [&](double value) { return any ? quantityText(value, 1, QStringLiteral("%")) : kNoValue; };
-  const std::array<QString, kFigures> words = {
+  const std::array<QString, kFigures - 1> words = {
       seconds(view.rise_s),
       seconds(view.settling_s),
       percent(view.overshoot_percent),
       percent(view.steady_error_percent),
       any ? marginText(view.gain_margin) : kNoValue,
-      any ? quantityText(view.phase_margin_deg, 0, QStringLiteral("°")) : kNoValue,
-      !any          ? kNoValue
-      : view.stable ? tr("settles")
-                    : tr("does not settle")};
-  for (std::size_t line = 0; line < kFigures; ++line) cells_[which][line]->setText(words[line]);
+      any ? quantityText(view.phase_margin_deg, 0, QStringLiteral("°")) : kNoValue};
+  for (std::size_t line = 0; line < words.size(); ++line) cells_[which][line]->setText(words[line]);
+  displayVerdict(which);
   if (which == proposed) {
     heads_[proposed]->setVisible(any);
     for (QLabel* cell : cells_[proposed]) cell->setVisible(any);

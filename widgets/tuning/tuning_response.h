@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+#include "core/control/loop_prediction.h"
+
 class QCPGraph;
 class QCustomPlot;
 class QGridLayout;
@@ -21,9 +23,9 @@ struct ResponseView {
   double settling_s = 0.0;
   double overshoot_percent = 0.0;
   double steady_error_percent = 0.0;
-  double gain_margin = 0.0;  ///< infinite: the phase never reaches −180°
+  double gain_margin = 0.0;  ///< infinite: no gain at all
   double phase_margin_deg = 0.0;
-  bool stable = false;
+  control::LoopVerdict verdict = control::LoopVerdict::does_not_settle;
 };
 
 class TuningResponse : public QWidget {
@@ -39,6 +41,8 @@ class TuningResponse : public QWidget {
   void setPlotBackground(const QString& words);
   void setBusy(bool busy);
 
+  /// The focus rests on the plot, where no key changes anything.
+  void takeFocus();
   [[nodiscard]] QCustomPlot* plot() const { return plot_; }
   [[nodiscard]] bool has(Which which) const { return !views_[which].course.empty(); }
   [[nodiscard]] const ResponseView& response(Which which) const { return views_[which]; }
@@ -53,6 +57,7 @@ class TuningResponse : public QWidget {
   void buildFigures(QGridLayout* grid);
   void dress();
   void display(Which which);
+  void displayVerdict(Which which);
 
   QCustomPlot* plot_;
   std::array<QCPGraph*, kCount> graphs_{};

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QSignalBlocker>
+#include <utility>
 
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/icon.h"
@@ -76,6 +77,7 @@ TuningRow::TuningRow(TuningModel& model, QString id, const QString& label, Quant
     if (changed == id_) refresh();
   });
   connect(&model_, &TuningModel::feelingSavedChanged, this, &TuningRow::refresh);
+  connect(&model_, &TuningModel::questionChanged, this, &TuningRow::showQuestion);
   connect(&Look::instance(), &Look::changed, this, &TuningRow::refresh);
   refresh();
 }
@@ -179,6 +181,7 @@ void TuningRow::buildNumber() {
   field_->setAlignment(Qt::AlignRight);
   field_->installEventFilter(this);
   connect(slider_, &QSlider::valueChanged, this, &TuningRow::takeSlider);
+  connect(field_, &QLineEdit::returnPressed, this, [this] { by_enter_ = true; });
   connect(field_, &QLineEdit::editingFinished, this, &TuningRow::takeField);
   connect(field_, &QLineEdit::textEdited, this, [this] { markRefused(false); });
 }
@@ -217,17 +220,54 @@ void TuningRow::takeSlider(int position) {
 }
 
 void TuningRow::takeField() {
-  if (!field_->isModified()) return;  // the signal also comes when the field only loses the focus
+  const bool by_enter = std::exchange(by_enter_, false);
+  if (!field_->isModified()) {  // the signal also comes when the field only loses the focus
+    if (by_enter) emit entered();
+    return;
+  }
   field_->setModified(false);
   const double value = readNumber(field_->text());
   const auto ok = model_.change(id_std_, value);
+  const bool asked = model_.question() && model_.question()->id == id_;
+  if (ok && asked) {
+    if (by_enter) question_->takeFocus();
+    return;
+  }
   if (ok) {
     refresh();
+    if (by_enter) emit entered();
     return;
   }
   markRefused(true);
   emit refused(tr("%1: \"%2\" was not taken. Expected %3.")
                    .arg(name_->text(), field_->text(), coreText(describeRange(parameter().info))));
+}
+
+void TuningRow::showQuestion() {
+  const auto& question = model_.question();
+  if (!question || question->id != id_) {
+    if (question_ == nullptr || question_->isHidden()) return;
+    question_->hide();
+    refresh();
+    return;
+  }
+  if (question_ == nullptr) {
+    question_ = new TuningQuestionBox(model_, this);
+    connect(question_, &TuningQuestionBox::answered, this, &TuningRow::entered);
+    auto& grid = static_cast<QGridLayout&>(*layout());
+    grid.addWidget(question_, grid.rowCount(), 1, 1, grid.columnCount() - 1);
+  }
+  if (field_ != nullptr) {
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(toPosition(question->value));
+    field_->setText(plainNumber(question->value));
+    field_->setModified(false);
+    markRefused(false);
+  } else {
+    const QSignalBlocker quiet(choice_);
+    choice_->setCurrentIndex(static_cast<int>(question->value));
+  }
+  question_->showQuestion(question->words);
 }
 
 void TuningRow::markRefused(bool refused) {
@@ -298,6 +338,11 @@ bool TuningRow::eventFilter(QObject* watched, QEvent* event) {
       event->ignore();
       return true;
     }
+  }
+  // A click into a field takes all of it, so that the next key writes a new value.
+  if (watched == field_ && event->type() == QEvent::FocusIn &&
+      static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason) {
+    QMetaObject::invokeMethod(field_, &QLineEdit::selectAll, Qt::QueuedConnection);
   }
   if (watched == field_ && event->type() == QEvent::FocusOut && field_->property("refused").toBool()) refresh();
   return QWidget::eventFilter(watched, event);

@@ -13,6 +13,7 @@
 
 #include "widgets/basics/theme.h"
 #include "widgets/tuning/tuning_model.h"
+#include "widgets/tuning/tuning_question_box.h"
 
 namespace fyd::widgets {
 
@@ -34,6 +35,8 @@ class TuningRow : public QWidget {
   [[nodiscard]] QToolButton* resetButton() const { return reset_; }
   [[nodiscard]] QToolButton* revertButton() const { return revert_; }  ///< nullptr in a brief row
   [[nodiscard]] QLabel* mark() const { return mark_; }
+  /// The doubt about a value entered here; nullptr: there was none yet.
+  [[nodiscard]] TuningQuestionBox* questionBox() const { return question_; }
   /// A full row in a narrow place: the name above, slider and field below it. A brief row always has this layout.
   void setNarrow(bool narrow);
   /// Width in px that a full row needs to place name, usable slider and field side by side.
@@ -43,6 +46,8 @@ class TuningRow : public QWidget {
  signals:
   /// An entry was refused; the sentence says what is allowed.
   void refused(const QString& why);
+  /// Enter ended an entry here: the focus is free to go.
+  void entered();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -61,6 +66,7 @@ class TuningRow : public QWidget {
   void refreshMark();
   void takeSlider(int position);
   void takeField();
+  void showQuestion();
   void markRefused(bool refused);
   [[nodiscard]] double toValue(int position) const;
   [[nodiscard]] int toPosition(double value) const;
@@ -83,6 +89,8 @@ class TuningRow : public QWidget {
   QLabel* facts_ = nullptr;
   QSlider* slider_ = nullptr;
   QLineEdit* field_ = nullptr;
+  bool by_enter_ = false;  ///< the entry that is being taken was ended by Enter
+  TuningQuestionBox* question_ = nullptr;
   QComboBox* choice_ = nullptr;
 };
 

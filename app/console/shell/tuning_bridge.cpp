@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "core/station/profile/calibrated_values.h"
 #include "widgets/basics/core_text.h"
 
 namespace fyd::console {
@@ -21,6 +22,9 @@ TuningBridge::TuningBridge(Session& session, QString profile_path, QObject* pare
   model_.load(bound, bindParameters(standard));
   for (const Parameter& parameter : bound) names_.push_back(QString::fromStdString(std::string(parameter.id)));
   connect(&model_, &widgets::TuningModel::asked, this, &TuningBridge::apply);
+  model_.setDoubt([this](std::span<const widgets::Setting> next) {
+    return judge_.doubt(session_.currentProfile().step.control, next);
+  });
   connect(&presets_, &TuningPresets::told, this, &TuningBridge::told);
   constexpr int kLook_ms = 500;
   silence_.setInterval(kLook_ms);
@@ -86,7 +90,7 @@ void TuningBridge::lookForSilence() {
 
 void TuningBridge::restart() {
   under_way_.clear();
-  model_.feelSaved(false);  // the new session gets the current values, not the saved ones
+  model_.returnToCurrent();  // the new session gets the current values, not the saved ones
   station::Profile current = session_.currentProfile();
   for (const Parameter& parameter : bindParameters(current)) {
     if (parameter.isNumber()) model_.accept(parameter.id, parameter.value());
@@ -116,8 +120,9 @@ void TuningBridge::targetFromRobot() {
 
 void TuningBridge::save() {
   model_.feelSaved(false);
+  if (model_.feelingSaved()) return;
   QDir().mkpath(QFileInfo(profile_path_).absolutePath());
-  if (const auto ok = station::saveProfile(session_.currentProfile(), profile_path_.toStdString()); !ok) {
+  if (const auto ok = station::saveProfileFor(session_.currentProfile(), profile_path_.toStdString()); !ok) {
     emit told(Severity::error, tr("Profile not saved. %1").arg(widgets::coreText(ok.error().message)));
     return;
   }

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "app/console/shell/loop_judge.h"
 #include "app/console/shell/session.h"
 #include "app/console/shell/tuning_presets.h"
 #include "widgets/status/notice_stack.h"
@@ -23,6 +24,7 @@ class TuningBridge : public QObject {
   TuningBridge(Session& session, QString profile_path, QObject* parent = nullptr);
   [[nodiscard]] widgets::TuningModel& model() { return model_; }
   [[nodiscard]] TuningPresets& presets() { return presets_; }
+  [[nodiscard]] LoopJudge& judge() { return judge_; }
   /// Where "Save profile" writes.
   [[nodiscard]] const QString& profilePath() const { return profile_path_; }
 
@@ -33,7 +35,8 @@ class TuningBridge : public QObject {
   /// Shows the source of the target with which the session starts; requests nothing.
   void startWithTarget(bool by_hand);
   [[nodiscard]] bool targetIsByHand() const { return by_hand_; }
-  /// The current values; when the saved ones are felt, it goes back to the current ones first.
+  /// The current values; when the saved ones are felt, it goes back to the current ones first. While a question about
+  /// that waits, nothing is saved.
   void save();
   /// To be called when the session began anew: pending answers of the former one are dropped, and its values are shown.
   void restart();
@@ -60,6 +63,7 @@ class TuningBridge : public QObject {
   QString profile_path_;
   widgets::TuningModel model_;
   TuningPresets presets_;
+  LoopJudge judge_;
   bool by_hand_ = false;
   QHash<QString, UnderWay> under_way_;
   QTimer silence_;

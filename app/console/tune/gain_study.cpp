@@ -80,14 +80,18 @@ void GainStudy::connectProposal() {
 
 void GainStudy::studyValues() {
   const control::ControlParameters base = context_.session.currentProfile().step.control;
+  LoopJudge& judge = context_.tuning.judge();
+  judge.setCloth(study_.proposal() ? std::optional(study_.proposal()->cloth) : std::nullopt);
+  const std::optional<control::LoopTiming> timing = judge.timing();
   study_.setValues(withValues(base, model_, &widgets::TunedParameter::value),
-                   withValues(base, model_, &widgets::TunedParameter::saved));
+                   withValues(base, model_, &widgets::TunedParameter::saved), timing.value_or(control::LoopTiming{}));
   QString words = study_.proposal() ? tr("On the cloth that auto-tune identified, 30 % softer than its law says.")
                                     : tr("On a cloth 30 % softer than its law says, with the sensors that the profile "
                                          "describes. Auto-tune finds out more.");
-  if (base.mode == control::ControlMode::thesis) {
-    words += QLatin1Char(' ') + tr("The touchpad runs mode thesis; these courses are of mode default.");
-  }
+  words += QLatin1Char(' ') + (timing ? tr("The motors' angle is %1 old when it is used.")
+                                            .arg(widgets::quantityText(1000 * timing->motors_age_s, 1, tr("ms")))
+                                      : tr("The motors have not answered yet: their angle is taken to be 2 ms old, and "
+                                           "only what no touchpad bears is asked about."));
   response_->setPlotBackground(words);
 }
 
@@ -125,6 +129,7 @@ void GainStudy::acceptProposal() {
                   tr("The proposal was not taken: %1").arg(widgets::coreText(ok.error().message)));
     return;
   }
+  if (model_.question()) return;  // the proposal stays until it is answered
   response_->clearResponse(widgets::TuningResponse::proposed);
   proposal_->clear(tr("Accepted: the proposed values are in use. Undo takes them back, Save profile keeps them."));
   studyValues();

@@ -20,15 +20,16 @@ widgets::ResponseView toView(const control::LoopPrediction& loop, const std::vec
                              .steady_error_percent = loop.steady_error_percent,
                              .gain_margin = loop.margins.gain_margin,
                              .phase_margin_deg = loop.margins.phase_margin_deg,
-                             .stable = loop.stable};
+                             .verdict = loop.verdict};
   view.course.reserve(course.size());
   for (const control::LoopPoint& point : course) view.course.emplace_back(point.time_s, 100.0 * point.relative);
   return view;
 }
 
-widgets::ResponseView respondTo(const control::IdentifiedCloth& cloth, const control::ControlParameters& parameters) {
+widgets::ResponseView respondTo(const control::IdentifiedCloth& cloth, const control::ControlParameters& parameters,
+                                const control::LoopTiming& timing) {
   std::vector<control::LoopPoint> course;
-  const control::LoopPrediction loop = control::predictLoop(cloth, parameters, &course);
+  const control::LoopPrediction loop = control::predictLoop(cloth, parameters, timing, &course);
   return toView(loop, course);
 }
 
@@ -68,7 +69,9 @@ void LoopStudy::listen(std::span<const pipeline::TelemetrySample> samples) {
   }
 }
 
-void LoopStudy::setValues(const control::ControlParameters& current, const control::ControlParameters& saved) {
+void LoopStudy::setValues(const control::ControlParameters& current, const control::ControlParameters& saved,
+                          const control::LoopTiming& timing) {
+  timing_ = timing;
   current_ = current;
   saved_ = saved;
   soon_.start();
@@ -76,23 +79,23 @@ void LoopStudy::setValues(const control::ControlParameters& current, const contr
 
 void LoopStudy::respond() {
   const std::optional<control::IdentifiedCloth> identified = proposal_ ? std::optional(proposal_->cloth) : std::nullopt;
-  responding_.run(
-      [this, identified, current = current_, saved = saved_](const std::stop_token& stop) -> Background::Finish {
-        const auto study = [&](const control::ControlParameters& p) {
-          return respondTo(identified ? *identified : control::assumedCloth(p), p);
-        };
-        const widgets::ResponseView first = study(current);
-        if (stop.stop_requested()) return {};
-        const widgets::ResponseView second = study(saved);
-        return [this, first, second] { emit responses(first, second); };
-      });
+  responding_.run([this, identified, current = current_, saved = saved_,
+                   timing = timing_](const std::stop_token& stop) -> Background::Finish {
+    const auto study = [&](const control::ControlParameters& p) {
+      return respondTo(identified ? *identified : control::assumedCloth(p), p, timing);
+    };
+    const widgets::ResponseView first = study(current);
+    if (stop.stop_requested()) return {};
+    const widgets::ResponseView second = study(saved);
+    return [this, first, second] { emit responses(first, second); };
+  });
 }
 
 void LoopStudy::autoTune(TuneSource source, const station::Profile& present) {
   discard();
   std::vector<control::TuneSample> recording;
   if (source == TuneSource::session) recording.assign(heard_.begin(), heard_.end());
-  tuning_.run([this, source, present,
+  tuning_.run([this, source, present, timing = timing_,
                recording = std::move(recording)](const std::stop_token& stop) mutable -> Background::Finish {
     // The excitation takes the first part of the time where there is one, the fit and the search the rest.
     const double excited = source == TuneSource::simulation ? 0.5 : 0.0;
@@ -110,7 +113,7 @@ void LoopStudy::autoTune(TuneSource source, const station::Profile& present) {
                                        [&](double done) { return tell(excited + (1.0 - excited) * done); });
     if (!found) return [this, why = widgets::coreText(found.error().message)] { emit failed(why); };
     roundTuned(found->proposed);
-    const widgets::ResponseView response = respondTo(found->cloth, found->proposed);
+    const widgets::ResponseView response = respondTo(found->cloth, found->proposed, timing);
     return [this, proposal = *found, response] {
       proposal_ = proposal;
       soon_.start();  // the other responses with the same model of the cloth

@@ -30,7 +30,9 @@ class LoopStudy : public QObject {
   void listen(std::span<const pipeline::TelemetrySample> samples);
 
   /// Computes the responses for these values; those being computed for others are dropped.
-  void setValues(const control::ControlParameters& current, const control::ControlParameters& saved);
+  /// @param timing of this touchpad
+  void setValues(const control::ControlParameters& current, const control::ControlParameters& saved,
+                 const control::LoopTiming& timing);
   void autoTune(TuneSource source, const station::Profile& present);
   void cancel();
   /// Drops the proposal and the model identified with it.
@@ -54,6 +56,7 @@ class LoopStudy : public QObject {
 
   control::ControlParameters current_;
   control::ControlParameters saved_;
+  control::LoopTiming timing_;
   std::optional<control::TuneProposal> proposal_;
   std::deque<control::TuneSample> heard_;
   QTimer soon_;

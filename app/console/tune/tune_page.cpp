@@ -71,6 +71,7 @@ void TunePage::build() {
 void TunePage::connectModel() {
   const auto refuse = [this](const QString& why) { context_.tell(Severity::warning, why); };
   connect(list_, &widgets::TuningList::refused, this, refuse);
+  connect(list_, &widgets::TuningList::entered, response_, &widgets::TuningResponse::takeFocus);
   connect(differences_, &widgets::TuningDifferences::refused, this, refuse);
   connect(&model_, &widgets::TuningModel::changed, this, [this](const QString& id) {
     if (shown_ && id.startsWith(QLatin1String("control."))) gains_->studyValues();
@@ -79,6 +80,7 @@ void TunePage::connectModel() {
   reading_.setInterval(kRead_ms);
   connect(&reading_, &QTimer::timeout, this, &TunePage::readBack);
   connect(&context_.feed, &SessionFeed::telemetry, this, [this](std::span<const pipeline::TelemetrySample> samples) {
+    context_.tuning.judge().listen(samples);
     gains_->listen(samples);
     newest_ = samples.back();
     if (shown_) showLive(samples);

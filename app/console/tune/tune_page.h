@@ -25,6 +25,7 @@ class TunePage : public Page {
 
   [[nodiscard]] widgets::TuningList* list() const { return list_; }
   [[nodiscard]] widgets::TuningCompare* compare() const { return foot_->compare(); }
+  [[nodiscard]] widgets::TuningFoot* foot() const { return foot_; }
   [[nodiscard]] widgets::TuningResponse* response() const { return response_; }
   [[nodiscard]] widgets::TuningDifferences* differences() const { return differences_; }
   [[nodiscard]] widgets::TuningPresetList* presets() const { return presets_; }
