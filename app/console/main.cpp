@@ -10,6 +10,7 @@
 
 #include "app/console/shell/language.h"
 #include "app/console/shell/options.h"
+#include "app/console/window/geometry_dump.h"
 #include "app/console/window/main_window.h"
 #include "app/console/window/places.h"
 #include "core/base/end_signals.h"
@@ -33,7 +34,8 @@ fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options,
   fyd::station::StationOptions out = options.station;
   // Screenshots for the manual show the defaults, whatever the operator saved.
   const bool own = options.profile.isEmpty();
-  if (!own || (options.screenshot.isEmpty() && QFileInfo::exists(profile_path))) {
+  if (!options.standardWindow() || !own) out.profile_file = profile_path.toStdString();
+  if (!own || (!options.standardWindow() && QFileInfo::exists(profile_path))) {
     auto loaded = fyd::station::loadProfile(profile_path.toStdString());
     if (!loaded) return tl::unexpected(loaded.error());
     out.profile = *loaded;
@@ -61,6 +63,19 @@ void takePictureAfter(fyd::console::MainWindow& window, const Options& options, 
                      });
 }
 
+/// Once the window has settled: shown, its panels placed, the first states and readiness heard.
+void printGeometryAndLeave(fyd::console::MainWindow& window) {
+  constexpr int kSettled_ms = 1000;
+  QTimer::singleShot(kSettled_ms, &window, [&window] {
+    const QByteArray json = fyd::console::dumpGeometry(window);
+    const bool written = std::fwrite(json.constData(), 1, static_cast<std::size_t>(json.size()), stdout) ==
+                             static_cast<std::size_t>(json.size()) &&
+                         std::fflush(stdout) == 0;
+    window.close();
+    QApplication::exit(written ? 0 : 1);
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -83,10 +98,11 @@ int main(int argc, char** argv) {
   auto session = fyd::console::openSession(*wanted);
   if (!session) return complain(session.error().message, 1);
 
+  if (options->scale > 0.0) qputenv("QT_SCALE_FACTOR", QByteArray::number(options->scale));
   QApplication application(argc, argv);
   // Screenshots show the standard window, whatever was changed in it before.
-  const fyd::console::WindowMemory memory(options->screenshot.isEmpty() ? fyd::console::memoryFile(profile_path)
-                                                                        : QString());
+  const fyd::console::WindowMemory memory(!options->standardWindow() ? fyd::console::memoryFile(profile_path)
+                                                                     : QString());
   fyd::console::speak(application, fyd::console::chooseLanguage({options->language, memory.language()}));
   fyd::widgets::Look::instance().apply(
       application, options->theme.value_or(memory.theme().value_or(fyd::widgets::ThemeChoice::system)));
@@ -94,8 +110,11 @@ int main(int argc, char** argv) {
   if (!options->page.isEmpty()) window.frame()->go(options->page);
   if (!options->trials.conditions.isEmpty()) (void)window.trials()->plan(options->trials);  // checked by readOptions
   if (!options->review.isEmpty()) window.review(options->review);
+  if (options->size.isValid()) window.resize(options->size);
   window.show();
+  window.openPanels(options->open);
   window.start();
+  if (options->dump_geometry) printGeometryAndLeave(window);
   if (!options->screenshot.isEmpty()) {
     const auto sources = fyd::station::withProfileSources(*wanted);
     takePictureAfter(window, *options, sources.touchpad == "simulated" && sources.motors.empty());

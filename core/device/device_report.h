@@ -47,6 +47,7 @@ struct DeviceReport {
   Part part = Part::touchpad;
   Message kind;         ///< "simulated", "Modbus TCP", "Modbus RTU", "qbmove", …
   Message description;  ///< which one it is: port, serial number, firmware
+  bool simulated = false;  ///< its values are computed in this program, nothing is measured
   bool ok = false;
   Message problem;                                           ///< empty when ok; otherwise with the remedy
   double rate_hz = 0.0;                                      ///< answers or pictures in the last second

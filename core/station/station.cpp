@@ -6,10 +6,12 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/profile_text.h"
+#include "core/device/touchpad/reading_values.h"
 #include "core/scene/scene_stage.h"
 #include "core/station/haptic_thread.h"
 #include "core/station/in_process_robot.h"
 #include "core/station/notice.h"
+#include "core/station/profile/touchpad_name.h"
 #include "core/station/readiness.h"
 #include "core/station/robot_choice.h"
 #include "core/station/station_sources.h"
@@ -39,11 +41,13 @@ struct Station::Impl {
        bool everything_simulated)
       : profile(options.profile),
         bound(bindParameters(profile)),
+        motors(options.motors),
         haptic(options.profile.step, local, bound),
         recorder(options.profile.session, options.profile.step, local,
                  describeForRecording(options, everything_simulated), recorderSource()),
         world(std::move(simulated)),
         errors(world, options.camera.empty()),
+        simulated_camera(options.camera.empty()),
         clock_waits(everything_simulated),
         touchpad(std::move(opened_touchpad), options.profile.device, everything_simulated),
         camera(options.camera.empty() ? say("simulated camera") : verbatim(options.camera),
@@ -53,16 +57,22 @@ struct Station::Impl {
   }
 
   void onPicture(const CameraView& view);
+  /// Of a real one, by the serial number that it has told; empty: none yet.
+  [[nodiscard]] std::string nameOfTouchpad() const;
   /// What the recorder asks for while the operator's thread waits for it, and of the link once a second.
   [[nodiscard]] recording::StationSource recorderSource();
 
   Profile profile;               // the operator's thread's: with every change asked for
   std::vector<Parameter> bound;  // to it
+  const std::string motors;      // as in the options
+  Message notice;                // of whose calibrated values the profile has; said once
+  bool values_set_aside = false;
 
   HapticThread haptic;
   recording::Recorder recorder;
   std::shared_ptr<sim::TouchpadWorld> world;  // none with a real touchpad
   SimulationErrors errors;
+  bool simulated_camera;
   bool clock_waits;  // everything is simulated: for a late computer
   TouchpadThread touchpad;
   CameraThread camera;
@@ -80,6 +90,14 @@ void Station::Impl::onPicture(const CameraView& view) {
     link->offerImage(std::move(encoded));
   }
   errors.addPicture(view);
+}
+
+std::string Station::Impl::nameOfTouchpad() const {
+  for (const device::DeviceReport& report : touchpad.reports(Clock::now())) {
+    const std::string serial = device::serialIn(report);
+    if (!serial.empty()) return touchpadName(std::string(kSerialTouchpad) + serial, motors);
+  }
+  return {};
 }
 
 recording::StationSource Station::Impl::recorderSource() {
@@ -109,6 +127,8 @@ Station::~Station() { shutDown(); }
 Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   StationOptions options = withProfileSources(asked);
   if (options.camera.empty() && replay::recordingOf(options.touchpad)) options.camera = options.touchpad;
+  const auto bound = bindToTouchpad(options);
+  if (!bound) return tl::unexpected(bound.error());
   cv::setNumThreads(1);  // replay must not depend on how many cores there are
   auto finger = readFinger(options.finger_csv);
   if (!finger) return tl::unexpected(finger.error());
@@ -148,6 +168,8 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
     impl->robot = std::move(*robot);
     impl->predictor = choice->predictor;
   }
+  impl->notice = bound->notice;
+  impl->values_set_aside = bound->set_aside;
   if (local->scene) impl->stage = std::make_shared<scene::SceneStage>(local->scene->loaded());
   impl->recorder.start();
   if (options.record) {
@@ -202,6 +224,7 @@ Profile Station::currentProfile() const {
     profile.step.sensing.indentation.ir_offset_mm = tare->ir_offset_mm;
     profile.step.sensing.load_cell.zero_N = tare->force_zero_N;
   }
+  if (profile.calibrated_on.empty()) profile.calibrated_on = impl_->nameOfTouchpad();
   return profile;
 }
 
@@ -215,6 +238,9 @@ std::uint64_t Station::telemetryLost() const { return impl_->haptic.telemetryLos
 
 std::vector<Notice> Station::takeNotices() {
   std::vector<Notice> out;
+  if (!impl_->notice.empty()) {
+    out.push_back({.when = Clock::now(), .event = {}, .message = std::exchange(impl_->notice, {}), .of_step = false});
+  }
   TimedEvent event;
   while (impl_->haptic.events.pop(event)) {
     out.push_back({.when = event.when,
@@ -234,8 +260,11 @@ StationStatus Station::status() const {
   const Instant now = Clock::now();
   StationStatus out;
   out.parts = {impl_->touchpad.status(now), impl_->camera.status(now)};
+  out.parts[0].simulated = simulated();
+  out.parts[1].simulated = impl_->simulated_camera;
   if (impl_->link) {
     out.parts.push_back(impl_->link->part(now));
+    out.parts[2].simulated = impl_->robot != nullptr;
     out.link = impl_->link->status();
     if (impl_->robot) {
       const device::RobotRunnerStatus robot = impl_->robot->status();
@@ -308,7 +337,14 @@ Result<void> Station::note(recording::NoteKind kind, const std::string& text) {
 recording::RecorderStatus Station::recorderStatus() const { return impl_->recorder.status(); }
 
 std::vector<ReadinessLine> Station::readiness() const {
-  return readinessOf(impl_->haptic.faults(), impl_->link != nullptr);
+  std::vector<ReadinessLine> lines = readinessOf(impl_->haptic.faults(), impl_->link != nullptr);
+  if (impl_->values_set_aside) {
+    lines.push_back({.what = say("Calibrated on this touchpad"),
+                     .ok = false,
+                     .why = say("the profile's values are another touchpad's: the defaults are used"),
+                     .remedy = say("Calibrate this one under Calibrate. It does not keep you from arming.")});
+  }
+  return lines;
 }
 
 }  // namespace fyd::station

@@ -159,10 +159,10 @@ class ControlTest : public QObject {
   }
 
   void noticesStayUntilReadAndRepeatsAreCounted() {
-    QWidget window;
-    window.resize(900, 600);
-    widgets::NoticeStack notices(&window);
-    window.show();
+    widgets::NoticeStack notices;
+    notices.resize(900, notices.height());
+    notices.show();
+    const int height = notices.height();
     notices.post(widgets::Severity::warning, QStringLiteral("Tare failed."));
     notices.post(widgets::Severity::warning, QStringLiteral("Tare failed."));
     notices.post(widgets::Severity::information, QStringLiteral("Saved."));
@@ -171,9 +171,69 @@ class ControlTest : public QObject {
     QCOMPARE(notices.count(), 2);
     QTest::mouseClick(notices.findChild<QToolButton*>(QStringLiteral("notice_close")), Qt::LeftButton);
     QCOMPARE(notices.count(), 1);
-    for (int i = 0; i < 20; ++i) notices.post(widgets::Severity::error, QString::number(i));
+    QCOMPARE(notices.shownText(), QStringLiteral("Tare failed."));
+    for (int i = 0; i < 20; ++i) notices.post(widgets::Severity::error, QString::number(i).repeated(300));
     QCOMPARE(notices.count(), widgets::NoticeStack::kMost);
-    WAIT_FOR(window.rect().contains(notices.geometry()));
+    QCOMPARE(notices.height(), height);  // nothing moves for it, however much it says
+    QVERIFY(notices.minimumSizeHint().width() < 600);
+    const QString newest = notices.shownText();
+    QTest::mouseClick(notices.findChild<QToolButton*>(QStringLiteral("notice_more")), Qt::LeftButton);
+    QVERIFY(notices.shownText() != newest);
+    notices.dismissAll();
+    QCOMPARE(notices.count(), 0);
+    QCOMPARE(notices.height(), height);
+  }
+
+  void aNoticeGoesWithItsCauseAndItsButtonsAct() {
+    widgets::NoticeStack notices;
+    notices.show();
+    int pressed = 0;
+    notices.post({.severity = widgets::Severity::warning,
+                  .text = QStringLiteral("The robot is silent."),
+                  .cause = QStringLiteral("robot"),
+                  .actions = {}});
+    notices.post({.severity = widgets::Severity::warning,
+                  .text = QStringLiteral("Quit?"),
+                  .cause = QStringLiteral("quit"),
+                  .actions = {{QStringLiteral("yes"), QStringLiteral("Quit"), [&] { ++pressed; }}}});
+    notices.withdraw(QStringLiteral("robot"));
+    QCOMPARE(notices.count(), 1);
+    QVERIFY(notices.shows(QStringLiteral("quit")) && !notices.shows(QStringLiteral("robot")));
+    QTest::mouseClick(notices.findChild<QPushButton*>(QStringLiteral("yes")), Qt::LeftButton);
+    QCOMPARE(pressed, 1);
+    notices.withdraw({});  // no cause: nothing
+    QCOMPARE(notices.count(), 1);
+  }
+
+  void heldSaysWhatIsMissingNowAndWhatIsBack() {
+    const auto held = [](Fault fault, const widgets::MissingNow& now) {
+      return widgets::describeState(SafetyState::held, fault, now).to_do;
+    };
+    const QString silent = widgets::asSentence(toString(Fault::motors_stale));
+    const QString cable = QStringLiteral("Check the network cable to 10.0.0.7:502.");
+    QVERIFY(held(Fault::motors_stale, {silent, cable}).startsWith(cable));
+    QCOMPARE(held(Fault::motors_stale, {}), QStringLiteral("It is back. Hold Re-arm to start again."));
+    const QString other = held(Fault::motors_stale, {QStringLiteral("The camera sends no pictures"), cable});
+    QVERIFY2(other.contains(QStringLiteral("camera sends no pictures.")) && other.contains(cable), qPrintable(other));
+    QVERIFY(!held(Fault::step_gap, {}).contains(QStringLiteral("back")));  // nothing had gone
+  }
+
+  void whatIsSimulatedIsSaidWithItsParts() {
+    using Origin = widgets::PartView::Origin;
+    widgets::StateBar bar;
+    bar.resize(1200, 120);
+    bar.show();
+    const auto show = [&](Origin touchpad, Origin camera) {
+      bar.showParts({{.name = QStringLiteral("Touchpad"), .origin = touchpad},
+                     {.name = QStringLiteral("Camera"), .origin = camera},
+                     {.name = QStringLiteral("Loop")}});
+      return bar.badge()->isVisible() ? bar.badge()->which() : QStringLiteral("none");
+    };
+    const QRect stop = bar.stopButton()->geometry();
+    QCOMPARE(show(Origin::simulated, Origin::simulated), QStringLiteral("all parts"));
+    QCOMPARE(show(Origin::real, Origin::simulated), QStringLiteral("Camera"));
+    QCOMPARE(show(Origin::real, Origin::real), QStringLiteral("none"));
+    QCOMPARE(bar.stopButton()->geometry(), stop);
   }
 
   void logIsSearchedAndBounded() {

@@ -90,6 +90,127 @@ class FrameTest : public QObject {
     }
   }
 
+  void stopAndArmStandStillWhateverOpensAndWhateverIsSaid() {
+    Fixture f;
+    const auto at = [&](const QWidget* button) {
+      return QRect(button->mapTo(f.window.get(), QPoint(0, 0)), button->size());
+    };
+    const widgets::StateBar* bar = f.window->stateBar();
+    for (const QSize size : {QSize(1280, 720), QSize(960, 540), QSize(1600, 1000), QSize(3840, 2160)}) {
+      f.window->resize(size);
+      QCoreApplication::processEvents();
+      QCOMPARE(f.window->size(), size);  // no place, panel or word needs more
+      const QRect stop = at(bar->stopButton());
+      const QRect arm = at(bar->armButton());
+      QVERIFY(f.window->rect().contains(stop) && f.window->rect().contains(arm) && !stop.intersects(arm));
+      const auto still = [&](const char* what) {
+        QCoreApplication::processEvents();
+        QCoreApplication::processEvents();
+        QVERIFY2(at(bar->stopButton()) == stop && at(bar->armButton()) == arm, what);
+        QCOMPARE(f.window->size(), size);
+      };
+      for (const console::PlaceInfo& place : console::places()) {
+        f.window->frame()->go(QLatin1String(place.id));
+        still(place.id);
+        f.window->openPanels({QStringLiteral("link"), QStringLiteral("recording")});
+        still(place.id);
+        f.window->openPanels({QStringLiteral("manual"), QStringLiteral("log")});
+        still(place.id);
+        for (const SafetyState state : {SafetyState::disconnected, SafetyState::connected, SafetyState::ready,
+                                        SafetyState::active, SafetyState::held, SafetyState::stopped}) {
+          f.session->say(state);
+          f.session->telemetry.back().fault =
+              state == SafetyState::held ? pipeline::Fault::camera_blind : pipeline::Fault::none;
+          f.window->feed().pump();
+          still(toString(state).data());
+        }
+        f.window->tell(widgets::Severity::error, QStringLiteral("Long words. ").repeated(60));
+        still("a notice");
+        f.session->recorder = {.state = recording::RecorderState::recording, .path = "a.h5"};
+        f.session->recorder.seconds = 359'999.0;
+        f.window->feed().pump();
+        still("a recording");
+        f.session->recorder = {};
+        f.window->notices()->dismissAll();
+        for (auto* panel : f.window->frame()->panelArea()->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
+          panel->hide();
+        }
+        still("closed panels");
+      }
+    }
+  }
+
+  void quittingAsksOnceWhileSomethingIsUnderWay() {
+    Fixture f;
+    QAction* quit = f.window->commands().action(QStringLiteral("session.quit"));
+    f.session->say(SafetyState::active);
+    f.session->recorder = {.state = recording::RecorderState::recording, .path = "a.h5"};
+    f.window->feed().pump();
+    quit->trigger();
+    QVERIFY(f.window->isVisible());
+    const QString asked = f.window->notices()->shownText();
+    QVERIFY2(
+        asked.contains(QStringLiteral("motors on")) && asked.contains(QStringLiteral("recording is being written")),
+        qPrintable(asked));
+    QTest::mouseClick(f.window->notices()->findChild<QPushButton*>(QStringLiteral("quit_not")), Qt::LeftButton);
+    QCOMPARE(f.window->notices()->count(), 0);
+    QVERIFY(f.window->isVisible());
+    quit->trigger();
+    QVERIFY(f.window->isVisible());
+    quit->trigger();
+    QVERIFY(!f.window->isVisible());
+    QVERIFY(f.session->stops > 0);
+  }
+
+  void quittingAsksNothingWhereNothingIsUnderWay() {
+    Fixture f;
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    f.window->commands().action(QStringLiteral("session.quit"))->trigger();
+    QVERIFY(!f.window->isVisible());
+  }
+
+  void aNoticeAboutALostRobotGoesWhenTheRobotIsBack() {
+    Fixture f;
+    const station::ReadinessLine well{.what = say("Robot connected"), .ok = true};
+    f.session->lines = {{.what = say("Robot connected"),
+                         .ok = false,
+                         .why = phrase(toString(pipeline::Fault::robot_lost)),
+                         .remedy = say("Check the network."),
+                         .fault = pipeline::Fault::robot_lost}};
+    f.session->say(SafetyState::held);
+    f.session->telemetry.back().fault = pipeline::Fault::robot_lost;
+    f.session->notices.push_back({.event = {.kind = pipeline::EventKind::state_changed,
+                                            .state = SafetyState::held,
+                                            .fault = pipeline::Fault::robot_lost},
+                                  .message = verbatim("Held: the robot is silent.")});
+    f.window->feed().pump();
+    QCOMPARE(f.window->notices()->count(), 1);
+    QVERIFY(f.window->stateBar()->stateReason().contains(QStringLiteral("Check the network.")));
+    f.session->lines = {well};
+    f.window->feed().pump();
+    QCOMPARE(f.window->notices()->count(), 0);
+    QCOMPARE(f.window->log()->lines(), 1);
+    QVERIFY(f.window->stateBar()->stateReason().contains(QStringLiteral("It is back. Hold Re-arm")));
+  }
+
+  void thePaletteGivesTheFocusBackAndLeadsToTheArmingButton() {
+    Fixture f;
+    QLineEdit* field = f.row("control.kp")->field();
+    field->setFocus();
+    f.window->palette()->open();
+    f.window->palette()->hide();
+    WAIT_FOR(f.window->focusWidget() == field);
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    f.window->palette()->open();
+    QTest::keyClicks(f.window->palette()->field(), QStringLiteral("arm:"));
+    QTest::keyClick(f.window->palette()->field(), Qt::Key_Return);
+    QCOMPARE(f.window->focusWidget(), f.window->stateBar()->armButton());
+    QVERIFY(f.window->notices()->shownText().contains(QStringLiteral("Hold")));
+    QCOMPARE(f.session->count(pipeline::OperatorAction::arm), 0);
+  }
+
   void aPlacesCommandsExistOnlyWhileItIsShown() {
     Fixture f;
     QAction* pause = f.window->commands().action(QStringLiteral("curves.pause"));

@@ -208,7 +208,7 @@ class RecordingTest : public QObject {
     QCOMPARE(widgets::clockText(std::nan("")), QStringLiteral("00:00:00"));
     QCOMPARE(widgets::bytesText(640'000), QStringLiteral("640 kB"));
     QCOMPARE(widgets::bytesText(1'250'000'000), QStringLiteral("1.25 GB"));
-    QCOMPARE(widgets::timeLeftText(0.4), QStringLiteral("less than a minute left"));
+    QCOMPARE(widgets::timeLeftText(0.4), QStringLiteral("under 1 min left"));
     QCOMPARE(widgets::timeLeftText(400.0), QStringLiteral("6 h left"));
     QVERIFY(widgets::timeLeftText(std::nan("")).isEmpty());
   }

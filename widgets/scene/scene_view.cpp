@@ -240,7 +240,7 @@ void SceneView::refreshFoot() {
     text = tr("preparing %1 triangles…").arg(triangles);
   } else if (moving()) {
     const double rate = picturesPerSecond();
-    text = tr("%1 triangles · %2 pictures/s").arg(triangles, QString::number(rate, 'f', rate < 9.5 ? 1 : 0));
+    text = tr("%1 triangles · %2 pictures/s").arg(triangles, numberText(rate, rate < 9.5 ? 1 : 0));
     if (answer_ && answer_->picture.fineness.block > 1) text = tr("%1 · coarser while it moves").arg(text);
   } else {
     text = tr("%1 triangles · nothing moves").arg(triangles);

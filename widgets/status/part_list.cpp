@@ -151,7 +151,7 @@ bool PartList::event(QEvent* event) {
 
 QString rateAndAge(double rate_hz, double age_ms) {
   QStringList words;
-  if (rate_hz >= 0.5) words << PartList::tr("%1 Hz").arg(rate_hz, 0, 'f', 0);
+  if (rate_hz >= 0.5) words << PartList::tr("%1 Hz").arg(numberText(rate_hz, 0));
   if (std::isfinite(age_ms)) words << ageText(age_ms);
   return words.isEmpty() ? kNoValue : words.join(QStringLiteral(" · "));
 }

@@ -15,6 +15,8 @@ struct PartView {
   QString detail;   ///< tool tip: which device it is, what to do
   Health health = Health::missing;
   bool opens = false;  ///< a click shows more about it
+  enum class Origin { none, real, simulated };
+  Origin origin = Origin::none;  ///< of a device's values; none: it is no device
   friend bool operator==(const PartView&, const PartView&) = default;
 };
 

@@ -7,6 +7,15 @@ namespace fyd::widgets {
 namespace {
 
 constexpr double kShort_min = 10.0;  // from here on the time that is left is a warning
+constexpr double kLong_min = 119.0;
+
+/// The two lines of the button.
+QStringList recordingText(const QString& clock, const QString& bytes, double minutes_left) {
+  const QString left = timeLeftText(minutes_left);
+  return {RecordButton::tr("REC %1").arg(clock), left.isEmpty() ? bytes : bytes + QStringLiteral(" · ") + left};
+}
+
+QStringList failedText() { return RecordButton::tr("Recording failed\nPress to read why").split(QLatin1Char('\n')); }
 
 }  // namespace
 
@@ -14,9 +23,21 @@ RecordButton::RecordButton(QWidget* parent) : QPushButton(parent) {
   setObjectName(QStringLiteral("record_button"));
   setAutoDefault(false);
   setFont(textFont(TextSize::small));
-  // Wide enough for its longest usual text, so that nothing moves while it counts.
-  setMinimumWidth(QFontMetrics(font()).horizontalAdvance(QStringLiteral("888.8 MB · 888 min left")) + 7 * kGrid);
+  setCompact(false);
   connect(&Look::instance(), &Look::changed, this, &RecordButton::refresh);
+  refresh();
+}
+
+void RecordButton::setCompact(bool compact) {
+  // As wide as its longest usual line, so that nothing moves while it counts.
+  const QStringList usual = recordingText(clockText(359'999.0), bytesText(888'800'000), kLong_min);
+  const QStringList failed = failedText();
+  int width = 0;
+  for (const QString& line : compact ? QStringList{usual[0]} : usual + failed) {
+    width = std::max(width, QFontMetrics(font()).horizontalAdvance(line));
+  }
+  setFixedWidth(width + 6 * kGrid);
+  compact_ = compact;
   refresh();
 }
 
@@ -30,36 +51,36 @@ void RecordButton::refresh() {
   QString text = tr("Record");
   QString shape = QStringLiteral("record");
   QString role;
+  QColor colour = theme().text;
   if (view_.state == State::recording) {
-    const QString left = timeLeftText(view_.minutes_left);
-    QString second = bytesText(view_.bytes);
-    if (!left.isEmpty()) second += QStringLiteral(" · ") + left;
+    QStringList lines = recordingText(clockText(view_.seconds), bytesText(view_.bytes), view_.minutes_left);
     shape = QStringLiteral("recording");
+    role = view_.minutes_left < kShort_min ? QStringLiteral("warning") : QStringLiteral("danger");
+    colour = theme().danger;  // as on every recorder
     if (view_.lost > 0) {
-      second = tr("%1 samples lost").arg(view_.lost);
+      lines[1] = tr("%1 samples lost").arg(view_.lost);
+      shape = QStringLiteral("warning");
       role = QStringLiteral("danger");
-    } else if (view_.minutes_left < kShort_min) {
-      role = QStringLiteral("warning");
     }
-    text = tr("REC %1\n%2").arg(clockText(view_.seconds), second);
+    text = lines.join(QLatin1Char('\n'));
   } else if (view_.state == State::failed) {
-    text = tr("Recording failed\nPress to read why");
+    text = failedText().join(QLatin1Char('\n'));
     shape = QStringLiteral("warning");
     role = QStringLiteral("danger");
+    colour = theme().danger;
   }
-  const QColor colour = role == QLatin1String("danger")    ? theme().danger
-                        : role == QLatin1String("warning") ? theme().warning
-                                                           : theme().text;
   setIcon(widgets::icon(shape, colour));
   if (property("role").toString() != role) {
     setProperty("role", role);
     restyle(*this);
   }
-  if (this->text() == text) return;
-  setText(text);
-  QString name = text;
-  setAccessibleName(name.replace(QLatin1Char('\n'), QStringLiteral(", ")));
-  setToolTip(view_.file.isEmpty() ? tr("Record this session into a file (Ctrl+R)") : view_.file);
+  const QString shown = compact_ ? text.section(QLatin1Char('\n'), 0, 0) : text;
+  if (this->text() == shown && accessible_ == text) return;
+  accessible_ = text;
+  setText(shown);
+  setAccessibleName(QString(text).replace(QLatin1Char('\n'), QStringLiteral(", ")));
+  setToolTip(view_.file.isEmpty() ? tr("Record this session into a file (Ctrl+R)")
+                                  : text + QLatin1Char('\n') + view_.file);
 }
 
 }  // namespace fyd::widgets

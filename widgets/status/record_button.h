@@ -13,10 +13,14 @@ class RecordButton : public QPushButton {
  public:
   explicit RecordButton(QWidget* parent = nullptr);
   void setRecording(const RecordingView& view);
+  /// The first line only, in a narrow bar; the tool tip has both.
+  void setCompact(bool compact);
 
  private:
   void refresh();
   RecordingView view_;
+  bool compact_ = false;
+  QString accessible_;  ///< both lines
 };
 
 }  // namespace fyd::widgets

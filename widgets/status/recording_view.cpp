@@ -91,7 +91,7 @@ QString bytesText(std::uint64_t bytes) {
 
 QString timeLeftText(double minutes) {
   if (!std::isfinite(minutes)) return {};
-  if (minutes < 1.0) return tr("less than a minute left");
+  if (minutes < 1.0) return tr("under 1 min left");
   if (minutes < 120.0) return tr("%1 min left").arg(numberText(std::floor(minutes), 0));
   if (minutes < 100.0 * 60.0) return tr("%1 h left").arg(numberText(std::floor(minutes / 60.0), 0));
   return tr("days left");

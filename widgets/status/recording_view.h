@@ -44,7 +44,7 @@ struct EntryProblem {
 [[nodiscard]] QString clockText(double seconds);
 /// "640 kB", "24.1 MB", "1.25 GB"
 [[nodiscard]] QString bytesText(std::uint64_t bytes);
-/// "41 min left", "6 h left", "less than a minute left"; empty while it is not known
+/// "41 min left", "6 h left", "under 1 min left"; empty while it is not known
 [[nodiscard]] QString timeLeftText(double minutes);
 
 }  // namespace fyd::widgets

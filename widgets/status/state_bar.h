@@ -1,5 +1,6 @@
-// Top of the window: the safety state in word, colour and shape, why and what to do, since when; the parts and the link
-// in words; the recording, Tare, the arming button that must be held, and Stop.
+// Top of the window: the safety state in word, colour and shape, why and what to do, since when; what is simulated; the
+// parts and the link in words; the recording, Tare, the arming button that must be held, and Stop. Arm and Stop stand at
+// the right end and have one size: where they are depends on the window's width only.
 #pragma once
 
 #include <QElapsedTimer>
@@ -13,6 +14,8 @@
 #include "widgets/basics/hold_button.h"
 #include "widgets/status/part_list.h"
 #include "widgets/status/record_button.h"
+#include "widgets/status/simulated_badge.h"
+#include "widgets/status/state_text.h"
 
 namespace fyd::widgets {
 
@@ -24,13 +27,16 @@ class StateBar : public QFrame {
   void showState(pipeline::SafetyState state, pipeline::Fault fault);
   /// Whether the haptic loop sends no telemetry: the state shown may then be outdated.
   void showSilence(bool silent);
-  void showParts(const std::vector<PartView>& parts) { parts_->setParts(parts); }
+  /// What arming would be refused for now. To be called often: what was said before the state changed is forgotten.
+  void showMissing(const MissingNow& missing);
+  void showParts(const std::vector<PartView>& parts);
 
   [[nodiscard]] PartList* parts() const { return parts_; }
   [[nodiscard]] HoldButton* armButton() const { return arm_; }
   [[nodiscard]] QPushButton* stopButton() const { return stop_; }
   [[nodiscard]] RecordButton* recordButton() const { return record_; }
   [[nodiscard]] QPushButton* tareButton() const { return tare_; }
+  [[nodiscard]] SimulatedBadge* badge() const { return badge_; }
   [[nodiscard]] QString stateWord() const { return word_->text(); }
   [[nodiscard]] QString stateReason() const { return why_->text(); }
 
@@ -39,12 +45,18 @@ class StateBar : public QFrame {
   void armAsked();
   void tareAsked();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void build();
+  void setNarrow(bool narrow);
   void refresh();
   void refreshSince();
 
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
   pipeline::Fault fault_ = pipeline::Fault::none;
+  std::optional<MissingNow> missing_;
   bool known_ = false;
   bool silent_ = false;
   QElapsedTimer since_;
@@ -53,6 +65,7 @@ class StateBar : public QFrame {
   QLabel* word_;
   QLabel* since_label_;
   QLabel* why_;
+  SimulatedBadge* badge_;
   PartList* parts_;
   RecordButton* record_;
   QPushButton* tare_;

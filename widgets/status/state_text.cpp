@@ -13,19 +13,34 @@ using pipeline::SafetyState;
 
 QString tr(const char* text) { return QCoreApplication::translate("StateText", text); }
 
-}  // namespace
-
-QString asSentence(std::string_view phrase) {
-  QString text = coreText(phrase);
+QString sentenceOf(QString text) {
   if (text.isEmpty()) return text;
   text[0] = text[0].toUpper();
   if (!text.endsWith(QLatin1Char('.'))) text += QLatin1Char('.');
   return text;
 }
 
-StateWords describeState(SafetyState state, Fault fault) {
+/// What starts again after Held or Stopped. @param remedy of the reason that is shown; empty: none
+QString howToRearm(Fault fault, const QString& reason, const QString& remedy, const std::optional<MissingNow>& now) {
+  const QString then = QLatin1Char(' ') + tr("Then hold Re-arm.");
+  const QString missing = now ? sentenceOf(now->why) : QString();
+  if (!missing.isEmpty() && missing != reason) {
+    return tr("Missing now: %1").arg(missing + QLatin1Char(' ') + now->remedy + then);
+  }
+  const bool lasts = fault != Fault::none && pipeline::infoOf(fault).need != pipeline::Need::rendering;
+  if (now && missing.isEmpty() && lasts) return tr("It is back. Hold Re-arm to start again.");
+  return remedy.isEmpty() ? tr("Hold Re-arm to start again.") : remedy + then;
+}
+
+}  // namespace
+
+QString asSentence(std::string_view phrase) { return sentenceOf(coreText(phrase)); }
+
+StateWords describeState(SafetyState state, Fault fault, const std::optional<MissingNow>& now) {
   const QString reason = fault == Fault::none ? QString() : asSentence(toString(fault));
-  const QString remedy = fault == Fault::none ? QString() : coreText(pipeline::remedy(fault));
+  QString remedy = fault == Fault::none ? QString() : coreText(pipeline::remedy(fault));
+  // The readiness list names the very cable.
+  if (now && !now->remedy.isEmpty() && sentenceOf(now->why) == reason) remedy = now->remedy;
   const QString word = coreText(toString(state));
   switch (state) {
     case SafetyState::disconnected:
@@ -41,12 +56,10 @@ StateWords describeState(SafetyState state, Fault fault) {
     case SafetyState::active:
       return {word, tr("Rendering; motors on."), tr("Esc stops."), QStringLiteral("state-active")};
     case SafetyState::held:
-      return {
-          word, reason.isEmpty() ? tr("Something needed went missing.") : reason,
-          remedy.isEmpty() ? tr("Hold Re-arm to start again.") : remedy + QLatin1Char(' ') + tr("Then hold Re-arm."),
-          QStringLiteral("state-held")};
+      return {word, reason.isEmpty() ? tr("Something needed went missing.") : reason,
+              howToRearm(fault, reason, remedy, now), QStringLiteral("state-held")};
     case SafetyState::stopped:
-      return {word, tr("Stopped by the operator; motors off."), tr("Hold Re-arm to start again."),
+      return {word, tr("Stopped by the operator; motors off."), howToRearm(Fault::none, {}, {}, now),
               QStringLiteral("state-stopped")};
   }
   return {word, {}, {}, {}};

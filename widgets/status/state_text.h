@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QString>
+#include <optional>
 
 #include "core/pipeline/safety.h"
 
@@ -15,8 +16,17 @@ struct StateWords {
   QString icon;   ///< shape, so that colour is never alone
 };
 
+/// What arming would be refused for at this moment, as the readiness list says it.
+struct MissingNow {
+  QString why;     ///< "The robot is silent"; empty: nothing is missing
+  QString remedy;  ///< "Check the network."
+  friend bool operator==(const MissingNow&, const MissingNow&) = default;
+};
+
 /// @param fault why the state is Held, or what is missing before Ready
-[[nodiscard]] StateWords describeState(pipeline::SafetyState state, pipeline::Fault fault);
+/// @param now none: not known yet
+[[nodiscard]] StateWords describeState(pipeline::SafetyState state, pipeline::Fault fault,
+                                       const std::optional<MissingNow>& now = {});
 [[nodiscard]] QColor stateColour(pipeline::SafetyState state);
 /// "Arm" before the first start and "Re-arm" after Held or Stopped.
 [[nodiscard]] QString armText(pipeline::SafetyState state);

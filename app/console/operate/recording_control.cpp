@@ -103,6 +103,7 @@ void RecordingControl::start(const widgets::RecordingEntries& entries) {
   }
   markers_ = 0;
   remember(entries);
+  form_->notesField()->clear();  // they are this recording's, not the next one's
   context_.tell(Severity::information, tr("Recording into %1.").arg(QDir::toNativeSeparators(entries.file)));
   context_.feed.pump();
 }

@@ -8,9 +8,10 @@
 namespace fyd::console {
 
 const std::vector<CommandInfo>& commandTable() {
-  // Arming is no command, because its button must be held. Esc is handled by the KeyGuard, also in dialogs.
+  // No command arms: the one that is found leads to the button, which must be held. Esc is handled by the KeyGuard, also in dialogs.
   static const std::vector<CommandInfo> kTable = {
       {"session.stop", QT_TRANSLATE_NOOP("Commands", "Session"), QT_TRANSLATE_NOOP("Commands", "Stop"), "stop", "Esc"},
+      {"session.arm", "Session", QT_TRANSLATE_NOOP("Commands", "Arm: go to the button that is held"), "arm", ""},
       {"session.tare", "Session", QT_TRANSLATE_NOOP("Commands", "Tare"), "tare", "Ctrl+T"},
       {"session.next_trial", "Session", QT_TRANSLATE_NOOP("Commands", "Next trial"), "", "Ctrl+Shift+M"},
       {"session.save_profile", "Session", QT_TRANSLATE_NOOP("Commands", "Save profile"), "save", "Ctrl+S"},

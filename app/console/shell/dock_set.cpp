@@ -2,22 +2,28 @@
 
 #include <QAction>
 #include <QScrollArea>
+#include <QTabWidget>
 #include <algorithm>
 
 namespace fyd::console {
 namespace {
 
-constexpr int kLeastHeight = 176;  // px: space for panels that are filled later, such as the readiness list
+constexpr double kShareOfWidth = 0.16;  // of a large window's, for the panels at each side
+constexpr int kLeastHeight = 176;       // px: space for panels that are filled later, such as the readiness list
 
-/// Height without scrolling.
-int heightOf(const QDockWidget& panel) {
+/// Height without scrolling, at this width.
+int heightOf(const QDockWidget& panel, int width) {
   const auto* scroll = qobject_cast<const QScrollArea*>(panel.widget());
-  return scroll != nullptr ? scroll->widget()->sizeHint().height() : panel.sizeHint().height();
+  if (scroll == nullptr) return panel.sizeHint().height();
+  const QWidget* body = scroll->widget();
+  return body->hasHeightForWidth() ? body->heightForWidth(width) + panel.titleBarWidget()->sizeHint().height()
+                                   : body->sizeHint().height();
 }
 
 }  // namespace
 
-DockSet::DockSet(QMainWindow& window) : window_(window) {
+DockSet::DockSet(QMainWindow& window, Sharing sharing) : window_(window), sharing_(sharing) {
+  window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
   // Side panels extend to the window's lower edge, so that bottom panels do not shorten them.
   for (const Qt::Corner corner : {Qt::BottomLeftCorner, Qt::TopLeftCorner}) {
@@ -31,8 +37,14 @@ DockSet::DockSet(QMainWindow& window) : window_(window) {
 void DockSet::add(QDockWidget* panel, const QString& name, Qt::DockWidgetArea area, bool shown) {
   panel->setObjectName(name);
   panels_.push_back({panel, area, shown});
-  window_.addDockWidget(area, panel);
-  panel->setVisible(shown);
+  place(panels_.back());
+}
+
+void DockSet::place(const Panel& panel) {
+  window_.addDockWidget(panel.area, panel.dock);
+  const auto beside = std::ranges::find(panels_, panel.area, &Panel::area);
+  if (sharing_ == Sharing::tabs && beside->dock != panel.dock) window_.tabifyDockWidget(beside->dock, panel.dock);
+  panel.dock->setVisible(panel.shown);
 }
 
 void DockSet::arrange() {
@@ -41,18 +53,19 @@ void DockSet::arrange() {
     window_.removeDockWidget(each.dock);
   }
   QList<QDockWidget*> upright;
-  QList<int> widths;
-  QList<int> heights;
   for (const Panel& each : panels_) {
-    window_.addDockWidget(each.area, each.dock);
-    each.dock->setVisible(each.shown);
+    place(each);
     const bool at_side = each.area == Qt::LeftDockWidgetArea || each.area == Qt::RightDockWidgetArea;
     if (!at_side || !each.shown) continue;
     upright << each.dock;
-    widths << each.dock->minimumSizeHint().width();
-    heights << std::max(heightOf(*each.dock), kLeastHeight);
   }
-  const auto resize = [&window = window_, upright, widths, heights] {
+  const auto resize = [&window = window_, upright] {
+    QList<int> widths;
+    QList<int> heights;
+    for (const QDockWidget* panel : upright) {
+      widths << std::max(panel->minimumSizeHint().width(), static_cast<int>(kShareOfWidth * window.width()));
+      heights << std::max(heightOf(*panel, widths.last()), kLeastHeight);
+    }
     window.resizeDocks(upright, heights, Qt::Vertical);
     window.resizeDocks(upright, widths, Qt::Horizontal);
   };

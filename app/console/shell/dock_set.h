@@ -9,8 +9,10 @@ namespace fyd::console {
 
 class DockSet {
  public:
+  /// How panels at one edge share it.
+  enum class Sharing { stacked, tabs };
   /// @param window outlives the set
-  explicit DockSet(QMainWindow& window);
+  explicit DockSet(QMainWindow& window, Sharing sharing = Sharing::stacked);
 
   /// In the order from top to bottom. @param name in saved layouts: never changed, never translated
   void add(QDockWidget* panel, const QString& name, Qt::DockWidgetArea area, bool shown);
@@ -28,7 +30,10 @@ class DockSet {
   };
   static constexpr int kVersion = 1;  ///< increased when a panel's meaning changes: older layouts are then dropped
 
+  void place(const Panel& panel);
+
   QMainWindow& window_;
+  Sharing sharing_;
   std::vector<Panel> panels_;
 };
 

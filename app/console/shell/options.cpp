@@ -2,6 +2,7 @@
 
 #include <QCommandLineParser>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <algorithm>
 
 #include "app/console/shell/language.h"
@@ -50,6 +51,10 @@ constexpr OptionInfo kOptions[] = {
     {"page", "NAME", "Place of the window to begin with, such as operate or devices; default: that of the last time."},
     {"screenshot", "FILE", "Save a picture of the window and leave; arms once in simulation."},
     {"after", "S", "Seconds before the picture is taken; default: 5."},
+    {"dump-geometry", "", "Print where the visible controls stand, as JSON, and leave."},
+    {"open", "PANELS", "Panels to open first: recording, link, manual, log; several with commas."},
+    {"scale", "S", "Scale of everything on the screen, from 0.5 to 4; default: the screen's."},
+    {"size", "WIDTHxHEIGHT", "Size of the window in logical pixels; default: that of the last time."},
 };
 
 Result<std::optional<widgets::ThemeChoice>> readTheme(const QString& name) {
@@ -81,6 +86,42 @@ Result<double> readSeconds(const QString& text) {
   const double seconds = widgets::readNumber(text);
   if (seconds >= 0.0 && seconds <= 3600.0) return seconds;
   return fail("--after {}: expected a number of seconds from 0 to 3600", text.toStdString());
+}
+
+Result<QStringList> readPanels(const QString& text) {
+  if (text.isEmpty()) return QStringList{};
+  QStringList known;
+  for (const char* name : kPanelNames) known << QLatin1String(name);
+  QStringList out;
+  for (const QString& each : text.split(QLatin1Char(','))) {
+    if (!known.contains(each.trimmed())) {
+      return fail("--open {}: expected one or more of {}", each.toStdString(),
+                  known.join(QStringLiteral(", ")).toStdString());
+    }
+    out << each.trimmed();
+  }
+  return out;
+}
+
+Result<double> readScale(const QString& text) {
+  if (text.isEmpty()) return 0.0;
+  const double scale = widgets::readNumber(text);
+  if (scale >= 0.5 && scale <= 4.0) return scale;
+  return fail("--scale {}: expected a number from 0.5 to 4", text.toStdString());
+}
+
+Result<QSize> readSize(const QString& text) {
+  if (text.isEmpty()) return QSize();
+  static const QRegularExpression kSize(QStringLiteral("^([0-9]{1,5})x([0-9]{1,5})$"));
+  const auto match = kSize.match(text);
+  const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+  constexpr int kLeast_px = 100;
+  constexpr int kMost_px = 16'384;
+  if (match.hasMatch() && std::min(size.width(), size.height()) >= kLeast_px &&
+      std::max(size.width(), size.height()) <= kMost_px) {
+    return size;
+  }
+  return fail("--size {}: expected WIDTHxHEIGHT, each from {} to {}", text.toStdString(), kLeast_px, kMost_px);
 }
 
 Result<TrialWords> readTrials(const QCommandLineParser& parser) {
@@ -163,6 +204,12 @@ Result<Options> readOptions(const QStringList& arguments, const QStringList& pla
   }
   const auto seconds = readSeconds(parser.value(QStringLiteral("after")));
   if (!seconds) return tl::unexpected(seconds.error());
+  const auto panels = readPanels(parser.value(QStringLiteral("open")));
+  if (!panels) return tl::unexpected(panels.error());
+  const auto scale = readScale(parser.value(QStringLiteral("scale")));
+  if (!scale) return tl::unexpected(scale.error());
+  const auto size = readSize(parser.value(QStringLiteral("size")));
+  if (!size) return tl::unexpected(size.error());
   const auto theme = readTheme(parser.value(QStringLiteral("theme")));
   if (!theme) return tl::unexpected(theme.error());
   auto station = readStation(parser);
@@ -178,6 +225,10 @@ Result<Options> readOptions(const QStringList& arguments, const QStringList& pla
   options.page = parser.value(QStringLiteral("page"));
   options.screenshot = parser.value(QStringLiteral("screenshot"));
   options.screenshot_after_s = *seconds;
+  options.dump_geometry = parser.isSet(QStringLiteral("dump-geometry"));
+  options.open = *panels;
+  options.scale = *scale;
+  options.size = *size;
   options.language = parser.value(QStringLiteral("language"));
   if (const auto ok = checkLanguage(options.language); !ok) return tl::unexpected(ok.error());
   if (const auto ok = checkPage(options.page, places); !ok) return tl::unexpected(ok.error());

@@ -1,8 +1,10 @@
 // fyd-console's command line: the station's options, named as in `fyd station`, and the window's own.
 #pragma once
 
+#include <QSize>
 #include <QString>
 #include <QStringList>
+#include <array>
 #include <optional>
 
 #include "core/base/error.h"
@@ -18,6 +20,9 @@ struct TrialWords {
   std::uint64_t seed = 1;
 };
 
+/// Panels of the window that --open names; their names in saved layouts.
+inline constexpr std::array kPanelNames = {"recording", "link", "manual", "log"};
+
 struct Options {
   station::StationOptions station;  ///< without the profile: that is read from `profile`
   QString profile;                  ///< empty: defaults
@@ -29,6 +34,12 @@ struct Options {
   QString page;                               ///< place to begin with; empty: as the last time
   QString screenshot;                         ///< empty: none
   double screenshot_after_s = 5.0;
+  bool dump_geometry = false;
+  QStringList open;    ///< panels to open: their names, of kPanelNames
+  double scale = 0.0;  ///< of everything on the screen; 0: the screen's own
+  QSize size;          ///< of the window, logical px; not valid: as the last time
+  /// A window of standard looks, whatever the operator changed in it before.
+  [[nodiscard]] bool standardWindow() const { return dump_geometry || !screenshot.isEmpty(); }
   QString help;  ///< not empty: print this and exit
 };
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/console/shell/command_registry.h"
+#include "app/console/shell/connection_change.h"
 #include "app/console/shell/session.h"
 #include "app/console/shell/session_feed.h"
 #include "app/console/shell/tuning_bridge.h"
@@ -17,6 +18,7 @@ struct PageContext {
   Session& session;
   SessionFeed& feed;
   TuningBridge& tuning;
+  ConnectionChange& connection;
   QString catalogue;                                            ///< word as after --catalogue; empty: this user's own
   std::function<void(widgets::Severity, const QString&)> tell;  ///< shows a notice, and adds it to the log
 };
@@ -29,6 +31,8 @@ class Page : public QWidget {
   /// Its commands: in the menus, the palette and by keys only while the page is shown.
   virtual void addCommands(PlaceCommands& commands) { static_cast<void>(commands); }
   virtual void enter() {}  ///< it is shown now
+  /// What would be lost if the window closed now, as a phrase; empty: nothing.
+  [[nodiscard]] virtual QString unfinished() const { return {}; }
   virtual void leave() {}  ///< another place is shown; a hidden page should use no processor time
 };
 

@@ -78,7 +78,7 @@ void SessionFeed::lookAtParts() {
   emit parts(toParts(status, missed_now_, session_.telemetryLost()));
   emit link(toLink(status));
   emit recorder(session_.recorderStatus());
-  emit readiness(toReadiness(session_.readiness()));
+  emit readiness(toReadiness(session_.readiness(), session_.connection()));
   for (const device::DeviceReport& part : status.parts) {
     if (part.part != device::Part::camera || part.ok) continue;
     emit cameraMissing(

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "app/console/shell/cable_words.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
 
@@ -23,6 +24,7 @@ QString iconOf(device::Part part) {
 PartView toPart(const device::DeviceReport& part) {
   PartView view{.icon = iconOf(part.part), .name = widgets::coreText(toString(part.part))};
   view.health = part.ok ? PartView::Health::well : PartView::Health::missing;
+  view.origin = part.simulated ? PartView::Origin::simulated : PartView::Origin::real;
   view.figures = part.ok ? widgets::rateAndAge(part.rate_hz, part.age_ms) : widgets::coreText(part.problem);
   view.detail = widgets::coreText(part.description);
   if (part.errors > 0) view.detail += QLatin1Char('\n') + tr("%1 errors since the start").arg(part.errors);
@@ -187,16 +189,18 @@ widgets::LinkView toLink(const station::StationStatus& status) {
   return out;
 }
 
-std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines) {
+std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines,
+                                               const ConnectionWords& connection) {
   std::vector<widgets::ReadinessRow> out;
   for (const station::ReadinessLine& line : lines) {
     QString why = widgets::coreText(line.why);
     if (!why.isEmpty()) why[0] = why[0].toUpper();
+    const QString cable = cableRemedy(line.fault, connection);
     const Mending mending = mendingOf(line.fault);
     out.push_back({.what = widgets::coreText(line.what),
                    .ok = line.ok,
                    .why = why,
-                   .remedy = widgets::coreText(line.remedy),
+                   .remedy = cable.isEmpty() ? widgets::coreText(line.remedy) : cable,
                    .command = QLatin1String(mending.command),
                    .action = *mending.words == '\0' ? QString() : tr(mending.words)});
   }

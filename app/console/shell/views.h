@@ -4,6 +4,7 @@
 #include <QImage>
 #include <vector>
 
+#include "app/console/shell/session.h"
 #include "core/station/station.h"
 #include "widgets/devices/camera_image.h"
 #include "widgets/devices/link_panel.h"
@@ -19,7 +20,9 @@ namespace fyd::console {
 /// @param missed_now cycles missed in the last second
 [[nodiscard]] std::vector<widgets::PartView> toParts(const station::StationStatus& status, double missed_now,
                                                      std::uint64_t telemetry_lost);
-[[nodiscard]] std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines);
+/// @param connection the session's, to name the cables
+[[nodiscard]] std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines,
+                                                             const ConnectionWords& connection);
 
 [[nodiscard]] widgets::LinkView toLink(const station::StationStatus& status);
 

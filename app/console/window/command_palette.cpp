@@ -31,6 +31,7 @@ CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
 }
 
 void CommandPalette::open() {
+  if (!isVisible()) former_focus_ = parentWidget()->focusWidget();
   field_->clear();
   filter({});
   show();
@@ -62,6 +63,12 @@ void CommandPalette::run() {
   const QString id = item->data(Qt::UserRole).toString();
   hide();
   registry_.action(id)->trigger();
+}
+
+void CommandPalette::hideEvent(QHideEvent* event) {
+  QDialog::hideEvent(event);
+  parentWidget()->activateWindow();
+  if (former_focus_) former_focus_->setFocus(Qt::PopupFocusReason);
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {

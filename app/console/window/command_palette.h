@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPointer>
 
 #include "app/console/shell/command_registry.h"
 
@@ -19,6 +20,8 @@ class CommandPalette : public QDialog {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  /// The focus goes back to where it was.
+  void hideEvent(QHideEvent* event) override;
 
  private:
   void filter(const QString& letters);
@@ -26,6 +29,7 @@ class CommandPalette : public QDialog {
   const CommandRegistry& registry_;
   QLineEdit* field_;
   QListWidget* list_;
+  QPointer<QWidget> former_focus_;
 };
 
 }  // namespace fyd::console

@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <string>
 
@@ -20,6 +21,16 @@ void claimSize(Page& page, bool claims) {
   page.setSizePolicy(policy, policy);
 }
 
+/// The places as large as the area; larger, and scrolled, where it is smaller than what the shown one needs.
+QScrollArea* scrolled(QStackedWidget* places) {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);  // the focus goes to the controls in it
+  area->setWidget(places);
+  return area;
+}
+
 }  // namespace
 
 Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* parent)
@@ -27,6 +38,8 @@ Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* par
       commands_(commands),
       navigation_bar_(new widgets::NavigationBar(this)),
       state_bar_(new widgets::StateBar(this)),
+      notices_(new widgets::NoticeStack(this)),
+      panel_area_(new QMainWindow(this)),
       stack_(new QStackedWidget(this)) {
   auto* group = new QActionGroup(this);
   for (const PlaceInfo& info : places()) {
@@ -46,7 +59,10 @@ Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* par
   auto* column = new QVBoxLayout;
   column->setSpacing(kGrid);
   column->addWidget(state_bar_);
-  column->addWidget(stack_, 1);
+  column->addWidget(panel_area_, 1);
+  column->addWidget(notices_);
+  panel_area_->setWindowFlags(Qt::Widget);  // a part of the window, not one of its own
+  panel_area_->setCentralWidget(scrolled(stack_));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, kGrid, kGrid, kGrid);
   layout->setSpacing(kGrid);

@@ -1,6 +1,9 @@
-// The window's frame: the navigation bar at the left, and the state bar with Stop above the shown place.
+// The window's frame: the navigation bar at the left; beside it the state bar with Stop, below that the shown place with
+// the window's panels around it, and the notices at the lower edge. Panels open below the state bar, so nothing in it
+// moves; a place that needs more room than there is scrolls.
 #pragma once
 
+#include <QMainWindow>
 #include <QStackedWidget>
 #include <QWidget>
 #include <map>
@@ -8,6 +11,7 @@
 #include "app/console/shell/command_registry.h"
 #include "app/console/shell/page.h"
 #include "widgets/basics/navigation_bar.h"
+#include "widgets/status/notice_stack.h"
 #include "widgets/status/state_bar.h"
 
 namespace fyd::console {
@@ -24,12 +28,17 @@ class Frame : public QWidget {
   [[nodiscard]] Page* page(const QString& place) const;
   [[nodiscard]] widgets::StateBar* stateBar() const { return state_bar_; }
   [[nodiscard]] widgets::NavigationBar* navigationBar() const { return navigation_bar_; }
+  [[nodiscard]] widgets::NoticeStack* notices() const { return notices_; }
+  /// Where the window's panels open, around the places.
+  [[nodiscard]] QMainWindow* panelArea() const { return panel_area_; }
   [[nodiscard]] QStackedWidget* stack() const { return stack_; }
 
  private:
   CommandRegistry& commands_;
   widgets::NavigationBar* navigation_bar_;
   widgets::StateBar* state_bar_;
+  widgets::NoticeStack* notices_;
+  QMainWindow* panel_area_;
   QStackedWidget* stack_;
   std::map<QString, Page*> pages_;
   QString place_;

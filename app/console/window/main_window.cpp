@@ -4,12 +4,14 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QScreen>
+#include <algorithm>
 
 #include "app/console/review/review_page.h"
 #include "app/console/shell/language.h"
 #include "app/console/shell/side_dock.h"
 #include "app/console/shell/views.h"
 #include "app/console/window/manual.h"
+#include "app/console/window/places.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/icon.h"
 
@@ -24,19 +26,19 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       memory_(memory),
       tuning_(*session_, profile_path),
       feed_(new SessionFeed(*session_, this)),
+      connection_(new ConnectionChange(*session_, *feed_, tuning_, this)),
       commands_(new CommandRegistry(this)),
       keys_(new KeyGuard(this)),
       frame_(new Frame(context(), *commands_, this)),
-      notices_(new widgets::NoticeStack(frame_->stack())),
       help_(new HelpDock(this)),
-      link_(new LinkDock(tuning_.model(), this)),
-      robot_(new RobotChange(context(), *link_, this)),
+      link_(new LinkDock(tuning_.model(), *connection_, this)),
       recording_(new RecordingControl(context(), memoryFile(profile_path), this)),
       trials_(new TrialRun(context(), this)),
       palette_(new CommandPalette(*commands_, this)),
-      panels_(*this),
+      panels_(*frame_->panelArea(), DockSet::Sharing::tabs),
       layouts_(new LayoutsDialog(
-          memory_, [this] { return layoutNow(); }, this)) {
+          memory_, [this] { return layoutNow(); }, this)),
+      leaving_(*notices(), [this] { close(); }) {
   setWindowTitle(tr("FYD Console"));
   setWindowIcon(widgets::icon(QStringLiteral("fyd-console")));
   setCentralWidget(frame_);
@@ -46,11 +48,11 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
   trials_->addCommands(*commands_);
   commands_->fill(*menuBar());
   connectFeed();
+  connectDevices();
   connectStateBar();
   connectCommands();
   connectLook();
   connectLayouts();
-  robot_->showRobot();
   standard_ = {.window = {},
                .operate = {},
                .curves = operate()->curveTools()->choice(),
@@ -68,6 +70,7 @@ PageContext MainWindow::context() {
   return {.session = *session_,
           .feed = *feed_,
           .tuning = tuning_,
+          .connection = *connection_,
           .catalogue = catalogue_,
           .tell = [this](Severity severity, const QString& text) { tell(severity, text); }};
 }
@@ -81,12 +84,26 @@ void MainWindow::start() {
   feed_->start();
 }
 
+void MainWindow::openPanels(const QStringList& names) {
+  for (const QString& name : names) {
+    if (auto* panel = frame_->panelArea()->findChild<QDockWidget*>(name)) {
+      panel->show();
+      panel->raise();
+    }
+  }
+}
+
 void MainWindow::review(const QString& recording) {
   frame_->go(QStringLiteral("review"));
   reviewPage()->open(recording);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  // What the program itself closes, as at the end of a time or by a signal, is not asked for again.
+  if (event->spontaneous() && !leaving_.mayLeave(unfinished())) {
+    event->ignore();
+    return;
+  }
   session_->requestStop();
   remember();
   recording_->finish();
@@ -108,12 +125,19 @@ void MainWindow::connectFeed() {
   connect(feed_, &SessionFeed::silent, stateBar(), &widgets::StateBar::showSilence);
   connect(feed_, &SessionFeed::parts, stateBar(), &widgets::StateBar::showParts);
   connect(feed_, &SessionFeed::link, link_->panel(), &widgets::LinkPanel::setLink);
-  connect(feed_, &SessionFeed::silent, link_, &LinkDock::showSilence);
   connect(feed_, &SessionFeed::notice, this, &MainWindow::takeNotice);
+  connect(feed_, &SessionFeed::readiness, this, &MainWindow::takeReadiness);
   connect(&tuning_, &TuningBridge::told, this,
           [this](Severity severity, const QString& text) { tell(severity, text); });
-  connect(robot_, &RobotChange::beginning, this, [this] { arm_once_ = false; });
   connect(recording_, &RecordingControl::catalogued, reviewPage(), &ReviewPage::showNews);
+}
+
+void MainWindow::connectDevices() {
+  connect(connection_, &ConnectionChange::leaving, this, [this] { arm_once_ = false; });
+  connect(connection_, &ConnectionChange::told, this,
+          [this](Severity severity, const QString& text) { tell(severity, text); });
+  connect(connection_, &ConnectionChange::arrived, this,
+          [this](const ConnectionWords& words) { memory_.setDevices(words); });
 }
 
 void MainWindow::connectStateBar() {
@@ -130,7 +154,10 @@ void MainWindow::connectCommands() {
   on("session.stop", [this](bool) { stop(); });
   on("session.tare", [this](bool) { ask(pipeline::OperatorAction::tare); });
   on("session.save_profile", [this](bool) { tuning_.save(); });
-  on("session.quit", [this](bool) { close(); });
+  on("session.quit", [this](bool) {
+    if (leaving_.mayLeave(unfinished())) close();
+  });
+  on("session.arm", [this](bool) { leadToArm(); });
   connectToggle(commands_->action(QStringLiteral("view.log")), log_dock_);
   connectToggle(commands_->action(QStringLiteral("view.link")), link_);
   connectToggle(commands_->action(QStringLiteral("help.manual")), help_);
@@ -138,7 +165,7 @@ void MainWindow::connectCommands() {
     if (shown && help_->topic().isEmpty()) help_->showTopic(manualTopic(nullptr, frame_->place()));
   });
   on("help.context", [this](bool) { help_->showTopic(manualTopic(QApplication::focusWidget(), frame_->place())); });
-  on("view.notices_read", [this](bool) { notices_->dismissAll(); });
+  on("view.notices_read", [this](bool) { notices()->dismissAll(); });
   on("view.palette", [this](bool) { palette_->open(); });
   connect(operate()->readiness(), &widgets::ReadinessList::commandAsked, this, [this](const QString& id) {
     if (QAction* action = commands_->action(id)) action->trigger();
@@ -212,6 +239,7 @@ void MainWindow::ask(pipeline::OperatorAction action) {
 
 void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples) {
   const pipeline::TelemetrySample& newest = samples.back();
+  state_ = newest.state;
   stateBar()->showState(newest.state, newest.fault);
   link_->showSample(newest);
   if (arm_once_ && newest.state == pipeline::SafetyState::ready) {
@@ -220,15 +248,46 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
   }
 }
 
-void MainWindow::takeNotice(const station::Notice& notice) {
-  tuning_.hear(notice.event);
-  const Telling telling = tellingOf(notice.event);
-  tell(telling.severity, widgets::coreText(notice.message), telling.slides_in);
+void MainWindow::takeReadiness(const std::vector<widgets::ReadinessRow>& rows) {
+  const auto unmet = std::ranges::find(rows, false, &widgets::ReadinessRow::ok);
+  stateBar()->showMissing(unmet == rows.end() ? widgets::MissingNow{}
+                                              : widgets::MissingNow{.why = unmet->why, .remedy = unmet->remedy});
+  causes_.look(session_->readiness(), state_, *notices());
 }
 
-void MainWindow::tell(Severity severity, const QString& text, bool slide_in) {
+void MainWindow::takeNotice(const station::Notice& notice) {
+  if (!notice.of_step) {
+    tell(Severity::warning, widgets::coreText(notice.message));
+    return;
+  }
+  tuning_.hear(notice.event);
+  const Telling telling = tellingOf(notice.event);
+  const QString cause = causes_.begin(notice.event, *notices());
+  tell(telling.severity, widgets::coreText(notice.message), telling.slides_in, cause);
+}
+
+void MainWindow::tell(Severity severity, const QString& text, bool slide_in, const QString& cause) {
   log_->add(QTime::currentTime().toString(QStringLiteral("HH:mm:ss.zzz")), severity, text);
-  if (slide_in) notices_->post(severity, text);
+  if (slide_in) notices()->post({.severity = severity, .text = text, .cause = cause, .actions = {}});
+}
+
+QStringList MainWindow::unfinished() const {
+  QStringList out;
+  if (state_ == pipeline::SafetyState::active) out << tr("the touchpad renders, motors on");
+  if (session_->recorderStatus().state == recording::RecorderState::recording)
+    out << tr("a recording is being written");
+  for (const PlaceInfo& place : places()) {
+    const QString left = frame_->page(QLatin1String(place.id))->unfinished();
+    if (!left.isEmpty()) out << left;
+  }
+  return out;
+}
+
+// Arming stays a deliberate hold.
+void MainWindow::leadToArm() {
+  stateBar()->armButton()->setFocus(Qt::ShortcutFocusReason);
+  tell(Severity::information, tr("Hold the space bar, or the mouse on the button, for 0.6 s to arm."), true,
+       QStringLiteral("arm"));
 }
 
 }  // namespace fyd::console

@@ -9,6 +9,7 @@
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording_control.h"
 #include "app/console/shell/command_registry.h"
+#include "app/console/shell/connection_change.h"
 #include "app/console/shell/dock_set.h"
 #include "app/console/shell/key_guard.h"
 #include "app/console/shell/session.h"
@@ -18,8 +19,9 @@
 #include "app/console/window/frame.h"
 #include "app/console/window/help_dock.h"
 #include "app/console/window/layouts_dialog.h"
+#include "app/console/window/leaving.h"
 #include "app/console/window/link_dock.h"
-#include "app/console/window/robot_change.h"
+#include "app/console/window/notice_causes.h"
 #include "app/console/window/trial_run.h"
 #include "app/console/window/window_memory.h"
 #include "widgets/status/log_view.h"
@@ -46,15 +48,19 @@ class MainWindow : public QMainWindow {
   /// Arms once when first Ready, as a headless station does; for screenshots.
   void armOnce() { arm_once_ = true; }
 
+  /// @param names of kPanelNames
+  void openPanels(const QStringList& names);
+
   /// Goes to the place "Review" and opens a recording there.
   void review(const QString& recording);
 
   [[nodiscard]] Session& session() { return *session_; }
   [[nodiscard]] SessionFeed& feed() { return *feed_; }
+  [[nodiscard]] ConnectionChange& connection() { return *connection_; }
   [[nodiscard]] Frame* frame() const { return frame_; }
   [[nodiscard]] widgets::StateBar* stateBar() const { return frame_->stateBar(); }
   [[nodiscard]] OperatePage* operate() const;
-  [[nodiscard]] widgets::NoticeStack* notices() const { return notices_; }
+  [[nodiscard]] widgets::NoticeStack* notices() const { return frame_->notices(); }
   [[nodiscard]] widgets::LogView* log() const { return log_; }
   [[nodiscard]] CommandRegistry& commands() { return *commands_; }
   [[nodiscard]] LinkDock* link() const { return link_; }
@@ -66,7 +72,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Layout layoutNow() const;
   /// What cannot be restored of it is noted in the log.
   void setLayoutTo(const Layout& layout);
-  void tell(widgets::Severity severity, const QString& text, bool slide_in = true);
+  /// @param cause what withdraws the notice when it is gone; empty: it stays until it is read
+  void tell(widgets::Severity severity, const QString& text, bool slide_in = true, const QString& cause = {});
+  /// What closing the window now would end or lose, as phrases.
+  [[nodiscard]] QStringList unfinished() const;
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -76,6 +85,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ReviewPage* reviewPage() const;
   void buildDocks();
   void connectFeed();
+  void connectDevices();
   void connectStateBar();
   void connectCommands();
   void connectLook();
@@ -86,26 +96,30 @@ class MainWindow : public QMainWindow {
   void ask(pipeline::OperatorAction action);
   void takeSamples(std::span<const pipeline::TelemetrySample> samples);
   void takeNotice(const station::Notice& notice);
+  void takeReadiness(const std::vector<widgets::ReadinessRow>& rows);
+  void leadToArm();
 
   std::unique_ptr<Session> session_;
   QString catalogue_;
   WindowMemory memory_;
   TuningBridge tuning_;
   SessionFeed* feed_;
+  ConnectionChange* connection_;
   CommandRegistry* commands_;
   KeyGuard* keys_;
   Frame* frame_;
-  widgets::NoticeStack* notices_;
   widgets::LogView* log_ = nullptr;
   QDockWidget* log_dock_ = nullptr;
   HelpDock* help_;
   LinkDock* link_;
-  RobotChange* robot_;
   RecordingControl* recording_;
   TrialRun* trials_;
   CommandPalette* palette_;
   DockSet panels_;
   LayoutsDialog* layouts_;
+  NoticeCauses causes_;
+  Leaving leaving_;
+  pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
   Layout standard_;  ///< the curves of a first start; the panels' states are empty, which gives the standard layout
   bool arm_once_ = false;
 };

@@ -1,0 +1,65 @@
+#include "app/console/shell/cable_words.h"
+
+#include <QCoreApplication>
+
+namespace fyd::console {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("CableWords", text); }
+
+/// What follows `prefix` in a source's word; empty where it is another kind of source.
+QString addressAfter(const std::string& source, std::string_view prefix) {
+  return source.starts_with(prefix) ? QString::fromStdString(source.substr(prefix.size())) : QString();
+}
+
+QString touchpadRemedy(const std::string& source) {
+  if (const QString at = addressAfter(source, "modbus-tcp:"); !at.isEmpty()) {
+    return tr("Check the touchpad's power and its network cable to %1.").arg(at);
+  }
+  if (const QString at = addressAfter(source, "modbus-rtu:"); !at.isEmpty()) {
+    return tr("Check the touchpad's power and its serial cable at %1.").arg(at);
+  }
+  return {};
+}
+
+QString motorRemedy(const std::string& source) {
+  const QString at = addressAfter(source, "qbmove:");
+  return at.isEmpty() ? QString() : tr("Check the motor board's power and its serial cable at %1.").arg(at);
+}
+
+QString cameraRemedy(const std::string& source) {
+  const QString at = QString::fromStdString(source);
+  if (at.contains(QLatin1String("://")))
+    return tr("Check the network cable and what sends the pictures at %1.").arg(at);
+  bool number = false;
+  static_cast<void>(at.toInt(&number));
+  if (number || at.startsWith(QLatin1String("/dev/")) || at.startsWith(QLatin1String("id="))) {
+    return tr("Check the cable of the camera %1, or choose another source.").arg(at);
+  }
+  return {};
+}
+
+QString robotRemedy(const std::string& source) {
+  for (const std::string_view protocol : {"link:", "classic:"}) {
+    if (const QString at = addressAfter(source, protocol); !at.isEmpty()) {
+      return tr("Check the network cable and the robot's program; it is awaited at %1.").arg(at);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+QString cableRemedy(pipeline::Fault fault, const ConnectionWords& words) {
+  using enum pipeline::Fault;
+  switch (fault) {
+    case motors_stale: return words.motors.empty() ? touchpadRemedy(words.touchpad) : motorRemedy(words.motors);
+    case ir_stale:
+    case bridge_stale: return touchpadRemedy(words.touchpad);
+    case camera_stale: return cameraRemedy(words.camera);
+    case robot_lost: return robotRemedy(words.robot);
+    default: return {};
+  }
+}
+
+}  // namespace fyd::console
