@@ -60,4 +60,21 @@ double readNumber(const QString& text) {
   return ok ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
+double readTime_s(const QString& text) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kParts = 60.0;  // of a minute and of an hour
+  const QStringList parts = text.trimmed().split(QLatin1Char(':'));
+  if (parts.size() > 3) return kNone;
+  double time_s = 0.0;
+  for (const QString& part : parts) {
+    const bool first = &part == &parts.front();
+    const bool last = &part == &parts.back();
+    const double value = readNumber(part);
+    const bool whole = value == std::floor(value);
+    if (!std::isfinite(value) || value < 0.0 || (!first && value >= kParts) || (!last && !whole)) return kNone;
+    time_s = time_s * kParts + value;
+  }
+  return time_s;
+}
+
 }  // namespace fyd::widgets

@@ -19,5 +19,7 @@ inline const QString kNoValue = QStringLiteral("—");
 [[nodiscard]] QString plainNumber(double value);
 /// Reads what an operator wrote; comma or point, minus or hyphen. @return NaN when it is no number
 [[nodiscard]] double readNumber(const QString& text);
+/// Reads a time: seconds "83.5", minutes and seconds "1:23.5", with hours "1:02:03.5". @return s; NaN when it is none
+[[nodiscard]] double readTime_s(const QString& text);
 
 }  // namespace fyd::widgets

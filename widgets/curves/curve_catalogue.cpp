@@ -233,6 +233,7 @@ StripSetup setupOf(const StripPlan& plan) {
                    .unit = QString::fromUtf8(plan.unit),
                    .least = plan.least,
                    .large = plan.large,
+                   .peak = plan.peak,
                    .shown = plan.usual};
   for (const std::size_t channel : plan.channels) {
     const CurveQuantity& q = curveQuantities()[channel];

@@ -99,7 +99,7 @@ void CurveSetupPanel::addRow(QGridLayout* grid, std::size_t index) {
   const StripSetup& setup = stack_->setup(index);
   const QString name = setup.unit.isEmpty() ? setup.title : tr("%1, %2").arg(setup.title, setup.unit);
   QWidget* body = grid->parentWidget();
-  Row row{.shown = new QCheckBox(setup.title.section(QLatin1Char(','), 0, 0), body),
+  Row row{.shown = new QCheckBox(setup.title, body),
           .lower = new QLineEdit(body),
           .upper = new QLineEdit(body)};
   row.shown->setObjectName(QStringLiteral("show_") + setup.id);

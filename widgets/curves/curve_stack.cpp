@@ -35,7 +35,6 @@ void CurveStack::add(StripSetup setup) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
   auto* strip = new CurveStrip(setup.title, setup.unit, setup.least, setup.traces, false, row);
-  if (time_itself_) strip->showTimeItself();
   auto* readout = new Readout(setup.title, setup.unit, setup.entries, setup.large, row);
   layout->addWidget(strip, 1);
   layout->addWidget(readout);
@@ -189,18 +188,27 @@ void CurveStack::draw(const CurveSource& source) {
     if (!shown(i)) continue;
     strips_[i].strip->setMarks(marks);
     if (marks_changed_) strips_[i].strip->setMarkWords(markWords(i, source));
+    readCursor(i, source);
     strips_[i].strip->draw(source, window(i));
   }
   marks_changed_ = false;
 }
 
-void CurveStack::showValuesAt(const CurveSource& source, double time_s) {
-  for (const Strip& each : strips_) {
-    if (!each.setup.shown) continue;
-    for (std::size_t entry = 0; entry < each.setup.channels.size(); ++entry) {
-      each.readout->setValue(entry, source.valueAt(each.setup.channels[entry], time_s));
-    }
+void CurveStack::readCursor(std::size_t index, const CurveSource& source) {
+  const auto& [setup, strip, readout, row] = strips_[index];
+  std::vector<double> values;
+  if (std::isfinite(cursor_s_)) {
+    for (const Trace& trace : setup.traces) values.push_back(source.valueAt(trace.channel, cursor_s_));
   }
+  if (readsCursor(index)) {
+    for (std::size_t entry = 0; entry < setup.channels.size(); ++entry) {
+      const auto trace = std::ranges::find(setup.traces, setup.channels[entry], &Trace::channel);
+      readout->setValue(entry, values[static_cast<std::size_t>(trace - setup.traces.begin())]);
+    }
+    readout->setWhen(tr("at %1").arg(quantityText(cursor_s_, kTimeDecimals, tr("s"))));
+    readout->setNote({});
+  }
+  strip->setCursorValues(cursor_s_, std::move(values));
 }
 
 }  // namespace fyd::widgets

@@ -7,6 +7,7 @@
 
 #include <QLabel>
 #include <QWidget>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -28,6 +29,7 @@ struct StripSetup {
   std::vector<Readout::Entry> entries;
   std::vector<std::size_t> channels;  ///< of the source, one for each entry
   bool large = false;
+  bool peak = false;  ///< its live numeral is a largest magnitude
   bool shown = true;
 };
 
@@ -38,8 +40,6 @@ class CurveStack : public QWidget {
 
   explicit CurveStack(TimeWindow window, QWidget* parent = nullptr);
   void add(StripSetup setup);
-  /// The time scale shows absolute times instead of times before the right edge.
-  void showTimeItself() { time_itself_ = true; }
   /// Keeps windows that the operator moves within what there is to see; called with each after every move.
   void setBounds(std::function<void(TimeWindow&)> hold) { hold_ = std::move(hold); }
 
@@ -80,8 +80,10 @@ class CurveStack : public QWidget {
   void freeRanges();
 
   void draw(const CurveSource& source);
-  /// Values of the source at `time_s` as numerals.
-  void showValuesAt(const CurveSource& source, double time_s);
+  /// Whether a strip's numerals are those at the cursor: there is one, and the strip does not follow.
+  [[nodiscard]] bool readsCursor(std::size_t index) const {
+    return std::isfinite(cursor_s_) && !window(index).following();
+  }
 
  signals:
   void moved();               ///< the operator moved a window, a mark or the choice: draw again
@@ -95,6 +97,8 @@ class CurveStack : public QWidget {
     Readout* readout = nullptr;
     QWidget* row = nullptr;
   };
+  /// The values at the cursor, beside the curves and, where the strip reads the cursor, as its numerals.
+  void readCursor(std::size_t index, const CurveSource& source);
   void change(std::size_t index, const std::function<void(TimeWindow&)>& change);
   void arrange();
   /// The difference between the marks in one strip, "Δ 2.00 N", or the value at the only one; empty without marks.
@@ -105,7 +109,6 @@ class CurveStack : public QWidget {
   std::function<void(TimeWindow&)> hold_;
   std::size_t last_moved_ = 0;
   bool linked_ = true;
-  bool time_itself_ = false;
   double cursor_s_ = std::numeric_limits<double>::quiet_NaN();
   double marks_s_[2] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   bool marks_changed_ = true;  ///< values at the marks are read once, not with every redraw

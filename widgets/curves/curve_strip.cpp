@@ -3,7 +3,9 @@
 #include <QRubberBand>
 #include <QVBoxLayout>
 
-#include "widgets/basics/number_ticker.h"
+#include "widgets/basics/number_text.h"
+#include "widgets/basics/plot_labels.h"
+#include "widgets/curves/axis_scale.h"
 #include "widgets/curves/curve_line.h"
 #include "widgets/curves/curve_plot.h"
 #include "widgets/curves/plot_style.h"
@@ -11,10 +13,17 @@
 namespace fyd::widgets {
 namespace {
 
+constexpr int kLeastHeight_px = 24;  // one line of text
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+QColor colourOf(const Trace& trace) {
+  return trace.quantity == Quantity::none ? theme().text : theme().of(trace.quantity);
+}
+
+QColor colourOf(const TimeMark& mark) { return mark.strong ? theme().text : theme().muted; }
+
 QPen penOf(const Trace& trace) {
-  QColor colour = trace.quantity == Quantity::none ? theme().text : theme().of(trace.quantity);
+  QColor colour = colourOf(trace);
   if (trace.stroke == Stroke::faint) colour.setAlphaF(0.45F);
   const Qt::PenStyle style = trace.stroke == Stroke::dashed   ? Qt::DashLine
                              : trace.stroke == Stroke::dotted ? Qt::DotLine
@@ -32,14 +41,15 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
       range_(least),
       unit_(unit),
       mark_words_(new QCPItemText(plot_)),
-      with_time_scale_(with_time_scale),
+      time_scale_(std::make_unique<LevelScale>(*plot_)),
+      labels_(new PlotLabels(*plot_)),
       band_(new QRubberBand(QRubberBand::Rectangle, plot_)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   setAccessibleName(tr("%1 over time, %2").arg(name, unit));
   plot_->setAccessibleName(accessibleName());
-  plot_->setMinimumHeight(40);
+  plot_->setMinimumHeight(kLeastHeight_px);
   plot_->setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
   plot_->setNotAntialiasedElements(QCP::aeAll);
   plot_->setInteractions({});
@@ -50,9 +60,8 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
          "Ctrl and wheel to stretch this curve, double-click or F to follow again."));
   QCPAxisRect* rect = plot_->axisRect();
   rect->setAutoMargins(QCP::msNone);
-  setTimeScale(with_time_scale_);
-  plot_->xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(tr("s"))));
-  plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
+  setTimeScale(with_time_scale);
+  plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(*plot_->yAxis)));
   plot_->yAxis->ticker()->setTickCount(3);
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
     axis->setNumberFormat(QStringLiteral("gb"));
@@ -73,12 +82,19 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
   dress();
 }
 
+CurveStrip::~CurveStrip() = default;
+
 QCustomPlot* CurveStrip::plot() const { return plot_; }
 
 void CurveStrip::setTimeScale(bool shown) {
-  with_time_scale_ = shown;
   plot_->axisRect()->setMargins(QMargins(kCurveLeft_px, 4, kCurveRight_px, shown ? kTimeScale_px : 4));
-  plot_->xAxis->setTickLabels(shown);
+  plot_->setMinimumHeight(kLeastHeight_px + (shown ? kTimeScale_px : 0));
+  time_scale_->setVisible(shown);
+}
+
+void CurveStrip::setCursorValues(double time_s, std::vector<double> values) {
+  cursor_s_ = time_s;
+  cursor_values_ = std::move(values);
 }
 
 void CurveStrip::setMarkWords(const QString& words) {
@@ -118,7 +134,7 @@ std::vector<double> CurveStrip::limits() const {
 
 void CurveStrip::buildLanes() {
   // Three signals around zero would hide each other in one lane.
-  const QSharedPointer<QCPAxisTickerText> names(new QCPAxisTickerText);
+  const QSharedPointer<NameTicker> names(new NameTicker(*plot_->yAxis));
   for (std::size_t i = 0; i < traces_.size(); ++i) names->addTick(laneCentre(i), traces_[i].lane);
   plot_->yAxis->setTicker(names);
   scale_text_ = new QCPItemText(plot_);
@@ -142,6 +158,7 @@ void CurveStrip::dress() {
     scale_text_->setColor(t.muted);
     scale_text_->setBrush(QBrush(t.panel));
   }
+  time_scale_->dress();
   mark_words_->setFont(textFont(TextSize::small));
   mark_words_->setColor(t.text);
   mark_words_->setBrush(QBrush(t.panel));
@@ -196,49 +213,57 @@ void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
   if (drawn_.lower <= drawn_.upper) range_.fit(drawn_.lower, drawn_.upper);
   Range shown = fixed_range_.value_or(baseRange());
   if (lanes_) {
-    const double full = std::max(std::abs(baseRange().lower), std::abs(baseRange().upper));
     for (std::size_t i = 0; i < traces_.size(); ++i) {
-      for (QCPGraphData& point : *plot_->graph(static_cast<int>(i))->data()) {
-        point.value = laneCentre(i) + 0.5 * point.value / full;
-      }
+      for (QCPGraphData& point : *plot_->graph(static_cast<int>(i))->data()) point.value = heightOf(i, point.value);
     }
-    scale_text_->setText(tr("each ±%1 %2").arg(full).arg(unit_));
+    scale_text_->setText(tr("each ±%1 %2").arg(plainNumber(laneHeight())).arg(unit_));
     if (!fixed_range_) shown = {-0.5, static_cast<double>(traces_.size()) - 0.5};
   }
   const double margin =
       fixed_range_ || chosen_range_ ? 0.0 : 0.04 * (shown.upper - shown.lower);  // the line at the end stays visible
-  if (time_itself_) static_cast<NumberTicker*>(plot_->xAxis->ticker().data())->setShown(window.to_s());
   drawMarks(window);
-  plot_->xAxis->setRange(-window.span_s(), 0.0);
+  drawLabels(window);
+  time_scale_->showTime(window);
   plot_->yAxis->setRange(shown.lower - margin, shown.upper + margin);
   plot_->update();
 }
 
-void CurveStrip::drawMarks(const TimeWindow& window) {
-  while (mark_lines_.size() < marks_.size()) {
-    mark_lines_.push_back(new QCPItemStraightLine(plot_));
-    auto* name = new QCPItemText(plot_);
-    name->position->setTypeX(QCPItemPosition::ptPlotCoords);
-    name->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    name->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);  // the name is drawn at the top
-    name->setPadding(QMargins(3, 0, 3, 0));
-    name->setFont(textFont(TextSize::small));
-    mark_names_.push_back(name);
+double CurveStrip::laneHeight() const { return std::max(std::abs(baseRange().lower), std::abs(baseRange().upper)); }
+
+double CurveStrip::heightOf(std::size_t trace, double value) const {
+  return lanes_ ? laneCentre(trace) + 0.5 * value / laneHeight() : value;
+}
+
+void CurveStrip::drawLabels(const TimeWindow& window) {
+  std::vector<PlotLabel> labels;
+  for (const TimeMark& mark : marks_) {
+    if (mark.name.isEmpty()) continue;
+    labels.push_back({.at = mark.time_s - window.to_s(),
+                      .height = -std::numeric_limits<double>::infinity(),
+                      .text = mark.name,
+                      .colour = colourOf(mark)});
   }
+  for (std::size_t i = 0; i < cursor_values_.size(); ++i) {
+    if (!std::isfinite(cursor_values_[i])) continue;
+    const QString value = quantityText(cursor_values_[i], traces_[i].decimals, unit_);
+    labels.push_back({.at = cursor_s_ - window.to_s(),
+                      .height = heightOf(i, cursor_values_[i]),
+                      .text = traces_[i].word.isEmpty() ? value : traces_[i].word + QLatin1Char(' ') + value,
+                      .colour = colourOf(traces_[i])});
+  }
+  labels_->show(std::move(labels));
+}
+
+void CurveStrip::drawMarks(const TimeWindow& window) {
+  while (mark_lines_.size() < marks_.size()) mark_lines_.push_back(new QCPItemStraightLine(plot_));
   for (std::size_t i = 0; i < mark_lines_.size(); ++i) {
     const bool shown = i < marks_.size() && marks_[i].time_s >= window.from_s() && marks_[i].time_s <= window.to_s();
     mark_lines_[i]->setVisible(shown);
-    mark_names_[i]->setVisible(shown && !marks_[i].name.isEmpty());
     if (!shown) continue;
     const double x = marks_[i].time_s - window.to_s();
-    const QColor colour = marks_[i].strong ? theme().text : theme().muted;
     mark_lines_[i]->point1->setCoords(x, 0.0);
     mark_lines_[i]->point2->setCoords(x, 1.0);
-    mark_lines_[i]->setPen(QPen(colour, 1));
-    mark_names_[i]->position->setCoords(x, 1.0);
-    mark_names_[i]->setText(marks_[i].name);
-    mark_names_[i]->setColor(colour);
-    mark_names_[i]->setBrush(QBrush(theme().panel));
+    mark_lines_[i]->setPen(QPen(colourOf(marks_[i]), 1));
   }
 }
 

@@ -1,11 +1,14 @@
 // One plot of curves over time: traces that share a unit. Draws from a CurveSource, one min/max pair per pixel
 // column.
 //
-// The time axis counts from the right edge, so that scale and grid stay in place while the curves move.
+// The time axis counts from the right edge, so that scale and grid stay in place while the curves move. While a window
+// follows, its numbers are seconds before now; else they are the session's time.
 #pragma once
 
 #include <QString>
 #include <QWidget>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,6 +27,8 @@ class QRubberBand;
 namespace fyd::widgets {
 
 class CurvePlot;
+class PlotLabels;
+class LevelScale;
 
 enum class Stroke {
   solid,
@@ -37,12 +42,14 @@ struct Trace {
   Quantity quantity = Quantity::none;
   Stroke stroke = Stroke::solid;
   QString lane;  ///< not empty: the trace has a lane of its own, named so, and shares the others' scale
+  QString word;  ///< before its value at the cursor; empty: the strip's own quantity
+  int decimals = 2;
 };
 
 /// A moment marked in the plot by a vertical line.
 struct TimeMark {
   double time_s = 0.0;
-  QString name;  ///< at the top of the line; empty: none
+  QString name;  ///< at the foot of the line; empty: none
   bool strong = false;
 };
 
@@ -53,15 +60,18 @@ class CurveStrip : public QWidget {
   /// @param least range shown at least
   CurveStrip(const QString& name, const QString& unit, Range least, std::vector<Trace> traces, bool with_time_scale,
              QWidget* parent = nullptr);
+  ~CurveStrip() override;
 
   void draw(const CurveSource& source, const TimeWindow& window);
   /// Paints what the last `draw` drew, for an export to a file.
   void paintTo(QCPPainter& painter, QSize size);
-  /// The time scale shows absolute times instead of times before the right edge.
-  void showTimeItself() { time_itself_ = true; }
   void setTimeScale(bool shown);
   /// Drawn with the next `draw`.
   void setMarks(std::vector<TimeMark> marks) { marks_ = std::move(marks); }
+  /// Drawn with the next `draw`, beside the curves. @param time_s not finite: none
+  /// @param values one for each trace; NaN: none
+  void setCursorValues(double time_s, std::vector<double> values);
+  [[nodiscard]] const PlotLabels& labels() const { return *labels_; }
   /// Text about the marks, in the corner; empty: none.
   void setMarkWords(const QString& words);
   [[nodiscard]] QString markWords() const;
@@ -95,8 +105,13 @@ class CurveStrip : public QWidget {
   void fill(QCPGraph* graph, const Trace& trace, const CurveSource& source, const TimeWindow& window);
   void buildLanes();
   void drawMarks(const TimeWindow& window);
+  void drawLabels(const TimeWindow& window);
+  /// A trace's value on the value axis.
+  [[nodiscard]] double heightOf(std::size_t trace, double value) const;
   [[nodiscard]] Range baseRange() const { return chosen_range_.value_or(range_.shown()); }
   [[nodiscard]] double laneCentre(std::size_t trace) const;
+  /// The value at the edge of a lane.
+  [[nodiscard]] double laneHeight() const;
   [[nodiscard]] double timeAt(double x_px) const;
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event);
@@ -115,11 +130,12 @@ class CurveStrip : public QWidget {
   std::vector<CurveColumn> columns_;
   std::vector<TimeMark> marks_;
   std::vector<QCPItemStraightLine*> mark_lines_;  ///< as many as were ever needed; spare ones are hidden
-  std::vector<QCPItemText*> mark_names_;
   QCPItemText* mark_words_;
   std::vector<QCPItemStraightLine*> limit_lines_;
-  bool with_time_scale_;
-  bool time_itself_ = false;
+  std::unique_ptr<LevelScale> time_scale_;
+  PlotLabels* labels_;  ///< the plot owns it
+  double cursor_s_ = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> cursor_values_;
   QRubberBand* band_;
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF last_;

@@ -54,11 +54,15 @@ CurveView::CurveView(QWidget* parent)
 void CurveView::addStrips() {
   for (const StripPlan& plan : stripPlans()) {
     StripSetup setup = setupOf(plan);
-    if (plan.peak) setup.title = tr("%1, peak").arg(setup.title);
     // The first is drawn last and so on top: the measured value covers its target.
     for (auto channel = plan.channels.rbegin(); channel != plan.channels.rend(); ++channel) {
       const CurveQuantity& q = curveQuantities()[*channel];
-      setup.traces.push_back({.channel = *channel, .quantity = q.quantity, .stroke = q.stroke});
+      setup.traces.push_back({.channel = *channel,
+                              .quantity = q.quantity,
+                              .stroke = q.stroke,
+                              .lane = {},
+                              .word = wordOf(q),
+                              .decimals = q.decimals});
     }
     if (plan.lanes) {
       std::ranges::reverse(setup.traces);  // the first lane on top
@@ -86,6 +90,9 @@ void CurveView::buildBar(QVBoxLayout* layout) {
   follow_label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts it first
   bar->addWidget(follow_button_);
   bar->addWidget(follow_label_, 1);
+  time_field_ = new TimeField([this] { return std::pair(buffer_.firstTime_s(), buffer_.lastTime_s()); }, this);
+  connect(time_field_, &TimeField::asked, this, &CurveView::goTo);
+  bar->addWidget(time_field_);
   spans_ = new QButtonGroup(this);
   for (const double span_s : kSpans_s) {
     auto* button = new QToolButton(this);
@@ -143,10 +150,13 @@ void CurveView::refreshNumerals() {
   std::array<double, kCurveChannels> v{};
   for (std::size_t c = 0; c < kCurveChannels; ++c) v[c] = recent_[c].take();
   for (std::size_t i = 0; i < stack_->size(); ++i) {
-    if (!stack_->shown(i)) continue;
-    const auto& channels = stack_->setup(i).channels;
-    for (std::size_t entry = 0; entry < channels.size(); ++entry) readout(i)->setValue(entry, v[channels[entry]]);
-    readout(i)->setNote(noteOf(stack_->setup(i).id));
+    if (!stack_->shown(i) || stack_->readsCursor(i)) continue;
+    const StripSetup& setup = stack_->setup(i);
+    for (std::size_t entry = 0; entry < setup.channels.size(); ++entry) {
+      readout(i)->setValue(entry, v[setup.channels[entry]]);
+    }
+    readout(i)->setWhen(setup.peak ? tr("live, peak") : tr("live"));
+    readout(i)->setNote(noteOf(setup.id));
   }
 }
 
@@ -179,6 +189,14 @@ void CurveView::moveCursor(double by_s) {
   if (buffer_.empty()) return;
   const double from_s = std::isfinite(stack_->cursor_s()) ? stack_->cursor_s() : buffer_.lastTime_s();
   stack_->setCursor_s(std::clamp(from_s + by_s, buffer_.firstTime_s(), buffer_.lastTime_s()));
+}
+
+void CurveView::goTo(double time_s) {
+  stack_->setCursor_s(time_s);
+  stack_->forEachWindow([=](TimeWindow& window) {
+    const double half_s = 0.5 * window.span_s();
+    window.show(time_s - half_s, time_s + half_s);
+  });
 }
 
 void CurveView::sayFollowing() {

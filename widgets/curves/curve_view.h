@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/pipeline/telemetry.h"
+#include "widgets/basics/time_field.h"
 #include "widgets/curves/curve_buffer.h"
 #include "widgets/curves/curve_stack.h"
 #include "widgets/curves/recent_value.h"
@@ -32,6 +33,7 @@ class CurveView : public QWidget {
   [[nodiscard]] CurveStrip* strip(std::size_t index) const { return stack_->strip(index); }
   [[nodiscard]] Readout* readout(std::size_t index) const { return stack_->readout(index); }
   [[nodiscard]] QString followText() const { return follow_label_->text(); }
+  [[nodiscard]] TimeField* timeField() const { return time_field_; }
   /// In the bar, before the lengths of the window.
   void addButton(QToolButton* button);
 
@@ -43,6 +45,8 @@ class CurveView : public QWidget {
   /// At the cursor, without one at the newest value.
   void setMark(CurveStack::Mark which);
   void clearMarks();  ///< and the cursor
+  /// Looks back: the cursor goes there, in the middle of what is shown.
+  void goTo(double time_s);
   /// @param by_s > 0 towards the newest; without a cursor it appears at the newest value
   void moveCursor(double by_s);
   /// Draws at once what is due; for tests, exports and the bench.
@@ -74,6 +78,7 @@ class CurveView : public QWidget {
   class QHBoxLayout* bar_ = nullptr;
   QToolButton* follow_button_ = nullptr;
   QLabel* follow_label_ = nullptr;
+  TimeField* time_field_ = nullptr;
   QButtonGroup* spans_ = nullptr;
 };
 

@@ -8,16 +8,23 @@
 #include <qcustomplot.h>
 
 #include "core/base/units.h"
+#include "widgets/basics/colour_scale.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/readout.h"
+#include "widgets/curves/axis_scale.h"
 #include "widgets/curves/curve_catalogue.h"
+#include "widgets/curves/curve_plot.h"
 #include "widgets/curves/plot_style.h"
 
 namespace fyd::widgets {
 namespace {
 
 constexpr qint64 kRest_ms = 200;
-constexpr double kFloor_dB = -80.0;   // far below what an accelerometer resolves
-constexpr double kLeastLinear = 0.1;  // m/s²
+constexpr double kFloor_dB = -80.0;    // far below what an accelerometer resolves
+constexpr double kLeastLinear = 0.1;   // m/s²
+constexpr double kMiddleColour = 0.7;  // share of the scale at which the curve's own colour stands
+constexpr int kTitle_px = 16;          // above the picture: what its upright axis counts
+constexpr int kLeastPicture_px = 20;
 constexpr std::size_t kSignals[] = {kTextureSignal, kAccelerationX, kAccelerationY, kAccelerationZ};
 
 }  // namespace
@@ -27,15 +34,47 @@ SpectrumView::SpectrumView(QWidget* parent)
       signal_(new QComboBox(this)),
       scale_(new QComboBox(this)),
       words_(new QLabel(this)),
-      spectrum_(new QCustomPlot(this)),
-      spectrogram_(new QCustomPlot(this)),
-      map_(new QCPColorMap(spectrogram_->xAxis, spectrogram_->yAxis)) {
+      spectrum_(new CurvePlot(this)),
+      spectrogram_(new CurvePlot(this)),
+      map_(new QCPColorMap(spectrogram_->xAxis, spectrogram_->yAxis)),
+      colours_(new ColourScale(this)),
+      frequency_scale_(std::make_unique<LevelScale>(*spectrum_)),
+      time_scale_(std::make_unique<LevelScale>(*spectrogram_)) {
   setAccessibleName(tr("Spectrum of the vibration"));
   build();
   later_.setSingleShot(true);
   connect(&later_, &QTimer::timeout, this, &SpectrumView::changed);
   connect(&Look::instance(), &Look::changed, this, &SpectrumView::dress);
   dress();
+}
+
+SpectrumView::~SpectrumView() = default;
+
+QCustomPlot* SpectrumView::timePlot() const { return spectrogram_; }
+
+/// @param beside in the column of the readouts. @return what its upright axis counts, written above it
+QCPItemText* SpectrumView::addPlot(CurvePlot* plot, QWidget* beside) {
+  plot->setMinimumHeight(kTitle_px + kTimeScale_px + kLeastPicture_px);
+  plot->setFocusPolicy(Qt::NoFocus);
+  plot->setPlottingHints(QCP::phFastPolylines);
+  plot->setNotAntialiasedElements(QCP::aeAll);
+  plot->axisRect()->setAutoMargins(QCP::msNone);
+  plot->axisRect()->setMargins(QMargins(kCurveLeft_px, kTitle_px, kCurveRight_px, kTimeScale_px));
+  plot->yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(*plot->yAxis)));
+  plot->yAxis->ticker()->setTickCount(3);
+  auto* title = new QCPItemText(plot);
+  title->setClipToAxisRect(false);
+  title->position->setType(QCPItemPosition::ptViewportRatio);
+  title->position->setCoords(0.0, 0.0);
+  title->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+  title->setPadding({4, 0, 0, 0});
+  beside->setFixedWidth(Readout::columnWidth());
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGrid);
+  row->addWidget(plot, 1);
+  row->addWidget(beside);
+  static_cast<QVBoxLayout*>(layout())->addLayout(row, 1);
+  return title;
 }
 
 void SpectrumView::build() {
@@ -60,16 +99,11 @@ void SpectrumView::build() {
   }
   bar->addWidget(words_, 1);
   layout->addLayout(bar);
-  for (QCustomPlot* plot : {spectrum_, spectrogram_}) {
-    plot->setMinimumHeight(6 * kGrid);
-    plot->setFocusPolicy(Qt::NoFocus);
-    plot->setPlottingHints(QCP::phFastPolylines);
-    plot->setNotAntialiasedElements(QCP::aeAll);
-    plot->axisRect()->setAutoMargins(QCP::msNone);
-    plot->axisRect()->setMargins(QMargins(kCurveLeft_px, 4, kCurveRight_px, kTimeScale_px));
-    plot->yAxis->ticker()->setTickCount(3);
-    layout->addWidget(plot, 1);
-  }
+  level_title_ = addPlot(spectrum_, new QWidget(this));
+  frequency_title_ = addPlot(spectrogram_, colours_);
+  frequency_title_->setText(tr("Frequency, Hz"));
+  frequency_scale_->setTitle(tr("Frequency, Hz"));
+  colours_->setMargins(kTitle_px, kTimeScale_px);
   spectrum_->setAccessibleName(tr("Amplitude over frequency, Hz"));
   spectrogram_->setAccessibleName(tr("Frequency over time, Hz over s"));
   spectrum_->addGraph();
@@ -78,19 +112,26 @@ void SpectrumView::build() {
 
 void SpectrumView::dress() {
   const Theme& t = theme();
-  for (QCustomPlot* plot : {spectrum_, spectrogram_}) {
-    plot->setBackground(QBrush(t.panel));
+  for (CurvePlot* plot : {spectrum_, spectrogram_}) {
+    plot->setPlotBackground(t.panel);
     styleAxes({plot->xAxis, plot->yAxis});
   }
+  for (QCPItemText* title : {level_title_, frequency_title_}) {
+    title->setFont(textFont(TextSize::small));
+    title->setColor(t.muted);
+  }
+  frequency_scale_->dress();
+  time_scale_->dress();
   spectrum_->graph()->setPen(QPen(t.of(Quantity::vibration), 1));
   QCPColorGradient gradient;
   gradient.clearColorStops();
   gradient.setColorStopAt(0.0, t.panel);
-  gradient.setColorStopAt(0.7, t.of(Quantity::vibration));
+  gradient.setColorStopAt(kMiddleColour, t.of(Quantity::vibration));
   gradient.setColorStopAt(1.0, t.text);
   gradient.setNanHandling(QCPColorGradient::nhNanColor);
   gradient.setNanColor(t.line);
   map_->setGradient(gradient);
+  colours_->setColours({{0.0, t.panel}, {kMiddleColour, t.of(Quantity::vibration)}, {1.0, t.text}});
   words_->setProperty("role", "muted");
 }
 
@@ -139,11 +180,14 @@ void SpectrumView::drawSpectrum(const std::vector<double>& mean) {
   const double half_rate_Hz = shown_.bins == 0 ? 500.0 : shown_.resolution_Hz * static_cast<double>(shown_.bins - 1);
   spectrum_->xAxis->setRange(0.0, half_rate_Hz);
   spectrum_->yAxis->setRange(decibels() ? kFloor_dB : 0.0, decibels() ? 10.0 * std::ceil(top / 10.0 + 0.5) : 1.1 * top);
-  spectrum_->replot(QCustomPlot::rpQueuedRefresh);
+  const QString unit = scale_->currentText();
+  level_title_->setText(tr("Amplitude, %1").arg(unit));
+  colours_->setScale(spectrum_->yAxis->range().lower, spectrum_->yAxis->range().upper, unit);
+  spectrum_->update();
 }
 
 void SpectrumView::drawSpectrogram(const TimeWindow& window) {
-  spectrogram_->xAxis->setRange(-window.span_s(), 0.0);
+  time_scale_->showTime(window);
   const auto segments = static_cast<int>(shown_.segments());
   map_->setVisible(segments > 0);
   if (segments > 0) {
@@ -160,7 +204,7 @@ void SpectrumView::drawSpectrogram(const TimeWindow& window) {
     map_->setDataRange(spectrum_->yAxis->range());
     spectrogram_->yAxis->setRange(0.0, half_rate_Hz);
   }
-  spectrogram_->replot(QCustomPlot::rpQueuedRefresh);
+  spectrogram_->update();
 }
 
 }  // namespace fyd::widgets

@@ -1,6 +1,7 @@
 // The vibration's frequencies: the spectrum of the stretch of time that the curves show, and below it the spectrogram,
-// frequency over time. Levels are amplitudes of a sine in m/s², linear or in dB re 1 m/s²; the axis ends at half the
-// sampling rate, 500 Hz.
+// frequency over time, with the scale of its colours. Levels are amplitudes of a sine in m/s², linear or in
+// dB re 1 m/s²; the axis ends at half the sampling rate, 500 Hz. The time axis lies below that of the curves, pixel by
+// pixel: both have a column of the readouts' width at their right.
 //
 // Computed at most 5 times a second, separately from the curves, from at most a minute of samples.
 #pragma once
@@ -10,6 +11,7 @@
 #include <QLabel>
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 
 #include "core/signal/spectrogram.h"
 #include "widgets/curves/curve_source.h"
@@ -17,8 +19,13 @@
 
 class QCustomPlot;
 class QCPColorMap;
+class QCPItemText;
 
 namespace fyd::widgets {
+
+class ColourScale;
+class CurvePlot;
+class LevelScale;
 
 class SpectrumView : public QWidget {
   Q_OBJECT
@@ -27,6 +34,7 @@ class SpectrumView : public QWidget {
   static constexpr int kSegment = 512;  ///< samples: 0.5 s, a bin every 2 Hz
 
   explicit SpectrumView(QWidget* parent = nullptr);
+  ~SpectrumView() override;
 
   /// Shows the end of the window's stretch, at most kLongest_s of it. @param even_soon also when the last one was
   /// drawn less than a fifth of a second ago
@@ -36,12 +44,16 @@ class SpectrumView : public QWidget {
   /// "largest 2.50 m/s² at 125 Hz"; what is missing while there is nothing to show.
   [[nodiscard]] QString words() const { return words_->text(); }
   [[nodiscard]] const signal::Spectrogram& shown() const { return shown_; }
+  /// Frequency over time.
+  [[nodiscard]] QCustomPlot* timePlot() const;
+  [[nodiscard]] const ColourScale* colourScale() const { return colours_; }
 
  signals:
   void changed();  ///< another signal or scale was chosen, or a redraw was postponed: draw, `even_soon`
 
  private:
   void build();
+  QCPItemText* addPlot(CurvePlot* plot, QWidget* beside);
   void dress();
   void drawSpectrum(const std::vector<double>& level);
   void drawSpectrogram(const TimeWindow& window);
@@ -51,9 +63,14 @@ class SpectrumView : public QWidget {
   QComboBox* signal_;
   QComboBox* scale_;
   QLabel* words_;
-  QCustomPlot* spectrum_;
-  QCustomPlot* spectrogram_;
+  CurvePlot* spectrum_;
+  CurvePlot* spectrogram_;
   QCPColorMap* map_;
+  ColourScale* colours_;
+  std::unique_ptr<LevelScale> frequency_scale_;
+  std::unique_ptr<LevelScale> time_scale_;
+  QCPItemText* level_title_ = nullptr;
+  QCPItemText* frequency_title_ = nullptr;
   signal::Spectrogram shown_;
   QElapsedTimer since_;
   QTimer later_;

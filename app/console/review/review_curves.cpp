@@ -18,6 +18,13 @@ Stroke strokeOf(ReviewLayer layer, Stroke own) {
   return layer == ReviewLayer::what_if ? Stroke::dotted : own;
 }
 
+QString wordOf(ReviewLayer layer, const widgets::CurveQuantity& quantity) {
+  const QString own = widgets::wordOf(quantity);
+  if (layer == ReviewLayer::session) return own;
+  const QString whose = layer == ReviewLayer::other ? ReviewCurves::tr("other") : ReviewCurves::tr("what if");
+  return own.isEmpty() ? whose : whose + QLatin1Char(' ') + own;
+}
+
 }  // namespace
 
 ReviewCurves::ReviewCurves(QWidget* parent)
@@ -25,7 +32,6 @@ ReviewCurves::ReviewCurves(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(widgets::kGrid, widgets::kGrid / 2, widgets::kGrid, widgets::kGrid / 2);
   layout->addWidget(stack_);
-  stack_->showTimeItself();
   addStrips();
   // The window stays within the recording, as far as it is not longer than that.
   stack_->setBounds([this](TimeWindow& window) {
@@ -60,7 +66,9 @@ void ReviewCurves::addStrips() {
         setup.traces.push_back({.channel = ReviewSource::channel(layer, channel),
                                 .quantity = q.quantity,
                                 .stroke = strokeOf(layer, q.stroke),
-                                .lane = plan.lanes ? widgets::wordOf(q) : QString()});
+                                .lane = plan.lanes ? widgets::wordOf(q) : QString(),
+                                .word = wordOf(layer, q),
+                                .decimals = q.decimals});
       }
     }
     for (std::size_t& channel : setup.channels) channel = ReviewSource::channel(ReviewLayer::session, channel);
@@ -88,7 +96,6 @@ void ReviewCurves::redrawSoon() {
 void ReviewCurves::redraw() {
   timer_.stop();
   stack_->draw(source_);
-  stack_->showValuesAt(source_, cursor_s());
   emit drawn();
   if (const Message what = source_.takeProblem(); !what.empty()) emit problem(widgets::coreText(what));
 }
