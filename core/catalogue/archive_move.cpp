@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "core/base/system_reason.h"
 #include "core/catalogue/catalogue.h"
 #include "core/catalogue/catalogue_address.h"
+#include "core/recording/reader/review_notes.h"
 
 namespace fyd::catalogue {
 namespace {
@@ -208,16 +210,23 @@ Result<StoredFile> storeClosed(const std::string& file, const std::string& folde
   if (entry->wholeness == recording::Wholeness::damaged) {
     return fail("{}: is damaged; `fyd session recover` keeps what can be proven of it first", file);
   }
-  if (word->kind == CatalogueAddress::Kind::none) {
-    return moveFile(entry->path, folder, [](const std::string&) -> Result<void> { return {}; });
-  }
   // Opened before anything is copied: if the catalogue were unreachable later, the recording would stay in two places.
-  auto catalogue = Catalogue::open(catalogue_word);
-  if (!catalogue) return tl::unexpected(catalogue.error());
-  return moveFile(entry->path, folder, [&](const std::string& path) {
+  std::optional<Catalogue> catalogue;
+  if (word->kind != CatalogueAddress::Kind::none) {
+    auto opened = Catalogue::open(catalogue_word);
+    if (!opened) return tl::unexpected(opened.error());
+    catalogue = std::move(*opened);
+  }
+  const std::string notes = recording::reviewNotesPath(entry->path);
+  const auto moved = moveFile(entry->path, folder, [&](const std::string& path) -> Result<void> {
     entry->path = path;
-    return catalogue->add(*entry);
+    return catalogue ? catalogue->add(*entry) : Result<void>();
   });
+  std::error_code error;
+  if (!moved || !fs::exists(notes, error)) return moved;
+  const auto followed = moveFile(notes, folder, [](const std::string&) -> Result<void> { return {}; });
+  if (!followed) return fail("{} is stored, its notes are not: {}", moved->path, followed.error().message);
+  return moved;
 }
 
 }  // namespace fyd::catalogue

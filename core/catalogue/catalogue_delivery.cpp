@@ -1,7 +1,10 @@
 #include "core/catalogue/catalogue_delivery.h"
 
+#include <set>
+
 #include "core/catalogue/catalogue.h"
 #include "core/catalogue/catalogue_address.h"
+#include "core/catalogue/catalogue_entry.h"
 #include "core/catalogue/catalogue_pending.h"
 #include "core/catalogue/catalogue_text.h"
 
@@ -29,6 +32,27 @@ Result<void> catalogueRecording(const std::string& catalogue_word, const std::st
   const auto entry = readCatalogueEntry(recording_path);
   if (!entry) return tl::unexpected(entry.error());
   return deliverEntry(catalogue_word, *entry);
+}
+
+Result<void> catalogueReview(const std::string& catalogue_word, const std::string& recording_id,
+                             const ReviewChange& change) {
+  const auto word = parseCatalogueAddress(catalogue_word);
+  if (!word) return tl::unexpected(word.error());
+  if (word->kind == CatalogueAddress::Kind::none) return {};
+  auto catalogue = Catalogue::open(catalogue_word);
+  if (!catalogue) return tl::unexpected(catalogue.error());
+  const auto found = catalogue->search({.id = recording_id});
+  if (!found) return tl::unexpected(found.error());
+  if (found->empty()) return {};
+  const CatalogueEntry& entry = found->front();
+  if (change.note) {
+    if (auto ok = catalogue->setNotes(entry.id, withNote(entry.notes, *change.note)); !ok) return ok;
+  }
+  if (change.tags_added.empty() && change.tags_removed.empty()) return {};
+  std::set<std::string> tags(entry.tags.begin(), entry.tags.end());
+  tags.insert(change.tags_added.begin(), change.tags_added.end());
+  for (const std::string& tag : change.tags_removed) tags.erase(tag);
+  return catalogue->setTags(entry.id, {tags.begin(), tags.end()});
 }
 
 }  // namespace fyd::catalogue

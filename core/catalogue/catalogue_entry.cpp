@@ -9,8 +9,15 @@
 #include "core/catalogue/catalogue_text.h"
 #include "core/recording/reader/recording.h"
 #include "core/recording/reader/recording_health.h"
+#include "core/recording/reader/review_notes.h"
 
 namespace fyd::catalogue {
+
+std::string withNote(const std::string& notes, const recording::ReviewNote& note) {
+  if (note.kind != recording::NoteKind::note) return notes;  // a bookmark says nothing
+  const std::string line = cleanedText(note.text, false);
+  return notes.empty() ? line : notes + '\n' + line;
+}
 
 Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
   const auto recording = recording::Recording::open(path);
@@ -41,7 +48,11 @@ Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
                        .health = healthOf(info).word,
                        .bytes = static_cast<std::uint64_t>(status.st_size),
                        .file_modified_ns = status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec};
-  for (const std::string& tag : header.tags) {
+  const auto review = recording::readReviewNotes(path);
+  if (review) {
+    for (const recording::ReviewNote& note : review->notes) entry.notes = withNote(entry.notes, note);
+  }
+  for (const std::string& tag : review && review->tags ? *review->tags : header.tags) {
     std::string clean = cleanedText(tag, false);
     if (!splitWords(clean).empty()) entry.tags.push_back(std::move(clean));
   }

@@ -34,13 +34,14 @@ Result<ReviewNote> noteOf(const nlohmann::json& entry) {
 
 std::string reviewNotesPath(const std::string& recording_path) { return recording_path + ".notes.json"; }
 
-Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_path) {
+Result<ReviewNotes> readReviewNotes(const std::string& recording_path) {
   const std::string path = reviewNotesPath(recording_path);
   std::error_code problem;
-  if (!std::filesystem::exists(path, problem) && !problem) return std::vector<ReviewNote>{};
+  if (!std::filesystem::exists(path, problem) && !problem) return ReviewNotes{};
   const auto text = readWholeFile(path);
   if (!text) return tl::unexpected(text.error());
-  std::vector<ReviewNote> notes;
+  ReviewNotes review;
+  std::vector<ReviewNote>& notes = review.notes;
   try {
     const nlohmann::json all = nlohmann::json::parse(*text);  // must outlive the loop over a part of it
     for (const nlohmann::json& entry : all.at("notes")) {
@@ -48,18 +49,20 @@ Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_pat
       if (!note) return fail("{}: note {}: {}", path, notes.size() + 1, note.error().message);
       notes.push_back(std::move(*note));
     }
+    if (all.contains("tags")) review.tags = all.at("tags").get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception& error) {
     return fail("{}: note {}: {}", path, notes.size() + 1, verbatim(error.what()));
   }
   std::ranges::stable_sort(notes, {}, &ReviewNote::time_s);
-  return notes;
+  return review;
 }
 
-Result<void> writeReviewNotes(const std::string& recording_path, std::vector<ReviewNote> notes) {
-  std::ranges::stable_sort(notes, {}, &ReviewNote::time_s);
+Result<void> writeReviewNotes(const std::string& recording_path, ReviewNotes review) {
+  std::ranges::stable_sort(review.notes, {}, &ReviewNote::time_s);
   nlohmann::ordered_json out{{"recording", recording_path.substr(recording_path.find_last_of('/') + 1)},
                              {"notes", nlohmann::ordered_json::array()}};
-  for (const ReviewNote& note : notes) {
+  if (review.tags) out["tags"] = *review.tags;
+  for (const ReviewNote& note : review.notes) {
     const auto kind = std::ranges::find(kKinds, note.kind, &std::pair<NoteKind, const char*>::first);
     if (kind == kKinds.end()) return fail("{}: only notes and bookmarks are written here", recording_path);
     out["notes"].push_back(

@@ -1,7 +1,8 @@
-// Notes and bookmarks written while a recording is reviewed. The recording itself is never changed: they stand beside
-// it, in FILE.notes.json.
+// Notes, bookmarks and tags written while a recording is reviewed. The recording itself is never changed: they stand
+// beside it, in FILE.notes.json.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,18 @@ struct ReviewNote {
   std::string written_utc;  ///< ISO 8601
 };
 
+struct ReviewNotes {
+  std::vector<ReviewNote> notes;                 ///< in order of time
+  std::optional<std::vector<std::string>> tags;  ///< in place of the recording's own; none: these hold
+};
+
 [[nodiscard]] std::string reviewNotesPath(const std::string& recording_path);
 
-/// In order of time; none when there is no such file.
+/// None when there is no such file.
 /// @return an error that names file and entry when it is damaged
-[[nodiscard]] Result<std::vector<ReviewNote>> readReviewNotes(const std::string& recording_path);
+[[nodiscard]] Result<ReviewNotes> readReviewNotes(const std::string& recording_path);
 
 /// Replaces the file atomically: a reader sees the old notes or the new ones.
-[[nodiscard]] Result<void> writeReviewNotes(const std::string& recording_path, std::vector<ReviewNote> notes);
+[[nodiscard]] Result<void> writeReviewNotes(const std::string& recording_path, ReviewNotes review);
 
 }  // namespace fyd::recording
