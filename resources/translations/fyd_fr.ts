@@ -54,6 +54,10 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>%1 (not there any more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 / %2 N/mm</source>
         <translation>%1 / %2 N/mm</translation>
     </message>
@@ -142,6 +146,10 @@
         <translation>encore %1 min</translation>
     </message>
     <message>
+        <source>%1 more</source>
+        <translation>%1 de plus</translation>
+    </message>
+    <message>
         <source>%1 moves by %2; at rest it stays within %3</source>
         <translation>%1 varie de %2 ; au repos il reste dans %3</translation>
     </message>
@@ -182,6 +190,10 @@
         <translation>%1 s : %2</translation>
     </message>
     <message>
+        <source>%1 s: there are values from %2 s to %3 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 samples are not in the file: the computer is too busy. What is written is safe. Close other programs.</source>
         <translation>%1 échantillons manquent dans le fichier : l'ordinateur est trop occupé. Ce qui est écrit est en sûreté. Fermer les autres programmes.</translation>
     </message>
@@ -200,6 +212,10 @@
     <message>
         <source>%1 to %2</source>
         <translation>de %1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 to %2: the upper end must be the larger one</source>
@@ -266,10 +282,6 @@
         <translation>%1, dans l'unité à côté</translation>
     </message>
     <message>
-        <source>%1, peak</source>
-        <translation>%1, crête</translation>
-    </message>
-    <message>
         <source>%1: "%2" is no number.</source>
         <translation>%1 : « %2 » n'est pas un nombre.</translation>
     </message>
@@ -302,6 +314,10 @@
         <translation>%1 : les %2 échantillons sont tous sauvés, mais pas tout ce qui les accompagne : %3 illisible. L'original endommagé est conservé sous %4.</translation>
     </message>
     <message>
+        <source>%1: choose the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1: difference %2, mean %3</source>
         <translation>%1 : différence %2, moyenne %3</translation>
     </message>
@@ -328,6 +344,10 @@
     <message numerus="yes">
         <source>%n sample(s) lost</source>
         <translation><numerusform>%n échantillon perdu</numerusform><numerusform>%n échantillons perdus</numerusform></translation>
+    </message>
+    <message>
+        <source>'%1' is no time; expected seconds, such as 83.5, or minutes and seconds, such as 1:23.5.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{}' is no parameter of this program's step</source>
@@ -382,6 +402,10 @@
         <translation>--language {} : attendu l'une de {}</translation>
     </message>
     <message>
+        <source>--open {}: expected one or more of {}</source>
+        <translation>--open {} : attendu un ou plusieurs parmi {}</translation>
+    </message>
+    <message>
         <source>--operator, --subject, --notes and --tag describe a recording; add --record FILE</source>
         <translation>--operator, --subject, --notes et --tag décrivent un enregistrement ; ajouter --record FILE</translation>
     </message>
@@ -390,8 +414,16 @@
         <translation>--page {} : attendu l'une de {}</translation>
     </message>
     <message>
+        <source>--scale {}: expected a number from 0.5 to 4</source>
+        <translation>--scale {} : attendu un nombre de 0,5 à 4</translation>
+    </message>
+    <message>
         <source>--simulate contradicts --touchpad {}</source>
         <translation>--simulate contredit --touchpad {}</translation>
+    </message>
+    <message>
+        <source>--size {}: expected WIDTHxHEIGHT, each from {} to {}</source>
+        <translation>--size {} : attendu LARGEURxHAUTEUR, chacune de {} à {}</translation>
     </message>
     <message>
         <source>--theme {}: expected dark, light or system</source>
@@ -472,6 +504,10 @@
     <message>
         <source>A recording is being recovered already; wait, or cancel it.</source>
         <translation>Une récupération est déjà en cours ; attendre ou l'annuler.</translation>
+    </message>
+    <message>
+        <source>A recording is under way and would end. End it first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A rectangle around the cloth, with a finger in it.</source>
@@ -642,6 +678,10 @@
         <translation>Amplitude en fréquence, Hz</translation>
     </message>
     <message>
+        <source>Amplitude, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>An indentation less certain than this is unavailable.</source>
         <translation>Une indentation moins certaine que cela est indisponible.</translation>
     </message>
@@ -650,8 +690,20 @@
         <translation>Réponses</translation>
     </message>
     <message>
+        <source>Any recording's file (Ctrl+O); it can be dropped onto the window, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Area, mm²</source>
         <translation>Surface, mm²</translation>
+    </message>
+    <message>
+        <source>Arm: go to the button that is held</source>
+        <translation>Armer : aller au bouton à maintenir</translation>
     </message>
     <message>
         <source>Arrived</source>
@@ -664,6 +716,14 @@
     <message>
         <source>Asked</source>
         <translation>Demandé</translation>
+    </message>
+    <message>
+        <source>Asking the devices whether they answer …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking the devices whether they answer. The present session goes on meanwhile.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>At A</source>
@@ -790,12 +850,24 @@
         <translation>À la main</translation>
     </message>
     <message>
+        <source>CSV table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Calibrate</source>
         <translation>Étalonnage</translation>
     </message>
     <message>
         <source>Calibrate it again under Calibrate. It does not keep you from arming.</source>
         <translation>À refaire sous Étalonnage. Cela n'empêche pas d'armer.</translation>
+    </message>
+    <message>
+        <source>Calibrate this one under Calibrate. It does not keep you from arming.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated on this touchpad</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Calibration report as PDF</source>
@@ -808,6 +880,10 @@
     <message>
         <source>Camera height</source>
         <translation>Hauteur de la caméra</translation>
+    </message>
+    <message>
+        <source>Camera of this computer</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Camera panel</source>
@@ -906,6 +982,10 @@
         <translation>Vérifier la lumière et le capuchon de l'objectif.</translation>
     </message>
     <message>
+        <source>Check the cable of the camera %1, or choose another source.</source>
+        <translation>Vérifier le câble de la caméra %1, ou choisir une autre source.</translation>
+    </message>
+    <message>
         <source>Check the camera's cable or choose another source.</source>
         <translation>Vérifier le câble de la caméra ou choisir une autre source.</translation>
     </message>
@@ -914,8 +994,20 @@
         <translation>Vérifier le pont de la cellule de charge et son câble.</translation>
     </message>
     <message>
+        <source>Check the motor board's power and its serial cable at %1.</source>
+        <translation>Vérifier l'alimentation de la carte moteurs et son câble série à %1.</translation>
+    </message>
+    <message>
         <source>Check the network and the robot's program.</source>
         <translation>Vérifier le réseau et le programme du robot.</translation>
+    </message>
+    <message>
+        <source>Check the network cable and the robot's program; it is awaited at %1.</source>
+        <translation>Vérifier le câble réseau et le programme du robot ; il est attendu à %1.</translation>
+    </message>
+    <message>
+        <source>Check the network cable and what sends the pictures at %1.</source>
+        <translation>Vérifier le câble réseau et ce qui envoie les images à %1.</translation>
     </message>
     <message>
         <source>Check the robot's force sensor and probe again.</source>
@@ -926,12 +1018,28 @@
         <translation>Vérifier l'alimentation et les câbles du touchpad.</translation>
     </message>
     <message>
-        <source>Check the touchpad's power and its serial cable.</source>
-        <translation>Vérifier l'alimentation du touchpad et son câble série.</translation>
+        <source>Check the touchpad's power and its cable.</source>
+        <translation>Vérifier l'alimentation du touchpad et son câble.</translation>
+    </message>
+    <message>
+        <source>Check the touchpad's power and its network cable to %1.</source>
+        <translation>Vérifier l'alimentation du touchpad et son câble réseau vers %1.</translation>
+    </message>
+    <message>
+        <source>Check the touchpad's power and its serial cable at %1.</source>
+        <translation>Vérifier l'alimentation du touchpad et son câble série à %1.</translation>
     </message>
     <message>
         <source>Choice of curves</source>
         <translation>Choix des courbes</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a second recording: its curves are drawn faint behind these. In the list of sessions, two can be chosen at once.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose a session, or write the path of a recording.</source>
@@ -946,8 +1054,16 @@
         <translation>Choisir les courbes</translation>
     </message>
     <message>
+        <source>Choose the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose the file</source>
         <translation>Choisir le fichier</translation>
+    </message>
+    <message>
+        <source>Choose the folder.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose the key file</source>
@@ -956,6 +1072,14 @@
     <message>
         <source>Choose the key file that the robot has as well.</source>
         <translation>Choisir le fichier de clé que le robot possède aussi.</translation>
+    </message>
+    <message>
+        <source>Choose the motor board's serial port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the recording.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose the robot's stiffness or set one by hand.</source>
@@ -968,6 +1092,22 @@
     <message>
         <source>Choose the scene file.</source>
         <translation>Choisir le fichier de la scène.</translation>
+    </message>
+    <message>
+        <source>Choose the serial port; behind a colon its speed, 115 200 Bd without.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the video file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose two sessions to compare, the second with Ctrl.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose two sessions, the second with Ctrl: the later one is drawn faint behind the first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Classic (not secured)</source>
@@ -1066,6 +1206,10 @@
         <translation>Comparer</translation>
     </message>
     <message>
+        <source>Compare the two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Conditions</source>
         <translation>Conditions</translation>
     </message>
@@ -1074,8 +1218,20 @@
         <translation>Conditions : lumière, température, cible</translation>
     </message>
     <message>
+        <source>Connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Connected</source>
         <translation>Connecté</translation>
+    </message>
+    <message>
+        <source>Connected: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Connection refused</source>
@@ -1128,6 +1284,10 @@
     <message>
         <source>Controls</source>
         <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Corner</source>
@@ -1258,6 +1418,10 @@ mm</translation>
     <message>
         <source>Devices</source>
         <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>Devices can be changed only while nothing can move. Press Esc first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Differences</source>
@@ -1462,6 +1626,14 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Saisir l'adresse et le port d'écoute, comme 127.0.0.1:3490.</translation>
     </message>
     <message>
+        <source>Enter the stream's address, such as http://192.168.0.7:8090/.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the touchpad's address and port, such as 192.168.0.7:502.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Error</source>
         <translation>Erreur</translation>
     </message>
@@ -1594,6 +1766,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Fichier : où mettre l'enregistrement ?</translation>
     </message>
     <message>
+        <source>Files written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Filter</source>
         <translation>Filtre</translation>
     </message>
@@ -1710,6 +1886,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Ajustement</translation>
     </message>
     <message>
+        <source>Folder of pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Follow</source>
         <translation>Suivre</translation>
     </message>
@@ -1768,6 +1948,10 @@ N</translation>
         <translation>Oublie les points de cette partie ; les valeurs en vigueur restent.</translation>
     </message>
     <message>
+        <source>Format of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Found in the manual</source>
         <translation>Trouvé dans le manuel</translation>
     </message>
@@ -1778,6 +1962,22 @@ N</translation>
     <message>
         <source>Frequency over time, Hz over s</source>
         <translation>Fréquence dans le temps, Hz sur s</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From A to B: %1 s to %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From A to B: a report is of the whole session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From A to B: set them with [ and ]</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>From the last minute of this session</source>
@@ -1834,6 +2034,14 @@ N</translation>
     <message>
         <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
         <translation>Aller jusqu'au poids le plus lourd, puis retirer les mêmes poids un à un.</translation>
+    </message>
+    <message>
+        <source>Go to a time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a time of the session</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Good: %1.</source>
@@ -1946,6 +2154,10 @@ Robot : %2
     <message>
         <source>Hold the picture still; measuring goes on (Space)</source>
         <translation>Fige l'image ; la mesure continue (Espace)</translation>
+    </message>
+    <message>
+        <source>Hold the space bar, or the mouse on the button, for 0.6 s to arm.</source>
+        <translation>Pour armer, maintenir 0,6 s la barre d'espace, ou la souris sur le bouton.</translation>
     </message>
     <message>
         <source>Hold the stiffness set below, whatever the robot touches.</source>
@@ -2128,6 +2340,10 @@ Robot : %2
         <translation>Se termine au premier de %1 échantillons perdus.</translation>
     </message>
     <message>
+        <source>It is back. Hold Re-arm to start again.</source>
+        <translation>C'est revenu. Maintenir Réarmer pour recommencer.</translation>
+    </message>
+    <message>
         <source>It is damaged. Recover keeps what can be proven; it can be opened as it is, too.</source>
         <translation>Il est endommagé. Récupérer garde ce qui peut être prouvé ; il s'ouvre aussi tel quel.</translation>
     </message>
@@ -2256,6 +2472,10 @@ Robot : %2
         <translation>Garder sous ce nom les valeurs actuelles de tous les paramètres en direct (Entrée)</translation>
     </message>
     <message>
+        <source>Keep the value that is in use (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Key file</source>
         <translation>Fichier de clé</translation>
     </message>
@@ -2334,6 +2554,10 @@ Robot : %2
     <message>
         <source>Least stretch the controller commands.</source>
         <translation>Plus petit étirement que le régulateur commande.</translation>
+    </message>
+    <message>
+        <source>Leave as it is</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
@@ -2540,6 +2764,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Borne inférieure de %1</translation>
     </message>
     <message>
+        <source>MATLAB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MCAP, for robotics viewers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>MJPEG {}: cannot listen: {}</source>
         <translation>MJPEG {} : écoute impossible : {}</translation>
     </message>
@@ -2652,6 +2884,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Millimètres par pixel le long d'une ligne de l'image.</translation>
     </message>
     <message>
+        <source>Missing now: %1</source>
+        <translation>Manque à présent : %1</translation>
+    </message>
+    <message>
         <source>Modbus TCP {}: cannot listen: {}</source>
         <translation>Modbus TCP {} : écoute impossible : {}</translation>
     </message>
@@ -2678,6 +2914,14 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Motor board</source>
         <translation>Carte moteurs</translation>
+    </message>
+    <message>
+        <source>Motor board (qbmove)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Motors answer</source>
@@ -2712,10 +2956,6 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Name a second recording: its curves are drawn faint behind these.</source>
-        <translation>Indiquer un second enregistrement : ses courbes sont tracées en clair derrière celles-ci.</translation>
-    </message>
-    <message>
         <source>Name of the present layout</source>
         <translation>Nom de la disposition présente</translation>
     </message>
@@ -2726,6 +2966,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Name one with --touchpad, --motors or --camera at the start.</source>
         <translation>En indiquer un avec --touchpad, --motors ou --camera au démarrage.</translation>
+    </message>
+    <message>
+        <source>Network (Modbus TCP)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Network is down</source>
@@ -2772,6 +3016,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Pas de notes. N en écrit une au curseur.</translation>
     </message>
     <message>
+        <source>No notices. Everything that was said is in the log (Ctrl+L).</source>
+        <translation>Aucun avis. Tout ce qui a été dit est dans le journal (Ctrl+L).</translation>
+    </message>
+    <message>
         <source>No parameter is found so. The search looks at name, identifier, help and group.</source>
         <translation>Aucun paramètre trouvé ainsi. La recherche porte sur nom, identifiant, aide et groupe.</translation>
     </message>
@@ -2810,6 +3058,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>No real-time priority: the system may delay the loop.</source>
         <translation>Pas de priorité temps réel : le système peut retarder la boucle.</translation>
+    </message>
+    <message>
+        <source>No recording was opened yet</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No report: %1.</source>
@@ -2892,8 +3144,28 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Non accepté, les anciennes valeurs restent. %1</translation>
     </message>
     <message>
+        <source>Not applied yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not applied yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not armed: {}. {}</source>
         <translation>Non armé : {}. {}</translation>
+    </message>
+    <message>
+        <source>Not connected: something can move again. Press Esc, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected; all is as it was. %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected; the former devices are back. %1.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not following: press F to follow again</source>
@@ -3080,8 +3352,16 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Ouvrir</translation>
     </message>
     <message>
+        <source>Open a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Open loop: the recorded inputs as they were; the cloth does not answer.</source>
         <translation>Boucle ouverte : les entrées enregistrées telles quelles ; le tissu ne répond pas.</translation>
+    </message>
+    <message>
+        <source>Opened lately</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Operate</source>
@@ -3336,10 +3616,12 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Quitter</translation>
     </message>
     <message>
-        <source>REC %1
-%2</source>
-        <translation>REC %1
-%2</translation>
+        <source>Quit? Now: %1. Quitting stops the motors and closes the recording; what is not finished is lost. Ctrl+Q again quits.</source>
+        <translation>Quitter ? En ce moment : %1. Quitter arrête les moteurs et ferme l'enregistrement ; ce qui n'est pas fini est perdu. Encore Ctrl+Q quitte.</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
     </message>
     <message>
         <source>RMS</source>
@@ -3460,8 +3742,28 @@ Appuyer pour lire pourquoi</translation>
         <translation>Enregistrement dans %1.</translation>
     </message>
     <message>
+        <source>Recording to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording to open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording, played back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Recordings (*.h5)</source>
         <translation>Enregistrements (*.h5)</translation>
+    </message>
+    <message>
+        <source>Recordings (*.h5);;All files (*)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Record…</source>
@@ -3588,18 +3890,6 @@ Appuyer pour lire pourquoi</translation>
         <translation>Robot connecté</translation>
     </message>
     <message>
-        <source>Robot is now: %1.</source>
-        <translation>Le robot est maintenant : %1.</translation>
-    </message>
-    <message>
-        <source>Robot not changed. %1.</source>
-        <translation>Robot inchangé. %1.</translation>
-    </message>
-    <message>
-        <source>Robot not changed: something can move again. Press Esc, then Reconnect.</source>
-        <translation>Robot non changé : quelque chose peut de nouveau bouger. Appuyer sur Échap, puis Reconnecter.</translation>
-    </message>
-    <message>
         <source>Robot's position</source>
         <translation>Position du robot</translation>
     </message>
@@ -3610,6 +3900,14 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Robot's travel for the finger's along the cloth.</source>
         <translation>Course du robot pour celle du doigt le long du tissu.</translation>
+    </message>
+    <message>
+        <source>Robot: %1 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Round trip</source>
@@ -3634,6 +3932,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Runs the recorded inputs through the step again. Without a change it proves that the recording comes out the same, bit for bit.</source>
         <translation>Refait passer les entrées enregistrées par le pas. Sans changement, cela prouve que l'enregistrement ressort identique, bit pour bit.</translation>
+    </message>
+    <message>
+        <source>SIMULATED: %1</source>
+        <translation>SIMULÉ : %1</translation>
     </message>
     <message>
         <source>Samples in a frame of dft321: more resolution for more delay.</source>
@@ -3674,6 +3976,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Saved layouts</source>
         <translation>Dispositions enregistrées</translation>
+    </message>
+    <message>
+        <source>Scale of the colours</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Scale of the spectrum</source>
@@ -3748,12 +4054,20 @@ Appuyer pour lire pourquoi</translation>
         <translation>Envoyés</translation>
     </message>
     <message>
+        <source>Serial line (Modbus RTU)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Serial port</source>
         <translation>Port série</translation>
     </message>
     <message>
         <source>Session</source>
         <translation>Session</translation>
+    </message>
+    <message>
+        <source>Session time in seconds, 83.5, or minutes and seconds, 1:23.5; then Enter (J)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Sessions</source>
@@ -3830,6 +4144,10 @@ s</translation>
         <translation>Afficher 60 s</translation>
     </message>
     <message>
+        <source>Show in folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Show only parameters that differ from the saved profile</source>
         <translation>Ne montrer que les paramètres qui diffèrent du profil enregistré</translation>
     </message>
@@ -3840,6 +4158,10 @@ s</translation>
     <message>
         <source>Show the link</source>
         <translation>Montrer la liaison</translation>
+    </message>
+    <message>
+        <source>Show the next unread notice</source>
+        <translation>Montrer le prochain avis non lu</translation>
     </message>
     <message>
         <source>Show the whole scene from this side (%1)</source>
@@ -3874,6 +4196,14 @@ s</translation>
         <translation>Points simulés.</translation>
     </message>
     <message>
+        <source>Simulated: %1</source>
+        <translation>Simulé : %1</translation>
+    </message>
+    <message>
+        <source>Simulated: %1. What it shows is computed in this program, not measured on a touchpad.</source>
+        <translation>Simulé : %1. Ce qui est montré est calculé dans ce programme, non mesuré sur un touchpad.</translation>
+    </message>
+    <message>
         <source>Simulated: press on the picture, %1 deep; the wheel changes it.</source>
         <translation>Simulé : presser l'image ; profondeur %1 (molette).</translation>
     </message>
@@ -3886,6 +4216,10 @@ par s</translation>
     <message>
         <source>Small and slow, and only while the button is held. Esc ends it as well.</source>
         <translation>Petit et lent, et seulement tant que le bouton est maintenu. Esc y met fin aussi.</translation>
+    </message>
+    <message>
+        <source>Small video</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Softness</source>
@@ -3956,6 +4290,10 @@ s</translation>
     <message>
         <source>Static law between stretch angle and stiffness; interpolated uses the points below.</source>
         <translation>Loi statique entre angle d'étirement et raideur ; interpolated utilise les points qui suivent.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Rester</translation>
     </message>
     <message>
         <source>Steady error</source>
@@ -4078,6 +4416,10 @@ N/mm</translation>
     <message>
         <source>Stopped by the operator; motors off.</source>
         <translation>Arrêté par l'opérateur ; moteurs coupés.</translation>
+    </message>
+    <message>
+        <source>Stream (address)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -4264,6 +4606,10 @@ N/mm</translation>
         <translation>Les courbes ont perdu %1 échantillons.</translation>
     </message>
     <message>
+        <source>The devices are asked first. Then the session starts anew; motors stay off until you arm. The choice is remembered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The file before is still being written; try again.</source>
         <translation>Le fichier précédent est encore en cours d'écriture ; réessayer.</translation>
     </message>
@@ -4286,6 +4632,10 @@ To begin: %1</source>
         <translation>La courbe et ses résidus sont tracés ici.
 
 Pour commencer : %1</translation>
+    </message>
+    <message>
+        <source>The former session has ended; the new one begins. Motors are off.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The haptic loop says nothing; the last state was %1.</source>
@@ -4316,6 +4666,14 @@ Pour commencer : %1</translation>
         <translation>La liste des sessions (Ctrl+O)</translation>
     </message>
     <message>
+        <source>The model calls this unstable on any touchpad: the stretch would swing on (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model calls this unstable: the stretch would swing on (%1; the motors' angle is %2 old).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The motors are off. %1 points so far.</source>
         <translation>Les moteurs sont coupés. %1 points jusqu'ici.</translation>
     </message>
@@ -4328,12 +4686,20 @@ Pour commencer : %1</translation>
         <translation>Les moteurs sont en route.</translation>
     </message>
     <message>
+        <source>The motors have not answered yet: their angle is taken to be 2 ms old, and only what no touchpad bears is asked about.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The motors move as long as this is held, by mouse or space bar, and are off when it is let go.</source>
         <translation>Les moteurs tournent tant que ce bouton est tenu, à la souris ou à la barre d'espace, et sont coupés au relâchement.</translation>
     </message>
     <message>
         <source>The motors move; let go and they are off.</source>
         <translation>Les moteurs tournent ; relâcher les coupe.</translation>
+    </message>
+    <message>
+        <source>The motors' angle is %1 old when it is used.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The mouse leads to %1</source>
@@ -4372,8 +4738,8 @@ Pour commencer : %1</translation>
         <translation>Le rapport se trouve à côté du profil.</translation>
     </message>
     <message>
-        <source>The robot can be changed only while nothing can move. Press Esc first.</source>
-        <translation>Le robot ne peut être changé que si rien ne peut bouger. Appuyer d'abord sur Esc.</translation>
+        <source>The robot is chosen in the link's panel.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The robot must have the same key; "fyd link keygen" makes one.</source>
@@ -4400,10 +4766,6 @@ Pour commencer : %1</translation>
         <translation>La scène est en préparation.</translation>
     </message>
     <message>
-        <source>The scene takes the robot's place.</source>
-        <translation>La scène prend la place du robot.</translation>
-    </message>
-    <message>
         <source>The search was cancelled. Open the session again to look for touches.</source>
         <translation>La recherche a été annulée. Rouvrir la session pour chercher les touchers.</translation>
     </message>
@@ -4424,8 +4786,8 @@ Pour commencer : %1</translation>
         <translation>La session n'a pas de robot ; la consigne se règle à la main.</translation>
     </message>
     <message>
-        <source>The session is closed. %1. Choose another robot.</source>
-        <translation>La session est fermée. %1. Choisir un autre robot.</translation>
+        <source>The session is closed. %1. Choose other devices.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>
@@ -4464,8 +4826,8 @@ Pour commencer : %1</translation>
         <translation>La consigne est hors de portée ; rendu de la plus proche, {:.3f} N/mm.</translation>
     </message>
     <message>
-        <source>The touchpad runs mode thesis; these courses are of mode default.</source>
-        <translation>Le touchpad suit le mode thesis ; ces courbes sont du mode default.</translation>
+        <source>The touchpad's own</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The values are, within the tolerance stated for that.</source>
@@ -4474,6 +4836,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The whole recording</source>
         <translation>Tout l'enregistrement</translation>
+    </message>
+    <message>
+        <source>The whole session</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Theme of the system</source>
@@ -4486,6 +4852,10 @@ Pour commencer : %1</translation>
     <message>
         <source>There are no values to save yet.</source>
         <translation>Il n'y a pas encore de valeurs à enregistrer.</translation>
+    </message>
+    <message>
+        <source>There are no values yet to go to.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no parameter '%1'.</source>
@@ -4530,6 +4900,10 @@ Pour commencer : %1</translation>
     <message>
         <source>This angle is taken.</source>
         <translation>Cet angle est pris.</translation>
+    </message>
+    <message>
+        <source>This computer opens no folder from here: %1. Copy path takes the file's path along.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
@@ -4712,6 +5086,10 @@ Pour commencer : %1</translation>
         <translation>Utiliser les valeurs du préréglage choisi ; une seule étape à annuler (Entrée sur la liste)</translation>
     </message>
     <message>
+        <source>Use the new value all the same; undo takes it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Use the proposed values; one step to undo</source>
         <translation>Utiliser les valeurs proposées ; une seule étape à annuler</translation>
     </message>
@@ -4742,6 +5120,14 @@ Pour commencer : %1</translation>
     <message>
         <source>Vibration: motors and cloth</source>
         <translation>Vibration : moteurs et tissu</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Video without loss</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>View</source>
@@ -4832,8 +5218,12 @@ Pour commencer : %1</translation>
         <translation>Largeur du tissu dans l'image de la caméra.</translation>
     </message>
     <message>
-        <source>Words of the name, the identifier, the help or the group (Ctrl+F)</source>
-        <translation>Mots du nom, de l'identifiant, de l'aide ou du groupe (Ctrl+F)</translation>
+        <source>Words of the name, the identifier, the help or the group (Ctrl+F); Enter goes to the first that is found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write a note at the cursor</source>
@@ -4924,6 +5314,14 @@ Pour commencer : %1</translation>
         <translation>une raison que ce programme ne connaît pas</translation>
     </message>
     <message>
+        <source>a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a recording is being written</source>
+        <translation>un enregistrement est en cours</translation>
+    </message>
+    <message>
         <source>a recording of format {}; this program reads format {}</source>
         <translation>un enregistrement au format {} ; ce programme lit le format {}</translation>
     </message>
@@ -4958,6 +5356,10 @@ Pour commencer : %1</translation>
     <message>
         <source>a text</source>
         <translation>un texte</translation>
+    </message>
+    <message>
+        <source>a touchpad that is not known</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a turning motor has %1 % of its breakaway</source>
@@ -5056,6 +5458,10 @@ Pour commencer : %1</translation>
         <translation>les quatre bords sont tenus</translation>
     </message>
     <message>
+        <source>all parts</source>
+        <translation>toutes les parties</translation>
+    </message>
+    <message>
         <source>all points at {} V</source>
         <translation>tous les points à {} V</translation>
     </message>
@@ -5130,6 +5536,10 @@ Pour commencer : %1</translation>
     <message>
         <source>asked for {:.0f} %, the camera took {:.0f} %</source>
         <translation>demandé {:.0f} %, la caméra a pris {:.0f} %</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at %1: %2, damping %3, %4 % left</source>
@@ -5232,6 +5642,10 @@ Pour commencer : %1</translation>
         <translation>à la main</translation>
     </message>
     <message>
+        <source>calibrated on {}, and this is {}: the defaults are used instead ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>calibrated {} days ago: repeat it</source>
         <translation>étalonné il y a {} jours : à refaire</translation>
     </message>
@@ -5242,6 +5656,14 @@ Pour commencer : %1</translation>
     <message>
         <source>calibrated {} days in the future: the computer's clock was or is wrong</source>
         <translation>étalonné {} jours dans le futur : l'horloge de l'ordinateur était ou est fausse</translation>
+    </message>
+    <message>
+        <source>calibration points not accepted: %1</source>
+        <translation>points de calibration non acceptés : %1</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, id=SERIAL, a video file, a folder of pictures or a stream's URL</source>
@@ -5338,14 +5760,6 @@ Pour commencer : %1</translation>
     <message>
         <source>catalogue: the word carries a password, which logs and lists of processes would show; put it into ~/.pgpass (mode 600) instead</source>
         <translation>catalogue : le mot contient un mot de passe, que journaux et listes de processus montreraient ; le mettre plutôt dans ~/.pgpass (mode 600)</translation>
-    </message>
-    <message>
-        <source>change: expected [[record.change]]</source>
-        <translation>change : attendu [[record.change]]</translation>
-    </message>
-    <message>
-        <source>change: expected id, before and after</source>
-        <translation>change : attendu id, before et after</translation>
     </message>
     <message>
         <source>changed since it was calibrated %1 days ago</source>
@@ -5784,6 +6198,10 @@ Pour commencer : %1</translation>
         <translation>attendu une vidéo que FFmpeg sait décoder</translation>
     </message>
     <message>
+        <source>exports being written: %1</source>
+        <translation>exports en cours : %1</translation>
+    </message>
+    <message>
         <source>exposure</source>
         <translation>exposition</translation>
     </message>
@@ -5944,12 +6362,20 @@ Pour commencer : %1</translation>
         <translation>les bords avant et arrière sont libres</translation>
     </message>
     <message>
+        <source>gain margin %1, phase margin %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>gesture "{}": {} rows from {} to {} s: expected two and more of its {} s</source>
         <translation>geste "{}" : {} lignes de {} à {} s : deux ou plus attendues de ses {} s</translation>
     </message>
     <message>
         <source>gesture: {} rows: expected two and more</source>
         <translation>geste : {} lignes : deux ou plus attendues</translation>
+    </message>
+    <message>
+        <source>go to, s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>gone</source>
@@ -6156,10 +6582,6 @@ Pour commencer : %1</translation>
         <translation>de moins</translation>
     </message>
     <message>
-        <source>less than a minute left</source>
-        <translation>moins d'une minute restante</translation>
-    </message>
-    <message>
         <source>let the motors and the cloth come to rest, and start again</source>
         <translation>laisser moteurs et tissu au repos, et recommencer</translation>
     </message>
@@ -6178,6 +6600,14 @@ Pour commencer : %1</translation>
     <message>
         <source>line</source>
         <translation>droite</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>live, peak</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>load cell</source>
@@ -6338,6 +6768,10 @@ Pour commencer : %1</translation>
     <message>
         <source>motors</source>
         <translation>moteurs</translation>
+    </message>
+    <message>
+        <source>motors %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>motors '{}': a recording drives no motors</source>
@@ -6594,6 +7028,10 @@ Pour commencer : %1</translation>
     <message>
         <source>nothing received yet</source>
         <translation>encore rien reçu</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>number not finite</source>
@@ -6968,14 +7406,6 @@ Pour commencer : %1</translation>
         <translation>images répétées</translation>
     </message>
     <message>
-        <source>residuals: expected a list of numbers</source>
-        <translation>residuals : attendu une liste de nombres</translation>
-    </message>
-    <message>
-        <source>residuals: expected numbers with a point</source>
-        <translation>residuals : attendu des nombres avec un point</translation>
-    </message>
-    <message>
         <source>resume</source>
         <translation>reprendre</translation>
     </message>
@@ -6984,8 +7414,16 @@ Pour commencer : %1</translation>
         <translation>rigidity_N_per_mm d'un corps mou est {} ; attendu plus de 0</translation>
     </message>
     <message>
+        <source>rings, then settles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>robot</source>
         <translation>robot</translation>
+    </message>
+    <message>
+        <source>robot %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>robot '{}': FYD Link needs a key file; fyd link keygen makes one</source>
@@ -7122,6 +7560,10 @@ Pour commencer : %1</translation>
     <message>
         <source>session '{}': several begin so; give more digits</source>
         <translation>session '{}' : plusieurs commencent ainsi ; donner plus de chiffres</translation>
+    </message>
+    <message>
+        <source>session time, s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>set to {:.0f} %</source>
@@ -7524,6 +7966,10 @@ Pour commencer : %1</translation>
         <translation>le profil ne nomme aucun capteur de distance : voir sensing.ir_x_mm</translation>
     </message>
     <message>
+        <source>the profile's values are another touchpad's: the defaults are used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper</source>
         <translation>la part du rayon {:.2f} n'est connue qu'à {:.0f} % et le rapport de tension {:.2f} à {:.0f} % ; attendu au plus {:g} % et {:g} % : tenez chaque appui plus longtemps, pour que sa moyenne ait moins de bruit, et appuyez plus profond</translation>
     </message>
@@ -7574,6 +8020,10 @@ Pour commencer : %1</translation>
     <message>
         <source>the session is closed</source>
         <translation>la session est fermée</translation>
+    </message>
+    <message>
+        <source>the simulated touchpad</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the status word 0x{:04X} names no state</source>
@@ -7632,12 +8082,24 @@ Pour commencer : %1</translation>
         <translation>le touchpad n'obéit pas à ce qui lui est écrit (bit 9 de son mot d'état)</translation>
     </message>
     <message>
+        <source>the touchpad renders, motors on</source>
+        <translation>le touchpad rend, moteurs en marche</translation>
+    </message>
+    <message>
         <source>the touchpad restarted</source>
         <translation>le touchpad a redémarré</translation>
     </message>
     <message>
         <source>the touchpad was lost while its motors were being switched on</source>
         <translation>le touchpad a été perdu pendant la mise en marche de ses moteurs</translation>
+    </message>
+    <message>
+        <source>the touchpad with serial number {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the touchpad {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the touchpad's motors are in the state {}</source>
@@ -7788,6 +8250,10 @@ Pour commencer : %1</translation>
         <translation>toucher de {:.3f} à {:.3f} s : {} images montrent son doigt ; deux ou plus attendues</translation>
     </message>
     <message>
+        <source>touchpad %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>touchpad at {}</source>
         <translation>touchpad sur {}</translation>
     </message>
@@ -7814,6 +8280,10 @@ Pour commencer : %1</translation>
     <message>
         <source>unacceptable</source>
         <translation>inacceptable</translation>
+    </message>
+    <message>
+        <source>under 1 min left</source>
+        <translation>moins de 1 min</translation>
     </message>
     <message>
         <source>unexpected argument '{}'; --help shows the options</source>
@@ -7852,6 +8322,10 @@ Pour commencer : %1</translation>
         <translation>état, qualité ou stratégie inconnus</translation>
     </message>
     <message>
+        <source>unstable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>untouched</source>
         <translation>non touché</translation>
     </message>
@@ -7878,6 +8352,10 @@ Pour commencer : %1</translation>
     <message>
         <source>value</source>
         <translation>valeur</translation>
+    </message>
+    <message>
+        <source>values is missing</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>vibration</source>
@@ -7934,6 +8412,10 @@ Pour commencer : %1</translation>
     <message>
         <source>was lost while its motors were on</source>
         <translation>a été perdue pendant que ses moteurs étaient en marche</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>whole</source>
@@ -8192,6 +8674,10 @@ Pour commencer : %1</translation>
         <translation>{} vaut maintenant {}.</translation>
     </message>
     <message>
+        <source>{} is stored, its notes are not: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{} of {} presses are more than {:g} mm beside a sensor (up to {:.1f} mm), or over one that does not read; they tell no depth and were left out</source>
         <translation>{} appuis sur {} sont à plus de {:g} mm d'un capteur (jusqu'à {:.1f} mm), ou au-dessus d'un qui ne lit pas ; ils ne disent aucune profondeur et ont été laissés de côté</translation>
     </message>
@@ -8344,6 +8830,10 @@ Pour commencer : %1</translation>
         <translation>{} : un lien vers un autre endroit ; un enregistrement contient ses propres valeurs</translation>
     </message>
     <message>
+        <source>{}: a recording is played, nothing is saved: a calibration is made on a touchpad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: a report ends in .html or .pdf</source>
         <translation>{} : un rapport se termine par .html ou .pdf</translation>
     </message>
@@ -8422,6 +8912,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: bytes {}+{} of {}</source>
         <translation>{} : octets {}+{} sur {}</translation>
+    </message>
+    <message>
+        <source>{}: calibrated on the simulated touchpad, which a real one does not use: the defaults are used instead ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: cannot be deleted: {}</source>
@@ -8512,8 +9006,16 @@ Pour commencer : %1</translation>
         <translation>{} : existe ; déplacer d'abord l'un des deux</translation>
     </message>
     <message>
+        <source>{}: expected [[record.{}]]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: expected a folder</source>
         <translation>{} : attendu un dossier</translation>
+    </message>
+    <message>
+        <source>{}: expected a list of numbers</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: expected an ordinary file</source>
@@ -8522,6 +9024,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: expected at least one [[band]]</source>
         <translation>{} : attendu au moins une [[band]]</translation>
+    </message>
+    <message>
+        <source>{}: expected numbers with a point</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: expected true or false</source>
@@ -8540,8 +9046,8 @@ Pour commencer : %1</translation>
         <translation>{} : moins de deux temps différents : la fréquence d'échantillonnage est inconnue</translation>
     </message>
     <message>
-        <source>{}: format {}; this program reads format {}</source>
-        <translation>{} : format {} ; ce programme lit le format {}</translation>
+        <source>{}: format {}; this program reads formats {} to {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: gives no picture any more</source>
@@ -8602,6 +9108,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: is still being recorded; close it first</source>
         <translation>{} : est encore en cours d'enregistrement ; le fermer d'abord</translation>
+    </message>
+    <message>
+        <source>{}: its calibrations do not tell on which touchpad they were made; they are used with {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: its columns are not those of this format</source>
@@ -8872,6 +9382,10 @@ Pour commencer : %1</translation>
         <translation>{} : le mettre en commande à distance et fermer ce qui le pilote par ailleurs</translation>
     </message>
     <message>
+        <source>{}: simulated points, nothing is saved: these values would be used by {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: source of {} bytes: expected at most {} that can be printed</source>
         <translation>{} : source de {} octets : au plus {} imprimables attendus</translation>
     </message>
@@ -9116,6 +9630,10 @@ Pour commencer : %1</translation>
         <translation>{} : {} en un pas</translation>
     </message>
     <message>
+        <source>{}: {} is no calibrated value, nothing is saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: {} is no folder</source>
         <translation>{} : {} n'est pas un dossier</translation>
     </message>
@@ -9264,12 +9782,12 @@ Pour commencer : %1</translation>
         <translation>{} ; et l'entrée ne peut pas attendre non plus : {}. L'enregistrement est en sûreté ; l'ajouter plus tard par `fyd session add {}`</translation>
     </message>
     <message>
-        <source>{}; robot {} could not be had again either: {}</source>
-        <translation>{} ; le robot {} n'a pas pu être repris non plus : {}</translation>
-    </message>
-    <message>
         <source>{}; the entry waits in {} and goes in when the catalogue is next opened</source>
         <translation>{} ; l'entrée attend dans {} et y entrera à la prochaine ouverture du catalogue</translation>
+    </message>
+    <message>
+        <source>{}; the former devices could not be had again either: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}; the former session could not be had again either: {}</source>

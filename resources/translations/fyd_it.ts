@@ -54,6 +54,10 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>%1 (not there any more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 / %2 N/mm</source>
         <translation>%1 / %2 N/mm</translation>
     </message>
@@ -142,6 +146,10 @@
         <translation>%1 min rimasti</translation>
     </message>
     <message>
+        <source>%1 more</source>
+        <translation>altri %1</translation>
+    </message>
+    <message>
         <source>%1 moves by %2; at rest it stays within %3</source>
         <translation>%1 varia di %2; a riposo resta entro %3</translation>
     </message>
@@ -182,6 +190,10 @@
         <translation>%1 s: %2</translation>
     </message>
     <message>
+        <source>%1 s: there are values from %2 s to %3 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 samples are not in the file: the computer is too busy. What is written is safe. Close other programs.</source>
         <translation>%1 campioni mancano nel file: il computer è troppo occupato. Ciò che è scritto è al sicuro. Chiudere gli altri programmi.</translation>
     </message>
@@ -200,6 +212,10 @@
     <message>
         <source>%1 to %2</source>
         <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 to %2: the upper end must be the larger one</source>
@@ -266,10 +282,6 @@
         <translation>%1, nell'unità a fianco</translation>
     </message>
     <message>
-        <source>%1, peak</source>
-        <translation>%1, picco</translation>
-    </message>
-    <message>
         <source>%1: "%2" is no number.</source>
         <translation>%1: "%2" non è un numero.</translation>
     </message>
@@ -302,6 +314,10 @@
         <translation>%1: tutti i %2 campioni sono salvati, ma non tutto ciò che li accompagna: %3 illeggibile. L'originale danneggiato è conservato come %4.</translation>
     </message>
     <message>
+        <source>%1: choose the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1: difference %2, mean %3</source>
         <translation>%1: differenza %2, media %3</translation>
     </message>
@@ -328,6 +344,10 @@
     <message numerus="yes">
         <source>%n sample(s) lost</source>
         <translation><numerusform>%n campione perso</numerusform><numerusform>%n campioni persi</numerusform></translation>
+    </message>
+    <message>
+        <source>'%1' is no time; expected seconds, such as 83.5, or minutes and seconds, such as 1:23.5.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{}' is no parameter of this program's step</source>
@@ -382,6 +402,10 @@
         <translation>--language {}: attesa una di {}</translation>
     </message>
     <message>
+        <source>--open {}: expected one or more of {}</source>
+        <translation>--open {}: atteso uno o più fra {}</translation>
+    </message>
+    <message>
         <source>--operator, --subject, --notes and --tag describe a recording; add --record FILE</source>
         <translation>--operator, --subject, --notes e --tag descrivono una registrazione; aggiungere --record FILE</translation>
     </message>
@@ -390,8 +414,16 @@
         <translation>--page {}: attesa una di {}</translation>
     </message>
     <message>
+        <source>--scale {}: expected a number from 0.5 to 4</source>
+        <translation>--scale {}: atteso un numero da 0,5 a 4</translation>
+    </message>
+    <message>
         <source>--simulate contradicts --touchpad {}</source>
         <translation>--simulate contraddice --touchpad {}</translation>
+    </message>
+    <message>
+        <source>--size {}: expected WIDTHxHEIGHT, each from {} to {}</source>
+        <translation>--size {}: atteso LARGHEZZAxALTEZZA, ciascuna da {} a {}</translation>
     </message>
     <message>
         <source>--theme {}: expected dark, light or system</source>
@@ -472,6 +504,10 @@
     <message>
         <source>A recording is being recovered already; wait, or cancel it.</source>
         <translation>Un recupero è già in corso; attendere o annullarlo.</translation>
+    </message>
+    <message>
+        <source>A recording is under way and would end. End it first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A rectangle around the cloth, with a finger in it.</source>
@@ -642,6 +678,10 @@
         <translation>Ampiezza in frequenza, Hz</translation>
     </message>
     <message>
+        <source>Amplitude, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>An indentation less certain than this is unavailable.</source>
         <translation>Un'indentazione meno certa di così non è disponibile.</translation>
     </message>
@@ -650,8 +690,20 @@
         <translation>Risposte</translation>
     </message>
     <message>
+        <source>Any recording's file (Ctrl+O); it can be dropped onto the window, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Area, mm²</source>
         <translation>Area, mm²</translation>
+    </message>
+    <message>
+        <source>Arm: go to the button that is held</source>
+        <translation>Armare: al pulsante da tenere premuto</translation>
     </message>
     <message>
         <source>Arrived</source>
@@ -664,6 +716,14 @@
     <message>
         <source>Asked</source>
         <translation>Chiesto</translation>
+    </message>
+    <message>
+        <source>Asking the devices whether they answer …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking the devices whether they answer. The present session goes on meanwhile.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>At A</source>
@@ -790,12 +850,24 @@
         <translation>A mano</translation>
     </message>
     <message>
+        <source>CSV table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Calibrate</source>
         <translation>Calibra</translation>
     </message>
     <message>
         <source>Calibrate it again under Calibrate. It does not keep you from arming.</source>
         <translation>Rifare la calibrazione in Calibra. Non impedisce di armare.</translation>
+    </message>
+    <message>
+        <source>Calibrate this one under Calibrate. It does not keep you from arming.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated on this touchpad</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Calibration report as PDF</source>
@@ -808,6 +880,10 @@
     <message>
         <source>Camera height</source>
         <translation>Altezza della telecamera</translation>
+    </message>
+    <message>
+        <source>Camera of this computer</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Camera panel</source>
@@ -906,6 +982,10 @@
         <translation>Controllare la luce e il coperchio dell'obiettivo.</translation>
     </message>
     <message>
+        <source>Check the cable of the camera %1, or choose another source.</source>
+        <translation>Controllare il cavo della telecamera %1, o scegliere un'altra sorgente.</translation>
+    </message>
+    <message>
         <source>Check the camera's cable or choose another source.</source>
         <translation>Controllare il cavo della telecamera o scegliere un'altra sorgente.</translation>
     </message>
@@ -914,8 +994,20 @@
         <translation>Controllare il ponte della cella di carico e il suo cavo.</translation>
     </message>
     <message>
+        <source>Check the motor board's power and its serial cable at %1.</source>
+        <translation>Controllare l'alimentazione della scheda motori e il suo cavo seriale a %1.</translation>
+    </message>
+    <message>
         <source>Check the network and the robot's program.</source>
         <translation>Controllare la rete e il programma del robot.</translation>
+    </message>
+    <message>
+        <source>Check the network cable and the robot's program; it is awaited at %1.</source>
+        <translation>Controllare il cavo di rete e il programma del robot; lo si attende a %1.</translation>
+    </message>
+    <message>
+        <source>Check the network cable and what sends the pictures at %1.</source>
+        <translation>Controllare il cavo di rete e ciò che invia le immagini a %1.</translation>
     </message>
     <message>
         <source>Check the robot's force sensor and probe again.</source>
@@ -926,12 +1018,28 @@
         <translation>Controllare l'alimentazione e i cavi del touchpad.</translation>
     </message>
     <message>
-        <source>Check the touchpad's power and its serial cable.</source>
-        <translation>Controllare l'alimentazione del touchpad e il suo cavo seriale.</translation>
+        <source>Check the touchpad's power and its cable.</source>
+        <translation>Controllare l'alimentazione del touchpad e il suo cavo.</translation>
+    </message>
+    <message>
+        <source>Check the touchpad's power and its network cable to %1.</source>
+        <translation>Controllare l'alimentazione del touchpad e il suo cavo di rete verso %1.</translation>
+    </message>
+    <message>
+        <source>Check the touchpad's power and its serial cable at %1.</source>
+        <translation>Controllare l'alimentazione del touchpad e il suo cavo seriale a %1.</translation>
     </message>
     <message>
         <source>Choice of curves</source>
         <translation>Scelta delle curve</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a second recording: its curves are drawn faint behind these. In the list of sessions, two can be chosen at once.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose a session, or write the path of a recording.</source>
@@ -946,8 +1054,16 @@
         <translation>Scegli le curve</translation>
     </message>
     <message>
+        <source>Choose the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose the file</source>
         <translation>Scegli il file</translation>
+    </message>
+    <message>
+        <source>Choose the folder.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose the key file</source>
@@ -956,6 +1072,14 @@
     <message>
         <source>Choose the key file that the robot has as well.</source>
         <translation>Scegliere il file della chiave che ha anche il robot.</translation>
+    </message>
+    <message>
+        <source>Choose the motor board's serial port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the recording.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose the robot's stiffness or set one by hand.</source>
@@ -968,6 +1092,22 @@
     <message>
         <source>Choose the scene file.</source>
         <translation>Scegliere il file della scena.</translation>
+    </message>
+    <message>
+        <source>Choose the serial port; behind a colon its speed, 115 200 Bd without.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the video file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose two sessions to compare, the second with Ctrl.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose two sessions, the second with Ctrl: the later one is drawn faint behind the first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Classic (not secured)</source>
@@ -1066,6 +1206,10 @@
         <translation>Confronta</translation>
     </message>
     <message>
+        <source>Compare the two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Conditions</source>
         <translation>Condizioni</translation>
     </message>
@@ -1074,8 +1218,20 @@
         <translation>Condizioni: luce, temperatura, bersaglio</translation>
     </message>
     <message>
+        <source>Connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Connected</source>
         <translation>Connesso</translation>
+    </message>
+    <message>
+        <source>Connected: %1.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Connection refused</source>
@@ -1128,6 +1284,10 @@
     <message>
         <source>Controls</source>
         <translation>Comandi</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Corner</source>
@@ -1258,6 +1418,10 @@ mm</translation>
     <message>
         <source>Devices</source>
         <translation>Dispositivi</translation>
+    </message>
+    <message>
+        <source>Devices can be changed only while nothing can move. Press Esc first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Differences</source>
@@ -1462,6 +1626,14 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Scrivere indirizzo e porta di ascolto, come 127.0.0.1:3490.</translation>
     </message>
     <message>
+        <source>Enter the stream's address, such as http://192.168.0.7:8090/.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the touchpad's address and port, such as 192.168.0.7:502.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Error</source>
         <translation>Errore</translation>
     </message>
@@ -1594,6 +1766,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>File: dove va la registrazione?</translation>
     </message>
     <message>
+        <source>Files written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Filter</source>
         <translation>Filtro</translation>
     </message>
@@ -1710,6 +1886,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Adattamento</translation>
     </message>
     <message>
+        <source>Folder of pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Follow</source>
         <translation>Segui</translation>
     </message>
@@ -1768,6 +1948,10 @@ N</translation>
         <translation>Dimentica i punti di questa parte; i valori in vigore restano.</translation>
     </message>
     <message>
+        <source>Format of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Found in the manual</source>
         <translation>Trovato nel manuale</translation>
     </message>
@@ -1778,6 +1962,22 @@ N</translation>
     <message>
         <source>Frequency over time, Hz over s</source>
         <translation>Frequenza nel tempo, Hz su s</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From A to B: %1 s to %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From A to B: a report is of the whole session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From A to B: set them with [ and ]</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>From the last minute of this session</source>
@@ -1834,6 +2034,14 @@ N</translation>
     <message>
         <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
         <translation>Arrivare al peso maggiore, poi togliere gli stessi pesi uno alla volta.</translation>
+    </message>
+    <message>
+        <source>Go to a time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a time of the session</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Good: %1.</source>
@@ -1946,6 +2154,10 @@ Robot: %2
     <message>
         <source>Hold the picture still; measuring goes on (Space)</source>
         <translation>Ferma l'immagine; la misura continua (Spazio)</translation>
+    </message>
+    <message>
+        <source>Hold the space bar, or the mouse on the button, for 0.6 s to arm.</source>
+        <translation>Per armare tenere premuta per 0,6 s la barra spaziatrice, o il mouse sul pulsante.</translation>
     </message>
     <message>
         <source>Hold the stiffness set below, whatever the robot touches.</source>
@@ -2128,6 +2340,10 @@ Robot: %2
         <translation>Termina al primo di %1 campioni persi.</translation>
     </message>
     <message>
+        <source>It is back. Hold Re-arm to start again.</source>
+        <translation>È tornato tutto. Tenere premuto Riarma per ricominciare.</translation>
+    </message>
+    <message>
         <source>It is damaged. Recover keeps what can be proven; it can be opened as it is, too.</source>
         <translation>È danneggiata. Recupera conserva ciò che si può provare; si può aprire anche così com'è.</translation>
     </message>
@@ -2256,6 +2472,10 @@ Robot: %2
         <translation>Conserva con questo nome i valori attuali di tutti i parametri dal vivo (Invio)</translation>
     </message>
     <message>
+        <source>Keep the value that is in use (Enter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Key file</source>
         <translation>File della chiave</translation>
     </message>
@@ -2334,6 +2554,10 @@ Robot: %2
     <message>
         <source>Least stretch the controller commands.</source>
         <translation>Minima tensione che il controllore comanda.</translation>
+    </message>
+    <message>
+        <source>Leave as it is</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
@@ -2540,6 +2764,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Estremo inferiore di %1</translation>
     </message>
     <message>
+        <source>MATLAB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MCAP, for robotics viewers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>MJPEG {}: cannot listen: {}</source>
         <translation>MJPEG {}: ascolto impossibile: {}</translation>
     </message>
@@ -2652,6 +2884,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Millimetri per pixel lungo una riga dell'immagine.</translation>
     </message>
     <message>
+        <source>Missing now: %1</source>
+        <translation>Manca ora: %1</translation>
+    </message>
+    <message>
         <source>Modbus TCP {}: cannot listen: {}</source>
         <translation>Modbus TCP {}: ascolto impossibile: {}</translation>
     </message>
@@ -2678,6 +2914,14 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Motor board</source>
         <translation>Scheda motori</translation>
+    </message>
+    <message>
+        <source>Motor board (qbmove)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Motors answer</source>
@@ -2712,10 +2956,6 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nome</translation>
     </message>
     <message>
-        <source>Name a second recording: its curves are drawn faint behind these.</source>
-        <translation>Indicare una seconda registrazione: le sue curve sono disegnate tenui dietro queste.</translation>
-    </message>
-    <message>
         <source>Name of the present layout</source>
         <translation>Nome della disposizione presente</translation>
     </message>
@@ -2726,6 +2966,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Name one with --touchpad, --motors or --camera at the start.</source>
         <translation>Indicarne uno con --touchpad, --motors o --camera all'avvio.</translation>
+    </message>
+    <message>
+        <source>Network (Modbus TCP)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Network is down</source>
@@ -2772,6 +3016,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nessuna nota. N ne scrive una al cursore.</translation>
     </message>
     <message>
+        <source>No notices. Everything that was said is in the log (Ctrl+L).</source>
+        <translation>Nessun avviso. Tutto ciò che è stato detto è nel registro (Ctrl+L).</translation>
+    </message>
+    <message>
         <source>No parameter is found so. The search looks at name, identifier, help and group.</source>
         <translation>Nessun parametro trovato così. La ricerca guarda nome, identificatore, aiuto e gruppo.</translation>
     </message>
@@ -2810,6 +3058,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>No real-time priority: the system may delay the loop.</source>
         <translation>Nessuna priorità in tempo reale: il sistema può ritardare il ciclo.</translation>
+    </message>
+    <message>
+        <source>No recording was opened yet</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No report: %1.</source>
@@ -2892,8 +3144,28 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Non accettato, i vecchi valori restano. %1</translation>
     </message>
     <message>
+        <source>Not applied yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not applied yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not armed: {}. {}</source>
         <translation>Non armato: {}. {}</translation>
+    </message>
+    <message>
+        <source>Not connected: something can move again. Press Esc, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected; all is as it was. %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected; the former devices are back. %1.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not following: press F to follow again</source>
@@ -3080,8 +3352,16 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Apri</translation>
     </message>
     <message>
+        <source>Open a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Open loop: the recorded inputs as they were; the cloth does not answer.</source>
         <translation>Anello aperto: gli ingressi registrati com'erano; il tessuto non risponde.</translation>
+    </message>
+    <message>
+        <source>Opened lately</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Operate</source>
@@ -3336,10 +3616,12 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Esci</translation>
     </message>
     <message>
-        <source>REC %1
-%2</source>
-        <translation>REC %1
-%2</translation>
+        <source>Quit? Now: %1. Quitting stops the motors and closes the recording; what is not finished is lost. Ctrl+Q again quits.</source>
+        <translation>Uscire? Ora: %1. Uscendo si fermano i motori e si chiude la registrazione; ciò che non è finito va perso. Ancora Ctrl+Q esce.</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
     </message>
     <message>
         <source>RMS</source>
@@ -3460,8 +3742,28 @@ Premere per leggere perché</translation>
         <translation>Registrazione in %1.</translation>
     </message>
     <message>
+        <source>Recording to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording to open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording, played back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Recordings (*.h5)</source>
         <translation>Registrazioni (*.h5)</translation>
+    </message>
+    <message>
+        <source>Recordings (*.h5);;All files (*)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Record…</source>
@@ -3588,18 +3890,6 @@ Premere per leggere perché</translation>
         <translation>Robot connesso</translation>
     </message>
     <message>
-        <source>Robot is now: %1.</source>
-        <translation>Il robot ora è: %1.</translation>
-    </message>
-    <message>
-        <source>Robot not changed. %1.</source>
-        <translation>Robot non cambiato. %1.</translation>
-    </message>
-    <message>
-        <source>Robot not changed: something can move again. Press Esc, then Reconnect.</source>
-        <translation>Robot non cambiato: qualcosa può di nuovo muoversi. Premere Esc, poi Riconnetti.</translation>
-    </message>
-    <message>
         <source>Robot's position</source>
         <translation>Posizione del robot</translation>
     </message>
@@ -3610,6 +3900,14 @@ Premere per leggere perché</translation>
     <message>
         <source>Robot's travel for the finger's along the cloth.</source>
         <translation>Corsa del robot per quella del dito lungo il tessuto.</translation>
+    </message>
+    <message>
+        <source>Robot: %1 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Round trip</source>
@@ -3634,6 +3932,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Runs the recorded inputs through the step again. Without a change it proves that the recording comes out the same, bit for bit.</source>
         <translation>Fa ripassare gli ingressi registrati attraverso il passo. Senza modifiche prova che la registrazione risulta la stessa, bit per bit.</translation>
+    </message>
+    <message>
+        <source>SIMULATED: %1</source>
+        <translation>SIMULATO: %1</translation>
     </message>
     <message>
         <source>Samples in a frame of dft321: more resolution for more delay.</source>
@@ -3674,6 +3976,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Saved layouts</source>
         <translation>Disposizioni salvate</translation>
+    </message>
+    <message>
+        <source>Scale of the colours</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Scale of the spectrum</source>
@@ -3748,12 +4054,20 @@ Premere per leggere perché</translation>
         <translation>Inviati</translation>
     </message>
     <message>
+        <source>Serial line (Modbus RTU)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Serial port</source>
         <translation>Porta seriale</translation>
     </message>
     <message>
         <source>Session</source>
         <translation>Sessione</translation>
+    </message>
+    <message>
+        <source>Session time in seconds, 83.5, or minutes and seconds, 1:23.5; then Enter (J)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Sessions</source>
@@ -3830,6 +4144,10 @@ s</translation>
         <translation>Mostra 60 s</translation>
     </message>
     <message>
+        <source>Show in folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Show only parameters that differ from the saved profile</source>
         <translation>Mostra solo i parametri che differiscono dal profilo salvato</translation>
     </message>
@@ -3840,6 +4158,10 @@ s</translation>
     <message>
         <source>Show the link</source>
         <translation>Mostra il collegamento</translation>
+    </message>
+    <message>
+        <source>Show the next unread notice</source>
+        <translation>Mostra il prossimo avviso non letto</translation>
     </message>
     <message>
         <source>Show the whole scene from this side (%1)</source>
@@ -3874,6 +4196,14 @@ s</translation>
         <translation>Punti simulati.</translation>
     </message>
     <message>
+        <source>Simulated: %1</source>
+        <translation>Simulato: %1</translation>
+    </message>
+    <message>
+        <source>Simulated: %1. What it shows is computed in this program, not measured on a touchpad.</source>
+        <translation>Simulato: %1. Ciò che si vede è calcolato in questo programma, non misurato su un touchpad.</translation>
+    </message>
+    <message>
         <source>Simulated: press on the picture, %1 deep; the wheel changes it.</source>
         <translation>Simulato: premere sull'immagine, a fondo %1; la rotella lo cambia.</translation>
     </message>
@@ -3886,6 +4216,10 @@ al s</translation>
     <message>
         <source>Small and slow, and only while the button is held. Esc ends it as well.</source>
         <translation>Piccolo e lento, e solo finché il pulsante è premuto. Anche Esc lo termina.</translation>
+    </message>
+    <message>
+        <source>Small video</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Softness</source>
@@ -3956,6 +4290,10 @@ s</translation>
     <message>
         <source>Static law between stretch angle and stiffness; interpolated uses the points below.</source>
         <translation>Legge statica fra angolo di tensione e rigidezza; interpolated usa i punti seguenti.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Resta</translation>
     </message>
     <message>
         <source>Steady error</source>
@@ -4078,6 +4416,10 @@ N/mm</translation>
     <message>
         <source>Stopped by the operator; motors off.</source>
         <translation>Fermato dall'operatore; motori spenti.</translation>
+    </message>
+    <message>
+        <source>Stream (address)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -4264,6 +4606,10 @@ N/mm</translation>
         <translation>Le curve hanno perso %1 campioni.</translation>
     </message>
     <message>
+        <source>The devices are asked first. Then the session starts anew; motors stay off until you arm. The choice is remembered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The file before is still being written; try again.</source>
         <translation>Il file precedente è ancora in scrittura; riprovare.</translation>
     </message>
@@ -4286,6 +4632,10 @@ To begin: %1</source>
         <translation>Qui appaiono la curva e i suoi residui.
 
 Per cominciare: %1</translation>
+    </message>
+    <message>
+        <source>The former session has ended; the new one begins. Motors are off.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The haptic loop says nothing; the last state was %1.</source>
@@ -4316,6 +4666,14 @@ Per cominciare: %1</translation>
         <translation>L'elenco delle sessioni (Ctrl+O)</translation>
     </message>
     <message>
+        <source>The model calls this unstable on any touchpad: the stretch would swing on (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model calls this unstable: the stretch would swing on (%1; the motors' angle is %2 old).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The motors are off. %1 points so far.</source>
         <translation>I motori sono spenti. %1 punti finora.</translation>
     </message>
@@ -4328,12 +4686,20 @@ Per cominciare: %1</translation>
         <translation>I motori sono in movimento.</translation>
     </message>
     <message>
+        <source>The motors have not answered yet: their angle is taken to be 2 ms old, and only what no touchpad bears is asked about.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The motors move as long as this is held, by mouse or space bar, and are off when it is let go.</source>
         <translation>I motori si muovono finché si tiene premuto, col mouse o con la barra spaziatrice, e sono spenti al rilascio.</translation>
     </message>
     <message>
         <source>The motors move; let go and they are off.</source>
         <translation>I motori si muovono; al rilascio si spengono.</translation>
+    </message>
+    <message>
+        <source>The motors' angle is %1 old when it is used.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The mouse leads to %1</source>
@@ -4372,8 +4738,8 @@ Per cominciare: %1</translation>
         <translation>Il rapporto si trova accanto al profilo.</translation>
     </message>
     <message>
-        <source>The robot can be changed only while nothing can move. Press Esc first.</source>
-        <translation>Il robot si può cambiare solo mentre nulla può muoversi. Premere prima Esc.</translation>
+        <source>The robot is chosen in the link's panel.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The robot must have the same key; "fyd link keygen" makes one.</source>
@@ -4400,10 +4766,6 @@ Per cominciare: %1</translation>
         <translation>La scena è in preparazione.</translation>
     </message>
     <message>
-        <source>The scene takes the robot's place.</source>
-        <translation>La scena prende il posto del robot.</translation>
-    </message>
-    <message>
         <source>The search was cancelled. Open the session again to look for touches.</source>
         <translation>La ricerca è stata annullata. Riaprire la sessione per cercare i tocchi.</translation>
     </message>
@@ -4424,8 +4786,8 @@ Per cominciare: %1</translation>
         <translation>La sessione non ha robot; l'obiettivo si imposta a mano.</translation>
     </message>
     <message>
-        <source>The session is closed. %1. Choose another robot.</source>
-        <translation>La sessione è chiusa. %1. Scegliere un altro robot.</translation>
+        <source>The session is closed. %1. Choose other devices.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>
@@ -4464,8 +4826,8 @@ Per cominciare: %1</translation>
         <translation>L'obiettivo è fuori portata; si rende il più vicino, {:.3f} N/mm.</translation>
     </message>
     <message>
-        <source>The touchpad runs mode thesis; these courses are of mode default.</source>
-        <translation>Il touchpad usa il modo thesis; questi andamenti sono del modo default.</translation>
+        <source>The touchpad's own</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The values are, within the tolerance stated for that.</source>
@@ -4474,6 +4836,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The whole recording</source>
         <translation>Tutta la registrazione</translation>
+    </message>
+    <message>
+        <source>The whole session</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Theme of the system</source>
@@ -4486,6 +4852,10 @@ Per cominciare: %1</translation>
     <message>
         <source>There are no values to save yet.</source>
         <translation>Non ci sono ancora valori da salvare.</translation>
+    </message>
+    <message>
+        <source>There are no values yet to go to.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no parameter '%1'.</source>
@@ -4530,6 +4900,10 @@ Per cominciare: %1</translation>
     <message>
         <source>This angle is taken.</source>
         <translation>Questo angolo è preso.</translation>
+    </message>
+    <message>
+        <source>This computer opens no folder from here: %1. Copy path takes the file's path along.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
@@ -4712,6 +5086,10 @@ Per cominciare: %1</translation>
         <translation>Usa i valori della preimpostazione scelta; un solo passo da annullare (Invio sulla lista)</translation>
     </message>
     <message>
+        <source>Use the new value all the same; undo takes it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Use the proposed values; one step to undo</source>
         <translation>Usa i valori proposti; un solo passo da annullare</translation>
     </message>
@@ -4742,6 +5120,14 @@ Per cominciare: %1</translation>
     <message>
         <source>Vibration: motors and cloth</source>
         <translation>Vibrazione: motori e tessuto</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Video without loss</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>View</source>
@@ -4832,8 +5218,12 @@ Per cominciare: %1</translation>
         <translation>Larghezza del tessuto nell'immagine della telecamera.</translation>
     </message>
     <message>
-        <source>Words of the name, the identifier, the help or the group (Ctrl+F)</source>
-        <translation>Parole del nome, dell'identificatore, dell'aiuto o del gruppo (Ctrl+F)</translation>
+        <source>Words of the name, the identifier, the help or the group (Ctrl+F); Enter goes to the first that is found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write a note at the cursor</source>
@@ -4924,6 +5314,14 @@ Per cominciare: %1</translation>
         <translation>un motivo che questo programma non conosce</translation>
     </message>
     <message>
+        <source>a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a recording is being written</source>
+        <translation>una registrazione è in corso</translation>
+    </message>
+    <message>
         <source>a recording of format {}; this program reads format {}</source>
         <translation>una registrazione in formato {}; questo programma legge il formato {}</translation>
     </message>
@@ -4958,6 +5356,10 @@ Per cominciare: %1</translation>
     <message>
         <source>a text</source>
         <translation>un testo</translation>
+    </message>
+    <message>
+        <source>a touchpad that is not known</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a turning motor has %1 % of its breakaway</source>
@@ -5056,6 +5458,10 @@ Per cominciare: %1</translation>
         <translation>tutti e quattro i bordi sono tenuti</translation>
     </message>
     <message>
+        <source>all parts</source>
+        <translation>tutte le parti</translation>
+    </message>
+    <message>
         <source>all points at {} V</source>
         <translation>tutti i punti a {} V</translation>
     </message>
@@ -5130,6 +5536,10 @@ Per cominciare: %1</translation>
     <message>
         <source>asked for {:.0f} %, the camera took {:.0f} %</source>
         <translation>chiesto {:.0f} %, la telecamera ha preso {:.0f} %</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at %1: %2, damping %3, %4 % left</source>
@@ -5232,6 +5642,10 @@ Per cominciare: %1</translation>
         <translation>a mano</translation>
     </message>
     <message>
+        <source>calibrated on {}, and this is {}: the defaults are used instead ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>calibrated {} days ago: repeat it</source>
         <translation>calibrato {} giorni fa: ripetere</translation>
     </message>
@@ -5242,6 +5656,14 @@ Per cominciare: %1</translation>
     <message>
         <source>calibrated {} days in the future: the computer's clock was or is wrong</source>
         <translation>calibrato {} giorni nel futuro: l'orologio del computer era o è sbagliato</translation>
+    </message>
+    <message>
+        <source>calibration points not accepted: %1</source>
+        <translation>punti di calibrazione non accettati: %1</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, id=SERIAL, a video file, a folder of pictures or a stream's URL</source>
@@ -5338,14 +5760,6 @@ Per cominciare: %1</translation>
     <message>
         <source>catalogue: the word carries a password, which logs and lists of processes would show; put it into ~/.pgpass (mode 600) instead</source>
         <translation>catalogo: la parola contiene una password, che registri ed elenchi di processi mostrerebbero; metterla invece in ~/.pgpass (modo 600)</translation>
-    </message>
-    <message>
-        <source>change: expected [[record.change]]</source>
-        <translation>change: atteso [[record.change]]</translation>
-    </message>
-    <message>
-        <source>change: expected id, before and after</source>
-        <translation>change: attesi id, before e after</translation>
     </message>
     <message>
         <source>changed since it was calibrated %1 days ago</source>
@@ -5784,6 +6198,10 @@ Per cominciare: %1</translation>
         <translation>atteso un video che FFmpeg sappia decodificare</translation>
     </message>
     <message>
+        <source>exports being written: %1</source>
+        <translation>esportazioni in corso: %1</translation>
+    </message>
+    <message>
         <source>exposure</source>
         <translation>esposizione</translation>
     </message>
@@ -5944,12 +6362,20 @@ Per cominciare: %1</translation>
         <translation>i bordi davanti e dietro sono liberi</translation>
     </message>
     <message>
+        <source>gain margin %1, phase margin %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>gesture "{}": {} rows from {} to {} s: expected two and more of its {} s</source>
         <translation>gesto "{}": {} righe da {} a {} s: attese due o più dei suoi {} s</translation>
     </message>
     <message>
         <source>gesture: {} rows: expected two and more</source>
         <translation>gesto: {} righe: attese due o più</translation>
+    </message>
+    <message>
+        <source>go to, s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>gone</source>
@@ -6156,10 +6582,6 @@ Per cominciare: %1</translation>
         <translation>in meno</translation>
     </message>
     <message>
-        <source>less than a minute left</source>
-        <translation>meno di un minuto rimasto</translation>
-    </message>
-    <message>
         <source>let the motors and the cloth come to rest, and start again</source>
         <translation>lasciare fermare motori e tessuto, e ricominciare</translation>
     </message>
@@ -6178,6 +6600,14 @@ Per cominciare: %1</translation>
     <message>
         <source>line</source>
         <translation>retta</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>live, peak</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>load cell</source>
@@ -6338,6 +6768,10 @@ Per cominciare: %1</translation>
     <message>
         <source>motors</source>
         <translation>motori</translation>
+    </message>
+    <message>
+        <source>motors %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>motors '{}': a recording drives no motors</source>
@@ -6594,6 +7028,10 @@ Per cominciare: %1</translation>
     <message>
         <source>nothing received yet</source>
         <translation>ancora nulla ricevuto</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>number not finite</source>
@@ -6968,14 +7406,6 @@ Per cominciare: %1</translation>
         <translation>immagini ripetute</translation>
     </message>
     <message>
-        <source>residuals: expected a list of numbers</source>
-        <translation>residuals: attesa una lista di numeri</translation>
-    </message>
-    <message>
-        <source>residuals: expected numbers with a point</source>
-        <translation>residuals: attesi numeri con il punto</translation>
-    </message>
-    <message>
         <source>resume</source>
         <translation>riprendere</translation>
     </message>
@@ -6984,8 +7414,16 @@ Per cominciare: %1</translation>
         <translation>rigidity_N_per_mm di un corpo morbido è {}; atteso più di 0</translation>
     </message>
     <message>
+        <source>rings, then settles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>robot</source>
         <translation>robot</translation>
+    </message>
+    <message>
+        <source>robot %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>robot '{}': FYD Link needs a key file; fyd link keygen makes one</source>
@@ -7122,6 +7560,10 @@ Per cominciare: %1</translation>
     <message>
         <source>session '{}': several begin so; give more digits</source>
         <translation>sessione '{}': più d'una comincia così; dare più cifre</translation>
+    </message>
+    <message>
+        <source>session time, s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>set to {:.0f} %</source>
@@ -7524,6 +7966,10 @@ Per cominciare: %1</translation>
         <translation>il profilo non nomina alcun sensore di distanza: vedere sensing.ir_x_mm</translation>
     </message>
     <message>
+        <source>the profile's values are another touchpad's: the defaults are used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper</source>
         <translation>la quota del raggio {:.2f} è nota solo al {:.0f} % e il rapporto di tensione {:.2f} al {:.0f} %; atteso al massimo {:g} % e {:g} %: tenere più a lungo ogni pressione, perché la sua media abbia meno rumore, e premere più a fondo</translation>
     </message>
@@ -7574,6 +8020,10 @@ Per cominciare: %1</translation>
     <message>
         <source>the session is closed</source>
         <translation>la sessione è chiusa</translation>
+    </message>
+    <message>
+        <source>the simulated touchpad</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the status word 0x{:04X} names no state</source>
@@ -7632,12 +8082,24 @@ Per cominciare: %1</translation>
         <translation>il touchpad non obbedisce a ciò che gli viene scritto (bit 9 della sua parola di stato)</translation>
     </message>
     <message>
+        <source>the touchpad renders, motors on</source>
+        <translation>il touchpad rende, motori accesi</translation>
+    </message>
+    <message>
         <source>the touchpad restarted</source>
         <translation>il touchpad si è riavviato</translation>
     </message>
     <message>
         <source>the touchpad was lost while its motors were being switched on</source>
         <translation>il touchpad è stato perso mentre i suoi motori si accendevano</translation>
+    </message>
+    <message>
+        <source>the touchpad with serial number {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the touchpad {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the touchpad's motors are in the state {}</source>
@@ -7788,6 +8250,10 @@ Per cominciare: %1</translation>
         <translation>tocco da {:.3f} a {:.3f} s: {} immagini mostrano il dito; attese due o più</translation>
     </message>
     <message>
+        <source>touchpad %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>touchpad at {}</source>
         <translation>touchpad su {}</translation>
     </message>
@@ -7814,6 +8280,10 @@ Per cominciare: %1</translation>
     <message>
         <source>unacceptable</source>
         <translation>inaccettabile</translation>
+    </message>
+    <message>
+        <source>under 1 min left</source>
+        <translation>meno di 1 min</translation>
     </message>
     <message>
         <source>unexpected argument '{}'; --help shows the options</source>
@@ -7852,6 +8322,10 @@ Per cominciare: %1</translation>
         <translation>stato, qualità o strategia sconosciuti</translation>
     </message>
     <message>
+        <source>unstable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>untouched</source>
         <translation>non toccato</translation>
     </message>
@@ -7878,6 +8352,10 @@ Per cominciare: %1</translation>
     <message>
         <source>value</source>
         <translation>valore</translation>
+    </message>
+    <message>
+        <source>values is missing</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>vibration</source>
@@ -7934,6 +8412,10 @@ Per cominciare: %1</translation>
     <message>
         <source>was lost while its motors were on</source>
         <translation>è stata persa mentre i suoi motori erano accesi</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>whole</source>
@@ -8192,6 +8674,10 @@ Per cominciare: %1</translation>
         <translation>{} vale ora {}.</translation>
     </message>
     <message>
+        <source>{} is stored, its notes are not: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{} of {} presses are more than {:g} mm beside a sensor (up to {:.1f} mm), or over one that does not read; they tell no depth and were left out</source>
         <translation>{} di {} pressioni sono a più di {:g} mm da un sensore (fino a {:.1f} mm), o sopra uno che non legge; non dicono la profondità e sono state tralasciate</translation>
     </message>
@@ -8344,6 +8830,10 @@ Per cominciare: %1</translation>
         <translation>{}: un collegamento a un altro posto; una registrazione contiene i propri valori</translation>
     </message>
     <message>
+        <source>{}: a recording is played, nothing is saved: a calibration is made on a touchpad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: a report ends in .html or .pdf</source>
         <translation>{}: un rapporto termina in .html o .pdf</translation>
     </message>
@@ -8422,6 +8912,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: bytes {}+{} of {}</source>
         <translation>{}: byte {}+{} di {}</translation>
+    </message>
+    <message>
+        <source>{}: calibrated on the simulated touchpad, which a real one does not use: the defaults are used instead ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: cannot be deleted: {}</source>
@@ -8512,8 +9006,16 @@ Per cominciare: %1</translation>
         <translation>{}: esiste; spostare prima uno dei due</translation>
     </message>
     <message>
+        <source>{}: expected [[record.{}]]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: expected a folder</source>
         <translation>{}: attesa una cartella</translation>
+    </message>
+    <message>
+        <source>{}: expected a list of numbers</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: expected an ordinary file</source>
@@ -8522,6 +9024,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: expected at least one [[band]]</source>
         <translation>{}: attesa almeno una [[band]]</translation>
+    </message>
+    <message>
+        <source>{}: expected numbers with a point</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: expected true or false</source>
@@ -8540,8 +9046,8 @@ Per cominciare: %1</translation>
         <translation>{}: meno di due tempi diversi: la frequenza di campionamento è ignota</translation>
     </message>
     <message>
-        <source>{}: format {}; this program reads format {}</source>
-        <translation>{}: formato {}; questo programma legge il formato {}</translation>
+        <source>{}: format {}; this program reads formats {} to {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: gives no picture any more</source>
@@ -8602,6 +9108,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: is still being recorded; close it first</source>
         <translation>{}: è ancora in registrazione; prima chiuderla</translation>
+    </message>
+    <message>
+        <source>{}: its calibrations do not tell on which touchpad they were made; they are used with {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: its columns are not those of this format</source>
@@ -8872,6 +9382,10 @@ Per cominciare: %1</translation>
         <translation>{}: metterlo in comando remoto e chiudere ogni altro programma che lo pilota</translation>
     </message>
     <message>
+        <source>{}: simulated points, nothing is saved: these values would be used by {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: source of {} bytes: expected at most {} that can be printed</source>
         <translation>{}: source di {} byte: attesi al massimo {} stampabili</translation>
     </message>
@@ -9116,6 +9630,10 @@ Per cominciare: %1</translation>
         <translation>{}: {} in un passo</translation>
     </message>
     <message>
+        <source>{}: {} is no calibrated value, nothing is saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: {} is no folder</source>
         <translation>{}: {} non è una cartella</translation>
     </message>
@@ -9264,12 +9782,12 @@ Per cominciare: %1</translation>
         <translation>{}; e neppure la voce può attendere: {}. La registrazione è al sicuro; inserirla più tardi con `fyd session add {}`</translation>
     </message>
     <message>
-        <source>{}; robot {} could not be had again either: {}</source>
-        <translation>{}; neppure il robot {} si è potuto riavere: {}</translation>
-    </message>
-    <message>
         <source>{}; the entry waits in {} and goes in when the catalogue is next opened</source>
         <translation>{}; la voce attende in {} ed entra alla prossima apertura del catalogo</translation>
+    </message>
+    <message>
+        <source>{}; the former devices could not be had again either: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}; the former session could not be had again either: {}</source>

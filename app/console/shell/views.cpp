@@ -2,9 +2,9 @@
 
 #include <QCoreApplication>
 
-#include "app/console/shell/cable_words.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/devices/cable_text.h"
 
 namespace fyd::console {
 namespace {
@@ -195,7 +195,7 @@ std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::Readin
   for (const station::ReadinessLine& line : lines) {
     QString why = widgets::coreText(line.why);
     if (!why.isEmpty()) why[0] = why[0].toUpper();
-    const QString cable = cableRemedy(line.fault, connection);
+    const QString cable = widgets::cableRemedy(line.fault, connection);
     const Mending mending = mendingOf(line.fault);
     out.push_back({.what = widgets::coreText(line.what),
                    .ok = line.ok,

@@ -1,11 +1,11 @@
-#include "app/console/shell/cable_words.h"
+#include "widgets/devices/cable_text.h"
 
 #include <QCoreApplication>
 
-namespace fyd::console {
+namespace fyd::widgets {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CableWords", text); }
+QString tr(const char* text) { return QCoreApplication::translate("CableText", text); }
 
 /// What follows `prefix` in a source's word; empty where it is another kind of source.
 QString addressAfter(const std::string& source, std::string_view prefix) {
@@ -50,7 +50,7 @@ QString robotRemedy(const std::string& source) {
 
 }  // namespace
 
-QString cableRemedy(pipeline::Fault fault, const ConnectionWords& words) {
+QString cableRemedy(pipeline::Fault fault, const station::SourceParameters& words) {
   using enum pipeline::Fault;
   switch (fault) {
     case motors_stale: return words.motors.empty() ? touchpadRemedy(words.touchpad) : motorRemedy(words.motors);
@@ -62,4 +62,4 @@ QString cableRemedy(pipeline::Fault fault, const ConnectionWords& words) {
   }
 }
 
-}  // namespace fyd::console
+}  // namespace fyd::widgets

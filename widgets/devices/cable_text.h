@@ -3,11 +3,12 @@
 
 #include <QString>
 
-#include "app/console/shell/session.h"
+#include "core/pipeline/safety.h"
+#include "core/station/profile/profile.h"
 
-namespace fyd::console {
+namespace fyd::widgets {
 
 /// "Check the touchpad's power and its network cable to 10.0.0.7:502.". Empty where no cable is to blame.
-[[nodiscard]] QString cableRemedy(pipeline::Fault fault, const ConnectionWords& words);
+[[nodiscard]] QString cableRemedy(pipeline::Fault fault, const station::SourceParameters& words);
 
-}  // namespace fyd::console
+}  // namespace fyd::widgets
