@@ -66,6 +66,7 @@ class RecordingTest : public QObject {
     QCOMPARE(asked.notes, std::string("first try"));
     QCOMPARE(asked.tags, (std::vector<std::string>{"pilot", "left hand"}));
     QVERIFY(QFileInfo(f.folder.filePath(QStringLiteral("new folder"))).isDir());
+    QCOMPARE(f.form->notesField()->toPlainText(), QString());  // they are this recording's, not the next one's
 
     f.session->recorder.seconds = 751.4;
     f.session->recorder.bytes = 24'100'000;
