@@ -8,7 +8,7 @@
 
 namespace fyd::widgets {
 
-TimeField::TimeField(Span span, QWidget* parent) : QLineEdit(parent), span_(std::move(span)) {
+TimeField::TimeField(QWidget* parent) : QLineEdit(parent) {
   setObjectName(QStringLiteral("time_field"));
   setAccessibleName(tr("Go to a time of the session"));
   setPlaceholderText(tr("go to, s"));
@@ -35,7 +35,7 @@ void TimeField::say(const QString& problem) {
 
 void TimeField::take() {
   const double time_s = readTime_s(text());
-  const auto [first_s, last_s] = span_();
+  const auto [first_s, last_s] = span_ ? span_() : std::pair(std::nan(""), std::nan(""));
   if (!std::isfinite(time_s)) {
     say(tr("'%1' is no time; expected seconds, such as 83.5, or minutes and seconds, such as 1:23.5.").arg(text()));
   } else if (!std::isfinite(first_s) || !std::isfinite(last_s)) {

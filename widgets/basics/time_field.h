@@ -12,7 +12,8 @@ class TimeField : public QLineEdit {
  public:
   /// First and last time that there is, s; not finite: none.
   using Span = std::function<std::pair<double, double>()>;
-  explicit TimeField(Span span, QWidget* parent = nullptr);
+  explicit TimeField(QWidget* parent = nullptr);
+  void setSpan(Span span) { span_ = std::move(span); }
   /// Why the last entry was not taken; empty: it was.
   [[nodiscard]] QString problem() const { return problem_; }
 

@@ -90,7 +90,8 @@ void CurveView::buildBar(QVBoxLayout* layout) {
   follow_label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts it first
   bar->addWidget(follow_button_);
   bar->addWidget(follow_label_, 1);
-  time_field_ = new TimeField([this] { return std::pair(buffer_.firstTime_s(), buffer_.lastTime_s()); }, this);
+  time_field_ = new TimeField(this);
+  time_field_->setSpan([this] { return std::pair(buffer_.firstTime_s(), buffer_.lastTime_s()); });
   connect(time_field_, &TimeField::asked, this, &CurveView::goTo);
   bar->addWidget(time_field_);
   spans_ = new QButtonGroup(this);

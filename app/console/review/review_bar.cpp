@@ -13,13 +13,14 @@ ReviewBar::ReviewBar(ReviewPlayer& player, QWidget* parent)
     : QWidget(parent),
       layout_(new QHBoxLayout(this)),
       time_(new QLabel(this)),
+      time_field_(new widgets::TimeField(this)),
       title_(new QLabel(this)),
       recover_(new QToolButton(this)) {
   layout_->setContentsMargins(kGrid, 0, kGrid, 0);
   layout_->setSpacing(kGrid);
   auto* back = new QToolButton(this);
   back->setText(tr("Sessions"));
-  back->setToolTip(tr("The list of sessions (Ctrl+O)"));
+  back->setToolTip(tr("The list of sessions (Ctrl+Shift+O)"));
   connect(back, &QToolButton::clicked, this, &ReviewBar::listAsked);
   layout_->addWidget(back);
   addPlaying(player);
@@ -31,6 +32,7 @@ ReviewBar::ReviewBar(ReviewPlayer& player, QWidget* parent)
   title_->setMinimumWidth(0);
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout_->addWidget(time_);
+  layout_->addWidget(time_field_);
   layout_->addWidget(title_, 1);
   recover_->setObjectName(QStringLiteral("recover_button"));
   recover_->setText(tr("Recover"));

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "app/console/review/review_player.h"
+#include "widgets/basics/time_field.h"
 
 namespace fyd::console {
 
@@ -20,6 +21,7 @@ class ReviewBar : public QWidget {
   [[nodiscard]] QString title() const { return title_->text(); }
   /// At its right end.
   void addButton(QToolButton* button) { layout_->addWidget(button); }
+  [[nodiscard]] widgets::TimeField* timeField() const { return time_field_; }
   [[nodiscard]] QToolButton* recoverButton() const { return recover_; }
 
  signals:
@@ -30,6 +32,7 @@ class ReviewBar : public QWidget {
 
   QHBoxLayout* layout_;
   QLabel* time_;
+  widgets::TimeField* time_field_;
   QLabel* title_;
   QToolButton* recover_;
 };

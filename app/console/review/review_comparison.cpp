@@ -1,8 +1,10 @@
 #include "app/console/review/review_comparison.h"
 
+#include <QFileInfo>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/console/review/recording_files.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
 #include "widgets/basics/theme.h"
@@ -23,12 +25,17 @@ double startOf(const std::vector<exports::Touch>& touches, int index) {
 ReviewComparison::ReviewComparison(widgets::ProgressBars* bars, QWidget* parent)
     : QWidget(parent),
       path_(new QLineEdit(this)),
+      choose_(new QPushButton(tr("Choose a file…"), this)),
       our_touch_(new QComboBox(this)),
       their_touch_(new QComboBox(this)),
       words_(new QLabel(this)),
       search_(bars) {
   build();
   connect(path_, &QLineEdit::returnPressed, this, [this] { compare(path_->text()); });
+  connect(choose_, &QPushButton::clicked, this, [this] {
+    askForRecording(this, tr("Recording to compare with"), QFileInfo(path_->text()).absolutePath(),
+                    [this](const QString& path) { compare(path); });
+  });
   for (QComboBox* box : {our_touch_, their_touch_}) {
     connect(box, &QComboBox::currentIndexChanged, this,
             [this] { alignAt(our_touch_->currentIndex() - 1, their_touch_->currentIndex() - 1); });
@@ -45,6 +52,7 @@ void ReviewComparison::build() {
   their_touch_->setAccessibleName(tr("Align the other session at"));
   words_->setWordWrap(true);
   layout->addWidget(path_);
+  layout->addWidget(choose_);
   layout->addWidget(new QLabel(tr("This session's"), this));
   layout->addWidget(our_touch_);
   layout->addWidget(new QLabel(tr("lies on the other's"), this));
@@ -61,7 +69,9 @@ void ReviewComparison::clear() {
   other_touches_.clear();
   our_touch_->clear();
   their_touch_->clear();
-  words_->setText(tr("Name a second recording: its curves are drawn faint behind these."));
+  words_->setText(
+      tr("Choose a second recording: its curves are drawn faint behind these. In the list of sessions, two can be "
+         "chosen at once."));
 }
 
 void ReviewComparison::setTouches(const std::vector<exports::Touch>& touches) {
@@ -70,6 +80,7 @@ void ReviewComparison::setTouches(const std::vector<exports::Touch>& touches) {
 }
 
 void ReviewComparison::compare(const QString& path) {
+  path_->setText(path);
   auto opened = recording::Recording::open(path.trimmed().toStdString());
   if (!opened) {
     words_->setText(widgets::coreText(opened.error().message));

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QWidget>
 #include <memory>
 #include <vector>
@@ -24,6 +25,7 @@ class ReviewComparison : public QWidget {
   void compare(const QString& path);
   /// Aligns the other's touch `theirs` with the session's touch `ours`, both from 0; -1: the start.
   void alignAt(int ours, int theirs);
+  [[nodiscard]] QString words() const { return words_->text(); }
 
  signals:
   /// @param recording nullptr: none; valid until the next emission
@@ -38,6 +40,7 @@ class ReviewComparison : public QWidget {
   std::vector<exports::Touch> touches_;
   std::vector<exports::Touch> other_touches_;
   QLineEdit* path_;
+  QPushButton* choose_;
   QComboBox* our_touch_;
   QComboBox* their_touch_;
   QLabel* words_;

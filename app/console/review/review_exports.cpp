@@ -37,10 +37,19 @@ Result<void> writeCard(const std::string& path, const std::string& target, const
 
 }  // namespace
 
-void ReviewExports::exportAs(const QString& ending) {
+std::string ReviewExports::targetFor(const QString& ending, const QString& of) const {
   const QFileInfo file(path_);
-  exportTo((file.absolutePath() + QLatin1Char('/') + file.completeBaseName() + QLatin1Char('.') + ending).toStdString(),
-           {});
+  return (file.absolutePath() + QLatin1Char('/') + file.completeBaseName() + of + QLatin1Char('.') + ending)
+      .toStdString();
+}
+
+void ReviewExports::exportAs(const QString& ending) { exportTo(targetFor(ending), {}); }
+
+void ReviewExports::exportStretch(const QString& ending, double from_s, double to_s) {
+  // Names of files have a point in every language.
+  const auto text = [](double time_s) { return QString::number(time_s, 'f', 3); };
+  exportTo(targetFor(ending, QStringLiteral(" %1-%2 s").arg(text(from_s), text(to_s))),
+           {.from_s = from_s, .to_s = to_s});
 }
 
 // Reads the data again on its own thread, because the shown time may be hours.
@@ -101,10 +110,12 @@ void ReviewExports::finish(const std::string& target, const Result<void>& done, 
   if (done) {
     const QString written = tr("%1 is written.").arg(name);
     tell_(Severity::information, then.isEmpty() ? written : written + QLatin1Char(' ') + then);
+    emit this->written(name);
   } else if (work->cancelled()) {
     tell_(Severity::information, tr("%1 was cancelled; no file is left.").arg(name));
   } else {
     tell_(Severity::warning, widgets::coreText(done.error().message));
+    emit failed(widgets::coreText(done.error().message));
   }
 }
 

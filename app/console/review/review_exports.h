@@ -26,6 +26,8 @@ class ReviewExports : public QObject {
   void setRecording(const QString& path) { path_ = path; }
   /// Beside the recording, in the format of the ending: report.html, report.pdf, csv, mat, mcap, mkv.
   void exportAs(const QString& ending);
+  /// The same from `from_s` to `to_s`, both included; the file's name says so. Not for reports.
+  void exportStretch(const QString& ending, double from_s, double to_s);
   /// The rows and fields that `curves` show, as CSV.
   void exportShown(const ReviewCurves& curves, const QString& target);
   /// A touch as a gesture card. @param number from 1
@@ -35,12 +37,18 @@ class ReviewExports : public QObject {
   /// Cancels all of them; no partial file is left.
   void drop();
 
+ signals:
+  void written(const QString& path);
+  void failed(const QString& why);
+
  private:
   using Write = std::function<Result<void>(const recording::Progress&)>;
   void exportTo(const std::string& target, const exports::ExportOptions& options);
   /// @param then text that follows "… is written." in the notice
   void run(const std::string& target, Write write, const QString& then = {});
 
+  /// Beside the recording. @param of which part of it; empty: all
+  [[nodiscard]] std::string targetFor(const QString& ending, const QString& of = {}) const;
   void finish(const std::string& target, const Result<void>& done, const QString& then);
 
   widgets::ProgressBars* bars_;

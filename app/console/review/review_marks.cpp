@@ -2,7 +2,10 @@
 
 #include <QDateTime>
 #include <algorithm>
+#include <iterator>
+#include <set>
 
+#include "core/catalogue/catalogue_text.h"
 #include "core/pipeline/parameters.h"
 #include "core/station/notice.h"
 #include "widgets/basics/core_text.h"
@@ -31,15 +34,15 @@ bool movesNothingMore(const pipeline::Event& event) {
 
 }  // namespace
 
-ReviewMarks::ReviewMarks(widgets::SessionOverview* overview, NoteTable* table, Tell tell)
-    : overview_(overview), table_(table), tell_(std::move(tell)) {}
+ReviewMarks::ReviewMarks(widgets::SessionOverview* overview, NoteTable* table, QString catalogue, Tell tell)
+    : overview_(overview), table_(table), tell_(std::move(tell)), catalogue_(std::move(catalogue)) {}
 
 void ReviewMarks::open(const QString& path) {
   path_ = path.toStdString();
-  auto notes = recording::readReviewNotes(path_);
-  damaged_ = !notes;
-  notes_ = notes ? std::move(*notes) : std::vector<recording::ReviewNote>{};
-  if (!notes) tell_(Severity::warning, widgets::coreText(notes.error().message));
+  auto review = recording::readReviewNotes(path_);
+  damaged_ = !review;
+  review_ = review ? std::move(*review) : recording::ReviewNotes{};
+  if (!review) tell_(Severity::warning, widgets::coreText(review.error().message));
 }
 
 void ReviewMarks::show(const recording::Recording& recording) {
@@ -50,6 +53,8 @@ void ReviewMarks::show(const recording::Recording& recording) {
     lines.push_back({at_s, kind, text});
   };
   const recording::RecordingInfo& info = recording.info();
+  id_ = info.header.id;
+  own_tags_ = info.header.tags;
   pipeline::Parameters parameters;
   const auto bound = bindParameters(parameters);
   if (const auto events = recording.events()) {
@@ -66,7 +71,7 @@ void ReviewMarks::show(const recording::Recording& recording) {
           QString::fromStdString(note.text));
     }
   }
-  for (const recording::ReviewNote& note : notes_) {
+  for (const recording::ReviewNote& note : review_.notes) {
     add(note.time_s, OverviewMarkKind::note, tr("%1, in review").arg(kindWord(note.kind)),
         QString::fromStdString(note.text));
   }
@@ -81,22 +86,73 @@ bool ReviewMarks::write(recording::NoteKind kind, const QString& text, double at
     tell_(Severity::information, tr("A note needs words."));
     return false;
   }
+  const recording::ReviewNote note{.time_s = at_s,
+                                   .kind = kind,
+                                   .text = what.toStdString(),
+                                   .written_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
+  auto review = review_;
+  review.notes.push_back(note);
+  return save(std::move(review), {.note = note, .tags_added = {}, .tags_removed = {}});
+}
+
+QStringList ReviewMarks::tags() const {
+  QStringList out;
+  for (const std::string& tag : review_.tags.value_or(own_tags_)) out << QString::fromStdString(tag);
+  return out;
+}
+
+bool ReviewMarks::writeTags(const QString& text) {
+  std::set<std::string> wanted;
+  for (const QString& tag : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    if (const QString word = tag.simplified(); !word.isEmpty()) wanted.insert(word.toStdString());
+  }
+  if (auto good = catalogue::checkTags({wanted.begin(), wanted.end()}); !good) {
+    tell_(Severity::warning, widgets::coreText(good.error().message));
+    return false;
+  }
+  const auto& list = review_.tags.value_or(own_tags_);
+  const std::set<std::string> former(list.begin(), list.end());
+  catalogue::ReviewChange change;
+  std::ranges::set_difference(wanted, former, std::back_inserter(change.tags_added));
+  std::ranges::set_difference(former, wanted, std::back_inserter(change.tags_removed));
+  if (change.tags_added.empty() && change.tags_removed.empty()) return true;
+  auto review = review_;
+  review.tags = std::vector<std::string>(wanted.begin(), wanted.end());
+  return save(std::move(review), std::move(change));
+}
+
+bool ReviewMarks::save(recording::ReviewNotes review, catalogue::ReviewChange change) {
   if (damaged_) {
-    tell_(Severity::warning, tr("The note is not written: the file of notes is damaged. Mend or move %1.")
+    tell_(Severity::warning, tr("Nothing is written: the file of notes is damaged. Mend or move %1.")
                                  .arg(QString::fromStdString(recording::reviewNotesPath(path_))));
     return false;
   }
-  auto notes = notes_;
-  notes.push_back({.time_s = at_s,
-                   .kind = kind,
-                   .text = what.toStdString(),
-                   .written_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
-  if (auto written = recording::writeReviewNotes(path_, notes); !written) {
+  if (auto written = recording::writeReviewNotes(path_, review); !written) {
     tell_(Severity::warning, widgets::coreText(written.error().message));
     return false;
   }
-  notes_ = std::move(notes);
+  review_ = std::move(review);
+  deliver({id_, std::move(change)});
   return true;
+}
+
+// One after the other, each on the work's thread: a catalogue's server may answer slowly.
+void ReviewMarks::deliver(Change change) {
+  waiting_.push_back(std::move(change));
+  if (!work_.running()) deliverNext();
+}
+
+void ReviewMarks::deliverNext() {
+  if (waiting_.empty()) return;
+  work_.run([this, next = waiting_.front(),
+             catalogue = catalogue_.toStdString()](const std::stop_token&) -> Background::Finish {
+    const auto done = catalogue::catalogueReview(catalogue, next.id, next.change);
+    return [this, done] {
+      if (!done) tell_(Severity::warning, widgets::coreText(done.error().message));
+      waiting_.erase(waiting_.begin());
+      deliverNext();
+    };
+  });
 }
 
 }  // namespace fyd::console

@@ -1,5 +1,5 @@
-// The marks of a review: the recording's own events and notes, and the notes written in the review, which are kept in a
-// file beside it. They are shown as marks over the whole session and as a list.
+// The marks of a review: the recording's own events and notes, and the notes and tags written in the review, which are
+// kept in a file beside it and entered into the catalogue. Notes are shown as marks over the whole session and as a list.
 #pragma once
 
 #include <QCoreApplication>
@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/console/review/review_tables.h"
+#include "app/console/shell/background.h"
+#include "core/catalogue/catalogue_delivery.h"
 #include "core/recording/reader/review_notes.h"
 #include "widgets/curves/session_overview.h"
 #include "widgets/status/notice_stack.h"
@@ -19,21 +21,40 @@ class ReviewMarks {
  public:
   using Tell = std::function<void(widgets::Severity, const QString&)>;
   /// @param overview, table must outlive this
-  ReviewMarks(widgets::SessionOverview* overview, NoteTable* table, Tell tell);
+  /// @param catalogue word as after --catalogue
+  ReviewMarks(widgets::SessionOverview* overview, NoteTable* table, QString catalogue, Tell tell);
 
   /// Reads the notes beside the recording; errors are shown as a notice.
   void open(const QString& path);
   void show(const recording::Recording& recording);
   /// A note at `at_s`, into the file beside the recording. @return whether it was written; else a notice says why
   bool write(recording::NoteKind kind, const QString& text, double at_s);
+  /// As they were last set in a review, or those of the recording.
+  [[nodiscard]] QStringList tags() const;
+  /// Words between commas, in place of the former tags. @return whether they were written; else a notice says why
+  bool writeTags(const QString& text);
 
  private:
+  /// For the catalogue.
+  struct Change {
+    std::string id;  ///< of the recording
+    catalogue::ReviewChange change;
+  };
+  bool save(recording::ReviewNotes review, catalogue::ReviewChange change);
+  void deliver(Change change);
+  void deliverNext();
+
   widgets::SessionOverview* overview_;
   NoteTable* table_;
   Tell tell_;
   std::string path_;
-  std::vector<recording::ReviewNote> notes_;
-  bool damaged_ = false;  // the file is damaged: it is not overwritten
+  QString catalogue_;
+  std::string id_;
+  std::vector<std::string> own_tags_;  // of the recording
+  recording::ReviewNotes review_;
+  bool damaged_ = false;         // the file is damaged: it is not overwritten
+  std::vector<Change> waiting_;  // the first is under way
+  Background work_;
 };
 
 }  // namespace fyd::console

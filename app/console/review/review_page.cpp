@@ -55,17 +55,18 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
       stack_(new QStackedWidget(this)),
       work_(new widgets::ProgressBars(QKeySequence(QLatin1String(kCancelWorkKeys)).toString(QKeySequence::NativeText),
                                       this)),
-      list_(new SessionList(context.catalogue, this)),
+      list_(new SessionList(context.catalogue, recent_, this)),
       overview_(new widgets::SessionOverview(this)),
       curves_(new ReviewCurves(this)),
       curve_tools_(new CurveTools(curves_->stack(), context.tell, this)),
       exports_(new ReviewExports(work_, context.tell, this)),
       recovery_(new ReviewRecovery(work_, context.catalogue, context.tell, this)),
       note_table_(new NoteTable(this)),
-      marks_(overview_, note_table_, context.tell),
+      marks_(overview_, note_table_, context.catalogue, context.tell),
       bar_(new ReviewBar(player_, this)),
       camera_(new ReviewCamera(this)),
       note_field_(new QLineEdit(this)),
+      tags_field_(new QLineEdit(this)),
       tabs_(new ReviewTabs(context, work_, exports_, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -75,6 +76,13 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
   stack_->addWidget(panel(list_, this));
   stack_->addWidget(buildReview());
   connect(list_, &SessionList::openAsked, this, &ReviewPage::open);
+  connect(list_, &SessionList::compareAsked, this, &ReviewPage::compare);
+  bar_->timeField()->setSpan(
+      [this] { return std::pair(0.0, recording_ ? recording_->info().duration_s : std::nan("")); });
+  connect(bar_->timeField(), &widgets::TimeField::asked, this, [this](double time_s) {
+    curves_->setFocus();
+    player_.goTo(time_s);
+  });
   connect(bar_, &ReviewBar::listAsked, this, &ReviewPage::showList);
   connectCursor();
   connectTabs();
@@ -123,6 +131,12 @@ QWidget* ReviewPage::buildLeft() {
   layout->addWidget(camera_);
   layout->addWidget(note_table_, 1);
   layout->addWidget(note_field_);
+  tags_field_->setObjectName(QStringLiteral("tags_field"));
+  tags_field_->setPlaceholderText(tr("Tags, commas between, then Enter"));
+  tags_field_->setAccessibleName(tr("Tags of the session"));
+  tags_field_->setToolTip(tr("Kept beside the recording, which stays as it is; the list of sessions finds them."));
+  connect(tags_field_, &QLineEdit::returnPressed, this, &ReviewPage::writeTags);
+  layout->addWidget(tags_field_);
   return left;
 }
 
@@ -192,6 +206,11 @@ void ReviewPage::enter() {
   }
 }
 
+QString ReviewPage::unfinished() const {
+  const int files = exports_->underWay();
+  return files == 0 ? QString() : tr("exports being written: %1").arg(files);
+}
+
 void ReviewPage::leave() { player_.stop(); }
 
 void ReviewPage::showList() {
@@ -213,13 +232,15 @@ void ReviewPage::close() {
   camera_->forget();
 }
 
-void ReviewPage::open(const QString& path) {
+bool ReviewPage::open(const QString& path) {
   auto opened = recording::Recording::open(path.toStdString());
   if (!opened) {
-    context_.tell(Severity::warning, widgets::coreText(opened.error().message));
-    return;
+    const QString why = widgets::coreText(opened.error().message);
+    showsList() ? list_->sayProblem(why) : context_.tell(Severity::warning, why);
+    return false;
   }
   close();
+  recent_.add(path);
   recording_ = std::move(*opened);
   path_ = path;
   exports_->setRecording(path);
@@ -234,11 +255,19 @@ void ReviewPage::open(const QString& path) {
   marks_.open(path);
   describe();
   marks_.show(*recording_);
+  tags_field_->setText(marks_.tags().join(QStringLiteral(", ")));
   stack_->setCurrentIndex(1);
   player_.setRecording(recording_.get());
   curves_->show(0.0, std::min(duration_s, 30.0));
   showEnvelope();
   curves_->setFocus();
+  return true;
+}
+
+void ReviewPage::compare(const QString& first, const QString& second) {
+  if (!open(first)) return;
+  tabs_->setCurrentWidget(tabs_->comparison());
+  tabs_->comparison()->compare(second);
 }
 
 void ReviewPage::describe() {
@@ -274,7 +303,12 @@ void ReviewPage::look(double time_s) {
 void ReviewPage::setMark(Mark which) {
   if (!recording_) return;
   curves_->stack()->setMark(which, player_.time_s());
+  showMarks();
   tabs_->showFigures(curves_->stack()->mark_s(Mark::a), curves_->stack()->mark_s(Mark::b));
+}
+
+void ReviewPage::showMarks() {
+  tabs_->exportPanel()->setMarks(curves_->stack()->mark_s(Mark::a), curves_->stack()->mark_s(Mark::b));
 }
 
 void ReviewPage::writeNote(recording::NoteKind kind, const QString& text) {
@@ -283,11 +317,29 @@ void ReviewPage::writeNote(recording::NoteKind kind, const QString& text) {
   marks_.show(*recording_);
 }
 
+void ReviewPage::writeTags() {
+  if (!recording_ || !marks_.writeTags(tags_field_->text())) return;
+  tags_field_->setText(marks_.tags().join(QStringLiteral(", ")));
+  curves_->setFocus();
+}
+
 void ReviewPage::addCommands(PlaceCommands& commands) {
   const auto add = [&](const char* id, const char* text, const char* icon, const char* keys, auto run) {
     commands.add({id, kMenu, text, icon, keys}, [run](bool) { run(); });
   };
-  add("review.list", QT_TRANSLATE_NOOP("Commands", "List of sessions"), "log", "Ctrl+O", [this] { showList(); });
+  add("review.open", QT_TRANSLATE_NOOP("Commands", "Open a recording…"), "", "Ctrl+O", [this] { list_->chooseFile(); });
+  add("review.list", QT_TRANSLATE_NOOP("Commands", "List of sessions"), "log", "Ctrl+Shift+O", [this] { showList(); });
+  add("review.compare", QT_TRANSLATE_NOOP("Commands", "Compare the two chosen sessions"), "", "", [this] {
+    if (!showsList()) showList();
+    list_->compareChosen();
+  });
+  add("review.go_to", QT_TRANSLATE_NOOP("Commands", "Go to a time"), "", "J", [this] { timeField()->setFocus(); });
+  add("review.export", QT_TRANSLATE_NOOP("Commands", "Export, all or from A to B"), "save", "E", [this] {
+    tabs_->setCurrentWidget(tabs_->exportPanel());
+    tabs_->exportPanel()->writeButton()->setFocus();
+  });
+  add("review.tags", QT_TRANSLATE_NOOP("Commands", "Tags of the session"), "", "Shift+T",
+      [this] { tags_field_->setFocus(); });
   add("review.play", QT_TRANSLATE_NOOP("Commands", "Play or pause"), "pause", "Space",
       [this] { player_.togglePlaying(); });
   add("review.next_sample", QT_TRANSLATE_NOOP("Commands", "Next sample"), "", "Right",
@@ -300,8 +352,10 @@ void ReviewPage::addCommands(PlaceCommands& commands) {
       [this] { player_.stepPictures(-1); });
   add("review.mark_a", QT_TRANSLATE_NOOP("Commands", "Set A at the cursor"), "", "[", [this] { setMark(Mark::a); });
   add("review.mark_b", QT_TRANSLATE_NOOP("Commands", "Set B at the cursor"), "", "]", [this] { setMark(Mark::b); });
-  add("review.clear_marks", QT_TRANSLATE_NOOP("Commands", "Take A and B away"), "", "\\",
-      [this] { curves_->stack()->clearMarks(); });
+  add("review.clear_marks", QT_TRANSLATE_NOOP("Commands", "Take A and B away"), "", "\\", [this] {
+    curves_->stack()->clearMarks();
+    showMarks();
+  });
   curve_tools_->addCommands(commands, "review", kMenu, [this] {
     exports_->exportShown(*curves_, curve_tools_->saver().pathFor(QStringLiteral("csv")));
   });

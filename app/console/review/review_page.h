@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <memory>
 
+#include "app/console/review/recording_files.h"
 #include "app/console/review/review_bar.h"
 #include "app/console/review/review_camera.h"
 #include "app/console/review/review_curves.h"
@@ -30,16 +31,22 @@ class ReviewPage : public Page {
   void addCommands(PlaceCommands& commands) override;
   void enter() override;
   void leave() override;
+  [[nodiscard]] QString unfinished() const override;
 
-  /// Shows a recording; on an error a notice is shown, and the list stays.
-  void open(const QString& path);
+  /// Shows a recording. @return whether it could; if not, the list says why, or a notice while another one is shown
+  bool open(const QString& path);
+  /// Shows the first, and the second faint behind it.
+  void compare(const QString& first, const QString& second);
   void showList();
   /// To be called when a session was added to the catalogue: refreshes the list if it is shown.
   void showNews();
   /// At the cursor.
   void writeNote(recording::NoteKind kind, const QString& text);
   void setMark(widgets::CurveStack::Mark which);
+  void writeTags();
 
+  /// Those opened lately, on this page or from elsewhere.
+  [[nodiscard]] RecentRecordings& recent() { return recent_; }
   [[nodiscard]] const recording::Recording* recording() const { return recording_.get(); }
   [[nodiscard]] ReviewPlayer* player() { return &player_; }
   [[nodiscard]] CurveTools* curveTools() const { return curve_tools_; }
@@ -56,6 +63,8 @@ class ReviewPage : public Page {
   [[nodiscard]] widgets::ProgressBars* work() const { return work_; }
   [[nodiscard]] QToolButton* recoverButton() const { return bar_->recoverButton(); }
   [[nodiscard]] QLineEdit* noteField() const { return note_field_; }
+  [[nodiscard]] QLineEdit* tagsField() const { return tags_field_; }
+  [[nodiscard]] widgets::TimeField* timeField() const { return bar_->timeField(); }
   [[nodiscard]] ReviewTabs* tabs() const { return tabs_; }
   [[nodiscard]] bool showsList() const { return stack_->currentIndex() == 0; }
   [[nodiscard]] QString title() const { return bar_->title(); }
@@ -71,10 +80,13 @@ class ReviewPage : public Page {
   void describe();
   void look(double time_s);
   void showEnvelope();
+  /// In the panel that exports from A to B.
+  void showMarks();
 
   PageContext context_;
   QString path_;
   std::unique_ptr<recording::Recording> recording_;
+  RecentRecordings recent_;
   ReviewPlayer player_;
 
   QStackedWidget* stack_;
@@ -90,6 +102,7 @@ class ReviewPage : public Page {
   ReviewBar* bar_;
   ReviewCamera* camera_;
   QLineEdit* note_field_;
+  QLineEdit* tags_field_;
   ReviewTabs* tabs_;
 };
 

@@ -14,7 +14,7 @@ using widgets::kGrid;
 using widgets::numberText;
 using widgets::Severity;
 
-constexpr int kAtLeast = 36 * kGrid;
+constexpr int kAtLeast = 40 * kGrid;  // every tab
 constexpr int kAtMost = 50 * kGrid;  // every column of the touches
 
 }  // namespace
@@ -28,6 +28,7 @@ ReviewTabs::ReviewTabs(const PageContext& context, widgets::ProgressBars* bars, 
       figures_table_(new FiguresTable(this)),
       what_if_(new WhatIfPanel(bars, this)),
       comparison_(new ReviewComparison(bars, this)),
+      export_panel_(new ExportPanel(exports, this)),
       touch_search_(bars),
       figures_work_(bars) {
   setMinimumWidth(kAtLeast);
@@ -37,6 +38,7 @@ ReviewTabs::ReviewTabs(const PageContext& context, widgets::ProgressBars* bars, 
   addTab(figures_table_, tr("A – B"));
   addTab(what_if_, tr("What if"));
   addTab(comparison_, tr("Compare"));
+  addTab(export_panel_, tr("Export"));
 }
 
 QWidget* ReviewTabs::buildTouches() {
@@ -69,6 +71,7 @@ void ReviewTabs::close() {
   figures_work_.drop();
   what_if_->setRecording({});
   comparison_->clear();
+  export_panel_->clear();
 }
 
 void ReviewTabs::showTouches(const std::vector<exports::Touch>& touches) {

@@ -1,10 +1,11 @@
-// What is computed of a recording, at its right: touches, figures between A and B, what if, comparison.
+// What is made of a recording, at its right: touches, figures between A and B, what if, comparison, exports.
 #pragma once
 
 #include <QTabWidget>
 #include <QToolButton>
 #include <vector>
 
+#include "app/console/review/export_panel.h"
 #include "app/console/review/review_comparison.h"
 #include "app/console/review/review_exports.h"
 #include "app/console/review/review_tables.h"
@@ -18,7 +19,7 @@ namespace fyd::console {
 class ReviewTabs : public QTabWidget {
   Q_OBJECT
  public:
-  /// @param exports writes a touch's gesture card
+  /// @param exports writes the files
   ReviewTabs(const PageContext& context, widgets::ProgressBars* bars, ReviewExports* exports, QWidget* parent);
 
   /// Begins to look for touches.
@@ -35,6 +36,7 @@ class ReviewTabs : public QTabWidget {
   [[nodiscard]] FiguresTable* figures() const { return figures_table_; }
   [[nodiscard]] WhatIfPanel* whatIf() const { return what_if_; }
   [[nodiscard]] ReviewComparison* comparison() const { return comparison_; }
+  [[nodiscard]] ExportPanel* exportPanel() const { return export_panel_; }
 
  signals:
   /// Found, or none while they are looked for.
@@ -53,6 +55,7 @@ class ReviewTabs : public QTabWidget {
   FiguresTable* figures_table_;
   WhatIfPanel* what_if_;
   ReviewComparison* comparison_;
+  ExportPanel* export_panel_;
   TouchSearch touch_search_;
   LongWork figures_work_;
 };

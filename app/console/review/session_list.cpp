@@ -2,9 +2,11 @@
 
 #include <QCompleter>
 #include <QDir>
+#include <QFileInfo>
 #include <QFileSystemModel>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -45,13 +47,16 @@ QString stateWord(const catalogue::CatalogueEntry& entry) {
 
 }  // namespace
 
-SessionList::SessionList(QString catalogue, QWidget* parent)
+SessionList::SessionList(QString catalogue, RecentRecordings& recent, QWidget* parent)
     : QWidget(parent),
       catalogue_(std::move(catalogue)),
       filter_(new QLineEdit(this)),
       table_(new QTableWidget(this)),
       path_(new QLineEdit(this)),
       open_(new QPushButton(tr("Open"), this)),
+      choose_(new QPushButton(tr("Open a file…"), this)),
+      recent_(new QToolButton(this)),
+      compare_(new QPushButton(tr("Compare the two"), this)),
       recover_(new QPushButton(tr("Recover"), this)),
       words_(new QLabel(this)) {
   build();
@@ -59,6 +64,13 @@ SessionList::SessionList(QString catalogue, QWidget* parent)
   connect(path_, &QLineEdit::returnPressed, this, &SessionList::openPath);
   connect(open_, &QPushButton::clicked, this, &SessionList::openPath);
   connect(recover_, &QPushButton::clicked, this, &SessionList::recoverPath);
+  connect(choose_, &QPushButton::clicked, this, &SessionList::chooseFile);
+  connect(compare_, &QPushButton::clicked, this, &SessionList::compareChosen);
+  connect(table_, &QTableWidget::itemSelectionChanged, this,
+          [this] { compare_->setEnabled(chosenRows().size() == 2); });
+  auto* lately = new QMenu(recent_);
+  recent.fill(*lately, [this](const QString& path) { emit openAsked(path); });
+  recent_->setMenu(lately);
   connect(table_, &QTableWidget::cellActivated, this, [this](int row, int) {
     emit openAsked(QString::fromStdString(entries_[static_cast<std::size_t>(row)].path));
   });
@@ -82,7 +94,7 @@ void SessionList::build() {
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->setTabKeyNavigation(false);
   path_->setObjectName(QStringLiteral("session_path"));
   path_->setPlaceholderText(
@@ -90,6 +102,12 @@ void SessionList::build() {
   path_->setAccessibleName(tr("Path of a recording"));
   recover_->setObjectName(QStringLiteral("list_recover_button"));
   recover_->setToolTip(tr("Makes a recording whole whose recorder crashed or that is damaged. Nothing is deleted."));
+  choose_->setToolTip(tr("Any recording's file (Ctrl+O); it can be dropped onto the window, too"));
+  recent_->setObjectName(QStringLiteral("recent_button"));
+  recent_->setText(tr("Opened lately"));
+  recent_->setPopupMode(QToolButton::InstantPopup);
+  compare_->setToolTip(tr("Choose two sessions, the second with Ctrl: the later one is drawn faint behind the first."));
+  compare_->setEnabled(false);
   auto* files = new QFileSystemModel(path_);
   files->setRootPath(QString());
   path_->setCompleter(new QCompleter(files, path_));
@@ -102,18 +120,21 @@ void SessionList::build() {
   auto* row = new QHBoxLayout;
   row->addWidget(path_, 1);
   row->addWidget(open_);
+  row->addWidget(choose_);
+  row->addWidget(recent_);
+  row->addWidget(compare_);
   row->addWidget(recover_);
   layout->addLayout(row);
 }
 
 void SessionList::look() {
-  words_->setText(tr("Searching …"));
+  say(tr("Searching …"));
   work_.run([this, catalogue = catalogue_.toStdString(),
              text = filter_->text().toStdString()](const std::stop_token&) -> Background::Finish {
     auto found = std::make_shared<Found>(search(catalogue, text));
     return [this, found] {
       fill(*found ? **found : std::vector<catalogue::CatalogueEntry>{});
-      if (!*found) words_->setText(widgets::coreText(found->error().message));
+      if (!*found) say(widgets::coreText(found->error().message));
     };
   });
 }
@@ -143,12 +164,11 @@ void SessionList::fill(const std::vector<catalogue::CatalogueEntry>& entries) {
     }
   }
   if (!entries.empty()) {
-    words_->setText(tr("Enter or a double click opens a session."));
+    say(tr("Enter or a double click opens a session."));
   } else if (filter_->text().isEmpty()) {
-    words_->setText(
-        tr("No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below."));
+    say(tr("No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below."));
   } else {
-    words_->setText(tr("No session has these words."));
+    say(tr("No session has these words."));
   }
   chooseAgain(chosen_column);
 }
@@ -175,17 +195,47 @@ void SessionList::chooseAgain(int column) {
 void SessionList::explain(const catalogue::CatalogueEntry& entry) {
   const bool present = entry.file_state == catalogue::FileState::present;
   if (present && entry.wholeness == recording::Wholeness::crashed) {
-    words_->setText(tr("Its recorder crashed. Recover makes it whole; it can be opened as it is, too."));
+    say(tr("Its recorder crashed. Recover makes it whole; it can be opened as it is, too."));
   } else if (present && entry.wholeness == recording::Wholeness::damaged) {
-    words_->setText(tr("It is damaged. Recover keeps what can be proven; it can be opened as it is, too."));
+    say(tr("It is damaged. Recover keeps what can be proven; it can be opened as it is, too."));
   } else {
-    words_->setText(tr("Enter or a double click opens a session."));
+    say(tr("Enter or a double click opens a session."));
   }
+}
+
+void SessionList::say(const QString& text, bool problem) {
+  words_->setText(text);
+  words_->setProperty("role", problem ? "warning" : "");
+  widgets::restyle(*words_);
+}
+
+void SessionList::sayProblem(const QString& text) { say(text, true); }
+
+void SessionList::chooseFile() {
+  askForRecording(this, tr("Recording to open"), QFileInfo(path_->text()).absolutePath(),
+                  [this](const QString& path) { emit openAsked(path); });
+}
+
+std::vector<int> SessionList::chosenRows() const {
+  std::vector<int> rows;
+  for (const QModelIndex& index : table_->selectionModel()->selectedRows()) rows.push_back(index.row());
+  std::ranges::sort(rows);
+  return rows;
+}
+
+void SessionList::compareChosen() {
+  const std::vector<int> rows = chosenRows();
+  if (rows.size() != 2) {
+    say(tr("Choose two sessions to compare, the second with Ctrl."));
+    return;
+  }
+  const auto path = [&](int row) { return QString::fromStdString(entries_[static_cast<std::size_t>(row)].path); };
+  emit compareAsked(path(rows[1]), path(rows[0]));
 }
 
 QString SessionList::namedPath() {
   QString path = path_->text().trimmed();
-  if (path.isEmpty()) words_->setText(tr("Choose a session, or write the path of a recording."));
+  if (path.isEmpty()) say(tr("Choose a session, or write the path of a recording."));
   return path;
 }
 
