@@ -11,8 +11,12 @@
 #include <qcustomplot.h>
 
 #include "app/console/review/review_source.h"
+#include "tests/widgets/look_check.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
+#include "widgets/basics/colour_scale.h"
+#include "widgets/basics/number_text.h"
+#include "widgets/basics/plot_labels.h"
 #include "widgets/curves/curve_catalogue.h"
 #include "widgets/curves/curve_picture.h"
 
@@ -119,6 +123,114 @@ class CurveToolsTest : public QObject {
     f.key(Qt::Key_Right, Qt::ControlModifier);
     f.key(Qt::Key_BracketRight);
     QVERIFY(f.curves->stack()->markText().contains(QStringLiteral("Δt 0.050 s")));
+  }
+
+  void timeHasANameAndNumeralsSayWhose() {
+    CurveFixture f;
+    const auto says = [&](const char* text) { return paintedTexts(*f.curves).contains(QString::fromUtf8(text)); };
+    QVERIFY2(says("now"), qPrintable(paintedTexts(*f.curves).join(QLatin1Char('|'))));
+    QVERIFY(says("−8 s"));
+    QVERIFY(!says("session time, s"));
+    WAIT_EQUAL(f.curves->readout(0)->when(), QStringLiteral("live"));
+    f.key(Qt::Key_Space);
+    f.curves->redraw();
+    QVERIFY(says("session time, s"));
+    QVERIFY(!says("now"));
+    QCOMPARE(f.curves->readout(0)->when(), QStringLiteral("live"));  // there is no cursor yet
+    f.key(Qt::Key_J);
+    widgets::TimeField* field = f.curves->timeField();
+    QVERIFY(field->hasFocus());
+    for (const char* wrong : {"", "soft", "-1", "99", "0:75", "1:2:3:4", "nan"}) {
+      field->setText(QString::fromUtf8(wrong));
+      QTest::keyClick(field, Qt::Key_Return);
+      QVERIFY2(field->problem().contains(QString::fromUtf8(wrong)) && !field->problem().isEmpty(), wrong);
+      QVERIFY(!std::isfinite(f.curves->stack()->cursor_s()));
+    }
+    field->setText(QStringLiteral("0:01,5"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(field->problem().isEmpty());
+    QVERIFY(!field->hasFocus());
+    QCOMPARE(f.curves->stack()->cursor_s(), 1.5);
+    f.curves->redraw();
+    QCOMPARE(f.curves->readout(0)->when(), QStringLiteral("at 1.500 s"));
+    QCOMPARE(f.curves->readout(0)->valueText(0), QStringLiteral("1.50"));
+    QVERIFY(says("1.50 N"));  // beside the curve
+    f.key(Qt::Key_F);
+    QVERIFY(f.curves->following());
+    WAIT_EQUAL(f.curves->readout(0)->when(), QStringLiteral("live"));
+  }
+
+  void timesAreReadAsTheyAreWritten() {
+    QCOMPARE(widgets::readTime_s(QStringLiteral("83.5")), 83.5);
+    QCOMPARE(widgets::readTime_s(QStringLiteral(" 1:23,5 ")), 83.5);
+    QCOMPARE(widgets::readTime_s(QStringLiteral("1:02:03.5")), 3723.5);
+    QCOMPARE(widgets::readTime_s(QStringLiteral("90:00")), 5400.0);
+    for (const char* wrong : {"", ":", "1:", "1.5:20", "1:60", "1:-2", "-3", "inf", "1:1:1:1", "ten"}) {
+      QVERIFY2(std::isnan(widgets::readTime_s(QString::fromUtf8(wrong))), wrong);
+    }
+  }
+
+  void labelsFindRoomOrAreLeftOut() {
+    std::mt19937 random(5);
+    const auto any = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
+    int placed = 0;
+    for (int round = 0; round < 300; ++round) {
+      const QRect inside(40, 4, 60 + any(400), 10 + any(150));
+      const std::vector<QRect> taken = {QRect(inside.left() + any(inside.width()), inside.top(), 80, 14)};
+      std::vector<widgets::LabelWish> wishes;
+      for (int i = any(8); i >= 0; --i) {
+        wishes.push_back({QPoint(inside.left() + any(inside.width()), inside.top() + any(inside.height())),
+                          QSize(20 + any(60), 14)});
+      }
+      std::vector<QRect> all = taken;
+      const auto places = widgets::placeLabels(inside, taken, wishes);
+      QCOMPARE(places.size(), wishes.size());
+      for (const QRect& place : places) {
+        if (!place.isValid()) continue;
+        ++placed;
+        QVERIFY(inside.contains(place));
+        for (const QRect& other : all) QVERIFY(!place.intersects(other));
+        all.push_back(place);
+      }
+    }
+    QVERIFY2(placed > 500, qPrintable(QString::number(placed)));
+  }
+
+  void withEightCurvesAndTheSpectrumNoTextLiesOnAnother_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("1280x720") << QSize(1280, 720);
+    QTest::newRow("1920x1080 at 200 %") << QSize(960, 540);
+  }
+
+  void withEightCurvesAndTheSpectrumNoTextLiesOnAnother() {
+    QFETCH(QSize, size);
+    CurveFixture f;
+    f.window->resize(size);
+    for (std::size_t i = 0; i < f.curves->stack()->size(); ++i) f.curves->stack()->setShown(i, i < 8);
+    f.key(Qt::Key_S);
+    QWidget* pictures = f.curves->parentWidget();
+    const auto look = [&] {
+      QApplication::processEvents();
+      f.curves->redraw();
+      emit f.tools->spectrum()->changed();
+      const QStringList faults = textsOverEachOther(*pictures);
+      QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    };
+    look();  // live
+    f.curves->setMark(CurveStack::Mark::a);
+    f.curves->goTo(2.0);
+    f.curves->setMark(CurveStack::Mark::b);
+    look();
+    const QStringList texts = paintedTexts(*f.tools->spectrum());
+    QVERIFY(texts.contains(QStringLiteral("Frequency, Hz")));
+    QVERIFY(texts.contains(QStringLiteral("session time, s")));
+    QVERIFY(f.tools->spectrum()->colourScale()->largest() > f.tools->spectrum()->colourScale()->least());
+    const auto level = [](QCustomPlot& plot) {
+      const QRect rect = plot.axisRect()->rect();
+      return std::pair(plot.mapToGlobal(rect.topLeft()).x(), plot.mapToGlobal(rect.topRight()).x());
+    };
+    QVERIFY(level(*f.curves->strip(0)->plot()) == level(*f.tools->spectrum()->timePlot()));
+    QCOMPARE(f.tools->spectrum()->timePlot()->xAxis->range().size(), f.curves->strip(0)->plot()->xAxis->range().size());
   }
 
   void curvesAreChosenAndTheLastOneStays() {

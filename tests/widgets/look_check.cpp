@@ -189,6 +189,99 @@ QStringList lookFaults(const QWidget& window) {
   return out;
 }
 
+namespace {
+
+struct PaintedText {
+  QString text;
+  QRectF place;  ///< of its ink
+};
+
+/// Draws nothing and remembers the texts.
+class TextEngine : public QPaintEngine {
+ public:
+  TextEngine() : QPaintEngine(QPaintEngine::AllFeatures) {}
+  bool begin(QPaintDevice*) override { return true; }
+  bool end() override { return true; }
+  void updateState(const QPaintEngineState&) override {}
+  void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
+  void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
+  void drawTextItem(const QPointF& at, const QTextItem& item) override {
+    if (item.text().trimmed().isEmpty()) return;
+    const QRectF ink = QFontMetricsF(item.font()).tightBoundingRect(item.text()).translated(at);
+    texts.push_back({item.text(), state->transform().mapRect(ink)});
+  }
+  [[nodiscard]] Type type() const override { return User; }
+  std::vector<PaintedText> texts;
+};
+
+class TextDevice : public QPaintDevice {
+ public:
+  explicit TextDevice(QSize size) : size_(size) {}
+  [[nodiscard]] QPaintEngine* paintEngine() const override { return &engine; }
+  mutable TextEngine engine;
+
+ protected:
+  [[nodiscard]] int metric(PaintDeviceMetric metric) const override {
+    constexpr int kDotsPerInch = 96;
+    switch (metric) {
+      case PdmWidth: return size_.width();
+      case PdmHeight: return size_.height();
+      case PdmDpiX:
+      case PdmDpiY:
+      case PdmPhysicalDpiX:
+      case PdmPhysicalDpiY: return kDotsPerInch;
+      case PdmDevicePixelRatio: return 1;
+      case PdmDepth: return 32;
+      default: return QPaintDevice::metric(metric);
+    }
+  }
+
+ private:
+  QSize size_;
+};
+
+std::vector<PaintedText> textsOf(QWidget& top) {
+  std::vector<PaintedText> out;
+  QList<QWidget*> widgets = top.findChildren<QWidget*>();
+  widgets.prepend(&top);
+  for (QWidget* each : widgets) {
+    if (!each->isVisible() || each->visibleRegion().isEmpty()) continue;
+    if (auto* plot = qobject_cast<QCustomPlot*>(each)) plot->setPlottingHint(QCP::phCacheLabels, false);
+    TextDevice device(each->size());
+    each->render(&device, QPoint(), QRegion(), QWidget::RenderFlags());
+    for (const PaintedText& text : device.engine.texts) {
+      const QRectF seen = text.place & QRectF(each->rect());
+      if (seen.isEmpty()) continue;
+      out.push_back({text.text, seen.translated(each->mapTo(&top, QPoint(0, 0)))});
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+QStringList paintedTexts(QWidget& widget) {
+  QStringList out;
+  for (const PaintedText& each : textsOf(widget)) out << each.text;
+  return out;
+}
+
+QStringList textsOverEachOther(QWidget& widget) {
+  const std::vector<PaintedText> texts = textsOf(widget);
+  QStringList out;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t j = i + 1; j < texts.size(); ++j) {
+      const QRectF both = texts[i].place & texts[j].place;
+      if (both.width() <= kSlack || both.height() <= kSlack) continue;
+      out << QStringLiteral("\"%1\" lies over \"%2\" at %3, %4")
+                 .arg(texts[i].text, texts[j].text)
+                 .arg(both.x())
+                 .arg(both.y());
+    }
+  }
+  return out;
+}
+
 QList<QWidget*> controlsOf(const QWidget& window) {
   QList<QWidget*> out;
   for (QWidget* each : window.findChildren<QWidget*>()) {

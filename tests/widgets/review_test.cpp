@@ -1,7 +1,14 @@
 // Review: from the list to a recording, its cursor, marks, notes, touches, comparison, what-if and exports; a recording
 // that is none. The recordings are made here, with numbers that are known.
+#include <QClipboard>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMimeData>
 #include <cmath>
 
+#include "core/catalogue/archive_move.h"
+#include "core/catalogue/catalogue.h"
+#include "core/catalogue/catalogue_delivery.h"
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/suite.h"
 #include "widgets/basics/number_text.h"
@@ -18,7 +25,7 @@ class ReviewTest : public QObject {
     QVERIFY(f.page->list()->words().contains(QStringLiteral("Ctrl+R")));
     f.page->list()->path()->setText(f.folder.filePath(QStringLiteral("nothing.h5")));
     QTest::keyClick(f.page->list()->path(), Qt::Key_Return);
-    QVERIFY(f.told().contains(QStringLiteral("nothing.h5")));
+    QVERIFY(f.page->list()->words().contains(QStringLiteral("nothing.h5")));
     QVERIFY(f.page->showsList());
     f.page->list()->path()->clear();
     QTest::keyClick(f.page->list()->path(), Qt::Key_Return);
@@ -100,8 +107,8 @@ class ReviewTest : public QObject {
     QCOMPARE(f.page->notes()->rowCount(), 2);
     const auto notes = recording::readReviewNotes(f.path.toStdString());
     QVERIFY2(notes, notes ? "" : notes.error().text().c_str());
-    QCOMPARE(notes->size(), std::size_t{2});
-    QCOMPARE(QString::fromStdString(notes->front().text), QStringLiteral("feels soft <b>"));
+    QCOMPARE(notes->notes.size(), std::size_t{2});
+    QCOMPARE(QString::fromStdString(notes->notes.front().text), QStringLiteral("feels soft <b>"));
     recording.seek(0);
     QVERIFY(recording.readAll() == before);
     // A damaged file of notes is told, and not written over without a word.
@@ -114,6 +121,168 @@ class ReviewTest : public QObject {
     f.page->writeNote(recording::NoteKind::note, QStringLiteral("one more"));
     QVERIFY(beside.open(QIODevice::ReadOnly));
     QVERIFY(beside.readAll().startsWith("{\"notes\": [{\"kind\": 3}]}"));
+  }
+
+  void tagsAndNotesAddedLaterAreFoundAndMoveWithTheRecording() {
+    ReviewFixture f;
+    const auto found = [](const char* words) {
+      const auto entries = catalogue::Catalogue::open("").and_then(
+          [&](const catalogue::Catalogue& catalogue) { return catalogue.search({.text = words}); });
+      return entries ? static_cast<int>(entries->size()) : -1;
+    };
+    QVERIFY(catalogue::catalogueRecording("", f.path.toStdString()));
+    f.openByPath();
+    QFile recording(f.path);
+    QVERIFY(recording.open(QIODevice::ReadOnly));
+    const QByteArray before = recording.readAll();
+    QCOMPARE(found("velvet"), 0);
+    f.key(Qt::Key_T, Qt::ShiftModifier);
+    QVERIFY(f.page->tagsField()->hasFocus());
+    f.page->tagsField()->setText(QStringLiteral("velvet,  left hand,"));
+    QTest::keyClick(f.page->tagsField(), Qt::Key_Return);
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("squeaks"));
+    WAIT_EQUAL(found("velvet"), 1);
+    WAIT_EQUAL(found("squeaks"), 1);
+    f.page->tagsField()->setText(QStringLiteral("velvet"));
+    QTest::keyClick(f.page->tagsField(), Qt::Key_Return);
+    WAIT_EQUAL(found("left"), 0);
+    QCOMPARE(found("velvet"), 1);
+    f.page->open(f.path);
+    QCOMPARE(f.page->tagsField()->text(), QStringLiteral("velvet"));
+    recording.seek(0);
+    QVERIFY(recording.readAll() == before);
+    // A catalogue made anew from the files knows them too.
+    const auto entry = catalogue::readCatalogueEntry(f.path.toStdString());
+    QVERIFY(entry && entry->tags == std::vector<std::string>{"velvet"} && entry->notes == "squeaks");
+    f.page->tagsField()->setText(QString(1000, QLatin1Char('x')));  // too long
+    QTest::keyClick(f.page->tagsField(), Qt::Key_Return);
+    QCOMPARE(f.page->recording() != nullptr, true);
+    QVERIFY(recording::readReviewNotes(f.path.toStdString())->tags == std::vector<std::string>{"velvet"});
+    const QString shelf = f.folder.filePath(QStringLiteral("shelf"));
+    QVERIFY(QDir().mkpath(shelf));
+    QVERIFY(catalogue::storeClosed(f.path.toStdString(), shelf.toStdString(), "none"));
+    const auto moved = recording::readReviewNotes((shelf + QStringLiteral("/session.h5")).toStdString());
+    QVERIFY(moved && moved->tags && moved->notes.size() == 1);
+  }
+
+  void aStretchIsExportedAndItsFolderShown() {
+    ReviewFixture f;
+    f.openByPath();
+    console::ExportPanel* panel = f.page->tabs()->exportPanel();
+    f.key(Qt::Key_E);
+    QVERIFY(f.page->tabs()->currentWidget() == panel);
+    QVERIFY(!panel->stretchButton()->isEnabled());
+    f.page->player()->goTo(1.5);
+    f.page->setMark(widgets::CurveStack::Mark::a);
+    f.page->player()->goTo(0.5);
+    f.page->setMark(widgets::CurveStack::Mark::b);  // before A: the stretch is the same
+    QVERIFY(panel->stretchButton()->text().contains(QStringLiteral("0.500 s to 1.500 s")));
+    panel->stretchButton()->click();
+    panel->writeButton()->click();
+    WAIT_EQUAL(panel->written()->count(), 1);
+    QFile csv(f.folder.filePath(QStringLiteral("session 0.500-1.500 s.csv")));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    const auto lines = csv.readAll().split('\n').size();
+    QVERIFY2(lines >= 1001 && lines <= 1003, qPrintable(QString::number(lines)));  // with the names and the end
+    QUrl shown;
+    bool opens = true;
+    panel->setOpenFolder([&](const QUrl& url) {
+      shown = url;
+      return opens;
+    });
+    panel->folderButton()->click();
+    QCOMPARE(shown.toLocalFile(), QFileInfo(csv).absolutePath());
+    QVERIFY(panel->words().isEmpty());
+    opens = false;
+    panel->folderButton()->click();
+    QVERIFY(panel->words().contains(QFileInfo(csv).absolutePath()));
+    panel->copyButton()->click();
+    QCOMPARE(QApplication::clipboard()->text(), csv.fileName());
+    panel->writeButton()->click();  // never over a file, and the place says so
+    WAIT_FOR(panel->words().contains(QStringLiteral("exists")));
+    panel->format()->setCurrentIndex(panel->format()->findData(QStringLiteral("pdf")));
+    QVERIFY(!panel->stretchButton()->isEnabled() && panel->wholeButton()->isChecked());
+  }
+
+  void aDroppedFileOpensAndThoseOpenedLatelyAreRemembered() {
+    ReviewFixture f;
+    QTest::keyClick(f.window.get(), Qt::Key_1, Qt::ControlModifier);  // dropped in another place
+    const auto drop = [&](const QString& file) {
+      QMimeData data;
+      data.setUrls({QUrl::fromLocalFile(file)});
+      QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(f.window.get(), &enter);
+      QVERIFY(enter.isAccepted());
+      QDropEvent dropped(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(f.window.get(), &dropped);
+    };
+    const QString wrong = f.folder.filePath(QStringLiteral("shopping.txt"));
+    QFile text(wrong);
+    QVERIFY(text.open(QIODevice::WriteOnly));
+    text.write("milk\n");
+    text.close();
+    drop(wrong);
+    QVERIFY(f.page->showsList());
+    QVERIFY2(f.page->list()->words().contains(QStringLiteral("shopping.txt")), qPrintable(f.page->list()->words()));
+    drop(f.path);
+    QVERIFY(f.page->isVisible() && !f.page->showsList());
+    QVERIFY(f.page->title().contains(QStringLiteral("S07")));
+    QCOMPARE(f.page->recent().paths(), QStringList{f.path});
+
+    const QString memory = f.folder.filePath(QStringLiteral("memory.ini"));
+    console::RecentRecordings first;
+    first.keepIn(memory);
+    for (int i = 0; i < 20; ++i) first.add(QStringLiteral("/sessions/%1.h5").arg(i));
+    first.add(QStringLiteral("/sessions/15.h5"));
+    console::RecentRecordings second;
+    second.keepIn(memory);
+    QCOMPARE(second.paths().size(), console::RecentRecordings::kMost);
+    QCOMPARE(second.paths().mid(0, 2),
+             (QStringList{QStringLiteral("/sessions/15.h5"), QStringLiteral("/sessions/19.h5")}));
+    QMenu menu;
+    QString asked;
+    second.fill(menu, [&](const QString& path) { asked = path; });
+    emit menu.aboutToShow();
+    QVERIFY(menu.actions().front()->text().contains(QStringLiteral("not there")));
+    menu.actions().front()->trigger();
+    QCOMPARE(asked, QStringLiteral("/sessions/15.h5"));
+  }
+
+  void aDialogOpensAFileAndNothingIsModal() {
+    ReviewFixture f;
+    f.key(Qt::Key_O, Qt::ControlModifier);
+    auto* dialog = f.window->findChild<QFileDialog*>(QStringLiteral("recording_dialog"));
+    QVERIFY(dialog != nullptr && dialog->isVisible() && !dialog->isModal());
+    emit dialog->fileSelected(f.path);
+    dialog->close();
+    QVERIFY(!f.page->showsList());
+    f.key(Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(f.page->showsList());
+  }
+
+  void twoAreComparedAndATimeIsGoneTo() {
+    ReviewFixture f;
+    const QString other = makeRecording(f.folder, QStringLiteral("other.h5"), 3000);
+    f.page->list()->compareChosen();
+    QVERIFY(f.page->list()->words().contains(QStringLiteral("two")));
+    emit f.page->list()->compareAsked(f.path, other);
+    QVERIFY(!f.page->showsList());
+    QVERIFY(f.page->tabs()->currentWidget() == f.page->comparison());
+    const std::size_t force = console::ReviewSource::channel(console::ReviewLayer::other, 0);
+    QVERIFY(f.page->curves()->source().valueAt(force, 2.5) > 2.2);  // its touch begins at 3 s
+    f.key(Qt::Key_J);
+    QVERIFY(f.page->timeField()->hasFocus());
+    for (const char* wrong : {"99", "later"}) {
+      f.page->timeField()->setText(QString::fromUtf8(wrong));
+      QTest::keyClick(f.page->timeField(), Qt::Key_Return);
+      QVERIFY2(f.page->timeField()->problem().contains(QString::fromUtf8(wrong)), wrong);
+      QCOMPARE(f.page->player()->time_s(), 0.0);
+    }
+    f.page->timeField()->setText(QStringLiteral("0:02.5"));
+    QTest::keyClick(f.page->timeField(), Qt::Key_Return);
+    QCOMPARE(f.page->player()->time_s(), 2.5);
+    f.page->curves()->redraw();
+    QCOMPARE(f.page->curves()->readout(0)->when(), QStringLiteral("at 2.500 s"));
   }
 
   void aSecondSessionLiesOnATouch() {

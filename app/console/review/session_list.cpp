@@ -60,7 +60,10 @@ SessionList::SessionList(QString catalogue, RecentRecordings& recent, QWidget* p
       recover_(new QPushButton(tr("Recover"), this)),
       words_(new QLabel(this)) {
   build();
-  connect(filter_, &QLineEdit::textChanged, this, &SessionList::look);
+  connect(filter_, &QLineEdit::textChanged, this, [this] {
+    problem_.clear();
+    look();
+  });
   connect(path_, &QLineEdit::returnPressed, this, &SessionList::openPath);
   connect(open_, &QPushButton::clicked, this, &SessionList::openPath);
   connect(recover_, &QPushButton::clicked, this, &SessionList::recoverPath);
@@ -174,6 +177,7 @@ void SessionList::fill(const std::vector<catalogue::CatalogueEntry>& entries) {
 }
 
 void SessionList::choose(int row) {
+  problem_.clear();
   if (row < 0 || static_cast<std::size_t>(row) >= entries_.size()) return;
   const catalogue::CatalogueEntry& entry = entries_[static_cast<std::size_t>(row)];
   chosen_ = entry;
@@ -203,13 +207,16 @@ void SessionList::explain(const catalogue::CatalogueEntry& entry) {
   }
 }
 
-void SessionList::say(const QString& text, bool problem) {
-  words_->setText(text);
-  words_->setProperty("role", problem ? "warning" : "");
+void SessionList::say(const QString& text) {
+  words_->setText(problem_.isEmpty() ? text : problem_);
+  words_->setProperty("role", problem_.isEmpty() ? "" : "warning");
   widgets::restyle(*words_);
 }
 
-void SessionList::sayProblem(const QString& text) { say(text, true); }
+void SessionList::sayProblem(const QString& text) {
+  problem_ = text;
+  say(text);
+}
 
 void SessionList::chooseFile() {
   askForRecording(this, tr("Recording to open"), QFileInfo(path_->text()).absolutePath(),
@@ -224,6 +231,7 @@ std::vector<int> SessionList::chosenRows() const {
 }
 
 void SessionList::compareChosen() {
+  problem_.clear();
   const std::vector<int> rows = chosenRows();
   if (rows.size() != 2) {
     say(tr("Choose two sessions to compare, the second with Ctrl."));
@@ -234,6 +242,7 @@ void SessionList::compareChosen() {
 }
 
 QString SessionList::namedPath() {
+  problem_.clear();
   QString path = path_->text().trimmed();
   if (path.isEmpty()) say(tr("Choose a session, or write the path of a recording."));
   return path;

@@ -54,7 +54,8 @@ class SessionList : public QWidget {
   void chooseAgain(int column);
   /// Rows of the table, from the newest session.
   [[nodiscard]] std::vector<int> chosenRows() const;
-  void say(const QString& text, bool problem = false);
+  /// Nothing is said over a problem before the operator does something else.
+  void say(const QString& text);
   void explain(const catalogue::CatalogueEntry& entry);
   /// The entered path; empty: none, and a text says so.
   [[nodiscard]] QString namedPath();
@@ -69,6 +70,7 @@ class SessionList : public QWidget {
   QPushButton* compare_;
   QPushButton* recover_;
   QLabel* words_;
+  QString problem_;
   std::vector<catalogue::CatalogueEntry> entries_;
   catalogue::CatalogueEntry chosen_;  ///< kept while rows change; without an id: none
   Background work_;
