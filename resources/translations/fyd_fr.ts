@@ -55,7 +55,7 @@
     </message>
     <message>
         <source>%1 (not there any more)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (n'est plus là)</translation>
     </message>
     <message>
         <source>%1 / %2 N/mm</source>
@@ -191,7 +191,7 @@
     </message>
     <message>
         <source>%1 s: there are values from %2 s to %3 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s : il y a des valeurs de %2 s à %3 s.</translation>
     </message>
     <message>
         <source>%1 samples are not in the file: the computer is too busy. What is written is safe. Close other programs.</source>
@@ -215,7 +215,7 @@
     </message>
     <message>
         <source>%1 to %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>de %1 à %2 %3</translation>
     </message>
     <message>
         <source>%1 to %2: the upper end must be the larger one</source>
@@ -347,7 +347,7 @@
     </message>
     <message>
         <source>'%1' is no time; expected seconds, such as 83.5, or minutes and seconds, such as 1:23.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n'est pas un temps ; attendu : des secondes, comme 83.5, ou des minutes et secondes, comme 1:23.5.</translation>
     </message>
     <message>
         <source>'{}' is no parameter of this program's step</source>
@@ -679,7 +679,7 @@
     </message>
     <message>
         <source>Amplitude, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Amplitude, %1</translation>
     </message>
     <message>
         <source>An indentation less certain than this is unavailable.</source>
@@ -691,7 +691,7 @@
     </message>
     <message>
         <source>Any recording's file (Ctrl+O); it can be dropped onto the window, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier d'un enregistrement quelconque (Ctrl+O) ; on peut aussi le déposer sur la fenêtre</translation>
     </message>
     <message>
         <source>Apply anyway</source>
@@ -851,7 +851,7 @@
     </message>
     <message>
         <source>CSV table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tableau CSV</translation>
     </message>
     <message>
         <source>Calibrate</source>
@@ -1035,11 +1035,11 @@
     </message>
     <message>
         <source>Choose a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir un fichier…</translation>
     </message>
     <message>
         <source>Choose a second recording: its curves are drawn faint behind these. In the list of sessions, two can be chosen at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir un second enregistrement : ses courbes sont tracées en clair derrière celles-ci. Dans la liste des sessions, on peut en choisir deux à la fois.</translation>
     </message>
     <message>
         <source>Choose a session, or write the path of a recording.</source>
@@ -1103,11 +1103,11 @@
     </message>
     <message>
         <source>Choose two sessions to compare, the second with Ctrl.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir deux sessions à comparer, la seconde avec Ctrl.</translation>
     </message>
     <message>
         <source>Choose two sessions, the second with Ctrl: the later one is drawn faint behind the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir deux sessions, la seconde avec Ctrl : la plus récente est tracée en clair derrière la première.</translation>
     </message>
     <message>
         <source>Classic (not secured)</source>
@@ -1207,7 +1207,11 @@
     </message>
     <message>
         <source>Compare the two</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparer les deux</translation>
+    </message>
+    <message>
+        <source>Compare the two chosen sessions</source>
+        <translation>Comparer les deux sessions choisies</translation>
     </message>
     <message>
         <source>Conditions</source>
@@ -1287,7 +1291,7 @@
     </message>
     <message>
         <source>Copy path</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier le chemin</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -1678,6 +1682,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Expérience</translation>
     </message>
     <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
         <source>Export as CSV</source>
         <translation>Exporter en CSV</translation>
     </message>
@@ -1692,6 +1700,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Export the camera's video</source>
         <translation>Exporter la vidéo de la caméra</translation>
+    </message>
+    <message>
+        <source>Export, all or from A to B</source>
+        <translation>Exporter, tout ou de A à B</translation>
     </message>
     <message>
         <source>FYD Console</source>
@@ -1767,7 +1779,7 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     </message>
     <message>
         <source>Files written</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichiers écrits</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -1949,7 +1961,7 @@ N</translation>
     </message>
     <message>
         <source>Format of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Format du fichier</translation>
     </message>
     <message>
         <source>Found in the manual</source>
@@ -1965,19 +1977,19 @@ N</translation>
     </message>
     <message>
         <source>Frequency, Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>Fréquence, Hz</translation>
     </message>
     <message>
         <source>From A to B: %1 s to %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>De A à B : de %1 s à %2 s</translation>
     </message>
     <message>
         <source>From A to B: a report is of the whole session</source>
-        <translation type="unfinished"></translation>
+        <translation>De A à B : un rapport porte sur toute la session</translation>
     </message>
     <message>
         <source>From A to B: set them with [ and ]</source>
-        <translation type="unfinished"></translation>
+        <translation>De A à B : les placer avec [ et ]</translation>
     </message>
     <message>
         <source>From the last minute of this session</source>
@@ -2037,11 +2049,11 @@ N</translation>
     </message>
     <message>
         <source>Go to a time</source>
-        <translation type="unfinished"></translation>
+        <translation>Aller à un temps</translation>
     </message>
     <message>
         <source>Go to a time of the session</source>
-        <translation type="unfinished"></translation>
+        <translation>Aller à un temps de la session</translation>
     </message>
     <message>
         <source>Good: %1.</source>
@@ -2476,6 +2488,10 @@ Robot : %2
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Kept beside the recording, which stays as it is; the list of sessions finds them.</source>
+        <translation>Gardées à côté de l'enregistrement, qui reste tel quel ; la liste des sessions les trouve.</translation>
+    </message>
+    <message>
         <source>Key file</source>
         <translation>Fichier de clé</translation>
     </message>
@@ -2765,11 +2781,11 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>MATLAB</source>
-        <translation type="unfinished"></translation>
+        <translation>MATLAB</translation>
     </message>
     <message>
         <source>MCAP, for robotics viewers</source>
-        <translation type="unfinished"></translation>
+        <translation>MCAP, pour visionneuses de robotique</translation>
     </message>
     <message>
         <source>MJPEG {}: cannot listen: {}</source>
@@ -3061,7 +3077,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>No recording was opened yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun enregistrement n'a encore été ouvert</translation>
     </message>
     <message>
         <source>No report: %1.</source>
@@ -3264,6 +3280,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Rien n'est en cours ici.</translation>
     </message>
     <message>
+        <source>Nothing is written: the file of notes is damaged. Mend or move %1.</source>
+        <translation>Rien n'est écrit : le fichier des notes est endommagé. Réparer ou déplacer %1.</translation>
+    </message>
+    <message>
         <source>Nothing of %1 can be read; it is left as it is: %2</source>
         <translation>Rien de %1 n'est lisible ; il reste tel quel : %2</translation>
     </message>
@@ -3353,7 +3373,11 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Open a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrir un fichier…</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
     </message>
     <message>
         <source>Open loop: the recorded inputs as they were; the cloth does not answer.</source>
@@ -3361,7 +3385,7 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Opened lately</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouverts récemment</translation>
     </message>
     <message>
         <source>Operate</source>
@@ -3743,11 +3767,11 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Recording to compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrement à comparer</translation>
     </message>
     <message>
         <source>Recording to open</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrement à ouvrir</translation>
     </message>
     <message>
         <source>Recording, played back</source>
@@ -3755,7 +3779,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrements (*.h5 *.h5.partial *.h5.damaged);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Recordings (*.h5)</source>
@@ -3979,7 +4003,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Scale of the colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle des couleurs</translation>
     </message>
     <message>
         <source>Scale of the spectrum</source>
@@ -4067,7 +4091,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Session time in seconds, 83.5, or minutes and seconds, 1:23.5; then Enter (J)</source>
-        <translation type="unfinished"></translation>
+        <translation>Temps de la session en secondes, 83.5, ou minutes et secondes, 1:23.5 ; puis Entrée (J)</translation>
     </message>
     <message>
         <source>Sessions</source>
@@ -4145,7 +4169,7 @@ s</translation>
     </message>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer dans le dossier</translation>
     </message>
     <message>
         <source>Show only parameters that differ from the saved profile</source>
@@ -4219,7 +4243,7 @@ par s</translation>
     </message>
     <message>
         <source>Small video</source>
-        <translation type="unfinished"></translation>
+        <translation>Petite vidéo</translation>
     </message>
     <message>
         <source>Softness</source>
@@ -4466,6 +4490,14 @@ N/mm</translation>
         <translation>Étiquettes</translation>
     </message>
     <message>
+        <source>Tags of the session</source>
+        <translation>Étiquettes de la session</translation>
+    </message>
+    <message>
+        <source>Tags, commas between, then Enter</source>
+        <translation>Étiquettes, entre virgules, puis Entrée</translation>
+    </message>
+    <message>
         <source>Tags: %1 are too many; at most %2.</source>
         <translation>Étiquettes : %1, c'est trop ; au plus %2.</translation>
     </message>
@@ -4662,8 +4694,8 @@ Pour commencer : %1</translation>
         <translation>Le choix de la disposition pour ces courbes est impossible et a été laissé de côté : %1.</translation>
     </message>
     <message>
-        <source>The list of sessions (Ctrl+O)</source>
-        <translation>La liste des sessions (Ctrl+O)</translation>
+        <source>The list of sessions (Ctrl+Shift+O)</source>
+        <translation>La liste des sessions (Ctrl+Maj+O)</translation>
     </message>
     <message>
         <source>The model calls this unstable on any touchpad: the stretch would swing on (%1).</source>
@@ -4704,10 +4736,6 @@ Pour commencer : %1</translation>
     <message>
         <source>The mouse leads to %1</source>
         <translation>La souris mène à %1</translation>
-    </message>
-    <message>
-        <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
-        <translation>La note n'est pas écrite : le fichier de notes est endommagé. Réparer ou déplacer %1.</translation>
     </message>
     <message>
         <source>The other session is drawn %1 s later than recorded.</source>
@@ -4839,7 +4867,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The whole session</source>
-        <translation type="unfinished"></translation>
+        <translation>Toute la session</translation>
     </message>
     <message>
         <source>Theme of the system</source>
@@ -4855,7 +4883,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>There are no values yet to go to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas encore de valeurs où aller.</translation>
     </message>
     <message>
         <source>There is no parameter '%1'.</source>
@@ -4903,7 +4931,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>This computer opens no folder from here: %1. Copy path takes the file's path along.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cet ordinateur n'ouvre pas de dossier d'ici : %1. Copier le chemin emporte celui du fichier.</translation>
     </message>
     <message>
         <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
@@ -5127,7 +5155,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Video without loss</source>
-        <translation type="unfinished"></translation>
+        <translation>Vidéo sans perte</translation>
     </message>
     <message>
         <source>View</source>
@@ -5223,7 +5251,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Write</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire</translation>
     </message>
     <message>
         <source>Write a note at the cursor</source>
@@ -5539,7 +5567,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>à %1</translation>
     </message>
     <message>
         <source>at %1: %2, damping %3, %4 % left</source>
@@ -6375,7 +6403,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>go to, s</source>
-        <translation type="unfinished"></translation>
+        <translation>aller à, s</translation>
     </message>
     <message>
         <source>gone</source>
@@ -6603,11 +6631,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>live</source>
-        <translation type="unfinished"></translation>
+        <translation>en direct</translation>
     </message>
     <message>
         <source>live, peak</source>
-        <translation type="unfinished"></translation>
+        <translation>en direct, crête</translation>
     </message>
     <message>
         <source>load cell</source>
@@ -7031,7 +7059,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished"></translation>
+        <translation>maintenant</translation>
     </message>
     <message>
         <source>number not finite</source>
@@ -7563,7 +7591,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>session time, s</source>
-        <translation type="unfinished"></translation>
+        <translation>temps session, s</translation>
     </message>
     <message>
         <source>set to {:.0f} %</source>
@@ -8415,7 +8443,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>what if</source>
-        <translation type="unfinished"></translation>
+        <translation>et si</translation>
     </message>
     <message>
         <source>whole</source>
@@ -8675,7 +8703,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} is stored, its notes are not: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} est rangé, ses notes ne le sont pas : {}</translation>
     </message>
     <message>
         <source>{} of {} presses are more than {:g} mm beside a sensor (up to {:.1f} mm), or over one that does not read; they tell no depth and were left out</source>

@@ -55,7 +55,7 @@
     </message>
     <message>
         <source>%1 (not there any more)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (non c'è più)</translation>
     </message>
     <message>
         <source>%1 / %2 N/mm</source>
@@ -191,7 +191,7 @@
     </message>
     <message>
         <source>%1 s: there are values from %2 s to %3 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s: ci sono valori da %2 s a %3 s.</translation>
     </message>
     <message>
         <source>%1 samples are not in the file: the computer is too busy. What is written is safe. Close other programs.</source>
@@ -215,7 +215,7 @@
     </message>
     <message>
         <source>%1 to %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>da %1 a %2 %3</translation>
     </message>
     <message>
         <source>%1 to %2: the upper end must be the larger one</source>
@@ -347,7 +347,7 @@
     </message>
     <message>
         <source>'%1' is no time; expected seconds, such as 83.5, or minutes and seconds, such as 1:23.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>'%1' non è un tempo; attesi secondi, come 83.5, o minuti e secondi, come 1:23.5.</translation>
     </message>
     <message>
         <source>'{}' is no parameter of this program's step</source>
@@ -679,7 +679,7 @@
     </message>
     <message>
         <source>Amplitude, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ampiezza, %1</translation>
     </message>
     <message>
         <source>An indentation less certain than this is unavailable.</source>
@@ -691,7 +691,7 @@
     </message>
     <message>
         <source>Any recording's file (Ctrl+O); it can be dropped onto the window, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file di una registrazione qualsiasi (Ctrl+O); si può anche lasciar cadere sulla finestra</translation>
     </message>
     <message>
         <source>Apply anyway</source>
@@ -851,7 +851,7 @@
     </message>
     <message>
         <source>CSV table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabella CSV</translation>
     </message>
     <message>
         <source>Calibrate</source>
@@ -1035,11 +1035,11 @@
     </message>
     <message>
         <source>Choose a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegli un file…</translation>
     </message>
     <message>
         <source>Choose a second recording: its curves are drawn faint behind these. In the list of sessions, two can be chosen at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere una seconda registrazione: le sue curve sono disegnate tenui dietro queste. Nell'elenco delle sessioni se ne possono scegliere due insieme.</translation>
     </message>
     <message>
         <source>Choose a session, or write the path of a recording.</source>
@@ -1103,11 +1103,11 @@
     </message>
     <message>
         <source>Choose two sessions to compare, the second with Ctrl.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere due sessioni da confrontare, la seconda con Ctrl.</translation>
     </message>
     <message>
         <source>Choose two sessions, the second with Ctrl: the later one is drawn faint behind the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere due sessioni, la seconda con Ctrl: la più recente è disegnata tenue dietro la prima.</translation>
     </message>
     <message>
         <source>Classic (not secured)</source>
@@ -1207,7 +1207,11 @@
     </message>
     <message>
         <source>Compare the two</source>
-        <translation type="unfinished"></translation>
+        <translation>Confronta le due</translation>
+    </message>
+    <message>
+        <source>Compare the two chosen sessions</source>
+        <translation>Confronta le due sessioni scelte</translation>
     </message>
     <message>
         <source>Conditions</source>
@@ -1287,7 +1291,7 @@
     </message>
     <message>
         <source>Copy path</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia il percorso</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -1678,6 +1682,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Esperimento</translation>
     </message>
     <message>
+        <source>Export</source>
+        <translation>Esporta</translation>
+    </message>
+    <message>
         <source>Export as CSV</source>
         <translation>Esporta come CSV</translation>
     </message>
@@ -1692,6 +1700,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Export the camera's video</source>
         <translation>Esporta il video della telecamera</translation>
+    </message>
+    <message>
+        <source>Export, all or from A to B</source>
+        <translation>Esporta, tutto o da A a B</translation>
     </message>
     <message>
         <source>FYD Console</source>
@@ -1767,7 +1779,7 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     </message>
     <message>
         <source>Files written</source>
-        <translation type="unfinished"></translation>
+        <translation>File scritti</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -1949,7 +1961,7 @@ N</translation>
     </message>
     <message>
         <source>Format of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Formato del file</translation>
     </message>
     <message>
         <source>Found in the manual</source>
@@ -1965,19 +1977,19 @@ N</translation>
     </message>
     <message>
         <source>Frequency, Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>Frequenza, Hz</translation>
     </message>
     <message>
         <source>From A to B: %1 s to %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Da A a B: da %1 s a %2 s</translation>
     </message>
     <message>
         <source>From A to B: a report is of the whole session</source>
-        <translation type="unfinished"></translation>
+        <translation>Da A a B: un rapporto è di tutta la sessione</translation>
     </message>
     <message>
         <source>From A to B: set them with [ and ]</source>
-        <translation type="unfinished"></translation>
+        <translation>Da A a B: metterli con [ e ]</translation>
     </message>
     <message>
         <source>From the last minute of this session</source>
@@ -2037,11 +2049,11 @@ N</translation>
     </message>
     <message>
         <source>Go to a time</source>
-        <translation type="unfinished"></translation>
+        <translation>Va' a un tempo</translation>
     </message>
     <message>
         <source>Go to a time of the session</source>
-        <translation type="unfinished"></translation>
+        <translation>Va' a un tempo della sessione</translation>
     </message>
     <message>
         <source>Good: %1.</source>
@@ -2476,6 +2488,10 @@ Robot: %2
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Kept beside the recording, which stays as it is; the list of sessions finds them.</source>
+        <translation>Conservate accanto alla registrazione, che resta com'è; l'elenco delle sessioni le trova.</translation>
+    </message>
+    <message>
         <source>Key file</source>
         <translation>File della chiave</translation>
     </message>
@@ -2765,11 +2781,11 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>MATLAB</source>
-        <translation type="unfinished"></translation>
+        <translation>MATLAB</translation>
     </message>
     <message>
         <source>MCAP, for robotics viewers</source>
-        <translation type="unfinished"></translation>
+        <translation>MCAP, per visori di robotica</translation>
     </message>
     <message>
         <source>MJPEG {}: cannot listen: {}</source>
@@ -3061,7 +3077,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>No recording was opened yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna registrazione è ancora stata aperta</translation>
     </message>
     <message>
         <source>No report: %1.</source>
@@ -3264,6 +3280,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Qui non è in corso nulla.</translation>
     </message>
     <message>
+        <source>Nothing is written: the file of notes is damaged. Mend or move %1.</source>
+        <translation>Non viene scritto nulla: il file delle note è danneggiato. Riparare o spostare %1.</translation>
+    </message>
+    <message>
         <source>Nothing of %1 can be read; it is left as it is: %2</source>
         <translation>Di %1 non si può leggere nulla; resta com'è: %2</translation>
     </message>
@@ -3353,7 +3373,11 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>Open a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri un file…</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Apri una registrazione…</translation>
     </message>
     <message>
         <source>Open loop: the recorded inputs as they were; the cloth does not answer.</source>
@@ -3361,7 +3385,7 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>Opened lately</source>
-        <translation type="unfinished"></translation>
+        <translation>Aperte di recente</translation>
     </message>
     <message>
         <source>Operate</source>
@@ -3743,11 +3767,11 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Recording to compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrazione con cui confrontare</translation>
     </message>
     <message>
         <source>Recording to open</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrazione da aprire</translation>
     </message>
     <message>
         <source>Recording, played back</source>
@@ -3755,7 +3779,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrazioni (*.h5 *.h5.partial *.h5.damaged);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Recordings (*.h5)</source>
@@ -3979,7 +4003,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Scale of the colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Scala dei colori</translation>
     </message>
     <message>
         <source>Scale of the spectrum</source>
@@ -4067,7 +4091,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Session time in seconds, 83.5, or minutes and seconds, 1:23.5; then Enter (J)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo della sessione in secondi, 83.5, o minuti e secondi, 1:23.5; poi Invio (J)</translation>
     </message>
     <message>
         <source>Sessions</source>
@@ -4145,7 +4169,7 @@ s</translation>
     </message>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra nella cartella</translation>
     </message>
     <message>
         <source>Show only parameters that differ from the saved profile</source>
@@ -4219,7 +4243,7 @@ al s</translation>
     </message>
     <message>
         <source>Small video</source>
-        <translation type="unfinished"></translation>
+        <translation>Video piccolo</translation>
     </message>
     <message>
         <source>Softness</source>
@@ -4466,6 +4490,14 @@ N/mm</translation>
         <translation>Etichette</translation>
     </message>
     <message>
+        <source>Tags of the session</source>
+        <translation>Etichette della sessione</translation>
+    </message>
+    <message>
+        <source>Tags, commas between, then Enter</source>
+        <translation>Etichette, fra virgole, poi Invio</translation>
+    </message>
+    <message>
         <source>Tags: %1 are too many; at most %2.</source>
         <translation>Etichette: %1 sono troppe; al più %2.</translation>
     </message>
@@ -4662,8 +4694,8 @@ Per cominciare: %1</translation>
         <translation>La scelta della disposizione per queste curve non è possibile ed è stata tralasciata: %1.</translation>
     </message>
     <message>
-        <source>The list of sessions (Ctrl+O)</source>
-        <translation>L'elenco delle sessioni (Ctrl+O)</translation>
+        <source>The list of sessions (Ctrl+Shift+O)</source>
+        <translation>L'elenco delle sessioni (Ctrl+Shift+O)</translation>
     </message>
     <message>
         <source>The model calls this unstable on any touchpad: the stretch would swing on (%1).</source>
@@ -4704,10 +4736,6 @@ Per cominciare: %1</translation>
     <message>
         <source>The mouse leads to %1</source>
         <translation>Il mouse guida a %1</translation>
-    </message>
-    <message>
-        <source>The note is not written: the file of notes is damaged. Mend or move %1.</source>
-        <translation>La nota non è scritta: il file delle note è danneggiato. Riparare o spostare %1.</translation>
     </message>
     <message>
         <source>The other session is drawn %1 s later than recorded.</source>
@@ -4839,7 +4867,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The whole session</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutta la sessione</translation>
     </message>
     <message>
         <source>Theme of the system</source>
@@ -4855,7 +4883,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>There are no values yet to go to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non ci sono ancora valori a cui andare.</translation>
     </message>
     <message>
         <source>There is no parameter '%1'.</source>
@@ -4903,7 +4931,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>This computer opens no folder from here: %1. Copy path takes the file's path along.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questo computer non apre cartelle da qui: %1. Copia il percorso prende con sé quello del file.</translation>
     </message>
     <message>
         <source>This computer's own address, HOST:PORT. The robot calls there; 0.0.0.0 hears every network.</source>
@@ -5127,7 +5155,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Video without loss</source>
-        <translation type="unfinished"></translation>
+        <translation>Video senza perdite</translation>
     </message>
     <message>
         <source>View</source>
@@ -5223,7 +5251,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Write</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrivi</translation>
     </message>
     <message>
         <source>Write a note at the cursor</source>
@@ -5539,7 +5567,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a %1</translation>
     </message>
     <message>
         <source>at %1: %2, damping %3, %4 % left</source>
@@ -6375,7 +6403,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>go to, s</source>
-        <translation type="unfinished"></translation>
+        <translation>vai a, s</translation>
     </message>
     <message>
         <source>gone</source>
@@ -6603,11 +6631,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>live</source>
-        <translation type="unfinished"></translation>
+        <translation>dal vivo</translation>
     </message>
     <message>
         <source>live, peak</source>
-        <translation type="unfinished"></translation>
+        <translation>dal vivo, picco</translation>
     </message>
     <message>
         <source>load cell</source>
@@ -7031,7 +7059,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished"></translation>
+        <translation>ora</translation>
     </message>
     <message>
         <source>number not finite</source>
@@ -7563,7 +7591,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>session time, s</source>
-        <translation type="unfinished"></translation>
+        <translation>tempo sessione, s</translation>
     </message>
     <message>
         <source>set to {:.0f} %</source>
@@ -8415,7 +8443,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>what if</source>
-        <translation type="unfinished"></translation>
+        <translation>e se</translation>
     </message>
     <message>
         <source>whole</source>
@@ -8675,7 +8703,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{} is stored, its notes are not: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} è archiviato, le sue note no: {}</translation>
     </message>
     <message>
         <source>{} of {} presses are more than {:g} mm beside a sensor (up to {:.1f} mm), or over one that does not read; they tell no depth and were left out</source>
