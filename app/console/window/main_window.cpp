@@ -53,6 +53,8 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
   connectCommands();
   connectLook();
   connectLayouts();
+  reviewPage()->recent().keepIn(memoryFile(profile_path));
+  new FileDrop(*this, [this](const QString& file) { review(file); });
   standard_ = {.window = {},
                .operate = {},
                .curves = operate()->curveTools()->choice(),
