@@ -61,7 +61,8 @@ void calibrateLoadCell(const CalibrateOptions& options) {
 bool clothProven(const CalibrateOptions& options) {
   if (options.profile.empty() || !std::filesystem::exists(options.profile)) return false;
   station::Profile profile = options.load();
-  const auto records = valueOrFail(station::loadCalibrationRecords(options.profile));
+  const auto records =
+      station::recordsFor(valueOrFail(station::loadCalibrationRecords(options.profile)), options.touchpadOf());
   return calibration::clothProven(records, bindParameters(profile));
 }
 

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <iostream>
 
+#include "core/station/profile/calibrated_values.h"
 #include "core/station/profile/calibration_file.h"
 #include "core/station/profile/calibration_report.h"
+#include "core/station/profile/touchpad_name.h"
 
 namespace fyd::cli {
 namespace {
@@ -50,7 +52,7 @@ void printCalibrateReport(const nlohmann::ordered_json& json) {
 /// Records the profile has already, for the report's "before"; none without a report or a profile.
 std::vector<calibration::CalibrationRecord> recordsBefore(const CalibrateOptions& options) {
   if (options.report.empty() || options.profile.empty()) return {};
-  return valueOrFail(station::loadCalibrationRecords(options.profile));
+  return station::recordsFor(valueOrFail(station::loadCalibrationRecords(options.profile)), options.touchpadOf());
 }
 
 }  // namespace
@@ -59,15 +61,24 @@ void CalibrateOptions::addTo(CLI::App& command, const std::string& columns) {
   command.add_option("samples", samples, fmt::format("CSV with the columns {}", columns))->required();
   command.add_option("--profile", profile,
                      "Profile to write an accepted result into; made from the defaults if it is new");
+  command.add_option("--touchpad", touchpad,
+                     "Touchpad that was measured: serial:NUMBER, its address, or simulated; default: the one that the "
+                     "profile belongs to");
   command.add_option("--who", who, "Who measured, for the record");
   command.add_option("--conditions", conditions, "Light, temperature, target: for the record");
   command.add_option("--report", report, "Before and after as a new .pdf or .html file, of a refused fit too");
   command.add_flag("--json", json, "As JSON; null stands for what is not known");
 }
 
+std::string CalibrateOptions::touchpadOf() const {
+  if (!touchpad.empty() || profile.empty() || !std::filesystem::exists(profile)) return touchpad;
+  return valueOrFail(station::loadProfile(profile)).calibrated_on;
+}
+
 station::Profile CalibrateOptions::load() const {
-  if (profile.empty() || !std::filesystem::exists(profile)) return {};
-  return valueOrFail(station::loadProfile(profile));
+  station::TouchpadProfile loaded = valueOrFail(station::loadProfileFor(profile, touchpadOf()));
+  if (!loaded.notice.empty()) std::cerr << fmt::format("warning: {}\n", loaded.notice.text());
+  return std::move(loaded.profile);
 }
 
 nlohmann::ordered_json describe(const calibration::CalibrationResult& result, const CsvTable& table) {
@@ -122,7 +133,14 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
     throw Failure(say("{}: exists already; nothing was written", options.report));
   }
   const auto former = recordsBefore(options);
-  auto record = calibration::makeRecord(result, {}, sensor, options.who, nowUtc(), options.conditions);
+  calibration::CalibrationRecord said;
+  said.sensor = sensor;
+  said.who = options.who;
+  said.when = nowUtc();
+  said.conditions = options.conditions;
+  said.touchpad = options.touchpadOf();
+  said.simulated = station::isSimulated(said.touchpad);
+  auto record = calibration::makeRecord(result, {}, std::move(said));
   if (result.verdict.accepted && !options.profile.empty()) {
     station::Profile profile = options.load();
     record = valueOrFail(station::saveCalibration(result, record, profile, options.profile));

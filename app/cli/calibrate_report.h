@@ -13,13 +13,16 @@ namespace fyd::cli {
 struct CalibrateOptions {
   std::string samples;
   std::string profile;
+  std::string touchpad;  ///< that was measured, as in touchpad_name.h; empty: the one the profile belongs to
   std::string who;
   std::string conditions;
   std::string report;  ///< PDF or HTML; empty: none
   bool json = false;
 
   void addTo(CLI::App& command, const std::string& columns);
-  /// The named profile, or the defaults when none is named or the file does not exist yet. Throws Failure.
+  /// The touchpad that was measured; empty: not known.
+  [[nodiscard]] std::string touchpadOf() const;
+  /// The named profile with that touchpad's values, or the defaults when none is named or the file does not exist yet. Throws Failure.
   [[nodiscard]] station::Profile load() const;
 };
 

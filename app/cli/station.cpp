@@ -15,6 +15,7 @@
 #include "core/catalogue/catalogue_delivery.h"
 #include "core/station/profile/option_words.h"
 #include "core/station/station.h"
+#include "core/station/station_sources.h"
 #include "core/texture/felt/felt_plant.h"
 
 namespace fyd::cli {
@@ -266,6 +267,7 @@ void add_station(CLI::App& app) {
       throw UsageError(say("station: {}", phrase(words::kRecordMissing)));
     }
     options->station.profile = options->profile.load();
+    options->station.profile = options->profile.loadFor(station::touchpadOf(options->station));
     options->profile.warnOfOutdatedParts(options->station.profile);
     runStation(*options);
   });

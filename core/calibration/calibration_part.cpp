@@ -22,7 +22,50 @@ constexpr Dependence kDependences[] = {
 constexpr CalibrationPart kParts[] = {{"encoders"}, {"load-cell"}, {"ir"},        {"no-touch", true}, {"camera-region"},
                                       {"camera"},   {"cloth"},     {"stiffness"}, {"rest"},           {"texture"}};
 
+// Beginnings of the ids of all values that a calibration or the tare writes, and the part whose values they are.
+struct CalibratedValue {
+  std::string_view begin;
+  std::string_view procedure;
+};
+constexpr CalibratedValue kCalibrated[] = {
+    {"control.encoder_", "encoders"},
+    {"control.law", kStiffness},
+    {"control.measurement_bias", "cloth"},
+    {"sensing.camera_height_mm", "camera"},
+    {"sensing.cloth_", "cloth"},
+    {"sensing.contact_radius_share", "cloth"},
+    {"sensing.finger_centre_", "camera"},
+    {"sensing.finger_mirror", "camera"},
+    {"sensing.finger_rotation_deg", "camera"},
+    {"sensing.finger_scale_", "camera"},
+    {"sensing.finger_threshold", "camera-region"},
+    {"sensing.force_offset_g", "load-cell"},
+    {"sensing.force_slope_g", "load-cell"},
+    {"sensing.force_zero_N", kNoTouch},
+    {"sensing.indentation_mode", "cloth"},
+    {"sensing.ir1_", "ir"},
+    {"sensing.ir2_", "ir"},
+    {"sensing.ir3_", "ir"},
+    {"sensing.ir4_", "ir"},
+    {"sensing.ir5_", "ir"},
+    {"sensing.ir6_", "ir"},
+    {"sensing.ir7_", "ir"},
+    {"sensing.ir8_", "ir"},
+    {"sensing.ir_highest_code", "ir"},
+    {"sensing.ir_lowest_code", "ir"},
+    {"sensing.ir_offset_mm", kNoTouch},
+    {"sensing.roi_", "camera-region"},
+    {"texture.plant_", "texture"},
+};
+
 }  // namespace
+
+std::string_view calibratedBy(std::string_view parameter_id) {
+  for (const CalibratedValue& value : kCalibrated) {
+    if (parameter_id.starts_with(value.begin)) return value.procedure;
+  }
+  return {};
+}
 
 std::span<const CalibrationPart> calibrationParts() { return kParts; }
 

@@ -20,6 +20,10 @@ struct CalibrationPart {
 /// @param sensor counted from 1; 0: the part has one only
 [[nodiscard]] Message partName(std::string_view procedure, int sensor);
 
+/// The procedure that finds the parameter's value, "no-touch" also for those of the tare: such a value belongs to one
+/// touchpad. Empty: it is a setting that any touchpad may have.
+[[nodiscard]] std::string_view calibratedBy(std::string_view parameter_id);
+
 /// A part that rests on another: a newer calibration of `basis` makes the values of `part` out of date.
 struct Dependence {
   std::string_view part;

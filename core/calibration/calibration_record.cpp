@@ -13,7 +13,8 @@
 namespace fyd::calibration {
 namespace {
 
-constexpr std::int64_t kFormat = 1;
+constexpr std::int64_t kFormat = 2;
+constexpr std::int64_t kFirstFormat = 1;
 
 /// The record's fields, named once for reading and writing.
 template <class Record, class Text, class Whole, class Number>
@@ -35,7 +36,7 @@ void eachField(Record& r, Text&& text, Whole&& whole, Number&& number) {
 
 class RecordReader {
  public:
-  explicit RecordReader(std::string_view source) : source_(source) {}
+  RecordReader(std::string_view source, std::int64_t format) : source_(source), format_(format) {}
 
   CalibrationRecord read(const toml::table& table) {
     CalibrationRecord record;
@@ -50,7 +51,16 @@ class RecordReader {
     known += take(table, "sensor", sensor, say("a whole number"));
     if (sensor < 0 || sensor > 8) complain(table, say("sensor: expected 0 to 8"));
     record.sensor = static_cast<int>(sensor);
-    known += readResiduals(table, record);
+    if (format_ > kFirstFormat) {
+      known += take(table, "touchpad", record.touchpad, say("a text"));
+      known += take(table, "simulated", record.simulated, say("true or false"));
+      known += take(table, "picture", record.picture, say("a text"));
+      known += readSamples(table, record);
+      known += readCoefficients(table, record);
+    } else {
+      record.simulated = record.conditions.starts_with(kSimulatedPoints);
+    }
+    known += readNumbers(table, "residuals", record.residuals);
     known += readChanges(table, record);
     if (known != table.size()) complain(table, say("a key that no record has"));
     return record;
@@ -75,46 +85,77 @@ class RecordReader {
     }
     return 1;
   }
-  std::size_t readResiduals(const toml::table& table, CalibrationRecord& record) {
-    const toml::node* node = table.get("residuals");
+  std::size_t readNumbers(const toml::table& table, const char* key, std::vector<double>& out) {
+    const toml::node* node = table.get(key);
     if (node == nullptr) return 0;
     const toml::array* array = node->as_array();
     if (array == nullptr) {
-      complain(*node, say("residuals: expected a list of numbers"));
+      complain(*node, say("{}: expected a list of numbers", key));
       return 1;
     }
     for (const toml::node& item : *array) {
       const auto value = item.value_exact<double>();
-      if (!value) complain(item, say("residuals: expected numbers with a point"));
-      record.residuals.push_back(value.value_or(kUnknown));
+      if (!value) complain(item, say("{}: expected numbers with a point", key));
+      out.push_back(value.value_or(kUnknown));
+    }
+    return 1;
+  }
+  /// Calls `read` with each table of a list. @param keys that each of them has, in words
+  template <class Read>
+  std::size_t readTables(const toml::table& table, const char* key, std::size_t size, const char* keys, Read read) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return 0;
+    const toml::array* array = node->as_array();
+    if (array == nullptr) {
+      complain(*node, say("{}: expected [[record.{}]]", key, key));
+      return 1;
+    }
+    for (const toml::node& item : *array) {
+      const toml::table* entry = item.as_table();
+      if (entry == nullptr || entry->size() != size) {
+        complain(item, say("{}: expected {}", key, keys));
+      } else {
+        read(*entry);
+      }
     }
     return 1;
   }
   std::size_t readChanges(const toml::table& table, CalibrationRecord& record) {
-    const toml::node* node = table.get("change");
-    if (node == nullptr) return 0;
-    const toml::array* array = node->as_array();
-    if (array == nullptr) {
-      complain(*node, say("change: expected [[record.change]]"));
-      return 1;
-    }
-    for (const toml::node& item : *array) {
-      const toml::table* change = item.as_table();
-      if (change == nullptr || change->size() != 3) {
-        complain(item, say("change: expected id, before and after"));
-        continue;
-      }
+    return readTables(table, "change", 3, "id, before and after", [&](const toml::table& change) {
       AppliedChange& applied = record.changes.emplace_back();
-      take(*change, "id", applied.id, say("a text"));
-      take(*change, "before", applied.before, say("a text"));
-      take(*change, "after", applied.after, say("a text"));
-    }
-    return 1;
+      take(change, "id", applied.id, say("a text"));
+      take(change, "before", applied.before, say("a text"));
+      take(change, "after", applied.after, say("a text"));
+    });
+  }
+  std::size_t readSamples(const toml::table& table, CalibrationRecord& record) {
+    return readTables(table, "column", 3, "name, unit and values", [&](const toml::table& entry) {
+      SampleColumn& column = record.samples.emplace_back();
+      take(entry, "name", column.name, say("a text"));
+      take(entry, "unit", column.unit, say("a text"));
+      if (readNumbers(entry, "values", column.values) == 0) complain(entry, say("values is missing"));
+    });
+  }
+  std::size_t readCoefficients(const toml::table& table, CalibrationRecord& record) {
+    return readTables(table, "coefficient", 4, "name, unit, value and standard_error", [&](const toml::table& entry) {
+      Coefficient& coefficient = record.coefficients.emplace_back();
+      take(entry, "name", coefficient.name, say("a text"));
+      take(entry, "unit", coefficient.unit, say("a text"));
+      take(entry, "value", coefficient.value, say("a number with a point, or nan"));
+      take(entry, "standard_error", coefficient.standard_error, say("a number with a point, or nan"));
+    });
   }
 
   std::string_view source_;
+  std::int64_t format_;
   Message problem_;
 };
+
+toml::array numbers(const std::vector<double>& values) {
+  toml::array out;
+  for (const double value : values) out.push_back(value);
+  return out;
+}
 
 Result<std::chrono::sys_days> parseDay(std::string_view text) {
   int year = 0;
@@ -134,24 +175,23 @@ Result<std::chrono::sys_days> parseDay(std::string_view text) {
 
 }  // namespace
 
-CalibrationRecord makeRecord(const CalibrationResult& result, std::vector<AppliedChange> changes, int sensor,
-                             std::string who, std::string when, std::string conditions) {
-  return {.procedure = result.procedure,
-          .sensor = sensor,
-          .who = std::move(who),
-          .when = std::move(when),
-          .conditions = std::move(conditions),
-          .curve = result.curve.text(),
-          .unit = result.unit,
-          .verdict = result.verdict.reason.text(),
-          .points = static_cast<std::int64_t>(result.points),
-          .outliers = static_cast<std::int64_t>(result.outliers.size()),
-          .rmse = result.rmse,
-          .held_out_rmse = result.held_out_rmse,
-          .max_residual = result.max_residual,
-          .condition_number = result.condition_number,
-          .residuals = result.residuals,
-          .changes = std::move(changes)};
+CalibrationRecord makeRecord(const CalibrationResult& result, std::vector<AppliedChange> changes,
+                             CalibrationRecord said) {
+  said.procedure = result.procedure;
+  said.curve = result.curve.text();
+  said.unit = result.unit;
+  said.verdict = result.verdict.reason.text();
+  said.points = static_cast<std::int64_t>(result.points);
+  said.outliers = static_cast<std::int64_t>(result.outliers.size());
+  said.rmse = result.rmse;
+  said.held_out_rmse = result.held_out_rmse;
+  said.max_residual = result.max_residual;
+  said.condition_number = result.condition_number;
+  said.residuals = result.residuals;
+  said.samples = result.samples;
+  said.coefficients = result.coefficients;
+  said.changes = std::move(changes);
+  return said;
 }
 
 std::string formatRecords(std::span<const CalibrationRecord> records) {
@@ -161,12 +201,23 @@ std::string formatRecords(std::span<const CalibrationRecord> records) {
     const auto put = [&](const char* key, const auto& value) { table.insert(key, value); };
     eachField(record, put, put, put);
     put("sensor", static_cast<std::int64_t>(record.sensor));
-    toml::array residuals, changes;
-    for (const double residual : record.residuals) residuals.push_back(residual);
+    put("touchpad", record.touchpad);
+    put("simulated", record.simulated);
+    put("picture", record.picture);
+    toml::array columns, coefficients, changes;
+    for (const SampleColumn& column : record.samples) {
+      columns.push_back(toml::table{{"name", column.name}, {"unit", column.unit}, {"values", numbers(column.values)}});
+    }
+    for (const Coefficient& c : record.coefficients) {
+      coefficients.push_back(
+          toml::table{{"name", c.name}, {"unit", c.unit}, {"value", c.value}, {"standard_error", c.standard_error}});
+    }
     for (const AppliedChange& change : record.changes) {
       changes.push_back(toml::table{{"id", change.id}, {"before", change.before}, {"after", change.after}});
     }
-    table.insert("residuals", std::move(residuals));
+    table.insert("residuals", numbers(record.residuals));
+    table.insert("column", std::move(columns));
+    table.insert("coefficient", std::move(coefficients));
     table.insert("change", std::move(changes));
     list.push_back(std::move(table));
   }
@@ -184,8 +235,10 @@ Result<std::vector<CalibrationRecord>> parseRecords(std::string_view text, std::
   }
   const auto format = root["format"].value_exact<std::int64_t>();
   if (!format) return fail("{}: no 'format'; expected a record of calibrations, format = {}", source_name, kFormat);
-  if (*format != kFormat) return fail("{}: format {}; this program reads format {}", source_name, *format, kFormat);
-  RecordReader reader(source_name);
+  if (*format < kFirstFormat || *format > kFormat) {
+    return fail("{}: format {}; this program reads formats {} to {}", source_name, *format, kFirstFormat, kFormat);
+  }
+  RecordReader reader(source_name, *format);
   std::vector<CalibrationRecord> records;
   for (const auto& [key, node] : root) {
     if (key.str() == "format") continue;

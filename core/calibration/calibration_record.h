@@ -1,8 +1,9 @@
 // The record of calibrations that goes with a profile: who, when, under which conditions, how well, and what changed.
 //
-// TOML text, `format = 1` first, one [[record]] per accepted calibration, oldest first. It stands in a file of its own
+// TOML text, `format = 2` first, one [[record]] per accepted calibration, oldest first. It stands in a file of its own
 // beside the profile (lab.toml, lab.calibration.toml), because a profile holds only parameters. A newer
-// format, an unknown key or a value of the wrong type is refused with file and line.
+// format, an unknown key or a value of the wrong type is refused with file and line. Format 1 had neither the touchpad
+// nor points, coefficients and picture.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +23,9 @@ struct CalibrationRecord {
   std::string who;
   std::string when;        ///< "2026-11-21T20:15:00Z", UTC
   std::string conditions;  ///< free words: light, temperature, target
+  std::string touchpad;    ///< that it was made on: "serial:A7"; empty: not known
+  bool simulated = false;  ///< readings or points are those of the simulator
+  std::string picture;     ///< file of the fit's picture, in the folder of the record; empty: none
   std::string curve;
   std::string unit;
   std::string verdict;
@@ -32,11 +36,17 @@ struct CalibrationRecord {
   double max_residual = kUnknown;
   double condition_number = kUnknown;
   std::vector<double> residuals;
+  std::vector<SampleColumn> samples;
+  std::vector<Coefficient> coefficients;
   std::vector<AppliedChange> changes;
 };
 
+/// What the conditions of a record of format 1 begin with when its points were simulated.
+inline constexpr std::string_view kSimulatedPoints = "simulated points";
+
+/// @param said what the result does not know: sensor, who, when, conditions, touchpad, picture
 [[nodiscard]] CalibrationRecord makeRecord(const CalibrationResult& result, std::vector<AppliedChange> changes,
-                                           int sensor, std::string who, std::string when, std::string conditions);
+                                           CalibrationRecord said);
 
 [[nodiscard]] std::string formatRecords(std::span<const CalibrationRecord> records);
 /// @param source_name stands before the line in messages

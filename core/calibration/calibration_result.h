@@ -26,6 +26,13 @@ struct Coefficient {
   double standard_error = kUnknown;
 };
 
+/// One column of the points that were fitted, as they were measured.
+struct SampleColumn {
+  std::string name;  ///< as in the table that `fyd calibrate` reads
+  std::string unit;
+  std::vector<double> values;  ///< one for each point
+};
+
 /// A parameter and the value it would get, as `assignParameter` reads it.
 struct ParameterChange {
   std::string id;
@@ -45,6 +52,7 @@ struct CalibrationResult {
   Message curve;          ///< the form that was fitted, in words
   std::string unit;       ///< of residuals and errors
   std::size_t points = 0;
+  std::vector<SampleColumn> samples;
   std::vector<Coefficient> coefficients;
   double rmse = kUnknown;
   double held_out_rmse = kUnknown;

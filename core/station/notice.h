@@ -11,11 +11,12 @@
 
 namespace fyd::station {
 
-/// An event with its time, and as a sentence.
+/// An event with its time, and as a sentence; or a sentence about the session.
 struct Notice {
   Instant when{};
   pipeline::Event event;
   Message message;
+  bool of_step = true;  ///< false: about the session, a warning without an event
 };
 
 /// @param parameters the step's, for the names behind indices

@@ -11,6 +11,8 @@ namespace fyd::station {
 
 struct StationOptions {
   Profile profile;
+  std::string profile_file;  ///< where calibrated values of the touchpad are looked for when `profile` has those of
+                             ///< another one (calibrated_values.h); empty: nowhere
   std::string finger_csv;  ///< recording the simulated finger follows; empty: the built-in gesture
   std::string touchpad;    ///< "simulated", "modbus-tcp:HOST:PORT", "modbus-rtu:TTY[:BAUD]" or "recording:FILE": played
                            ///< back, motors not driven; empty: the profile's

@@ -2,6 +2,7 @@
 
 #include "core/base/whole_file.h"
 #include "core/device/camera/camera_source.h"
+#include "core/device/touchpad/modbus_link.h"
 #include "core/device/touchpad/touchpad_source.h"
 #include "core/replay/recorded_camera.h"
 #include "core/replay/recorded_touchpad.h"
@@ -10,6 +11,7 @@
 #include "core/sim/scene_file.h"
 #include "core/sim/touchpad/simulated_camera.h"
 #include "core/sim/touchpad/simulated_touchpad.h"
+#include "core/station/profile/touchpad_name.h"
 
 namespace fyd::station {
 namespace {
@@ -40,6 +42,34 @@ Result<pipeline::LocalModel> readLocalModel(const std::string& surface, const st
 Result<sim::FingerPath> readFinger(const std::string& path) {
   if (path.empty()) return sim::FingerPath::demonstration();
   return sim::readFingerFile(path);
+}
+
+std::string touchpadOf(const StationOptions& asked) {
+  const StationOptions options = withProfileSources(asked);
+  if (options.touchpad == kSimulatedTouchpad) return touchpadName(kSimulatedTouchpad, options.motors);
+  if (replay::recordingOf(options.touchpad)) return std::string(kPlayedTouchpad);
+  const auto serial = device::readSerial(options.touchpad, options.profile.device);
+  if (!serial) return {};
+  const std::string where = options.touchpad.substr(0, options.touchpad.find(','));
+  return touchpadName(serial->empty() ? where : std::string(kSerialTouchpad) + *serial, options.motors);
+}
+
+Result<TouchpadProfile> bindToTouchpad(StationOptions& options) {
+  const std::string touchpad = touchpadOf(options);
+  TouchpadProfile bound = withDefaultsFor(options.profile, touchpad);
+  const std::string& owner = options.profile.calibrated_on;
+  if (!options.profile_file.empty() && (owner.empty() || owner != touchpad)) {
+    auto loaded = loadProfileFor(options.profile_file, touchpad);
+    if (!loaded) return tl::unexpected(loaded.error());
+    copyCalibratedValues(loaded->profile, bound.profile);
+    bound.notice = loaded->notice;
+    bound.set_aside = loaded->set_aside;
+  }
+  options.profile = bound.profile;
+  const std::string serial = serialIn(options.profile.calibrated_on);
+  const bool demanded = options.touchpad.find(device::kSerialDemand) != std::string::npos;
+  if (!serial.empty() && !demanded) options.touchpad.append(device::kSerialDemand).append(serial);
+  return bound;
 }
 
 Result<std::unique_ptr<device::Touchpad>> openTouchpad(const StationOptions& options,

@@ -10,6 +10,7 @@
 #include "core/sim/finger_path.h"
 #include "core/sim/touchpad/touchpad_world.h"
 #include "core/station/camera_thread.h"
+#include "core/station/profile/calibrated_values.h"
 #include "core/station/station_options.h"
 
 namespace fyd::station {
@@ -22,6 +23,15 @@ inline constexpr std::string_view kSimulated = "simulated";
 
 /// @param path empty: the built-in gesture
 [[nodiscard]] Result<sim::FingerPath> readFinger(const std::string& path);
+
+/// The touchpad that the options name, as in touchpad_name.h. A real one whose serial number the options do not demand
+/// is asked for it.
+/// @return empty when it does not answer now
+[[nodiscard]] std::string touchpadOf(const StationOptions& options);
+
+/// Gives `options.profile` the calibrated values of the touchpad that they name (calibrated_values.h), and demands that
+/// no other one answers later. @return the same profile, with what is to be said of it; an error when a file is bad
+[[nodiscard]] Result<TouchpadProfile> bindToTouchpad(StationOptions& options);
 
 /// @param world of the simulated touchpad; null: a real or recorded one is opened
 /// @return an error also when options contradict each other

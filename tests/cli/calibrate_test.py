@@ -164,7 +164,7 @@ class Calibrate(fyd.Case):
         self.assertEqual("", fyd.run(*sense, "--set", "sensing.ir_offset_mm=[100, 99.5, 100]").stderr)  # a tare since
         with open(self.path("lab.calibration.toml"), encoding="utf-8") as record:
             text = record.read()
-        for words in ["R. Lee", "lamp off", "sensing.ir2_curve_mm", "format = 1"]:
+        for words in ["R. Lee", "lamp off", "sensing.ir2_curve_mm", "format = 2"]:
             self.assertIn(words, text)
         self.json("calibrate", "ir", file, "--sensor", 3, "--profile", profile, "--json")  # a second record is appended
         with open(self.path("lab.calibration.toml"), encoding="utf-8") as record:

@@ -110,7 +110,7 @@ class CalibrateMotionTest : public QObject {
              qPrintable(c.page->fitPanel()->figures()));
     QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("valid from 20.0 to 90.0 deg")));
     c.click(c.page->acceptButton());
-    const auto profile = station::loadProfile(c.profilePath());
+    const auto profile = c.saved();
     QVERIFY(profile.has_value());
     const control::ControlParameters& control = profile->step.control;
     QCOMPARE(control.law_angle_deg.size(), std::size_t{3});
@@ -178,7 +178,7 @@ class CalibrateMotionTest : public QObject {
     QVERIFY2(c.page->acceptButton()->isEnabled(), qPrintable(c.page->fitPanel()->verdict()));
     QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("encoder 2: counts against its motor")));
     c.click(c.page->acceptButton());
-    const auto profile = station::loadProfile(c.profilePath());
+    const auto profile = c.saved();
     QVERIFY(profile.has_value());
     QVERIFY(std::abs(profile->step.control.encoder_zero_first_counts - 4000) <= 1);
     QVERIFY(std::abs(profile->step.control.encoder_zero_second_counts - 700) <= 1);
@@ -293,6 +293,8 @@ class CalibrateMotionTest : public QObject {
     // A record on the disk is seen by the place where one arms.
     Fixture f;
     record.when = "2020-01-01T08:00:00Z";
+    record.touchpad = station::kSimulatedTouchpad;
+    record.simulated = true;
     std::ofstream(station::calibrationFileOf(f.folder.filePath(QStringLiteral("profile.toml")).toStdString()))
         << calibration::formatRecords(std::vector{record});
     f.window->feed().pump();

@@ -39,7 +39,7 @@ class CalibrateTest : public QObject {
   Q_OBJECT
  private slots:
   void aLoadCellFromKnownWeightsToTheFiles() {
-    Calibrating c("load-cell");
+    Calibrating c("load-cell", "serial:A7");
     QCOMPARE(c.window->frame()->place(), QStringLiteral("calibrate"));
     QVERIFY(c.partText("Load cell").contains(QLatin1String("never calibrated")));
     QVERIFY(!c.page->acceptButton()->isEnabled());
@@ -81,7 +81,7 @@ class CalibrateTest : public QObject {
     QTest::keyClicks(c.page->fitPanel()->who(), QStringLiteral("R. Lee"));
     QTest::keyClicks(c.page->fitPanel()->conditions(), QStringLiteral("21 C"));
     c.click(c.page->acceptButton());
-    const auto profile = station::loadProfile(c.profilePath());
+    const auto profile = c.saved();
     QVERIFY(profile.has_value());
     QVERIFY(std::abs(profile->step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
     QVERIFY(std::abs(profile->step.sensing.load_cell.offset_g - kOffset_g) < 1e-6);
@@ -91,6 +91,8 @@ class CalibrateTest : public QObject {
     QCOMPARE(records->front().procedure, std::string("load-cell"));
     QCOMPARE(records->front().who, std::string("R. Lee"));
     QCOMPARE(records->front().conditions, std::string("21 C"));
+    QCOMPARE(records->front().touchpad, std::string("serial:A7"));
+    QVERIFY(!records->front().simulated);
     QCOMPARE(records->front().points, std::int64_t{4});
     QCOMPARE(c.session->begun_anew, 1);
     QVERIFY(std::abs(c.session->profile.step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
@@ -99,7 +101,7 @@ class CalibrateTest : public QObject {
     QVERIFY2(c.partText("Load cell").contains(QLatin1String("calibrated today")), qPrintable(c.partText("Load cell")));
     // "Save profile" must not bring the old values back.
     c.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
-    QVERIFY(std::abs(station::loadProfile(c.profilePath())->step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) <
+    QVERIFY(std::abs(c.saved()->step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) <
             1e-6);
   }
 
@@ -154,7 +156,7 @@ class CalibrateTest : public QObject {
   }
 
   void aDistanceSensorFromTypedDistances() {
-    Calibrating c("ir-2");
+    Calibrating c("ir-2", "serial:A7");
     // A profile on the disk, and a tare since that is not saved.
     QVERIFY(station::saveProfile(c.session->profile, c.profilePath()).has_value());
     ParameterList& offsets = c.session->profile.step.sensing.indentation.ir_offset_mm;
@@ -166,7 +168,7 @@ class CalibrateTest : public QObject {
     QVERIFY2(c.page->fitPanel()->verdict().startsWith(QLatin1String("Good")),
              qPrintable(c.page->fitPanel()->verdict()));
     c.click(c.page->acceptButton());
-    const auto profile = station::loadProfile(c.profilePath());
+    const auto profile = c.saved();
     QVERIFY(profile.has_value());
     const sensing::IndentationParameters& p = profile->step.sensing.indentation;
     QVERIFY(p.ir_curve_mm[0].size() == 0 && p.ir_curve_mm[2].size() == 0);
@@ -263,7 +265,7 @@ class CalibrateTest : public QObject {
     QCOMPARE(c.page->points().size(), std::size_t{1});
     QCOMPARE(c.session->profile.step.sensing.indentation.ir_offset_mm[0], 100.0);  // nothing before "Accept"
     c.click(c.page->acceptButton());
-    const auto profile = station::loadProfile(c.profilePath());
+    const auto profile = c.saved();
     QVERIFY(profile.has_value());
     QVERIFY(std::abs(profile->step.sensing.indentation.ir_offset_mm[0] - 110.0) < 0.5);
     QCOMPARE(c.session->count(pipeline::OperatorAction::tare), 0);
@@ -296,7 +298,7 @@ class CalibrateTest : public QObject {
     QTest::keyClick(c.page->picture(), Qt::Key_Down);
     QCOMPARE(*c.page->picture()->place(), before + QPointF(0, 1));
     c.click(c.page->acceptButton());
-    const auto profile = station::loadProfile(c.profilePath());
+    const auto profile = c.saved();
     QVERIFY(profile.has_value());
     QVERIFY(std::abs(profile->step.sensing.finger.scale_x_mm_per_px - 100.0 / 220.0) < 0.01);
   }
@@ -324,7 +326,7 @@ class CalibrateTest : public QObject {
     QVERIFY2(c.page->fitPanel()->verdict().startsWith(QLatin1String("Good")),
              qPrintable(c.page->fitPanel()->verdict()));
     c.click(c.page->acceptButton());
-    const double height_mm = station::loadProfile(c.profilePath())->step.sensing.indentation.camera_height_mm;
+    const double height_mm = c.saved()->step.sensing.indentation.camera_height_mm;
     QVERIFY2(std::abs(height_mm - 90.0) < 9.0, qPrintable(QString::number(height_mm)));
   }
 
@@ -368,7 +370,7 @@ class CalibrateTest : public QObject {
              qPrintable(c.page->fitPanel()->verdict()));
     c.state(SafetyState::stopped);
     c.click(c.page->acceptButton());
-    const auto profile = station::loadProfile(c.profilePath());
+    const auto profile = c.saved();
     QVERIFY(profile.has_value());
     const sensing::IndentationParameters& indentation = profile->step.sensing.indentation;
     QVERIFY(indentation.mode == sensing::IndentationMode::contact);
@@ -413,7 +415,7 @@ class CalibrateTest : public QObject {
     c.click(c.page->takeButton());
     QVERIFY2(c.page->acceptButton()->isEnabled(), qPrintable(c.page->hint()));
     c.click(c.page->acceptButton());
-    const auto profile = station::loadProfile(c.profilePath());
+    const auto profile = c.saved();
     QVERIFY(profile.has_value());
     const sensing::FingerParameters& finger = profile->step.sensing.finger;
     QVERIFY(std::abs(finger.roi_x_px - 50) <= 2 && std::abs(finger.roi_y_px - 60) <= 2);

@@ -3,6 +3,7 @@
 
 #include "app/console/calibrate/calibrate_page.h"
 #include "core/base/units.h"
+#include "core/station/profile/calibrated_values.h"
 #include "tests/widgets/scripted_session.h"
 
 namespace fyd::tests {
@@ -27,7 +28,9 @@ inline device::DeviceReport touchpad(double bridge_mV_per_V, double ir_counts = 
 inline double bridgeOf(double grams) { return (grams - kOffset_g) / kSlope_g; }
 
 struct Calibrating : Fixture {
-  explicit Calibrating(const char* part) {
+  /// @param on as in touchpad_name.h
+  explicit Calibrating(const char* part, std::string_view on = station::kSimulatedTouchpad) {
+    session->profile.calibrated_on = on;
     session->reports = {touchpad(bridgeOf(0.0))};
     QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
     page = qobject_cast<console::CalibratePage*>(window->frame()->page(QStringLiteral("calibrate")));
@@ -56,6 +59,12 @@ struct Calibrating : Fixture {
   }
   [[nodiscard]] std::string profilePath() const {
     return folder.filePath(QStringLiteral("profile.toml")).toStdString();
+  }
+  /// What the next session on this touchpad loads.
+  [[nodiscard]] Result<station::Profile> saved() const {
+    auto loaded = station::loadProfileFor(profilePath(), session->profile.calibrated_on);
+    if (!loaded) return tl::unexpected(loaded.error());
+    return loaded->profile;
   }
   [[nodiscard]] QString partText(const char* name) const {
     for (int i = 0; i < page->parts()->count(); ++i) {

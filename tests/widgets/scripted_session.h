@@ -3,6 +3,7 @@
 
 #include "app/console/devices/devices_page.h"
 #include "app/console/window/main_window.h"
+#include "core/station/profile/touchpad_name.h"
 #include "tests/widgets/wait.h"
 
 namespace fyd::tests {
@@ -78,7 +79,7 @@ class ScriptedSession : public console::Session {
   void releaseSimulatedFinger() override { finger.clear(); }
   void playSimulatedFinger(const sim::FingerPath& path) override { played.push_back(path); }
   std::string fingerFile() const override { return finger_file; }
-  bool simulated() const override { return true; }
+  bool simulated() const override { return station::isSimulated(profile.calibrated_on); }
   std::shared_ptr<scene::SceneStage> scene() const override { return stage; }
   console::RobotWords robot() const override { return present; }
   bool isOpen() const override { return open; }
@@ -114,7 +115,12 @@ class ScriptedSession : public console::Session {
     telemetry.push_back(sample);
   }
 
-  station::Profile profile;
+  /// Its touchpad is the simulated one until a test says another.
+  station::Profile profile = [] {
+    station::Profile out;
+    out.calibrated_on = station::kSimulatedTouchpad;
+    return out;
+  }();
   std::vector<pipeline::OperatorCommand> commands;
   std::vector<std::pair<std::string, double>> changes;
   std::vector<pipeline::TelemetrySample> telemetry;

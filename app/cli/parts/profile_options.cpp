@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/cli/parts/command.h"
+#include "core/station/profile/calibrated_values.h"
 #include "core/station/profile/calibration_file.h"
 
 namespace fyd::cli {
@@ -21,6 +22,19 @@ void ProfileOptions::addTo(CLI::App& command) {
 station::Profile ProfileOptions::load() const {
   station::Profile profile;
   if (!file.empty()) profile = valueOrFail(station::loadProfile(file));
+  assign(profile);
+  return profile;
+}
+
+station::Profile ProfileOptions::loadFor(const std::string& touchpad) const {
+  if (file.empty()) return load();
+  station::TouchpadProfile loaded = valueOrFail(station::loadProfileFor(file, touchpad));
+  if (!loaded.notice.empty()) std::cerr << fmt::format("warning: {}\n", loaded.notice.text());
+  assign(loaded.profile);
+  return std::move(loaded.profile);
+}
+
+void ProfileOptions::assign(station::Profile& profile) const {
   const auto parameters = bindParameters(profile);
   for (const std::string& setting : settings) {
     const auto equals = setting.find('=');
@@ -31,7 +45,6 @@ station::Profile ProfileOptions::load() const {
       throw UsageError(say("--set {}", assigned.error().message));
     }
   }
-  return profile;
 }
 
 void ProfileOptions::warnOfOutdatedParts(const station::Profile& profile) const {

@@ -20,8 +20,14 @@ struct ProfileOptions {
   void addTo(CLI::App& command);
   /// The profile with the settings over it. Throws Failure (file) or UsageError (settings).
   [[nodiscard]] station::Profile load() const;
+  /// The same with the calibrated values of a touchpad (calibrated_values.h); warns on standard error when they are not
+  /// those of the file. @param touchpad as in touchpad_name.h
+  [[nodiscard]] station::Profile loadFor(const std::string& touchpad) const;
   /// Warns on standard error, in commands that measure, of calibrations of the profile that rest on an older one.
   void warnOfOutdatedParts(const station::Profile& profile) const;
+
+ private:
+  void assign(station::Profile& profile) const;
 };
 
 }  // namespace fyd::cli

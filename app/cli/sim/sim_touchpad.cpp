@@ -15,6 +15,7 @@ namespace {
 struct SimTouchpadOptions {
   std::string modbus_tcp;
   std::string camera_mjpeg;
+  std::string serial;  ///< empty: its usual one
   std::string finger;
   std::vector<std::string> faults;
   sim::TouchpadProcessOptions process;
@@ -53,6 +54,7 @@ void runSimTouchpad(SimTouchpadOptions& options) {
     std::cout << protocol::registerMapMarkdown();
     return;
   }
+  if (!options.serial.empty()) options.process.registers = sim::RegisterBank(options.serial);
   options.process.modbus_tcp = endpoint("--modbus-tcp", options.modbus_tcp);
   options.process.camera_mjpeg = endpoint("--camera-mjpeg", options.camera_mjpeg);
   const bool served = options.process.modbus_tcp || options.process.camera_mjpeg ||
@@ -96,6 +98,8 @@ void addSimTouchpad(CLI::App& sim) {
                    "Number of the motor board's vibration command; 0: it has none")
       ->check(CLI::Range(0, 255));
   command->add_option("--camera-mjpeg", options->camera_mjpeg, "Serve the camera there as MJPEG at /, HOST:PORT");
+  command->add_option("--serial", options->serial, "Serial number that it tells; default: FYD-SIM-0001")
+      ->check([](const std::string& text) { return text.size() <= 16 ? "" : "expected at most 16 characters"; });
   command->add_option("--finger", options->finger, "Recording the finger follows (columns t_s,x_mm,y_mm,z_mm)");
   command->add_option("--seed", process.parameters.seed, "Seed of its noise")->check(CLI::Range(0, 1'000'000'000));
   command->add_option("--fault", options->faults,

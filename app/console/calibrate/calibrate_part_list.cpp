@@ -37,7 +37,8 @@ void CalibrationPartList::setSteps(const std::vector<std::unique_ptr<Calibration
 
 void CalibrationPartList::refresh(const std::vector<std::unique_ptr<CalibrationStep>>& steps,
                                   const QString& profile_path, const station::Profile& profile) {
-  const auto records = station::loadCalibrationRecords(profile_path.toStdString());
+  auto records = station::loadCalibrationRecords(profile_path.toStdString());
+  if (records) records = station::recordsFor(std::move(*records), profile.calibrated_on);
   const std::string today = nowUtc();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     PartState state{PartState::Kind::old, {}};

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include "app/console/shell/calibration_ages.h"
+#include "core/station/profile/calibrated_values.h"
 #include "core/station/profile/calibration_file.h"
 #include "core/station/profile/calibration_report.h"
 #include "widgets/basics/core_text.h"
@@ -19,10 +20,12 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("CalibrationRecords", text); }
 QString words(const std::string& text) { return QString::fromStdString(text); }
 
-/// The profile that the file holds; the session's, when there is no file yet.
-Result<station::Profile> profileToWrite(const PageContext& context, bool exists) {
-  if (!exists) return context.session.currentProfile();
-  return station::loadProfile(context.tuning.profilePath().toStdString());
+/// What the files hold for the session's touchpad; the session's profile, when there is none yet.
+Result<station::Profile> profileToWrite(const std::string& path, const station::Profile& session, bool exists) {
+  if (!exists) return session;
+  auto loaded = station::loadProfileFor(path, session.calibrated_on);
+  if (!loaded) return tl::unexpected(loaded.error());
+  return std::move(loaded->profile);
 }
 
 /// The sensor's offset in force may be a tare that is not saved yet. The file gets it, so that the record notes what
@@ -41,16 +44,22 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   const QString path = context.tuning.profilePath();
   const bool exists = QFileInfo::exists(path);
   QDir().mkpath(QFileInfo(path).absolutePath());
-  auto profile = profileToWrite(context, exists);
+  const station::Profile in_force = context.session.currentProfile();
+  auto profile = profileToWrite(path.toStdString(), in_force, exists);
   if (!profile) {
     context.tell(Severity::error,
                  tr("Not accepted, the old values stay. %1").arg(widgets::coreText(profile.error().message)));
     return false;
   }
-  keepOffsetInForce(*profile, context.session.currentProfile(), sensor);
+  keepOffsetInForce(*profile, in_force, sensor);
   const auto record = station::saveCalibration(
-      result, {.sensor = sensor, .who = said.who, .when = nowUtc(), .conditions = said.conditions}, *profile,
-      path.toStdString());
+      result,
+      {.sensor = sensor,
+       .who = said.who,
+       .when = nowUtc(),
+       .conditions = said.conditions,
+       .simulated = said.simulated},
+      *profile, path.toStdString());
   if (!record) {
     context.tell(Severity::error,
                  tr("Not accepted, the old values stay. %1").arg(widgets::coreText(record.error().message)));
@@ -90,7 +99,8 @@ QString writeCalibrationReport(const PageContext& context, const std::string& pr
   const QString profile = context.tuning.profilePath();
   const auto records = station::loadCalibrationRecords(profile.toStdString());
   if (!records) return widgets::coreText(records.error().message);
-  const auto pair = station::newestOf(*records, procedure, sensor);
+  const auto own = station::recordsFor(*records, context.session.currentProfile().calibrated_on);
+  const auto pair = station::newestOf(own, procedure, sensor);
   if (pair.newest == nullptr) return tr("this part was never calibrated: accept a calibration first");
   const QFileInfo info(profile);
   QString part = words(procedure);

@@ -13,6 +13,7 @@ namespace fyd::console {
 struct AcceptedWords {
   std::string who;
   std::string conditions;
+  bool simulated = false;  ///< the points are not readings of a real touchpad
 };
 
 /// Writes record and profile, then begins the session anew with the new values. Only while nothing can move. Success

@@ -166,7 +166,7 @@ void CalibrationRun::takePoint() {
   if (step().onePoint()) points_.clear(step_);
   CalibrationPoint whole = step().pointOf(taking_.readings());
   points_.add(step_, whole.empty() ? step().point(entered_, taking_.mean(), taking_.spread()) : std::move(whole),
-              lifted_ ? PointOrigin::simulated : PointOrigin::measured);
+              lifted_ ? PointOrigin::simulated : originOfReadings());
   endPoint({});
   emit said(step().onePoint() ? tr("Measured.") : tr("Point %1 taken.").arg(points().size()), false);
   refit();
@@ -272,7 +272,8 @@ void CalibrationRun::refit() {
   fit_ = step().fit(points(), profile_);
   if (step().trustsIndentation() && !points().empty()) {
     const auto records = station::loadCalibrationRecords(context_.tuning.profilePath().toStdString());
-    if (!records || !calibration::clothProven(*records, bindParameters(profile_))) {
+    if (!records || !calibration::clothProven(station::recordsFor(*records, profile_.calibrated_on),
+                                              bindParameters(profile_))) {
       calibration::sayIndentationUnproven(fit_.result);
     }
   }
@@ -300,8 +301,11 @@ void CalibrationRun::accept(const AcceptedWords& words) {
     return;
   }
   AcceptedWords record = words;
-  if (points_.originOf(step_) != PointOrigin::measured)
-    record.conditions = "simulated points" + (record.conditions.empty() ? "" : "; " + record.conditions);
+  if (points_.originOf(step_) != PointOrigin::measured) {
+    record.simulated = true;
+    record.conditions =
+        std::string(calibration::kSimulatedPoints) + (record.conditions.empty() ? "" : "; " + record.conditions);
+  }
   if (!acceptCalibration(context_, fit_.result, step().sensor(), record)) return;
   points_.clear(step_);
   profile_ = context_.session.currentProfile();

@@ -84,7 +84,8 @@ std::vector<widgets::ReadinessRow> CalibrationAges::rows() {
     changed_ = changed;
     records_ = station::loadCalibrationRecords(profile).value_or(std::vector<calibration::CalibrationRecord>{});
   }
-  return ageingRows(records_, context_.session.currentProfile(), nowUtc());
+  const station::Profile in_force = context_.session.currentProfile();
+  return ageingRows(station::recordsFor(records_, in_force.calibrated_on), in_force, nowUtc());
 }
 
 }  // namespace fyd::console

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::string_view kTcpPrefix = "modbus-tcp:";
 constexpr std::string_view kRtuPrefix = "modbus-rtu:";
-constexpr std::string_view kSerialMark = ",serial=";
 constexpr std::size_t kLongestSerial = 16;  // characters, of the register map
 constexpr Duration kLongestDrain = std::chrono::milliseconds(500);
 constexpr Duration kByteTimeout = std::chrono::milliseconds(50);
@@ -72,10 +71,10 @@ Message failureText(int problem, Duration timeout) {
 
 Result<ModbusAddress> parseModbusAddress(const std::string& text) {
   ModbusAddress out;
-  const std::size_t comma = text.find(kSerialMark);
+  const std::size_t comma = text.find(kSerialDemand);
   const std::string place = text.substr(0, comma);
   if (comma != std::string::npos) {
-    out.serial = text.substr(comma + kSerialMark.size());
+    out.serial = text.substr(comma + kSerialDemand.size());
     if (out.serial.empty() || out.serial.size() > kLongestSerial) {
       return fail("'{}': expected a serial number of 1 to {} characters behind serial=", text, kLongestSerial);
     }

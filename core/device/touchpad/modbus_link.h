@@ -32,6 +32,8 @@ struct ModbusAddress {
   std::string by_id{kSerialById};  ///< folder that "id=" is looked up in
 };
 
+inline constexpr std::string_view kSerialDemand = ",serial=";
+
 /// Reads "modbus-tcp:HOST:PORT" and "modbus-rtu:TTY[:BAUD]", each with an optional ",serial=TEXT" that demands the
 /// touchpad with this serial number; TTY may be "id=SERIAL" of the adapter.
 [[nodiscard]] Result<ModbusAddress> parseModbusAddress(const std::string& text);

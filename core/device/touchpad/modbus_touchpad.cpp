@@ -97,6 +97,14 @@ Result<void> ModbusTouchpad::connect() {
   return {};
 }
 
+Result<std::string> ModbusTouchpad::askSerial() {
+  if (auto opened = link_.open(); !opened) return tl::unexpected(opened.error());
+  const auto known = checkIdentity();
+  link_.close();
+  if (!known) return tl::unexpected(known.error());
+  return std::string(identity_.serialText());
+}
+
 /// Called after a failed exchange. A device that was switching on must not begin to move when it comes back. One whose
 /// motors stayed on through a short disturbance may go on: its own watchdog decides, and followDrive sees the result.
 tl::unexpected<Error> ModbusTouchpad::lost(Error error) {
@@ -270,7 +278,7 @@ std::vector<DeviceReport> ModbusTouchpad::reports() const {
   if (state_.fault_code != 0) {
     text(say("fault"), phrase(toString(static_cast<protocol::DriveFault>(state_.fault_code))));
   }
-  text(say("serial number"), verbatim(identity_.serialText()));
+  out.values.push_back(serialValue(identity_.serialText()));
   text(say("firmware"), verbatim(fmt::format("{}.{}", identity_.firmware >> 8U, identity_.firmware & 0xFFU)));
   out.values.push_back({.name = say("clock"), .number = state_.uptime_us * 1e-6, .unit = "s"});
   return {std::move(out)};

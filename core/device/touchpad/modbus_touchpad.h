@@ -40,6 +40,8 @@ class ModbusTouchpad final : public Touchpad {
   /// Opens and identifies the device first when that is to be done. Blocks for the response time-out at most, twice
   /// when it opens.
   [[nodiscard]] Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
+  /// Connects, asks, and closes again; writes nothing. @return empty when it tells no serial number
+  [[nodiscard]] Result<std::string> askSerial();
   void queueVibration(std::span<const VibrationDuty> duties) override;
   [[nodiscard]] Message complaint() const override;
   [[nodiscard]] std::vector<DeviceReport> reports() const override;

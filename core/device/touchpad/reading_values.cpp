@@ -29,4 +29,16 @@ void addMotorValues(const Timed<control::MotorFeedback>& motors, std::vector<Rep
   }
 }
 
+ReportValue serialValue(std::string_view serial) {
+  return {.name = say("serial number"), .unit = {}, .text = verbatim(serial)};
+}
+
+std::string serialIn(const DeviceReport& report) {
+  const Message name = serialValue({}).name;
+  for (const ReportValue& value : report.values) {
+    if (value.name == name) return value.text.text();
+  }
+  return {};
+}
+
 }  // namespace fyd::device

@@ -13,17 +13,29 @@ constexpr std::string_view kQbmovePrefix = "qbmove:";
 Result<std::unique_ptr<Touchpad>> withMotors(std::unique_ptr<Touchpad> touchpad, const std::string& motors,
                                              const DeviceParameters& parameters) {
   if (motors.empty()) return touchpad;
+  auto board = openMotorBoard(motors, parameters);
+  if (!board) return tl::unexpected(board.error());
+  return std::make_unique<CombinedTouchpad>(std::move(touchpad), std::move(*board), parameters);
+}
+
+Result<std::unique_ptr<QbmoveMotors>> openMotorBoard(const std::string& motors, const DeviceParameters& parameters) {
   if (!motors.starts_with(kQbmovePrefix) || motors.size() == kQbmovePrefix.size()) {
     return fail("motors '{}': expected qbmove:TTY", motors);
   }
-  auto board = std::make_unique<QbmoveMotors>(motors.substr(kQbmovePrefix.size()), parameters);
-  return std::make_unique<CombinedTouchpad>(std::move(touchpad), std::move(board), parameters);
+  return std::make_unique<QbmoveMotors>(motors.substr(kQbmovePrefix.size()), parameters);
 }
 
 Result<std::unique_ptr<Touchpad>> openTouchpad(const std::string& source, const DeviceParameters& parameters) {
   auto address = parseModbusAddress(source);
   if (!address) return fail("touchpad {}", address.error().message);
   return std::make_unique<ModbusTouchpad>(*address, parameters);
+}
+
+Result<std::string> readSerial(const std::string& source, const DeviceParameters& parameters) {
+  const auto address = parseModbusAddress(source);
+  if (!address) return fail("touchpad {}", address.error().message);
+  if (!address->serial.empty()) return address->serial;
+  return ModbusTouchpad(*address, parameters).askSerial();
 }
 
 }  // namespace fyd::device

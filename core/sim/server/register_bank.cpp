@@ -12,7 +12,6 @@ using protocol::addressOf;
 constexpr Duration kOwnership = std::chrono::seconds(1);
 constexpr std::array<std::uint16_t, protocol::kSettingsRegisters> kDefaultSettings = {100, 850};
 constexpr std::uint16_t kFirmware = 0x0100;
-constexpr std::string_view kSerial = "FYD-SIM-0001";
 constexpr double kWarningBelowLimit_degC = 10.0;
 constexpr double kUnitsPerMillisecond = 1e3;  // of the device clock, µs
 
@@ -41,7 +40,7 @@ double thermalLimit(std::span<const std::uint16_t> settings) { return settings[1
 }  // namespace
 
 void RegisterBank::restart(Instant now, protocol::DriveFault cause) {
-  *this = RegisterBank();
+  *this = RegisterBank(std::move(serial_));
   powered_since_ = now;
   last_heartbeat_ = now;
   settings_ = kDefaultSettings;
@@ -158,7 +157,7 @@ void RegisterBank::fill(Image& image, int master, const device::TouchpadReadings
   ++transactions_;
   protocol::DeviceIdentity identity;
   identity.firmware = kFirmware;
-  identity.setSerial(kSerial);
+  identity.setSerial(serial_);
   const protocol::DeviceState state = stateFor(master, readings, now);
   std::ranges::copy(encode(identity), image.begin() + protocol::kIdentityAddress);
   std::ranges::copy(settings_, image.begin() + protocol::kSettingsAddress);

@@ -8,6 +8,8 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "core/device/touchpad/touchpad.h"
 #include "core/protocol/registers/drive_state.h"
@@ -29,6 +31,9 @@ class RegisterBank {
  public:
   static constexpr std::uint16_t kSize = protocol::kCommandAddress + protocol::kCommandRegisters;
   using Image = std::array<std::uint16_t, kSize>;
+
+  /// @param serial number that the identity registers tell, at most 16 characters
+  explicit RegisterBank(std::string serial = "FYD-SIM-0001") : serial_(std::move(serial)) {}
 
   /// Power comes up at `now`. @param cause `undervoltage` after a brown-out
   void restart(Instant now, protocol::DriveFault cause);
@@ -60,6 +65,7 @@ class RegisterBank {
                                              bool obeys);
   [[nodiscard]] protocol::DeviceState stateFor(int master, const device::TouchpadReadings& readings, Instant now);
 
+  std::string serial_;
   protocol::Drive drive_;
   protocol::DeviceCommand command_;
   protocol::CommandRegisters command_image_{};

@@ -21,8 +21,8 @@ constexpr double kThermalTime_s = 40.0;
 }  // namespace
 
 TouchpadElectronics::TouchpadElectronics(std::shared_ptr<TouchpadWorld> world, FaultPlan faults,
-                                         const MotorBoardOptions& board, Instant start)
-    : world_(std::move(world)), faults_(std::move(faults)), board_(board), now_(start) {
+                                         const MotorBoardOptions& board, Instant start, RegisterBank bank)
+    : world_(std::move(world)), faults_(std::move(faults)), bank_(std::move(bank)), board_(board), now_(start) {
   bank_.restart(start, protocol::DriveFault::none);
   figures_.temperature_degC.fill(kAmbient_degC);
 }

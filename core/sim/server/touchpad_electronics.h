@@ -16,7 +16,7 @@ namespace fyd::sim {
 class TouchpadElectronics {
  public:
   TouchpadElectronics(std::shared_ptr<TouchpadWorld> world, FaultPlan faults, const MotorBoardOptions& board,
-                      Instant start);
+                      Instant start, RegisterBank bank = RegisterBank());
 
   /// Advances the world to `now`, a millisecond at a time, each with its own vibration duty. Each server calls it
   /// before it answers; the process calls it every few milliseconds besides.

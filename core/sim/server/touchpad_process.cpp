@@ -14,7 +14,8 @@ Result<std::unique_ptr<TouchpadProcess>> TouchpadProcess::start(TouchpadProcessO
   const Instant now = Clock::now();
   const FaultPlan faults(options.faults, now);
   made->world_ = std::make_shared<TouchpadWorld>(options.parameters, std::move(options.finger), now);
-  made->electronics_ = std::make_shared<TouchpadElectronics>(made->world_, faults, options.board, now);
+  made->electronics_ = std::make_shared<TouchpadElectronics>(made->world_, faults, options.board, now,
+                                                             options.registers);
   if (auto served = made->serve(options, faults); !served) return tl::unexpected(served.error());
   if (made->addresses_.empty()) return fail("simulated touchpad: nothing to serve it through");
   made->ticker_ = std::jthread([electronics = made->electronics_](const std::stop_token& stop) {

@@ -25,6 +25,7 @@ struct TouchpadProcessOptions {
   MotorBoardOptions board;
   std::optional<protocol::Endpoint> camera_mjpeg;  ///< port 0: any
   std::vector<TimedFault> faults;                  ///< seconds count from `start`
+  RegisterBank registers;                          ///< as they are when it is switched on
 };
 
 class TouchpadProcess {

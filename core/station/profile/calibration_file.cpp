@@ -3,51 +3,23 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 
-#include "core/base/system_reason.h"
-#include "core/base/whole_file.h"
 #include "core/base/write_target.h"
 #include "core/calibration/calibration_dependence.h"
 #include "core/control/control_parameters.h"
+#include "core/station/profile/calibrated_values.h"
 #include "core/station/profile/replace_file.h"
+#include "core/station/profile/touchpad_name.h"
 
 namespace fyd::station {
-namespace {
-
-constexpr std::uintmax_t kLargestRecord_bytes = 64 << 20;
-
-/// @return the text, or nothing where there is no such file
-Result<std::optional<std::string>> readRecordFile(const std::string& path) {
-  std::error_code problem;
-  if (!std::filesystem::exists(path, problem) && !problem) return std::nullopt;
-  auto text = readWholeFile(path, kLargestRecord_bytes);
-  if (!text) return tl::unexpected(text.error());
-  return std::move(*text);
-}
-
-}  // namespace
-
-std::string calibrationFileOf(const std::string& profile_path) {
-  std::filesystem::path path(profile_path);
-  const std::string stem = path.extension() == ".toml" ? path.stem().string() : path.filename().string();
-  return (path.parent_path() / (stem + ".calibration.toml")).string();
-}
-
-Result<std::vector<calibration::CalibrationRecord>> loadCalibrationRecords(const std::string& profile_path) {
-  const std::string path = calibrationFileOf(profile_path);
-  const auto text = readRecordFile(path);
-  if (!text) return tl::unexpected(text.error());
-  if (!*text) return std::vector<calibration::CalibrationRecord>{};
-  return calibration::parseRecords(**text, path);
-}
 
 Result<std::vector<OutdatedPart>> outdatedParts(const std::string& profile_path, Profile profile) {
-  const auto records = loadCalibrationRecords(profile_path);
-  if (!records) return tl::unexpected(records.error());
+  const auto loaded = loadCalibrationRecords(profile_path);
+  if (!loaded) return tl::unexpected(loaded.error());
+  const auto records = recordsFor(*loaded, profile.calibrated_on);
   std::vector<OutdatedPart> out;
   for (const std::string_view part : calibration::dependentParts()) {
-    const auto bases = calibration::newerBases(*records, part, bindParameters(profile));
+    const auto bases = calibration::newerBases(records, part, bindParameters(profile));
     if (!bases.empty()) out.push_back({std::string(part), calibration::describeBases(part, bases)});
   }
   return out;
@@ -58,6 +30,18 @@ Result<calibration::CalibrationRecord> saveCalibration(const calibration::Calibr
                                                        const std::string& profile_path) {
   if (!result.verdict.accepted)
     return fail("{}: refused, nothing is saved: {}", result.procedure, result.verdict.reason);
+  if (isPlayed(profile.calibrated_on)) {
+    return fail("{}: a recording is played, nothing is saved: a calibration is made on a touchpad", result.procedure);
+  }
+  if (record.simulated && !isSimulated(profile.calibrated_on)) {
+    return fail("{}: simulated points, nothing is saved: these values would be used by {}", result.procedure,
+                describeTouchpad(profile.calibrated_on));
+  }
+  for (const calibration::ParameterChange& change : result.changes) {
+    if (calibration::calibratedBy(change.id).empty()) {
+      return fail("{}: {} is no calibrated value, nothing is saved", result.procedure, change.id);
+    }
+  }
   auto records = loadCalibrationRecords(profile_path);
   if (!records) return tl::unexpected(records.error());
   Profile changed = profile;
@@ -70,20 +54,21 @@ Result<calibration::CalibrationRecord> saveCalibration(const calibration::Calibr
       applied->push_back(std::move(left));
     }
   }
-  record = calibration::makeRecord(result, std::move(*applied), record.sensor, std::move(record.who),
-                                   std::move(record.when), std::move(record.conditions));
+  record.touchpad = profile.calibrated_on;
+  record.simulated = isSimulated(record.touchpad);
+  record = calibration::makeRecord(result, std::move(*applied), std::move(record));
   records->push_back(record);
 
   // The record first: without one, a changed profile would have no date and no former values.
   const std::string path = calibrationFileOf(profile_path);
-  const auto before = readRecordFile(path);
+  const auto before = readCalibrationFile(profile_path);
   if (!before) return tl::unexpected(before.error());
   const auto target = writeTargetOf(path);  // resolved before writing, so that a link stays a link
   if (!target) return tl::unexpected(target.error());
   if (auto written = replaceFile(path, calibration::formatRecords(*records)); !written) {
     return tl::unexpected(written.error());
   }
-  if (auto saved = saveProfile(changed, profile_path); !saved) {
+  if (auto saved = saveProfileFor(changed, profile_path); !saved) {
     if (*before) {
       (void)replaceFile(path, **before);
     } else {

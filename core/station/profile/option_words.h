@@ -6,6 +6,8 @@
 namespace fyd::station::words {
 
 inline constexpr const char* kTouchpad = "simulated, modbus-tcp:HOST:PORT, modbus-rtu:TTY[:BAUD] or recording:FILE";
+inline constexpr const char* kCalibratedOn =
+    "Touchpad that the calibrated values belong to: serial:NUMBER or its address; empty: not known";
 inline constexpr const char* kMotors = "qbmove:TTY, the original motor board in place of the touchpad's own motors";
 inline constexpr const char* kFinger =
     "Gesture card or recording the simulated finger follows (columns t_s,x_mm,y_mm,z_mm)";

@@ -8,11 +8,6 @@
 #include "core/station/profile/replace_file.h"
 
 namespace fyd::station {
-namespace {
-
-constexpr std::uintmax_t kLargestProfile_bytes = 1 << 20;
-
-}  // namespace
 
 Result<Profile> loadProfile(const std::string& path) {
   const auto text = readWholeFile(path, kLargestProfile_bytes);

@@ -3,6 +3,7 @@
 // are. One TOML file.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/base/error.h"
@@ -40,6 +41,7 @@ struct Profile {
   sim::SimParameters sim;
   device::DeviceParameters device;
   calibration::CalibrationParameters calibration;
+  std::string calibrated_on;  ///< touchpad that the calibrated values belong to, as touchpad_name.h; empty: not known
   recording::RecorderOptions session;
   SourceParameters sources;
 
@@ -51,10 +53,13 @@ struct Profile {
     sim.describe(v);
     device.describe(v);
     calibration.describe(v);
+    v.text("calibration.touchpad", calibrated_on, {.help = words::kCalibratedOn});
     session.describe(v);
     sources.describe(v);
   }
 };
+
+inline constexpr std::uintmax_t kLargestProfile_bytes = 1 << 20;
 
 /// @return an error naming file, line, value and range; nothing is half loaded
 [[nodiscard]] Result<Profile> loadProfile(const std::string& path);

@@ -360,7 +360,8 @@ TEST(Record, WhatIsNoRecordIsRefusedWithItsLine) {
     return parsed ? std::string("accepted") : parsed.error().text();
   };
   EXPECT_THAT(problemOf(""), HasSubstr("format"));
-  EXPECT_THAT(problemOf("format = 2\n"), HasSubstr("format 2"));
+  EXPECT_THAT(problemOf("format = 3\n"), HasSubstr("format 3"));
+  EXPECT_THAT(problemOf("format = 0\n"), HasSubstr("format 0"));
   EXPECT_THAT(problemOf("format = 1\n[[record]]\nwho = \"x\"\n"), HasSubstr("missing"));
   EXPECT_THAT(problemOf("format = [\n"), HasSubstr("f:"));
   EXPECT_THAT(problemOf("format = 1\nother = 3\n"), HasSubstr("f:2"));
