@@ -280,7 +280,7 @@ class TuneTest : public QObject {
   void theStepResponseFollowsTheGains() {
     TuneFixture f;
     WAIT_FOR(f.page->response()->has(TuningResponse::current));
-    QVERIFY(f.page->response()->response(TuningResponse::current).stable);
+    QCOMPARE(f.page->response()->response(TuningResponse::current).verdict, control::LoopVerdict::settles);
     const double before = f.page->response()->response(TuningResponse::current).settling_s;
     QCOMPARE(f.page->response()->response(TuningResponse::saved).settling_s, before);
     f.type("control.ki", QStringLiteral("0.5"));
@@ -288,8 +288,94 @@ class TuneTest : public QObject {
     QCOMPARE(f.page->response()->response(TuningResponse::saved).settling_s, before);
     f.type("control.ki", QStringLiteral("0"));
     f.type("control.kp", QStringLiteral("0"));
-    WAIT_FOR(!f.page->response()->response(TuningResponse::current).stable);
+    WAIT_EQUAL(f.page->response()->response(TuningResponse::current).verdict, control::LoopVerdict::does_not_settle);
+    QCOMPARE(f.page->response()->figure(TuningResponse::current, 4), QStringLiteral("—"));  // no gain, no margin
     QCOMPARE(f.page->response()->figure(TuningResponse::proposed, 0), QStringLiteral("—"));
+  }
+
+  void whatTheLoopsModelCallsUnstableIsAskedFirst() {
+    TuneFixture f;
+    // The touchpad's motors have not answered: only what no touchpad bears is asked about.
+    f.type("control.kp", QStringLiteral("6"));
+    QCOMPARE(f.used("control.kp"), 6.0);
+    f.type("control.kp", QStringLiteral("20"));
+    QCOMPARE(f.used("control.kp"), 6.0);
+    widgets::TuningRow* row = f.page->list()->row(QStringLiteral("control.kp"));
+    QVERIFY(row->questionBox()->isVisible());
+    QVERIFY2(row->questionBox()->words().contains(QStringLiteral("on any touchpad")),
+             qPrintable(row->questionBox()->words()));
+    const widgets::TuningRow* other = f.window->operate()->tuning()->row(QStringLiteral("control.kp"));
+    QVERIFY(other->questionBox() != nullptr);  // the same question in the other place
+    QTest::keyClick(row->questionBox()->leaveButton(), Qt::Key_Return);
+    QCOMPARE(f.used("control.kp"), 6.0);
+    QVERIFY(f.page->response()->plot()->hasFocus());
+    f.type("control.kp", QStringLiteral("0.15"));
+    QVERIFY(f.page->response()->plot()->hasFocus());
+    // Motors that answer 20 ms late bear less, and the sentence says why.
+    pipeline::TelemetrySample sample;
+    sample.now = instantAt(0.001);
+    sample.motors_age_ms = 20.0;
+    f.session->telemetry = {sample};
+    f.window->feed().pump();
+    f.type("control.kp", QStringLiteral("6"));
+    QCOMPARE(f.used("control.kp"), 0.15);
+    QVERIFY2(row->questionBox()->words().contains(QStringLiteral("20.0 ms")), qPrintable(row->questionBox()->words()));
+    click(row->questionBox()->applyButton());
+    QCOMPARE(f.used("control.kp"), 6.0);
+    WAIT_EQUAL(f.page->response()->response(TuningResponse::current).verdict, control::LoopVerdict::unstable);
+    QVERIFY(f.page->response()->ground().contains(QStringLiteral("20.0 ms")));
+    f.type("texture.k_vib", QStringLiteral("5"));  // nothing of the loop: not asked
+    QCOMPARE(f.used("texture.k_vib"), 5.0);
+    QTest::keyClick(f.page, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);  // all back to saved: steady
+    QCOMPARE(f.used("control.kp"), 0.15);
+    QTest::keyClick(f.page, Qt::Key_Z, Qt::ControlModifier);  // undo would be unstable again
+    QCOMPARE(f.used("control.kp"), 0.15);
+    QVERIFY(f.page->foot()->questionBox()->isVisible());
+    click(f.page->foot()->questionBox()->leaveButton());
+    QCOMPARE(f.used("control.kp"), 0.15);
+  }
+
+  void anUnstablePresetIsAskedFirst() {
+    TuneFixture f;
+    QVERIFY(QDir(f.folder.path()).mkdir(QStringLiteral("presets")));
+    QFile file(f.folder.filePath(QStringLiteral("presets/wild.toml")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("[texture]\nk_vib = 2\n[control]\nkp = 20\n");
+    file.close();
+    f.window->frame()->go(QStringLiteral("operate"));
+    f.window->frame()->go(QStringLiteral("tune"));
+    f.choosePreset(QStringLiteral("wild"));
+    QTest::keyClick(f.page->presets()->list(), Qt::Key_Return);
+    QVERIFY(f.session->changes.empty());
+    QVERIFY(f.page->foot()->questionBox()->isVisible());
+    click(f.page->foot()->questionBox()->applyButton());
+    QCOMPARE(f.used("control.kp"), 20.0);
+    QCOMPARE(f.used("texture.k_vib"), 2.0);
+  }
+
+  void twoGainsAreComparedWithFourClicks() {
+    Fixture f;
+    f.window->frame()->go(QStringLiteral("tune"));  // 1: the place
+    const auto* page = qobject_cast<console::TunePage*>(f.window->frame()->page(QStringLiteral("tune")));
+    widgets::TuningRow* row = page->list()->row(QStringLiteral("control.kp"));
+    WAIT_FOR(row->isVisible());
+    QVERIFY2(!row->field()->visibleRegion().isEmpty(), "the gains are in sight without a search");
+    QTest::mouseClick(row->field(), Qt::LeftButton);  // 2: its number, all of which is taken
+    WAIT_FOR(row->field()->hasSelectedText());
+    QTest::keyClicks(row->field(), QStringLiteral("0.3"));
+    QTest::keyClick(row->field(), Qt::Key_Return);
+    click(page->compare()->savedButton());  // 3
+    QCOMPARE(f.session->profile.step.control.kp, 0.15);
+    click(page->compare()->currentButton());  // 4
+    QCOMPARE(f.session->profile.step.control.kp, 0.3);
+  }
+
+  void enterInTheSearchGoesToWhatItFound() {
+    TuneFixture f;
+    QTest::keyClick(f.window.get(), Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(f.page->list()->search(), QStringLiteral("dead zone"));
+    QTest::keyClick(f.page->list()->search(), Qt::Key_Return);
+    QVERIFY(f.page->list()->row(QStringLiteral("texture.dead_zone_percent"))->field()->hasFocus());
   }
 
   void autoTuneProposesAndOnlyAcceptApplies() {

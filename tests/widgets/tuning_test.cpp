@@ -159,6 +159,121 @@ class TuningTest : public QObject {
     QCOMPARE(f.model.undoStack()->count(), 0);
   }
 
+  /// Gains from 5 up are doubted, as the loop's model doubts some.
+  static void doubtLargeGains(widgets::TuningModel& model) {
+    model.setDoubt([](std::span<const widgets::Setting> next) {
+      const auto large = [](const widgets::Setting& each) { return each.id == "a.gain" && each.value >= 5.0; };
+      return std::ranges::any_of(next, large) ? QStringLiteral("It would swing.") : QString();
+    });
+  }
+
+  void aDoubtedEntryWaitsInItsRowAndEnterLeavesTheValue() {
+    Fixture f;
+    doubtLargeGains(f.model);
+    QSignalSpy asked(&f.model, &widgets::TuningModel::asked);
+    QSignalSpy entered(f.panel.get(), &widgets::TuningPanel::entered);
+    widgets::TuningRow* row = f.panel->row(QStringLiteral("a.gain"));
+    f.type("a.gain", QStringLiteral("7"));
+    QCOMPARE(asked.count(), 0);
+    QCOMPARE(f.value("a.gain"), 0.1);
+    QCOMPARE(entered.count(), 0);
+    QVERIFY(row->questionBox() != nullptr && row->questionBox()->isVisible());
+    QVERIFY(row->questionBox()->words().startsWith(QStringLiteral("It would swing.")));
+    QCOMPARE(row->field()->text(), QStringLiteral("7"));
+    QVERIFY(row->questionBox()->leaveButton()->hasFocus());
+    QVERIFY(QApplication::activeModalWidget() == nullptr);
+    QTest::keyClick(row->questionBox()->leaveButton(), Qt::Key_Return);
+    QVERIFY(row->questionBox()->isHidden());
+    QCOMPARE(row->field()->text(), QStringLiteral("0.1"));
+    QCOMPARE(entered.count(), 1);
+    QCOMPARE(asked.count(), 0);
+    QCOMPARE(f.model.undoStack()->count(), 0);
+
+    f.type("a.gain", QStringLiteral("8"));
+    QTest::mouseClick(row->questionBox()->applyButton(), Qt::LeftButton);
+    QCOMPARE(f.value("a.gain"), 8.0);
+    QCOMPARE(asked.count(), 1);
+    QVERIFY(row->questionBox()->isHidden());
+    f.model.undo();  // back to what is not doubted: at once
+    QCOMPARE(f.value("a.gain"), 0.1);
+    f.model.redo();  // and forward only after the question, which stands where undo and redo are
+    QCOMPARE(f.value("a.gain"), 0.1);
+    QVERIFY(f.panel->foot()->questionBox()->isVisible());
+    QVERIFY(row->questionBox()->isHidden());
+    QTest::mouseClick(f.panel->foot()->questionBox()->applyButton(), Qt::LeftButton);
+    QCOMPARE(f.value("a.gain"), 8.0);
+  }
+
+  void aDraggedSliderStopsWhereTheDoubtBeginsAndGoesOnBehindIt() {
+    Fixture f;
+    widgets::TuningRow* row = f.panel->row(QStringLiteral("a.gain"));
+    const int steps = row->slider()->maximum();
+    f.model.setDoubt([](std::span<const widgets::Setting> next) {
+      return next.front().value > 0.5 ? QStringLiteral("It would swing.") : QString();
+    });
+    row->slider()->setValue(steps / 4);
+    const double quiet = f.value("a.gain");
+    QVERIFY(quiet <= 0.5);
+    row->slider()->setValue(steps);
+    QCOMPARE(f.value("a.gain"), quiet);  // not applied
+    QCOMPARE(row->slider()->value(), steps);
+    QVERIFY(row->questionBox()->isVisible());
+    row->slider()->setValue(steps / 8);
+    QVERIFY(row->questionBox()->isHidden());
+    QVERIFY(f.value("a.gain") < quiet);
+    QCOMPARE(row->slider()->value(), steps / 8);
+  }
+
+  void aDoubtedSetWaitsAsOneAndAnotherChangeLeavesIt() {
+    Fixture f;
+    doubtLargeGains(f.model);
+    const std::vector<widgets::Setting> preset = {{"a.gain", 9.0}, {"a.percent", 60.0}};
+    QVERIFY(f.model.changeAll(QStringLiteral("preset"), preset).has_value());
+    QVERIFY(f.model.question() && f.panel->foot()->questionBox()->isVisible());
+    QCOMPARE(f.value("a.percent"), 30.0);  // nothing of it
+    f.type("a.count", QStringLiteral("4"));
+    QVERIFY(!f.model.question() && f.panel->foot()->questionBox()->isHidden());
+    QCOMPARE(f.value("a.count"), 4.0);
+    QCOMPARE(f.value("a.gain"), 0.1);
+    QVERIFY(f.model.changeAll(QStringLiteral("preset"), preset).has_value());
+    f.model.applyAnyway();
+    QCOMPARE(f.value("a.gain"), 9.0);
+    QCOMPARE(f.value("a.percent"), 60.0);
+    f.model.undo();
+    QCOMPARE(f.value("a.percent"), 30.0);
+  }
+
+  void feelingDoubtedValuesWaitsAsWell() {
+    Fixture f;
+    f.type("a.gain", QStringLiteral("9"));
+    f.model.markSaved();
+    doubtLargeGains(f.model);
+    f.type("a.gain", QStringLiteral("0.2"));
+    QTest::mouseClick(f.panel->compare()->savedButton(), Qt::LeftButton);
+    QVERIFY(!f.model.feelingSaved());
+    QVERIFY(!f.panel->compare()->savedButton()->isChecked());
+    QVERIFY(f.panel->foot()->questionBox()->isVisible());
+    QTest::mouseClick(f.panel->foot()->questionBox()->leaveButton(), Qt::LeftButton);
+    QVERIFY(!f.model.feelingSaved() && !f.model.question());
+    f.model.feelSaved(true);
+    f.model.applyAnyway();
+    QVERIFY(f.model.feelingSaved());
+    f.model.feelSaved(false);  // to what is not doubted
+    QVERIFY(!f.model.feelingSaved());
+  }
+
+  void enterInAFieldFreesTheFocusAndAClickTakesAllOfIt() {
+    Fixture f;
+    QSignalSpy entered(f.panel.get(), &widgets::TuningPanel::entered);
+    f.type("a.target", QStringLiteral("0.7"));
+    QCOMPARE(entered.count(), 1);
+    f.type("a.target", QStringLiteral("99"));  // refused: the entry stays to be mended
+    QCOMPARE(entered.count(), 1);
+    QLineEdit* field = f.panel->row(QStringLiteral("a.gain"))->field();
+    QTest::mouseClick(field, Qt::LeftButton);
+    WAIT_EQUAL(field->selectedText(), QStringLiteral("0.1"));
+  }
+
   void wheelOverAnUnfocusedRowChangesNothing() {
     Fixture f;
     QSlider* slider = f.panel->row(QStringLiteral("a.percent"))->slider();
