@@ -313,6 +313,7 @@ class CalibrateMotionTest : public QObject {
     window.start();
     QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
     auto* page = qobject_cast<console::CalibratePage*>(window.frame()->page(QStringLiteral("calibrate")));
+    page->fitPanel()->who()->setText(QStringLiteral("A. Tester"));
     std::size_t accepted = 0;
     for (const auto& step : console::makeCalibrationSteps(session->currentProfile())) {
       // Without points of its own a part is run on the simulation, in other tests; but the cloth wants offsets that

@@ -78,6 +78,12 @@ class CalibrateTest : public QObject {
     QCOMPARE(c.session->begun_anew, 0);
 
     c.state(SafetyState::stopped);
+    c.page->fitPanel()->who()->clear();
+    c.click(c.page->acceptButton());
+    QVERIFY2(c.page->hint().contains(QLatin1String("Who measured?")), qPrintable(c.page->hint()));
+    QVERIFY(c.page->fitPanel()->who()->hasFocus());
+    QVERIFY(c.page->fitPanel()->offeredName()->isHidden());  // nobody calibrated here before
+    QVERIFY(!QFileInfo::exists(QString::fromStdString(c.profilePath())));
     QTest::keyClicks(c.page->fitPanel()->who(), QStringLiteral("R. Lee"));
     QTest::keyClicks(c.page->fitPanel()->conditions(), QStringLiteral("21 C"));
     c.click(c.page->acceptButton());
@@ -98,11 +104,14 @@ class CalibrateTest : public QObject {
     QVERIFY(std::abs(c.session->profile.step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
     QCOMPARE(c.session->commands.size(), std::size_t{0});
     QVERIFY(c.page->points().empty());
+    c.page->fitPanel()->who()->clear();  // the next one's name is offered, not taken
+    QVERIFY(!c.page->fitPanel()->offeredName()->isHidden());
+    c.click(c.page->fitPanel()->offeredName());
+    QCOMPARE(c.page->fitPanel()->who()->text(), QStringLiteral("R. Lee"));
     QVERIFY2(c.partText("Load cell").contains(QLatin1String("calibrated today")), qPrintable(c.partText("Load cell")));
     // "Save profile" must not bring the old values back.
     c.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
-    QVERIFY(std::abs(c.saved()->step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) <
-            1e-6);
+    QVERIFY(std::abs(c.saved()->step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
   }
 
   void entriesThatAreNoneAreSaidInWords() {
@@ -200,6 +209,32 @@ class CalibrateTest : public QObject {
     c.session->profile.step.sensing.indentation.ir_offset_mm[1] = 98.5;  // a tare
     WAIT_EQUAL(before_arming(), QStringLiteral("Ready? 1/1"));
     QVERIFY(c.partText("sensor 1").contains(QLatin1String("never calibrated")));
+  }
+
+  void pointsMeasuredOnTheSimulationAreCalledSoAndStayThere() {
+    Calibrating c("load-cell");
+    for (const double force_N : {0.0, 2.0, 4.0, 6.0}) {
+      c.session->reports = {touchpad(bridgeOf(force_N * 1000.0 / kStandardGravity))};
+      c.take(QString::number(force_N));
+    }
+    c.click(c.page->acceptButton());
+    const auto records = station::loadCalibrationRecords(c.profilePath());
+    QCOMPARE(records->size(), std::size_t{1});
+    QCOMPARE(records->front().conditions, std::string("simulated points"));
+    QVERIFY(records->front().simulated);
+    QVERIFY(std::abs(c.saved()->step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
+    // The profile itself, which a real touchpad loads, keeps what it had.
+    QCOMPARE(station::loadProfile(c.profilePath())->step.sensing.load_cell.slope_g_per_mV_per_V, 1004.8805);
+    const auto real = station::loadProfileFor(c.profilePath(), "serial:A7");
+    QVERIFY(real.has_value());
+    QCOMPARE(real->profile.step.sensing.load_cell.slope_g_per_mV_per_V, 1004.8805);
+    QVERIFY(!real->set_aside);
+    // Nor is it shown as one of a real touchpad.
+    c.session->profile.calibrated_on = "serial:A7";
+    QVERIFY(c.partText("Load cell").contains(QLatin1String("calibrated today")));
+    c.page->enter();
+    QVERIFY2(c.partText("Load cell").contains(QLatin1String("never calibrated")), qPrintable(c.partText("Load cell")));
+    QVERIFY(c.page->simulateButton()->isHidden());
   }
 
   void discardKeepsTheOldValuesAndRefusedFilesToo() {

@@ -35,6 +35,7 @@ struct Calibrating : Fixture {
     QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
     page = qobject_cast<console::CalibratePage*>(window->frame()->page(QStringLiteral("calibrate")));
     page->choose(QLatin1String(part));
+    page->fitPanel()->who()->setText(QStringLiteral("A. Tester"));
     state(SafetyState::stopped);
   }
   void state(SafetyState now) {

@@ -46,6 +46,7 @@ class NewHome {
 struct Day {
   explicit Day(const NewHome& home) {
     station::StationOptions options;
+    options.profile_file = home.profile().toStdString();
     if (QFile::exists(home.profile())) options.profile = station::loadProfile(home.profile().toStdString()).value();
     auto session = console::openSession(options).value();
     const console::WindowMemory memory(console::memoryFile(home.profile()));
@@ -117,6 +118,7 @@ void firstStart(const Day& day) {
 void calibrateEverything(const Day& day) {
   auto* page = day.place<console::CalibratePage>("calibrate", Qt::Key_2);
   QVERIFY(page != nullptr);
+  page->fitPanel()->who()->setText(QStringLiteral("A. Tester"));
   page->parts()->setFocus();
   day.key(Qt::Key_Home);
   const int count = page->parts()->count();

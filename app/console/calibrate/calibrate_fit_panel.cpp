@@ -62,6 +62,7 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
       figures_(label(this, TextSize::small, true)),
       changes_(new widgets::HeadingTable(0, 3, this)),
       who_(new QLineEdit(this)),
+      offered_(new QPushButton(this)),
       conditions_(new QLineEdit(this)) {
   setProperty("surface", "panel");
   setAccessibleName(tr("Fit"));
@@ -78,6 +79,13 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   who_->setObjectName(QStringLiteral("calibration_who"));
   who_->setAccessibleName(tr("Who measured"));
   who_->setMaxLength(kLongestWho);
+  who_->setPlaceholderText(tr("your name: the record keeps it"));
+  offered_->setObjectName(QStringLiteral("calibration_offered_name"));
+  offered_->setAutoDefault(false);
+  offered_->setToolTip(tr("The last calibration was made by this person."));
+  offered_->hide();
+  connect(offered_, &QPushButton::clicked, this, [this] { who_->setText(last_name_); });
+  connect(who_, &QLineEdit::textChanged, this, &CalibrationFitPanel::refreshOffer);
   conditions_->setMaxLength(kLongestConditions);
   conditions_->setObjectName(QStringLiteral("calibration_conditions"));
   conditions_->setAccessibleName(tr("Conditions: light, temperature, target"));
@@ -86,8 +94,9 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   record->setSpacing(kGrid);
   record->addWidget(new QLabel(tr("Who"), this), 0, 0);
   record->addWidget(who_, 0, 1);
+  record->addWidget(offered_, 0, 2);
   record->addWidget(new QLabel(tr("Conditions"), this), 1, 0);
-  record->addWidget(conditions_, 1, 1);
+  record->addWidget(conditions_, 1, 1, 1, 2);
   // In a low window the texts scroll, and the plot keeps a readable height.
   auto* said = new QWidget(this);
   auto* lines = new QVBoxLayout(said);
@@ -103,6 +112,24 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   layout->setSpacing(kGrid);
   layout->addWidget(scroll, 1);
   layout->addLayout(record);
+}
+
+void CalibrationFitPanel::offerName(const QString& name) {
+  last_name_ = name.left(kLongestWho);
+  refreshOffer();
+}
+
+void CalibrationFitPanel::refreshOffer() {
+  constexpr int kLongestShown = 24;  // characters
+  offered_->setText(last_name_.size() > kLongestShown ? last_name_.left(kLongestShown - 1) + QChar(0x2026)
+                                                      : last_name_);
+  offered_->setAccessibleName(tr("Take the name %1").arg(last_name_));
+  offered_->setVisible(!last_name_.isEmpty() && who_->text().trimmed().isEmpty());
+}
+
+void CalibrationFitPanel::askWho() {
+  who_->setFocus();
+  who_->selectAll();
 }
 
 AcceptedWords CalibrationFitPanel::words() const {

@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTableWidget>
 
 #include "app/console/calibrate/calibrate_records.h"
@@ -21,15 +22,21 @@ class CalibrationFitPanel : public QFrame {
   /// @param profile with the values in force
   void setFit(const CalibrationFit& fit, std::size_t points, std::string_view error_limit, station::Profile profile);
   [[nodiscard]] AcceptedWords words() const;
+  /// Offers the name of the last calibration while the field is empty; it is taken only by a click. Empty: none.
+  void offerName(const QString& name);
+  /// Points to the field of who measured.
+  void askWho();
 
   [[nodiscard]] QString verdict() const { return verdict_->text(); }
   [[nodiscard]] QString figures() const { return figures_->text(); }
   [[nodiscard]] QTableWidget* changes() const { return changes_; }
   [[nodiscard]] widgets::FitPlot* plot() const { return plot_; }
   [[nodiscard]] QLineEdit* who() const { return who_; }
+  [[nodiscard]] QPushButton* offeredName() const { return offered_; }
   [[nodiscard]] QLineEdit* conditions() const { return conditions_; }
 
  private:
+  void refreshOffer();
   void setChanges(const calibration::CalibrationResult& result, station::Profile& profile);
 
   widgets::FitPlot* plot_;
@@ -38,7 +45,9 @@ class CalibrationFitPanel : public QFrame {
   QLabel* figures_;
   QTableWidget* changes_;
   QLineEdit* who_;
+  QPushButton* offered_;  ///< takes the name of the last calibration
   QLineEdit* conditions_;
+  QString last_name_;
 };
 
 }  // namespace fyd::console

@@ -137,6 +137,7 @@ void CalibratePage::connectRun() {
   connect(run_, &CalibrationRun::motionEnded, this, &CalibratePage::offerNext);
   connect(run_, &CalibrationRun::fingerLifted, this, &CalibratePage::startPoint);
   connect(run_, &CalibrationRun::accepted, this, &CalibratePage::refreshParts);
+  connect(run_, &CalibrationRun::nameMissing, fit_panel_, &CalibrationFitPanel::askWho);
 }
 
 void CalibratePage::connectButtons() {
@@ -177,6 +178,10 @@ void CalibratePage::enter() {
   refreshParts();
   poll();
   timer_.start();
+}
+
+QString CalibratePage::unfinished() const {
+  return points().empty() ? QString() : tr("calibration points not accepted: %1").arg(points().size());
 }
 
 void CalibratePage::leave() {
@@ -277,7 +282,10 @@ void CalibratePage::refreshDrawing() {
   drawing_->setPixmap(drawing.pixmap(kDrawing, devicePixelRatioF()));
 }
 
-void CalibratePage::refreshParts() { parts_->refresh(run_->steps(), context_.tuning.profilePath(), run_->profile()); }
+void CalibratePage::refreshParts() {
+  parts_->refresh(run_->steps(), context_.tuning.profilePath(), run_->profile());
+  fit_panel_->offerName(lastWhoCalibrated(context_));
+}
 
 void CalibratePage::restartTrace() {
   const auto wanted = run_->step().signalsWanted(run_->profile());

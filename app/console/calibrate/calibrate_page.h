@@ -27,6 +27,7 @@ class CalibratePage : public Page {
   void addCommands(PlaceCommands& commands) override;
   void enter() override;
   void leave() override;
+  [[nodiscard]] QString unfinished() const override;
 
   /// Shows a part by its id, "load-cell" or "ir-2"; an unknown one changes nothing.
   void choose(const QString& id);

@@ -54,11 +54,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   keepOffsetInForce(*profile, in_force, sensor);
   const auto record = station::saveCalibration(
       result,
-      {.sensor = sensor,
-       .who = said.who,
-       .when = nowUtc(),
-       .conditions = said.conditions,
-       .simulated = said.simulated},
+      {.sensor = sensor, .who = said.who, .when = nowUtc(), .conditions = said.conditions, .simulated = said.simulated},
       *profile, path.toStdString());
   if (!record) {
     context.tell(Severity::error,
@@ -93,6 +89,11 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
                                       .arg(file, widgets::coreText(begun.error().message)));
   }
   return true;
+}
+
+QString lastWhoCalibrated(const PageContext& context) {
+  const auto records = station::loadCalibrationRecords(context.tuning.profilePath().toStdString());
+  return records && !records->empty() ? words(records->back().who) : QString();
 }
 
 QString writeCalibrationReport(const PageContext& context, const std::string& procedure, int sensor) {

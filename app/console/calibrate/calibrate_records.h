@@ -21,6 +21,9 @@ struct AcceptedWords {
 [[nodiscard]] bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result,
                                      int sensor, const AcceptedWords& words);
 
+/// Who made the newest calibration beside the profile, on whichever touchpad; empty: nobody said so.
+[[nodiscard]] QString lastWhoCalibrated(const PageContext& context);
+
 /// Writes the newest calibration of a part, with the one before it, as a PDF beside the profile, and shows its path.
 /// @return why not, in words; empty when it is written
 [[nodiscard]] QString writeCalibrationReport(const PageContext& context, const std::string& procedure, int sensor);

@@ -272,8 +272,8 @@ void CalibrationRun::refit() {
   fit_ = step().fit(points(), profile_);
   if (step().trustsIndentation() && !points().empty()) {
     const auto records = station::loadCalibrationRecords(context_.tuning.profilePath().toStdString());
-    if (!records || !calibration::clothProven(station::recordsFor(*records, profile_.calibrated_on),
-                                              bindParameters(profile_))) {
+    if (!records ||
+        !calibration::clothProven(station::recordsFor(*records, profile_.calibrated_on), bindParameters(profile_))) {
       calibration::sayIndentationUnproven(fit_.result);
     }
   }
@@ -298,6 +298,11 @@ void CalibrationRun::accept(const AcceptedWords& words) {
   }
   if (context_.session.recorderStatus().state == recording::RecorderState::recording) {
     emit said(tr("Accepting begins the session anew and would end the recording: stop the recording first."), true);
+    return;
+  }
+  if (words.who.empty()) {
+    emit said(tr("Who measured? Write your name at the right, then accept."), true);
+    emit nameMissing();
     return;
   }
   AcceptedWords record = words;

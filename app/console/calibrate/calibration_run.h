@@ -70,6 +70,7 @@ class CalibrationRun : public QObject {
   void pointTaken(bool by_hand);
   void motionEnded();
   void accepted();
+  void nameMissing();   ///< nothing is accepted before somebody says who measured
   void fingerLifted();  ///< the simulated finger has left the cloth: a point may be started
 
  private:
