@@ -695,7 +695,7 @@
     </message>
     <message>
         <source>Apply anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Appliquer quand même</translation>
     </message>
     <message>
         <source>Area, mm²</source>
@@ -2485,7 +2485,7 @@ Robot : %2
     </message>
     <message>
         <source>Keep the value that is in use (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Garde la valeur en usage (Entrée)</translation>
     </message>
     <message>
         <source>Kept beside the recording, which stays as it is; the list of sessions finds them.</source>
@@ -2573,7 +2573,7 @@ Robot : %2
     </message>
     <message>
         <source>Leave as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Laisser tel quel</translation>
     </message>
     <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
@@ -3161,11 +3161,11 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     </message>
     <message>
         <source>Not applied yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas encore appliqué</translation>
     </message>
     <message>
         <source>Not applied yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas encore appliqué.</translation>
     </message>
     <message>
         <source>Not armed: {}. {}</source>
@@ -4530,6 +4530,10 @@ N/mm</translation>
         <translation>Retirer la charge du couvercle ; vérifier le câblage du pont.</translation>
     </message>
     <message>
+        <source>Take the name %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (Ctrl+T).</source>
         <translation>Prend les lectures présentes comme « sans contact » : décalages des distances et zéro de la cellule de charge. Lever d'abord le doigt (Ctrl+T).</translation>
     </message>
@@ -4678,6 +4682,10 @@ Pour commencer : %1</translation>
         <translation>La langue change au prochain démarrage de la fenêtre.</translation>
     </message>
     <message>
+        <source>The last calibration was made by this person.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The last point is taken back.</source>
         <translation>Le dernier point est retiré.</translation>
     </message>
@@ -4699,11 +4707,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The model calls this unstable on any touchpad: the stretch would swing on (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle le dit instable sur tout touchpad : l&apos;étirement continuerait d&apos;osciller (%1).</translation>
     </message>
     <message>
         <source>The model calls this unstable: the stretch would swing on (%1; the motors' angle is %2 old).</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle le dit instable : l&apos;étirement continuerait d&apos;osciller (%1 ; l&apos;angle des moteurs est vieux de %2).</translation>
     </message>
     <message>
         <source>The motors are off. %1 points so far.</source>
@@ -4719,7 +4727,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The motors have not answered yet: their angle is taken to be 2 ms old, and only what no touchpad bears is asked about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les moteurs n&apos;ont pas encore répondu : leur angle est supposé vieux de 2 ms, et il n&apos;est demandé que pour ce qu&apos;aucun touchpad ne supporte.</translation>
     </message>
     <message>
         <source>The motors move as long as this is held, by mouse or space bar, and are off when it is let go.</source>
@@ -4731,7 +4739,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The motors' angle is %1 old when it is used.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;angle des moteurs est vieux de %1 quand il est utilisé.</translation>
     </message>
     <message>
         <source>The mouse leads to %1</source>
@@ -5115,7 +5123,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Use the new value all the same; undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Utilise quand même la nouvelle valeur ; annuler la reprend</translation>
     </message>
     <message>
         <source>Use the proposed values; one step to undo</source>
@@ -5238,6 +5246,10 @@ Pour commencer : %1</translation>
         <translation>Qui a mesuré</translation>
     </message>
     <message>
+        <source>Who measured? Write your name at the right, then accept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>Largeur</translation>
     </message>
@@ -5247,7 +5259,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Words of the name, the identifier, the help or the group (Ctrl+F); Enter goes to the first that is found</source>
-        <translation type="unfinished"></translation>
+        <translation>Des mots du nom, de l&apos;identifiant, de l&apos;aide ou du groupe (Ctrl+F) ; Entrée mène au premier trouvé</translation>
     </message>
     <message>
         <source>Write</source>
@@ -6391,7 +6403,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>gain margin %1, phase margin %2</source>
-        <translation type="unfinished"></translation>
+        <translation>marge de gain %1, marge de phase %2</translation>
     </message>
     <message>
         <source>gesture "{}": {} rows from {} to {} s: expected two and more of its {} s</source>
@@ -7443,7 +7455,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>rings, then settles</source>
-        <translation type="unfinished"></translation>
+        <translation>oscille, puis s&apos;établit</translation>
     </message>
     <message>
         <source>robot</source>
@@ -8351,7 +8363,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>unstable</source>
-        <translation type="unfinished"></translation>
+        <translation>instable</translation>
     </message>
     <message>
         <source>untouched</source>
@@ -8556,6 +8568,10 @@ Pour commencer : %1</translation>
     <message>
         <source>y, to the back</source>
         <translation>y, vers le fond</translation>
+    </message>
+    <message>
+        <source>your name: the record keeps it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>z, g</source>

@@ -695,7 +695,7 @@
     </message>
     <message>
         <source>Apply anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Applica lo stesso</translation>
     </message>
     <message>
         <source>Area, mm²</source>
@@ -2485,7 +2485,7 @@ Robot: %2
     </message>
     <message>
         <source>Keep the value that is in use (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mantiene il valore in uso (Invio)</translation>
     </message>
     <message>
         <source>Kept beside the recording, which stays as it is; the list of sessions finds them.</source>
@@ -2573,7 +2573,7 @@ Robot: %2
     </message>
     <message>
         <source>Leave as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Lascia com&apos;è</translation>
     </message>
     <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
@@ -3161,11 +3161,11 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     </message>
     <message>
         <source>Not applied yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Non ancora applicato</translation>
     </message>
     <message>
         <source>Not applied yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non ancora applicato.</translation>
     </message>
     <message>
         <source>Not armed: {}. {}</source>
@@ -4530,6 +4530,10 @@ N/mm</translation>
         <translation>Togliere il carico dalla copertura; controllare il cablaggio del ponte.</translation>
     </message>
     <message>
+        <source>Take the name %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (Ctrl+T).</source>
         <translation>Prende le letture presenti come "non toccato": offset delle distanze e zero della cella di carico. Alzare prima il dito (Ctrl+T).</translation>
     </message>
@@ -4678,6 +4682,10 @@ Per cominciare: %1</translation>
         <translation>La lingua cambia al prossimo avvio della finestra.</translation>
     </message>
     <message>
+        <source>The last calibration was made by this person.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The last point is taken back.</source>
         <translation>L'ultimo punto è tolto.</translation>
     </message>
@@ -4699,11 +4707,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The model calls this unstable on any touchpad: the stretch would swing on (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il modello lo dice instabile su qualsiasi touchpad: la tensione continuerebbe a oscillare (%1).</translation>
     </message>
     <message>
         <source>The model calls this unstable: the stretch would swing on (%1; the motors' angle is %2 old).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il modello lo dice instabile: la tensione continuerebbe a oscillare (%1; l&apos;angolo dei motori è vecchio di %2).</translation>
     </message>
     <message>
         <source>The motors are off. %1 points so far.</source>
@@ -4719,7 +4727,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The motors have not answered yet: their angle is taken to be 2 ms old, and only what no touchpad bears is asked about.</source>
-        <translation type="unfinished"></translation>
+        <translation>I motori non hanno ancora risposto: il loro angolo si considera vecchio di 2 ms, e si chiede soltanto di ciò che nessun touchpad sopporta.</translation>
     </message>
     <message>
         <source>The motors move as long as this is held, by mouse or space bar, and are off when it is let go.</source>
@@ -4731,7 +4739,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The motors' angle is %1 old when it is used.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;angolo dei motori è vecchio di %1 quando viene usato.</translation>
     </message>
     <message>
         <source>The mouse leads to %1</source>
@@ -5115,7 +5123,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Use the new value all the same; undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Usa lo stesso il nuovo valore; Annulla lo riprende</translation>
     </message>
     <message>
         <source>Use the proposed values; one step to undo</source>
@@ -5238,6 +5246,10 @@ Per cominciare: %1</translation>
         <translation>Chi ha misurato</translation>
     </message>
     <message>
+        <source>Who measured? Write your name at the right, then accept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>Larghezza</translation>
     </message>
@@ -5247,7 +5259,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Words of the name, the identifier, the help or the group (Ctrl+F); Enter goes to the first that is found</source>
-        <translation type="unfinished"></translation>
+        <translation>Parole del nome, dell&apos;identificatore, dell&apos;aiuto o del gruppo (Ctrl+F); Invio porta al primo trovato</translation>
     </message>
     <message>
         <source>Write</source>
@@ -6391,7 +6403,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>gain margin %1, phase margin %2</source>
-        <translation type="unfinished"></translation>
+        <translation>margine di guadagno %1, margine di fase %2</translation>
     </message>
     <message>
         <source>gesture "{}": {} rows from {} to {} s: expected two and more of its {} s</source>
@@ -7443,7 +7455,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>rings, then settles</source>
-        <translation type="unfinished"></translation>
+        <translation>oscilla, poi si assesta</translation>
     </message>
     <message>
         <source>robot</source>
@@ -8351,7 +8363,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>unstable</source>
-        <translation type="unfinished"></translation>
+        <translation>instabile</translation>
     </message>
     <message>
         <source>untouched</source>
@@ -8556,6 +8568,10 @@ Per cominciare: %1</translation>
     <message>
         <source>y, to the back</source>
         <translation>y, verso il fondo</translation>
+    </message>
+    <message>
+        <source>your name: the record keeps it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>z, g</source>
