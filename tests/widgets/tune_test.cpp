@@ -1,5 +1,7 @@
 // The place "Tune" on a scripted session: find and change, undo, compare, presets, step response, auto-tune; what the
 // station confirms and what it does not; the readiness list's buttons.
+#include <qcustomplot.h>
+
 #include "app/console/tune/tune_page.h"
 #include "core/control/static_law.h"
 #include "tests/widgets/scripted_session.h"
