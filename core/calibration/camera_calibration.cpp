@@ -202,7 +202,9 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
             .curve = say("a line for each axis"),
             .unit = "mm",
             .points = s.x_px.size(),
+            .samples = {{"x_px", "px", s.x_px}, {"y_px", "px", s.y_px}, {"x_mm", "mm", s.x_mm}, {"y_mm", "mm", s.y_mm}},
             .valid_unit = "px"};
+  if (!s.depth_mm.empty()) result.samples.push_back({"depth_mm", "mm", s.depth_mm});
   if (s.y_px.size() != s.x_px.size() || s.x_mm.size() != s.x_px.size() || s.y_mm.size() != s.x_px.size() ||
       (!s.depth_mm.empty() && s.depth_mm.size() != s.x_px.size())) {
     result = refused(std::move(result), say("the columns differ in length"));

@@ -164,6 +164,12 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
             .points = s.codes.size(),
             .valid_unit = "mm"};
   const std::size_t sensors = std::min(profile.ir_x_mm.size(), profile.ir_y_mm.size());
+  for (std::size_t sensor = 0; sensor < sensors; ++sensor) {
+    SampleColumn& column = result.samples.emplace_back(fmt::format("adc{}", sensor + 1), "counts");
+    for (const auto& press : s.codes) column.values.push_back(sensor < press.size() ? press[sensor] : kUnknown);
+  }
+  result.samples.insert(result.samples.end(),
+                        {{"x_mm", "mm", s.x_mm}, {"y_mm", "mm", s.y_mm}, {"area_mm2", "mm²", s.area_mm2}});
   if (s.x_mm.size() != s.codes.size() || s.y_mm.size() != s.codes.size() || s.area_mm2.size() != s.codes.size()) {
     result = refused(std::move(result), say("the columns differ in length"));
     return out;

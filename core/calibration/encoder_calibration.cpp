@@ -100,6 +100,10 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
             .curve = say("a line for each encoder"),
             .unit = "deg",
             .points = s.counts[0].size(),
+            .samples = {{"first_deg", "deg", s.command_deg[0]},
+                        {"first_counts", "counts", s.counts[0]},
+                        {"second_deg", "deg", s.command_deg[1]},
+                        {"second_counts", "counts", s.counts[1]}},
             .valid_unit = "deg"};
   bool good = true;
   for (std::size_t motor = 0; motor < control::kMotorCount; ++motor) {

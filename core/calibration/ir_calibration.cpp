@@ -142,7 +142,12 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
                           const CalibrationParameters& p, const IrOptions& options) {
   IrCalibration out;
   CalibrationResult& result = out.result;
-  result = {.procedure = "ir", .curve = {}, .unit = "mm", .points = samples.adc.size(), .valid_unit = "adc"};
+  result = {.procedure = "ir",
+            .curve = {},
+            .unit = "mm",
+            .points = samples.adc.size(),
+            .samples = {{"adc", "counts", samples.adc}, {"distance_mm", "mm", samples.distance_mm}},
+            .valid_unit = "adc"};
   if (options.sensor >= sensing::kMaximumIrSensors || samples.distance_mm.size() != samples.adc.size()) {
     result =
         refused(std::move(result),

@@ -113,8 +113,12 @@ void pointOut(LoadCellCalibration& out, double span_N, double allowed_percent) {
 LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const CalibrationParameters& p) {
   LoadCellCalibration out;
   CalibrationResult& result = out.result;
-  result = {
-      .procedure = "load-cell", .curve = say("line"), .unit = "N", .points = s.force_N.size(), .valid_unit = "mV/V"};
+  result = {.procedure = "load-cell",
+            .curve = say("line"),
+            .unit = "N",
+            .points = s.force_N.size(),
+            .samples = {{"value", "mV/V", s.value_mV_per_V}, {"force_N", "N", s.force_N}},
+            .valid_unit = "mV/V"};
   if (s.force_N.size() != s.value_mV_per_V.size()) {
     result = refused(std::move(result), say("{} values and {} forces; expected as many of each",
                                             s.value_mV_per_V.size(), s.force_N.size()));

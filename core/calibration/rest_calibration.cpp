@@ -29,7 +29,12 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
   RestCalibration out;
   CalibrationResult& result = out.result;
   const std::size_t count = s.axis_g[0].size();
-  result = {.procedure = "rest", .curve = say("mean"), .unit = "g", .points = count, .valid_unit = "g"};
+  result = {.procedure = "rest",
+            .curve = say("mean"),
+            .unit = "g",
+            .points = count,
+            .samples = {{"x_g", "g", s.axis_g[0]}, {"y_g", "g", s.axis_g[1]}, {"z_g", "g", s.axis_g[2]}},
+            .valid_unit = "g"};
   bool good = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (s.axis_g[axis].size() != count) {

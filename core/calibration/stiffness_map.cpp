@@ -164,6 +164,9 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
             .curve = say("slope per angle, monotone law"),
             .unit = "N",
             .points = s.force_N.size(),
+            .samples = {{"angle_deg", "deg", s.angle_deg},
+                        {"indentation_mm", "mm", s.indentation_mm},
+                        {"force_N", "N", s.force_N}},
             .valid_unit = "deg"};
   if (s.angle_deg.size() != s.force_N.size() || s.indentation_mm.size() != s.force_N.size()) {
     result = refused(std::move(result), say("angles, indentations and forces differ in number"));

@@ -6,6 +6,7 @@
 #include "core/base/whole_file.h"
 #include "core/calibration/calibration_dependence.h"
 #include "core/report/report.h"
+#include "core/station/profile/touchpad_name.h"
 
 namespace fyd::station {
 namespace {
@@ -98,6 +99,45 @@ report::ReportTable residualsTable(const CalibrationReport& report) {
   return out;
 }
 
+/// What was fitted, each with its standard uncertainty where the fit gives one.
+report::ReportTable coefficientsTable(const CalibrationRecord& record) {
+  report::ReportTable out{.heading = "Coefficients",
+                          .remark = "With their standard uncertainty (one standard deviation).",
+                          .columns = {{.title = "coefficient", .share = 3.0},
+                                      {.title = "value", .share = 2.0, .number = true},
+                                      {.title = "uncertainty", .share = 2.0, .number = true},
+                                      {.title = "unit", .share = 2.0}},
+                          .rows = {}};
+  for (const calibration::Coefficient& each : record.coefficients) {
+    const bool known = std::isfinite(each.standard_error);
+    out.rows.push_back({each.name, report::reportNumber(each.value, kDigits),
+                        known ? fmt::format("± {:.2g}", each.standard_error) : "none: a mean, not a fit", each.unit});
+  }
+  return out;
+}
+
+/// The points as they were measured, every column with its unit.
+report::ReportTable pointsTable(const CalibrationRecord& record) {
+  report::ReportTable out{
+      .heading = "Points", .remark = {}, .columns = {{.title = "point", .share = 1.0, .number = true}}, .rows = {}};
+  constexpr std::size_t kMost = 200;
+  const std::size_t count = record.samples.front().values.size();
+  for (const calibration::SampleColumn& column : record.samples) {
+    out.columns.push_back({.title = fmt::format("{}, {}", column.name, column.unit), .share = 2.0, .number = true});
+  }
+  for (std::size_t i = 0; i < std::min(count, kMost); ++i) {
+    std::vector<std::string> row = {fmt::format("{}", i + 1)};
+    for (const calibration::SampleColumn& column : record.samples) {
+      row.push_back(report::reportNumber(i < column.values.size() ? column.values[i] : calibration::kUnknown, kDigits));
+    }
+    out.rows.push_back(std::move(row));
+  }
+  if (count > kMost) {
+    out.remark = fmt::format("The first {} of {}; the record beside the profile has all.", kMost, count);
+  }
+  return out;
+}
+
 }  // namespace
 
 RecordPair newestOf(const std::vector<CalibrationRecord>& records, const std::string& procedure, int sensor) {
@@ -120,6 +160,7 @@ report::ReportContent gatherCalibrationReport(const CalibrationReport& report, c
                {"when", record.when},
                {"who", orNothing(record.who)},
                {"conditions", orNothing(record.conditions)},
+               {"touchpad", describeTouchpad(record.touchpad).text()},
                {"profile", profile.empty() ? "none was written" : profile},
                {"curve", record.curve},
                {report.accepted ? "accepted" : "refused", record.verdict}};
@@ -135,6 +176,8 @@ report::ReportContent gatherCalibrationReport(const CalibrationReport& report, c
   out.figure = "Residual of each point";
   out.legend = out.strips.empty() ? "" : "A line for each point, from 0 to its residual.";
   out.tables = {errorsTable(record, former), valuesTable(report), residualsTable(report)};
+  if (!record.coefficients.empty()) out.tables.push_back(coefficientsTable(record));
+  if (!record.samples.empty()) out.tables.push_back(pointsTable(record));
   return out;
 }
 

@@ -323,6 +323,9 @@ CalibrationRecord exampleRecord() {
           .who = "R. \"quoted\" Übung",
           .when = "2026-08-01T09:30:00Z",
           .conditions = "20 °C\nlamp off",
+          .touchpad = "serial:A7",
+          .simulated = true,
+          .picture = "",
           .curve = "inverse",
           .unit = "mm",
           .verdict = "good",
@@ -332,6 +335,8 @@ CalibrationRecord exampleRecord() {
           .held_out_rmse = 0.5,
           .max_residual = 1.0,
           .residuals = {0.1, -0.2, 1.0 / 3.0},
+          .samples = {{"adc", "counts", {700.0, 1.0 / 3.0}}, {"distance_mm", "mm", {40.0, 300.0}}},
+          .coefficients = {{"c0", "mm", 790.712, 0.25}, {"c1", "mm/V", -1.0 / 3.0, kUnknown}},
           .changes = {{"sensing.force_zero_N", "0", "0.25"}}};
 }
 
@@ -348,6 +353,14 @@ TEST(Record, ReadsBackWhatItWroteToTheLastBit) {
   EXPECT_EQ(r.rmse, exampleRecord().rmse);
   EXPECT_TRUE(std::isnan(r.condition_number));
   EXPECT_EQ(r.residuals, exampleRecord().residuals);
+  EXPECT_EQ(r.touchpad, "serial:A7");
+  EXPECT_TRUE(r.simulated);
+  ASSERT_EQ(r.samples.size(), 2U);
+  EXPECT_EQ(r.samples[0].unit, "counts");
+  EXPECT_EQ(r.samples[0].values, exampleRecord().samples[0].values);
+  ASSERT_EQ(r.coefficients.size(), 2U);
+  EXPECT_EQ(r.coefficients[1].value, -1.0 / 3.0);
+  EXPECT_TRUE(std::isnan(r.coefficients[1].standard_error));
   ASSERT_EQ(r.changes.size(), 1U);
   EXPECT_EQ(r.changes[0].after, "0.25");
   EXPECT_EQ(formatRecords(*back), text);

@@ -56,6 +56,19 @@ TEST(CalibrationReport, ShowsBothWithEveryValueAndTheResiduals) {
   EXPECT_THAT(*pdf, HasSubstr("%PDF"));
 }
 
+TEST(CalibrationReport, TellsTheTouchpadThePointsAndHowWellTheCoefficientsAreKnown) {
+  CalibrationRecord measured = record("load-cell", 0, "Ada");
+  measured.touchpad = "serial:A7";
+  measured.samples = {{"value", "mV/V", {0.125, 0.5, 1.0}}, {"force_N", "N", {0.0, 3.75, 8.625}}};
+  measured.coefficients = {{"slope", "N/(mV/V)", 9.875, 0.0123}, {"mean", "g", 1.0, calibration::kUnknown}};
+  const auto html = report::reportHtml(gatherCalibrationReport({.record = measured}, nullptr, "lab.toml"));
+  ASSERT_TRUE(html);
+  for (const char* words :
+       {"serial number A7", "force_N, N", "value, mV/V", "8.625", "9.875", "± 0.012", "N/(mV/V)", "none: a mean"}) {
+    EXPECT_THAT(*html, HasSubstr(words));
+  }
+}
+
 TEST(CalibrationReport, ARefusedFitAndACheckSayWhyNothingChanges) {
   CalibrationRecord refused = record("stiffness", 0, "");
   refused.changes.clear();
