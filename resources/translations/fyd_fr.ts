@@ -863,11 +863,11 @@
     </message>
     <message>
         <source>Calibrate this one under Calibrate. It does not keep you from arming.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'étalonner sous Étalonnage. Cela n'empêche pas d'armer.</translation>
     </message>
     <message>
         <source>Calibrated on this touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>Étalonné sur ce touchpad</translation>
     </message>
     <message>
         <source>Calibration report as PDF</source>
@@ -2737,11 +2737,8 @@ s</translation>
         <source>Looked for: %1
 %2
 
-To work without it, start with the simulated camera: leave --camera out.</source>
-        <translation>Cherché : %1
-%2
-
-Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</translation>
+It is tried again by itself. Another camera is chosen in Devices.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Looking at cameras …</source>
@@ -2980,10 +2977,6 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Nom du préréglage</translation>
     </message>
     <message>
-        <source>Name one with --touchpad, --motors or --camera at the start.</source>
-        <translation>En indiquer un avec --touchpad, --motors ou --camera au démarrage.</translation>
-    </message>
-    <message>
         <source>Network (Modbus TCP)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3100,8 +3093,8 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
         <translation>Aucun capteur du touchpad ne répond.</translation>
     </message>
     <message>
-        <source>No serial port and no camera. A touchpad on the network is not searched for: give its address with --touchpad. Simulated parts work without any.</source>
-        <translation>Ni port série ni caméra. Un touchpad sur le réseau n'est pas cherché : donner son adresse avec --touchpad. Les parties simulées fonctionnent sans rien.</translation>
+        <source>No serial port and no camera. A touchpad on the network is not searched for: enter its address. Simulated parts work without any.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No session has these words.</source>
@@ -3634,6 +3627,10 @@ Pour travailler sans, démarrer avec la caméra simulée : omettre --camera.</t
     <message>
         <source>Put the robot to rest with its tool in the air, and take the point: it lasts 3 s.</source>
         <translation>Mettre le robot au repos, outil en l'air, et prendre le point : cela dure 3 s.</translation>
+    </message>
+    <message>
+        <source>Puts it into the form; nothing is connected yet.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Quit</source>
@@ -4531,7 +4528,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Take the name %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Prendre le nom %1</translation>
     </message>
     <message>
         <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (Ctrl+T).</source>
@@ -4683,7 +4680,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The last calibration was made by this person.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dernier étalonnage a été fait par cette personne.</translation>
     </message>
     <message>
         <source>The last point is taken back.</source>
@@ -4707,11 +4704,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The model calls this unstable on any touchpad: the stretch would swing on (%1).</source>
-        <translation>Le modèle le dit instable sur tout touchpad : l&apos;étirement continuerait d&apos;osciller (%1).</translation>
+        <translation>Le modèle le dit instable sur tout touchpad : l'étirement continuerait d'osciller (%1).</translation>
     </message>
     <message>
         <source>The model calls this unstable: the stretch would swing on (%1; the motors' angle is %2 old).</source>
-        <translation>Le modèle le dit instable : l&apos;étirement continuerait d&apos;osciller (%1 ; l&apos;angle des moteurs est vieux de %2).</translation>
+        <translation>Le modèle le dit instable : l'étirement continuerait d'osciller (%1 ; l'angle des moteurs est vieux de %2).</translation>
     </message>
     <message>
         <source>The motors are off. %1 points so far.</source>
@@ -4727,7 +4724,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The motors have not answered yet: their angle is taken to be 2 ms old, and only what no touchpad bears is asked about.</source>
-        <translation>Les moteurs n&apos;ont pas encore répondu : leur angle est supposé vieux de 2 ms, et il n&apos;est demandé que pour ce qu&apos;aucun touchpad ne supporte.</translation>
+        <translation>Les moteurs n'ont pas encore répondu : leur angle est supposé vieux de 2 ms, et il n'est demandé que pour ce qu'aucun touchpad ne supporte.</translation>
     </message>
     <message>
         <source>The motors move as long as this is held, by mouse or space bar, and are off when it is let go.</source>
@@ -4739,7 +4736,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The motors' angle is %1 old when it is used.</source>
-        <translation>L&apos;angle des moteurs est vieux de %1 quand il est utilisé.</translation>
+        <translation>L'angle des moteurs est vieux de %1 quand il est utilisé.</translation>
     </message>
     <message>
         <source>The mouse leads to %1</source>
@@ -4814,8 +4811,8 @@ Pour commencer : %1</translation>
         <translation>Les paramètres choisis reprennent leurs valeurs enregistrées</translation>
     </message>
     <message>
-        <source>The session has no devices: it is closed. Choose a robot in the link's panel to open it again.</source>
-        <translation>La session n'a pas d'appareils : elle est fermée. Choisir un robot dans le panneau de la liaison pour la rouvrir.</translation>
+        <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The session has no robot; the target is set by hand.</source>
@@ -5114,6 +5111,10 @@ Pour commencer : %1</translation>
         <translation>Utiliser</translation>
     </message>
     <message>
+        <source>Use %1 as: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Use a preset's values</source>
         <translation>Utiliser les valeurs d'un préréglage</translation>
     </message>
@@ -5206,6 +5207,10 @@ Pour commencer : %1</translation>
         <translation>Et si</translation>
     </message>
     <message>
+        <source>What one is used as goes into the form; Connect takes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What stands in the robot's place and is touched; "fyd scene keys" shows what it may say.</source>
         <translation>Ce qui se trouve à la place du robot et que l'on touche ; « fyd scene keys » montre ce qu'il peut dire.</translation>
     </message>
@@ -5247,7 +5252,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Who measured? Write your name at the right, then accept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qui a mesuré ? Écrire le nom à droite, puis accepter.</translation>
     </message>
     <message>
         <source>Width</source>
@@ -5259,7 +5264,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Words of the name, the identifier, the help or the group (Ctrl+F); Enter goes to the first that is found</source>
-        <translation>Des mots du nom, de l&apos;identifiant, de l&apos;aide ou du groupe (Ctrl+F) ; Entrée mène au premier trouvé</translation>
+        <translation>Des mots du nom, de l'identifiant, de l'aide ou du groupe (Ctrl+F) ; Entrée mène au premier trouvé</translation>
     </message>
     <message>
         <source>Write</source>
@@ -5355,7 +5360,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>un enregistrement</translation>
     </message>
     <message>
         <source>a recording is being written</source>
@@ -5399,7 +5404,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>a touchpad that is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>un touchpad inconnu</translation>
     </message>
     <message>
         <source>a turning motor has %1 % of its breakaway</source>
@@ -5683,7 +5688,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>calibrated on {}, and this is {}: the defaults are used instead ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>étalonné sur : {} ; celui-ci est : {}. Les valeurs par défaut servent à la place ({})</translation>
     </message>
     <message>
         <source>calibrated {} days ago: repeat it</source>
@@ -7455,7 +7460,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>rings, then settles</source>
-        <translation>oscille, puis s&apos;établit</translation>
+        <translation>oscille, puis s'établit</translation>
     </message>
     <message>
         <source>robot</source>
@@ -8007,7 +8012,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the profile's values are another touchpad's: the defaults are used</source>
-        <translation type="unfinished"></translation>
+        <translation>les valeurs du profil sont celles d'un autre touchpad : les valeurs par défaut servent</translation>
     </message>
     <message>
         <source>the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper</source>
@@ -8063,7 +8068,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the simulated touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>le touchpad simulé</translation>
     </message>
     <message>
         <source>the status word 0x{:04X} names no state</source>
@@ -8135,11 +8140,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the touchpad with serial number {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le touchpad de numéro de série {}</translation>
     </message>
     <message>
         <source>the touchpad {}</source>
-        <translation type="unfinished"></translation>
+        <translation>le touchpad {}</translation>
     </message>
     <message>
         <source>the touchpad's motors are in the state {}</source>
@@ -8395,7 +8400,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>values is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>values manque</translation>
     </message>
     <message>
         <source>vibration</source>
@@ -8571,7 +8576,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>your name: the record keeps it</source>
-        <translation type="unfinished"></translation>
+        <translation>votre nom : le procès-verbal le garde</translation>
     </message>
     <message>
         <source>z, g</source>
@@ -8875,7 +8880,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: a recording is played, nothing is saved: a calibration is made on a touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : un enregistrement est rejoué, rien n'est enregistré : un étalonnage se fait sur un touchpad</translation>
     </message>
     <message>
         <source>{}: a report ends in .html or .pdf</source>
@@ -8959,7 +8964,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: calibrated on the simulated touchpad, which a real one does not use: the defaults are used instead ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : étalonné sur le touchpad simulé, ce qu'un vrai n'utilise pas : les valeurs par défaut servent à la place ({})</translation>
     </message>
     <message>
         <source>{}: cannot be deleted: {}</source>
@@ -9051,7 +9056,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: expected [[record.{}]]</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : attendu [[record.{}]]</translation>
     </message>
     <message>
         <source>{}: expected a folder</source>
@@ -9059,7 +9064,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: expected a list of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : attendue une liste de nombres</translation>
     </message>
     <message>
         <source>{}: expected an ordinary file</source>
@@ -9071,7 +9076,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: expected numbers with a point</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : attendus des nombres à point</translation>
     </message>
     <message>
         <source>{}: expected true or false</source>
@@ -9091,7 +9096,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: format {}; this program reads formats {} to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : format {} ; ce programme lit les formats {} à {}</translation>
     </message>
     <message>
         <source>{}: gives no picture any more</source>
@@ -9155,7 +9160,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: its calibrations do not tell on which touchpad they were made; they are used with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : ses étalonnages ne disent pas sur quel touchpad ils ont été faits ; ils servent avec : {}</translation>
     </message>
     <message>
         <source>{}: its columns are not those of this format</source>
@@ -9427,7 +9432,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: simulated points, nothing is saved: these values would be used by {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : points simulés, rien n'est enregistré : ces valeurs serviraient à : {}</translation>
     </message>
     <message>
         <source>{}: source of {} bytes: expected at most {} that can be printed</source>
@@ -9675,7 +9680,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: {} is no calibrated value, nothing is saved</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : {} n'est pas une valeur étalonnée, rien n'est enregistré</translation>
     </message>
     <message>
         <source>{}: {} is no folder</source>

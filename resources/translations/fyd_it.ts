@@ -863,11 +863,11 @@
     </message>
     <message>
         <source>Calibrate this one under Calibrate. It does not keep you from arming.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrarlo in Calibra. Non impedisce di armare.</translation>
     </message>
     <message>
         <source>Calibrated on this touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrato su questo touchpad</translation>
     </message>
     <message>
         <source>Calibration report as PDF</source>
@@ -2573,7 +2573,7 @@ Robot: %2
     </message>
     <message>
         <source>Leave as it is</source>
-        <translation>Lascia com&apos;è</translation>
+        <translation>Lascia com'è</translation>
     </message>
     <message>
         <source>Leave the cell unloaded, type 0 and take the point.</source>
@@ -2737,11 +2737,8 @@ s</translation>
         <source>Looked for: %1
 %2
 
-To work without it, start with the simulated camera: leave --camera out.</source>
-        <translation>Cercato: %1
-%2
-
-Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</translation>
+It is tried again by itself. Another camera is chosen in Devices.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Looking at cameras …</source>
@@ -2980,10 +2977,6 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nome della preimpostazione</translation>
     </message>
     <message>
-        <source>Name one with --touchpad, --motors or --camera at the start.</source>
-        <translation>Indicarne uno con --touchpad, --motors o --camera all'avvio.</translation>
-    </message>
-    <message>
         <source>Network (Modbus TCP)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3100,8 +3093,8 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
         <translation>Nessun sensore del touchpad risponde.</translation>
     </message>
     <message>
-        <source>No serial port and no camera. A touchpad on the network is not searched for: give its address with --touchpad. Simulated parts work without any.</source>
-        <translation>Nessuna porta seriale e nessuna telecamera. Un touchpad in rete non viene cercato: darne l'indirizzo con --touchpad. Le parti simulate funzionano senza nulla.</translation>
+        <source>No serial port and no camera. A touchpad on the network is not searched for: enter its address. Simulated parts work without any.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No session has these words.</source>
@@ -3634,6 +3627,10 @@ Per lavorare senza, avviare con la telecamera simulata: omettere --camera.</tran
     <message>
         <source>Put the robot to rest with its tool in the air, and take the point: it lasts 3 s.</source>
         <translation>Mettere il robot a riposo con l'utensile in aria e prendere il punto: dura 3 s.</translation>
+    </message>
+    <message>
+        <source>Puts it into the form; nothing is connected yet.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Quit</source>
@@ -4531,7 +4528,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Take the name %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Prendi il nome %1</translation>
     </message>
     <message>
         <source>Take the present readings as "not touched": distance offsets and load-cell zero. Lift the finger first (Ctrl+T).</source>
@@ -4683,7 +4680,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The last calibration was made by this person.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'ultima calibrazione è stata fatta da questa persona.</translation>
     </message>
     <message>
         <source>The last point is taken back.</source>
@@ -4711,7 +4708,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The model calls this unstable: the stretch would swing on (%1; the motors' angle is %2 old).</source>
-        <translation>Il modello lo dice instabile: la tensione continuerebbe a oscillare (%1; l&apos;angolo dei motori è vecchio di %2).</translation>
+        <translation>Il modello lo dice instabile: la tensione continuerebbe a oscillare (%1; l'angolo dei motori è vecchio di %2).</translation>
     </message>
     <message>
         <source>The motors are off. %1 points so far.</source>
@@ -4739,7 +4736,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The motors' angle is %1 old when it is used.</source>
-        <translation>L&apos;angolo dei motori è vecchio di %1 quando viene usato.</translation>
+        <translation>L'angolo dei motori è vecchio di %1 quando viene usato.</translation>
     </message>
     <message>
         <source>The mouse leads to %1</source>
@@ -4814,8 +4811,8 @@ Per cominciare: %1</translation>
         <translation>I parametri scelti riprendono i valori salvati</translation>
     </message>
     <message>
-        <source>The session has no devices: it is closed. Choose a robot in the link's panel to open it again.</source>
-        <translation>La sessione non ha dispositivi: è chiusa. Scegliere un robot nel pannello del collegamento per riaprirla.</translation>
+        <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The session has no robot; the target is set by hand.</source>
@@ -5114,6 +5111,10 @@ Per cominciare: %1</translation>
         <translation>Usa</translation>
     </message>
     <message>
+        <source>Use %1 as: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Use a preset's values</source>
         <translation>Usa i valori di una preimpostazione</translation>
     </message>
@@ -5206,6 +5207,10 @@ Per cominciare: %1</translation>
         <translation>E se</translation>
     </message>
     <message>
+        <source>What one is used as goes into the form; Connect takes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What stands in the robot's place and is touched; "fyd scene keys" shows what it may say.</source>
         <translation>Ciò che sta al posto del robot e viene toccato; "fyd scene keys" mostra che cosa può dire.</translation>
     </message>
@@ -5247,7 +5252,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Who measured? Write your name at the right, then accept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chi ha misurato? Scrivere il nome a destra, poi accettare.</translation>
     </message>
     <message>
         <source>Width</source>
@@ -5259,7 +5264,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Words of the name, the identifier, the help or the group (Ctrl+F); Enter goes to the first that is found</source>
-        <translation>Parole del nome, dell&apos;identificatore, dell&apos;aiuto o del gruppo (Ctrl+F); Invio porta al primo trovato</translation>
+        <translation>Parole del nome, dell'identificatore, dell'aiuto o del gruppo (Ctrl+F); Invio porta al primo trovato</translation>
     </message>
     <message>
         <source>Write</source>
@@ -5355,7 +5360,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>una registrazione</translation>
     </message>
     <message>
         <source>a recording is being written</source>
@@ -5399,7 +5404,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>a touchpad that is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>un touchpad non noto</translation>
     </message>
     <message>
         <source>a turning motor has %1 % of its breakaway</source>
@@ -5683,7 +5688,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>calibrated on {}, and this is {}: the defaults are used instead ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>calibrato su: {}; questo è: {}. Si usano invece i valori predefiniti ({})</translation>
     </message>
     <message>
         <source>calibrated {} days ago: repeat it</source>
@@ -8007,7 +8012,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>the profile's values are another touchpad's: the defaults are used</source>
-        <translation type="unfinished"></translation>
+        <translation>i valori del profilo sono di un altro touchpad: si usano quelli predefiniti</translation>
     </message>
     <message>
         <source>the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper</source>
@@ -8063,7 +8068,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>the simulated touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>il touchpad simulato</translation>
     </message>
     <message>
         <source>the status word 0x{:04X} names no state</source>
@@ -8135,11 +8140,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>the touchpad with serial number {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il touchpad con numero di serie {}</translation>
     </message>
     <message>
         <source>the touchpad {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il touchpad {}</translation>
     </message>
     <message>
         <source>the touchpad's motors are in the state {}</source>
@@ -8395,7 +8400,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>values is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>manca values</translation>
     </message>
     <message>
         <source>vibration</source>
@@ -8571,7 +8576,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>your name: the record keeps it</source>
-        <translation type="unfinished"></translation>
+        <translation>il nome: resta nel verbale</translation>
     </message>
     <message>
         <source>z, g</source>
@@ -8875,7 +8880,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: a recording is played, nothing is saved: a calibration is made on a touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: si riproduce una registrazione, nulla è salvato: una calibrazione si fa su un touchpad</translation>
     </message>
     <message>
         <source>{}: a report ends in .html or .pdf</source>
@@ -8959,7 +8964,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: calibrated on the simulated touchpad, which a real one does not use: the defaults are used instead ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: calibrato sul touchpad simulato, che uno vero non usa: si usano invece i valori predefiniti ({})</translation>
     </message>
     <message>
         <source>{}: cannot be deleted: {}</source>
@@ -9051,7 +9056,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: expected [[record.{}]]</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: atteso [[record.{}]]</translation>
     </message>
     <message>
         <source>{}: expected a folder</source>
@@ -9059,7 +9064,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: expected a list of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: attesa una lista di numeri</translation>
     </message>
     <message>
         <source>{}: expected an ordinary file</source>
@@ -9071,7 +9076,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: expected numbers with a point</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: attesi numeri con un punto</translation>
     </message>
     <message>
         <source>{}: expected true or false</source>
@@ -9091,7 +9096,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: format {}; this program reads formats {} to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: formato {}; questo programma legge i formati da {} a {}</translation>
     </message>
     <message>
         <source>{}: gives no picture any more</source>
@@ -9155,7 +9160,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: its calibrations do not tell on which touchpad they were made; they are used with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: le sue calibrazioni non dicono su quale touchpad sono state fatte; sono usate con: {}</translation>
     </message>
     <message>
         <source>{}: its columns are not those of this format</source>
@@ -9427,7 +9432,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: simulated points, nothing is saved: these values would be used by {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: punti simulati, nulla è salvato: questi valori sarebbero usati da: {}</translation>
     </message>
     <message>
         <source>{}: source of {} bytes: expected at most {} that can be printed</source>
@@ -9675,7 +9680,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: {} is no calibrated value, nothing is saved</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {} non è un valore calibrato, nulla è salvato</translation>
     </message>
     <message>
         <source>{}: {} is no folder</source>
