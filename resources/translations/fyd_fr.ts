@@ -102,12 +102,20 @@
         <translation>%1 en %2</translation>
     </message>
     <message>
+        <source>%1 is also open in %2: here it is not saved, and no calibration accepted.</source>
+        <translation>%1 est aussi ouvert dans %2 : ici il n'est pas enregistré, et aucun étalonnage n'est accepté.</translation>
+    </message>
+    <message>
         <source>%1 is being written already.</source>
         <translation>%1 est déjà en cours d'écriture.</translation>
     </message>
     <message>
         <source>%1 is deleted.</source>
         <translation>%1 est supprimée.</translation>
+    </message>
+    <message>
+        <source>%1 is in use by %2: close that one first</source>
+        <translation>%1 est utilisé par %2 : fermer d'abord celle-là</translation>
     </message>
     <message>
         <source>%1 is not saved: the file of the window's settings cannot be written.</source>
@@ -236,6 +244,10 @@
     <message>
         <source>%1 was cancelled; no file is left.</source>
         <translation>%1 a été annulé ; il ne reste aucun fichier.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by something else since this console read it. Do it again to overwrite that</source>
+        <translation>%1 a été changé par autre chose depuis que cette console l'a lu. Recommencer pour écraser cela</translation>
     </message>
     <message>
         <source>%1 · %2 left out</source>
@@ -5553,6 +5565,14 @@ Pour commencer : %1</translation>
     <message>
         <source>angles, indentations and forces differ in number</source>
         <translation>angles, enfoncements et forces ne sont pas en même nombre</translation>
+    </message>
+    <message>
+        <source>another console</source>
+        <translation>une autre console</translation>
+    </message>
+    <message>
+        <source>another console, process %1 on %2</source>
+        <translation>une autre console, processus %1 sur %2</translation>
     </message>
     <message>
         <source>another file</source>

@@ -102,12 +102,20 @@
         <translation>%1 in %2</translation>
     </message>
     <message>
+        <source>%1 is also open in %2: here it is not saved, and no calibration accepted.</source>
+        <translation>%1 è aperto anche in %2: qui non è salvato, e nessuna calibrazione è accettata.</translation>
+    </message>
+    <message>
         <source>%1 is being written already.</source>
         <translation>%1 è già in scrittura.</translation>
     </message>
     <message>
         <source>%1 is deleted.</source>
         <translation>%1 è eliminata.</translation>
+    </message>
+    <message>
+        <source>%1 is in use by %2: close that one first</source>
+        <translation>%1 è in uso da %2: chiudere prima quella</translation>
     </message>
     <message>
         <source>%1 is not saved: the file of the window's settings cannot be written.</source>
@@ -236,6 +244,10 @@
     <message>
         <source>%1 was cancelled; no file is left.</source>
         <translation>%1 è stato annullato; non resta alcun file.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by something else since this console read it. Do it again to overwrite that</source>
+        <translation>%1 è stato cambiato da altro da quando questa console lo ha letto. Rifarlo per sovrascrivere</translation>
     </message>
     <message>
         <source>%1 · %2 left out</source>
@@ -5553,6 +5565,14 @@ Per cominciare: %1</translation>
     <message>
         <source>angles, indentations and forces differ in number</source>
         <translation>angoli, indentazioni e forze sono in numero diverso</translation>
+    </message>
+    <message>
+        <source>another console</source>
+        <translation>un'altra console</translation>
+    </message>
+    <message>
+        <source>another console, process %1 on %2</source>
+        <translation>un'altra console, processo %1 su %2</translation>
     </message>
     <message>
         <source>another file</source>

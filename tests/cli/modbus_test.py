@@ -203,6 +203,35 @@ class Sessions(fyd.Case):
         self.assertEqual(station.log().count("Active"), 1)
         self.assertFalse(simulator.stop()["motors_on"])
 
+    def test_a_touchpad_uses_its_own_calibration_only(self):
+        profile, rows = self.path("lab.toml"), "".join(f"{(n + 0.2) / 9.0},{n}\n" for n in (0, 1, 2, 3, 4, 5, 4, 2, 0))
+        samples = self.write("cell.csv", "value,force_N\n" + rows)
+        calibrate = ("calibrate", "load-cell", samples, "--profile", profile, "--json", "--touchpad")
+
+        def said(simulator):
+            source = (simulator.tcp, "--camera", simulator.camera) if simulator else ("simulated",)
+            done = fyd.run("station", "--touchpad", *source, "--robot", "none", "--profile", profile, "--duration", 0.5, "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return done.stderr
+
+        first = Simulator(self, "--serial", "A7", camera=True)
+        self.json(*calibrate, "simulated")
+        self.assertTrue(os.path.exists(self.path("lab.simulated.toml")))
+        with open(profile, encoding="utf-8") as file:
+            self.assertIn("force_slope_g = 1004.8805", file.read(), "what the simulation found is not what a real one loads")
+        self.assertNotIn("calibrated on", said(first))
+        self.json(*calibrate, "serial:A7")
+        with open(profile, encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn('touchpad = "serial:A7"', text.replace("'", '"'))
+        self.assertNotIn("force_slope_g = 1004.8805", text)
+        self.assertNotIn("calibrated on", said(first))
+        self.assertNotIn("calibrated on", said(None))
+        other = Simulator(self, "--serial", "B2", camera=True)
+        warning = said(other)
+        self.assertIn("calibrated on the touchpad with serial number A7, and this is the touchpad with serial number B2", warning)
+        self.assertIn("Load cell", warning)
+
     def test_wrong_choices_are_named(self):
         self.assertIn("--touchpad", self.refused(2, "station"))
         self.assertIn("--simulate", self.refused(2, "station", "--simulate", "--touchpad", "modbus-tcp:127.0.0.1:1"))

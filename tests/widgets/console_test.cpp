@@ -166,9 +166,31 @@ class ConsoleTest : public QObject {
     Fixture f;
     f.row("texture.k_vib")->slider()->setValue(200);
     QTest::mouseClick(f.window->operate()->tuning()->saveButton(), Qt::LeftButton);
-    const auto loaded = station::loadProfile(f.folder.filePath(QStringLiteral("profile.toml")).toStdString());
+    auto loaded = station::loadProfile(f.folder.filePath(QStringLiteral("profile.toml")).toStdString());
     QVERIFY(loaded.has_value());
     QCOMPARE(loaded->step.texture.k_vib, f.session->profile.step.texture.k_vib);
+    // Changed by an editor since: said once, and overwritten only when asked again.
+    const auto by_hand = [&] {
+      return station::loadProfile(f.folder.filePath(QStringLiteral("profile.toml")).toStdString())->step.control.kp;
+    };
+    loaded->step.control.kp = 0.125;
+    QVERIFY(station::saveProfile(*loaded, f.folder.filePath(QStringLiteral("profile.toml")).toStdString()));
+    f.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
+    QCOMPARE(by_hand(), 0.125);
+    f.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
+    QCOMPARE(by_hand(), f.session->profile.step.control.kp);
+    // A second console on the same profile says who has the first, and saves nothing.
+    {
+      console::MainWindow second(std::make_unique<ScriptedSession>(), f.folder.filePath(QStringLiteral("profile.toml")));
+      second.start();
+      const QString process = QString::number(QCoreApplication::applicationPid());
+      QVERIFY2(second.notices()->text(0).contains(process), qPrintable(second.notices()->text(0)));
+      f.session->profile.step.control.kp = 0.25;
+      second.commands().action(QStringLiteral("session.save_profile"))->trigger();
+      QVERIFY(by_hand() != 0.25);
+    }
+    f.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
+    QCOMPARE(by_hand(), 0.25);
     // A file in the way of the folder: no right and no privilege gets around that.
     QFile obstacle(f.folder.filePath(QStringLiteral("file")));
     QVERIFY(obstacle.open(QIODevice::WriteOnly));

@@ -44,6 +44,10 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   const QString path = context.tuning.profilePath();
   const bool exists = QFileInfo::exists(path);
   QDir().mkpath(QFileInfo(path).absolutePath());
+  if (const QString why = context.tuning.claim().whyNot(); !why.isEmpty()) {
+    context.tell(Severity::error, tr("Not accepted, the old values stay. %1").arg(why + QLatin1Char('.')));
+    return false;
+  }
   const station::Profile in_force = context.session.currentProfile();
   auto profile = profileToWrite(path.toStdString(), in_force, exists);
   if (!profile) {
@@ -62,6 +66,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
     return false;
   }
 
+  context.tuning.claim().written();
   const QString file = QDir::toNativeSeparators(path);
   if (result.changes.empty()) {
     context.tell(Severity::information, tr("Accepted and noted beside %1. It changes no value.").arg(file));

@@ -15,6 +15,7 @@ TuningBridge::TuningBridge(Session& session, QString profile_path, QObject* pare
     : QObject(parent),
       session_(session),
       profile_path_(std::move(profile_path)),
+      claim_(profile_path_),
       presets_(session_, model_, station::presetFolder(profile_path_.toStdString())) {
   station::Profile current = session_.currentProfile();
   station::Profile standard;
@@ -122,10 +123,15 @@ void TuningBridge::save() {
   model_.feelSaved(false);
   if (model_.feelingSaved()) return;
   QDir().mkpath(QFileInfo(profile_path_).absolutePath());
+  if (const QString why = claim_.whyNot(); !why.isEmpty()) {
+    emit told(Severity::error, tr("Profile not saved. %1").arg(why + QLatin1Char('.')));
+    return;
+  }
   if (const auto ok = station::saveProfileFor(session_.currentProfile(), profile_path_.toStdString()); !ok) {
     emit told(Severity::error, tr("Profile not saved. %1").arg(widgets::coreText(ok.error().message)));
     return;
   }
+  claim_.written();
   model_.markSaved();
   emit told(Severity::information, tr("Profile saved to %1.").arg(QDir::toNativeSeparators(profile_path_)));
 }

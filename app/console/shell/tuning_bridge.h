@@ -11,6 +11,7 @@
 #include "app/console/shell/loop_judge.h"
 #include "app/console/shell/session.h"
 #include "app/console/shell/tuning_presets.h"
+#include "widgets/basics/file_claim.h"
 #include "widgets/status/notice_stack.h"
 #include "widgets/tuning/tuning_model.h"
 
@@ -27,6 +28,8 @@ class TuningBridge : public QObject {
   [[nodiscard]] LoopJudge& judge() { return judge_; }
   /// Where "Save profile" writes.
   [[nodiscard]] const QString& profilePath() const { return profile_path_; }
+  /// Asked before, and told after, each writing of the profile.
+  [[nodiscard]] widgets::FileClaim& claim() { return claim_; }
 
   /// Handles a parameter event of the step.
   void hear(const pipeline::Event& event);
@@ -61,6 +64,7 @@ class TuningBridge : public QObject {
 
   Session& session_;
   QString profile_path_;
+  widgets::FileClaim claim_;
   widgets::TuningModel model_;
   TuningPresets presets_;
   LoopJudge judge_;

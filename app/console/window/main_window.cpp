@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
 #include <QScreen>
 #include <algorithm>
@@ -82,6 +83,10 @@ OperatePage* MainWindow::operate() const { return qobject_cast<OperatePage*>(fra
 ReviewPage* MainWindow::reviewPage() const { return qobject_cast<ReviewPage*>(frame_->page(QStringLiteral("review"))); }
 
 void MainWindow::start() {
+  if (const QString other = tuning_.claim().otherProgram(); !other.isEmpty()) {
+    tell(Severity::warning, tr("%1 is also open in %2: here it is not saved, and no calibration accepted.")
+                                .arg(QDir::toNativeSeparators(tuning_.profilePath()), other));
+  }
   session_->start();
   feed_->start();
 }
