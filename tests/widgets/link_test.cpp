@@ -275,7 +275,7 @@ class LinkTest : public QObject {
     choose(1);
     QVERIFY(!form->address()->isVisible());
     press();
-    QCOMPARE(f.session->asked.back().robot, std::string("none"));
+    WAIT_EQUAL(f.session->present.robot, std::string("none"));
     QVERIFY(f.window->operate()->tuning()->byHandButton()->isChecked());
 
     choose(2);
@@ -287,7 +287,7 @@ class LinkTest : public QObject {
     QTest::keyClicks(form->address(), QStringLiteral("127.0.0.1:3490"));
     QVERIFY(form->reconnectButton()->isEnabled());
     press();
-    QCOMPARE(f.session->asked.back().robot, std::string("classic:127.0.0.1:3490"));
+    WAIT_EQUAL(f.session->present.robot, std::string("classic:127.0.0.1:3490"));
     QVERIFY(f.session->asked.back().key_file.empty());
     QVERIFY(!f.window->operate()->tuning()->byHandButton()->isChecked());
 
@@ -298,11 +298,12 @@ class LinkTest : public QObject {
     form->key()->setFocus();
     QTest::keyClicks(form->key(), QStringLiteral("robot.key"));
     press();
-    QCOMPARE(f.session->asked.back().robot, std::string("link:127.0.0.1:3490"));
+    WAIT_EQUAL(f.session->present.robot, std::string("link:127.0.0.1:3490"));
     QCOMPARE(f.session->asked.back().key_file, std::string("robot.key"));
 
     choose(2);  // a key that was entered is not handed to a protocol that takes none
     press();
+    WAIT_EQUAL(f.session->present.robot, std::string("classic:127.0.0.1:3490"));
     QVERIFY(f.session->asked.back().key_file.empty());
     QCOMPARE(f.session->asked.size(), std::size_t{4});
   }
@@ -313,18 +314,28 @@ class LinkTest : public QObject {
     f.session->say(SafetyState::stopped);
     f.window->feed().pump();
     f.session->refuses = true;
-    QTest::mouseClick(f.window->link()->form()->reconnectButton(), Qt::LeftButton);
-    QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("refused by the script")));
+    QPushButton* button = f.window->link()->form()->reconnectButton();
+    QTest::mouseClick(button, Qt::LeftButton);
+    const auto told = [&] {
+      int count = 0;
+      for (int i = 0; i < f.window->notices()->count(); ++i) {
+        count += f.window->notices()->text(i).contains(QStringLiteral("refused by the script")) ? 1 : 0;
+      }
+      return count > 0;
+    };
+    WAIT_FOR(told());
     f.session->say(SafetyState::stopped);
     f.window->feed().pump();
     f.session->open = false;
-    QTest::mouseClick(f.window->link()->form()->reconnectButton(), Qt::LeftButton);
-    f.window->link()->showSilence(true);
-    QVERIFY(f.window->link()->form()->reconnectButton()->isEnabled());
+    QTest::mouseClick(button, Qt::LeftButton);
+    WAIT_EQUAL(f.session->asked.size(), std::size_t{2});
+    // A closed session has nothing that can move, whatever the feed has last heard.
+    WAIT_FOR(f.window->connection().work().isEmpty() && button->isEnabled());
     f.session->refuses = false;
-    QTest::mouseClick(f.window->link()->form()->reconnectButton(), Qt::LeftButton);
+    QTest::mouseClick(button, Qt::LeftButton);
+    WAIT_FOR(f.session->open && f.window->connection().work().isEmpty());
     QCOMPARE(f.session->asked.size(), std::size_t{3});
-    QVERIFY(!f.window->link()->mayReconnect());  // not before the new session says how it is
+    QVERIFY(!f.window->connection().hindrance().isEmpty());  // until the new session says how it is
   }
 
   void aRealSessionChangesItsRobotKeepsItsProfileAndComesBackFromAFailure() {
@@ -340,24 +351,27 @@ class LinkTest : public QObject {
     for (const station::ReadinessLine& line : session.readiness()) QVERIFY(line.what != say("Robot connected"));
     QVERIFY(session.setParameter("texture.k_vib", 1.75).has_value());
 
-    QVERIFY(session.reconnect({.robot = "classic:127.0.0.1:0"}).has_value());
+    const auto become = [&](const console::ConnectionWords& words) { return session.leaveFor(words)()(); };
+    QVERIFY(become({.robot = "classic:127.0.0.1:0"}).has_value());
     const station::LinkStatus classic = session.status().link;
     QVERIFY(!classic.secured && classic.protocol.text().starts_with("classic"));
     QCOMPARE(session.currentProfile().step.texture.k_vib, 1.75);
 
     // Wrong words, and a port somebody else has: both times the former robot is there afterwards.
-    QVERIFY(!session.reconnect({.robot = "classic:nonsense"}).has_value());
+    const auto problems = session.checkOf({.robot = "classic:nonsense"})();
+    QCOMPARE(problems.size(), std::size_t{1});
+    QVERIFY(problems[0].part == device::Part::robot);
     QCOMPARE(session.status().link.local, classic.local);
     auto taken = protocol::UdpSocket::open(*protocol::parseEndpoint("127.0.0.1:0"));
     QVERIFY(taken.has_value());
     const std::string address = protocol::toString(taken->local());
-    const auto refused = session.reconnect({.robot = "link:" + address, .key_file = key_file});
+    const auto refused = become({.robot = "link:" + address, .key_file = key_file});
     QVERIFY(!refused.has_value());
     QVERIFY(session.isOpen());
-    QCOMPARE(session.robot().robot, std::string("classic:127.0.0.1:0"));
+    QCOMPARE(session.connection().robot, std::string("classic:127.0.0.1:0"));
     QVERIFY(!session.status().link.local.empty());
 
-    QVERIFY(session.reconnect({.robot = "link:127.0.0.1:0", .key_file = key_file}).has_value());
+    QVERIFY(become({.robot = "link:127.0.0.1:0", .key_file = key_file}).has_value());
     QVERIFY(session.status().link.secured);
     std::vector<pipeline::TelemetrySample> samples(64);
     std::size_t heard = 0;

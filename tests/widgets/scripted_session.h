@@ -81,22 +81,33 @@ class ScriptedSession : public console::Session {
   std::string fingerFile() const override { return finger_file; }
   bool simulated() const override { return station::isSimulated(profile.calibrated_on); }
   std::shared_ptr<scene::SceneStage> scene() const override { return stage; }
-  console::RobotWords robot() const override { return present; }
+  console::ConnectionWords connection() const override { return present; }
   bool isOpen() const override { return open; }
-  Result<void> reconnect(const console::RobotWords& wanted) override {
+  Check checkOf(const console::ConnectionWords& wanted) const override {
+    ++checks;
+    return [this, wanted] {
+      while (reads_long) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::vector<station::ConnectionProblem> problems;
+      if (wanted.robot == "scene:bad.toml") {
+        problems.push_back({.part = device::Part::robot, .message = verbatim("bad.toml: bad by the script")});
+      }
+      if (wanted.touchpad == "modbus-tcp:bad") {
+        problems.push_back({.part = device::Part::touchpad, .message = verbatim("bad by the script")});
+      }
+      return problems;
+    };
+  }
+  std::function<Arrival()> leaveFor(const console::ConnectionWords& wanted) override {
+    const bool was_open = std::exchange(open, false);
     asked.push_back(wanted);
-    if (refuses) return fail("127.0.0.1:3490: refused by the script");
-    present = wanted;
-    open = true;
-    return {};
-  }
-  Result<void> checkRobot(const console::RobotWords& wanted) const override {
-    while (reads_long) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return wanted.robot == "scene:bad.toml" ? fail("bad.toml: bad by the script") : Result<void>();
-  }
-  std::function<Arrival()> leaveFor(const console::RobotWords& wanted) override {
-    open = false;
-    return [this, wanted] { return [this, wanted] { return reconnect(wanted); }; };
+    return [this, wanted, was_open] {
+      return [this, wanted, was_open]() -> Result<void> {
+        open = !refuses || was_open;
+        if (refuses) return fail("127.0.0.1:3490: refused by the script");
+        present = wanted;
+        return {};
+      };
+    };
   }
   Result<void> beginAnew(const station::Profile& wanted) override {
     ++begun_anew;
@@ -148,10 +159,11 @@ class ScriptedSession : public console::Session {
   double seconds = 0;
   bool takes_commands = true;
   bool refuses = false;
-  console::RobotWords present;
-  std::vector<console::RobotWords> asked;
+  console::ConnectionWords present;
+  std::vector<console::ConnectionWords> asked;
+  mutable int checks = 0;  ///< choices that were asked about beforehand
   bool open = true;
-  std::atomic<bool> reads_long = false;  ///< a scene is being read until this is false
+  std::atomic<bool> reads_long = false;  ///< a check takes until this is false
   int begun_anew = 0;
   std::shared_ptr<scene::SceneStage> stage;  ///< a scene where the robot stands
 };

@@ -1,9 +1,23 @@
 #include "widgets/devices/found_list.h"
 
+#include <QToolButton>
+
 #include "widgets/basics/theme.h"
 #include "widgets/devices/device_text.h"
 
 namespace fyd::widgets {
+namespace {
+
+QString useWord(FoundRow::Use use) {
+  switch (use) {
+    case FoundRow::Use::touchpad: return FoundList::tr("Touchpad");
+    case FoundRow::Use::motors: return FoundList::tr("Motors");
+    case FoundRow::Use::camera: return FoundList::tr("Camera");
+  }
+  return {};
+}
+
+}  // namespace
 
 FoundList::FoundList(QWidget* parent)
     : QFrame(parent),
@@ -55,9 +69,9 @@ void FoundList::setFound(const std::vector<FoundRow>& rows) {
   count_ = 0;
   for (const FoundRow& row : rows) addRow(row);
   summary_->setText(count_ > 0
-                        ? tr("Name one with --touchpad, --motors or --camera at the start.")
-                        : tr("No serial port and no camera. A touchpad on the network is not searched for: give its "
-                             "address with --touchpad. Simulated parts work without any."));
+                        ? tr("What one is used as goes into the form; Connect takes it.")
+                        : tr("No serial port and no camera. A touchpad on the network is not searched for: enter its "
+                             "address. Simulated parts work without any."));
 }
 
 void FoundList::addRow(const FoundRow& row) {
@@ -77,6 +91,18 @@ void FoundList::addRow(const FoundRow& row) {
   add(row.name.isEmpty() ? row.kind : tr("%1: %2").arg(row.kind, row.name), true, "");
   add(breakable(row.path), false, "muted");
   add(row.problem, false, "warning");
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGrid / 2);
+  for (const FoundRow::Use use : row.uses) {
+    auto* button = new QToolButton(entry);
+    button->setText(useWord(use));
+    button->setAccessibleName(tr("Use %1 as: %2").arg(row.path, useWord(use)));
+    button->setToolTip(tr("Puts it into the form; nothing is connected yet."));
+    connect(button, &QToolButton::clicked, this, [this, use, path = row.path] { emit useAsked(use, path); });
+    buttons->addWidget(button);
+  }
+  buttons->addStretch(1);
+  lines->addLayout(buttons);
   entry->setAccessibleName(row.kind + QLatin1Char(' ') + row.path);
   body_->layout()->addWidget(entry);
   ++count_;

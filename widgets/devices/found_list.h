@@ -1,5 +1,5 @@
-// Devices that a search found on this computer: each with its persistent path and, where it cannot be opened, why and
-// what to do. Empty, it says what was looked for and what works without a device.
+// Devices that a search found on this computer: each with its persistent path, what it can be used as and, where it
+// cannot be opened, why and what to do. Empty, it says what was looked for and what works without a device.
 #pragma once
 
 #include <QFrame>
@@ -13,10 +13,12 @@
 namespace fyd::widgets {
 
 struct FoundRow {
-  QString kind;     ///< "Serial port", "Camera"
-  QString name;     ///< maker, model, serial number; may be empty
-  QString path;     ///< what to pass on to an option
-  QString problem;  ///< empty: it can be opened
+  enum class Use { touchpad, motors, camera };
+  QString kind;                ///< "Serial port", "Camera"
+  QString name;                ///< maker, model, serial number; may be empty
+  QString path;                ///< to open it by
+  QString problem;             ///< empty: it can be opened
+  std::vector<Use> uses = {};  ///< what it can be to the session
 };
 
 class FoundList : public QFrame {
@@ -34,6 +36,7 @@ class FoundList : public QFrame {
 
  signals:
   void lookAsked();
+  void useAsked(fyd::widgets::FoundRow::Use as, const QString& path);
 
  private:
   void addRow(const FoundRow& row);

@@ -129,9 +129,9 @@ void RobotForm::setRobot(const QString& robot, const QString& key_file) {
   if (!key_file.isEmpty()) key_->setText(key_file);
 }
 
-void RobotForm::setAllowed(bool allowed) {
-  if (allowed == allowed_) return;
-  allowed_ = allowed;
+void RobotForm::setHindrance(const QString& why) {
+  if (why == hindrance_) return;
+  hindrance_ = why;
   refresh();
 }
 
@@ -183,8 +183,8 @@ void RobotForm::refresh() {
     reconnect_->setEnabled(can_be_cancelled_);
     return;
   }
-  if (!allowed_) {
-    hint_->setText(tr("The robot can be changed only while nothing can move. Press Esc first."));
+  if (!hindrance_.isEmpty()) {
+    hint_->setText(hindrance_);
   } else if (address_missing) {
     hint_->setText(tr("Enter the address and port to listen on, such as 127.0.0.1:3490."));
   } else if (key_missing) {
@@ -194,7 +194,7 @@ void RobotForm::refresh() {
   } else {
     hint_->setText(tr("The session starts anew; parameters and tare stay. Motors stay off until you arm."));
   }
-  reconnect_->setEnabled(allowed_ && !address_missing && !key_missing && !scene_missing);
+  reconnect_->setEnabled(hindrance_.isEmpty() && !address_missing && !key_missing && !scene_missing);
 }
 
 void RobotForm::chooseFile(const QString& title, const QString& filter, QLineEdit* into) {

@@ -21,8 +21,8 @@ class RobotForm : public QFrame {
   /// @param robot "simulated[:PREDICTOR]", "none", "classic:HOST:PORT", "link:HOST:PORT" or "scene:FILE"; @param
   /// key_file of "link:"
   void setRobot(const QString& robot, const QString& key_file);
-  /// Whether the robot may be changed now.
-  void setAllowed(bool allowed);
+  /// Why the robot may not be changed now, and what to do; empty: it may.
+  void setHindrance(const QString& why);
   /// A non-empty text replaces the hint; the button then cancels the work, where that is possible.
   void setWork(const QString& words, bool can_be_cancelled);
 
@@ -44,7 +44,7 @@ class RobotForm : public QFrame {
   void refresh();
   void chooseFile(const QString& title, const QString& filter, QLineEdit* into);
 
-  bool allowed_ = false;
+  QString hindrance_;
   QString work_;
   bool can_be_cancelled_ = false;
   QComboBox* kind_;

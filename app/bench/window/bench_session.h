@@ -96,10 +96,11 @@ class BusySession : public Session {
   std::string fingerFile() const override { return {}; }
   bool simulated() const override { return true; }
   std::shared_ptr<scene::SceneStage> scene() const override { return nullptr; }
-  RobotWords robot() const override { return {}; }
-  Result<void> reconnect(const RobotWords&) override { return {}; }
-  Result<void> checkRobot(const RobotWords&) const override { return {}; }
-  std::function<Arrival()> leaveFor(const RobotWords&) override {
+  ConnectionWords connection() const override { return {}; }
+  Check checkOf(const ConnectionWords&) const override {
+    return [] { return std::vector<station::ConnectionProblem>(); };
+  }
+  std::function<Arrival()> leaveFor(const ConnectionWords&) override {
     return [] { return [] { return Result<void>(); }; };
   }
   Result<void> beginAnew(const station::Profile&) override { return {}; }

@@ -1,5 +1,6 @@
 #include "app/console/devices/device_search.h"
 
+#include <QCoreApplication>
 #include <QPointer>
 
 #include "widgets/devices/device_text.h"
@@ -7,8 +8,12 @@
 namespace fyd::console {
 
 std::vector<DeviceSearch::Step> DeviceSearch::ofThisComputer() {
-  return {{tr("Serial port"), tr("Looking at serial ports …"), [] { return device::findSerialPorts(); }},
-          {tr("Camera"), tr("Looking at cameras …"), [] { return device::findCaptureDevices(); }}};
+  using enum widgets::FoundRow::Use;
+  return {{tr("Serial port"),
+           tr("Looking at serial ports …"),
+           [] { return device::findSerialPorts(); },
+           {touchpad, motors}},
+          {tr("Camera"), tr("Looking at cameras …"), [] { return device::findCaptureDevices(); }, {camera}}};
 }
 
 DeviceSearch::DeviceSearch(std::vector<Step> steps, QObject* parent)
@@ -39,7 +44,8 @@ void DeviceSearch::look() {
         rows->push_back({.kind = step.kind,
                          .name = QString::fromStdString(each.name),
                          .path = QString::fromStdString(each.path),
-                         .problem = widgets::deviceWord(each.problem)});
+                         .problem = widgets::deviceWord(each.problem),
+                         .uses = step.uses});
       }
     }
   });

@@ -22,6 +22,7 @@ class DeviceSearch : public QObject {
     QString kind;   ///< "Serial port"
     QString doing;  ///< "Looking at serial ports …"
     std::function<std::vector<device::FoundDevice>()> list;
+    std::vector<widgets::FoundRow::Use> uses = {};  ///< what each of them can be to the session
   };
   /// Serial ports and capture devices of this computer.
   [[nodiscard]] static std::vector<Step> ofThisComputer();

@@ -1,5 +1,6 @@
 #include "app/console/devices/devices_page.h"
 
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "core/device/touchpad/test_motion.h"
@@ -27,8 +28,9 @@ QStringList testWords() {
 }  // namespace
 
 DevicesPage::DevicesPage(const PageContext& context, QWidget* parent)
-    : Page(parent), context_(context), found_(new widgets::FoundList(this)) {
+    : Page(parent), context_(context), found_(new widgets::FoundList(this)), form_(new widgets::ConnectionForm(this)) {
   build();
+  connectForm();
   setSearch(DeviceSearch::ofThisComputer());
   timer_.setInterval(kRefresh_ms);
   connect(&timer_, &QTimer::timeout, this, &DevicesPage::refresh);
@@ -46,25 +48,90 @@ void DevicesPage::build() {
   row_ = new QHBoxLayout(body);
   row_->setContentsMargins(0, 0, 0, 0);
   row_->setSpacing(kGrid);
-  empty_ = new QLabel(
-      tr("The session has no devices: it is closed. Choose a robot in the link's panel to open it again."), body);
+  empty_ =
+      new QLabel(tr("The session has no devices: it is closed. Choose them beside this, and press Connect."), body);
   empty_->setProperty("role", "muted");
   empty_->setWordWrap(true);
   row_->addWidget(empty_, 1, Qt::AlignTop);
   scroll->setWidget(body);
-  found_->setFixedWidth(33 * kGrid);
+  auto* side = widgets::makeVerticalScroll(this);
+  auto* column_body = new QWidget(side);
+  auto* column = new QVBoxLayout(column_body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGrid);
+  column->addWidget(form_);
+  column->addWidget(found_, 1);
+  side->setWidget(column_body);
+  side->setFixedWidth(34 * kGrid);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
   layout->addWidget(scroll, 1);
-  layout->addWidget(found_);
+  layout->addWidget(side);
+}
+
+void DevicesPage::connectForm() {
+  connect(form_, &widgets::ConnectionForm::connectAsked, this, [this] {
+    const widgets::ChosenDevices chosen = form_->devices();
+    ConnectionWords wanted = context_.connection.present();
+    wanted.touchpad = chosen.touchpad.toStdString();
+    wanted.motors = chosen.motors.toStdString();
+    wanted.camera = chosen.camera.toStdString();
+    context_.connection.change(wanted);
+  });
+  connect(form_, &widgets::ConnectionForm::cancelAsked, &context_.connection, &ConnectionChange::cancel);
+  connect(form_, &widgets::ConnectionForm::robotAsked, this, &DevicesPage::robotAsked);
+  connect(found_, &widgets::FoundList::useAsked, this, &DevicesPage::use);
+  const auto show_words = [this](const ConnectionWords& words) {
+    form_->setDevices({.touchpad = QString::fromStdString(words.touchpad),
+                       .motors = QString::fromStdString(words.motors),
+                       .camera = QString::fromStdString(words.camera)});
+    form_->setRobot(QString::fromStdString(words.robot));
+  };
+  connect(&context_.connection, &ConnectionChange::arrived, this, show_words);
+  connect(&context_.connection, &ConnectionChange::refreshed, this, &DevicesPage::showConnection);
+  show_words(context_.connection.present());
+  showConnection();
+}
+
+void DevicesPage::showConnection() {
+  form_->setHindrance(context_.connection.hindrance());
+  form_->setWork(context_.connection.work(), context_.connection.canBeCancelled());
+  const auto problem = [this](device::Part part) {
+    for (const station::ConnectionProblem& each : context_.connection.problems()) {
+      if (each.part == part) return widgets::deviceWord(each.message);
+    }
+    return QString();
+  };
+  form_->touchpad()->setProblem(problem(device::Part::touchpad));
+  form_->motors()->setProblem(problem(device::Part::motor_board));
+  form_->camera()->setProblem(problem(device::Part::camera));
+}
+
+void DevicesPage::showFound(const std::vector<widgets::FoundRow>& rows) {
+  QStringList ports;
+  QStringList cameras;
+  for (const widgets::FoundRow& row : rows) {
+    const bool camera = std::ranges::find(row.uses, widgets::FoundRow::Use::camera) != row.uses.end();
+    if (!row.uses.empty()) (camera ? cameras : ports) << row.path;
+  }
+  found_->setFound(rows);
+  form_->offer(ports, cameras);
+}
+
+void DevicesPage::use(widgets::FoundRow::Use as, const QString& path) {
+  switch (as) {
+    case widgets::FoundRow::Use::touchpad: form_->touchpad()->setWord(QStringLiteral("modbus-rtu:") + path); break;
+    case widgets::FoundRow::Use::motors: form_->motors()->setWord(QStringLiteral("qbmove:") + path); break;
+    case widgets::FoundRow::Use::camera: form_->camera()->setWord(path); break;
+  }
 }
 
 void DevicesPage::setSearch(std::vector<DeviceSearch::Step> steps) {
   delete search_;
   search_ = new DeviceSearch(std::move(steps), this);
   connect(search_, &DeviceSearch::progressed, found_, &widgets::FoundList::showProgress);
-  connect(search_, &DeviceSearch::found, found_, &widgets::FoundList::setFound);
+  connect(search_, &DeviceSearch::found, this, &DevicesPage::showFound);
 }
 
 void DevicesPage::addCommands(PlaceCommands& commands) {

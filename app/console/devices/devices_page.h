@@ -1,4 +1,5 @@
-// The place "Devices": what is plugged in, whether it answers, what it measures, and small tests of the motors.
+// The place "Devices": what is plugged in and what is connected, whether it answers, what it measures, and small tests of
+// the motors.
 #pragma once
 
 #include <QHBoxLayout>
@@ -7,6 +8,7 @@
 
 #include "app/console/devices/device_search.h"
 #include "app/console/shell/page.h"
+#include "widgets/devices/connection_form.h"
 #include "widgets/devices/device_card.h"
 #include "widgets/devices/found_list.h"
 
@@ -24,13 +26,21 @@ class DevicesPage : public Page {
   [[nodiscard]] widgets::DeviceCard* card(std::size_t index) const { return cards_[index]; }
   [[nodiscard]] std::size_t cardCount() const { return shown_; }
   [[nodiscard]] widgets::FoundList* found() const { return found_; }
+  [[nodiscard]] widgets::ConnectionForm* form() const { return form_; }
   /// Takes another way to search; for tests.
   void setSearch(std::vector<DeviceSearch::Step> steps);
   /// Reads the devices now, without waiting for the timer.
   void refresh();
 
+ signals:
+  void robotAsked();  ///< the panel in which the robot is chosen is wanted
+
  private:
   void build();
+  void connectForm();
+  void showConnection();
+  void showFound(const std::vector<widgets::FoundRow>& rows);
+  void use(widgets::FoundRow::Use as, const QString& path);
   widgets::DeviceCard* addCard();
   void showTests();
   void startTest(int test);
@@ -47,6 +57,7 @@ class DevicesPage : public Page {
   QHBoxLayout* row_ = nullptr;
   QLabel* empty_ = nullptr;
   widgets::FoundList* found_;
+  widgets::ConnectionForm* form_;
   DeviceSearch* search_ = nullptr;
   bool looked_ = false;
 };

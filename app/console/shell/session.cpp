@@ -1,7 +1,6 @@
 #include "app/console/shell/session.h"
 
-#include "core/sim/scene_file.h"
-#include "core/station/robot_choice.h"
+#include "core/station/station_sources.h"
 
 namespace fyd::console {
 namespace {
@@ -10,7 +9,7 @@ class StationSession : public Session {
  public:
   StationSession(station::StationOptions options, std::unique_ptr<station::Station> station)
       : options_(std::move(options)), station_(std::move(station)) {
-    options_.record.reset();  // used once, at the start: a change of the robot does not start it again
+    options_.record.reset();  // used once, at the start: other devices do not start it again
   }
 
   void start() override {
@@ -94,11 +93,16 @@ class StationSession : public Session {
   bool simulated() const override { return station_ && station_->simulated(); }
   std::shared_ptr<scene::SceneStage> scene() const override { return station_ ? station_->scene() : nullptr; }
 
-  RobotWords robot() const override { return {.robot = options_.robot, .key_file = options_.key_file}; }
+  ConnectionWords connection() const override {
+    return {.touchpad = options_.touchpad,
+            .motors = options_.motors,
+            .camera = options_.camera,
+            .robot = options_.robot,
+            .key_file = options_.key_file};
+  }
   bool isOpen() const override { return station_ != nullptr; }
-  Result<void> reconnect(const RobotWords& wanted) override;
-  Result<void> checkRobot(const RobotWords& wanted) const override;
-  std::function<Arrival()> leaveFor(const RobotWords& wanted) override;
+  Check checkOf(const ConnectionWords& wanted) const override;
+  std::function<Arrival()> leaveFor(const ConnectionWords& wanted) override;
   Result<void> beginAnew(const station::Profile& profile) override;
 
  private:
@@ -108,7 +112,7 @@ class StationSession : public Session {
 
   station::StationOptions options_;
   std::optional<sim::FingerPath> finger_;      // set since the start
-  std::unique_ptr<station::Station> station_;  // none after a reconnect that failed twice
+  std::unique_ptr<station::Station> station_;  // none: closed
 };
 
 Result<void> StationSession::open(const station::StationOptions& options) {
@@ -133,23 +137,12 @@ void StationSession::close() {
   station_.reset();  // its port and devices are free now
 }
 
-Result<void> StationSession::reconnect(const RobotWords& wanted) {
-  // Errors that can be found beforehand do not end the session.
-  if (const auto checked = station::readRobotChoice(wanted.robot, wanted.key_file); !checked) {
-    return tl::unexpected(checked.error());
-  }
-  return leaveFor(wanted)()();
+Session::Check StationSession::checkOf(const ConnectionWords& wanted) const {
+  return [wanted, in_use = station_ ? connection() : ConnectionWords{.touchpad = {}, .robot = {}},
+          parameters = options_.profile.device] { return station::checkConnection(wanted, in_use, parameters); };
 }
 
-Result<void> StationSession::checkRobot(const RobotWords& wanted) const {
-  const auto choice = station::readRobotChoice(wanted.robot, wanted.key_file);
-  if (!choice) return tl::unexpected(choice.error());
-  if (choice->scene.empty()) return {};
-  if (const auto scene = sim::openScene(choice->scene); !scene) return tl::unexpected(scene.error());
-  return {};
-}
-
-std::function<Session::Arrival()> StationSession::leaveFor(const RobotWords& wanted) {
+std::function<Session::Arrival()> StationSession::leaveFor(const ConnectionWords& wanted) {
   struct Way {
     std::unique_ptr<station::Station> leaving, arriving;
     station::StationOptions former, options;
@@ -162,8 +155,13 @@ std::function<Session::Arrival()> StationSession::leaveFor(const RobotWords& wan
     way->leaving = std::move(station_);
   }
   way->former = way->options = options_;
+  way->options.touchpad = wanted.touchpad;
+  way->options.motors = wanted.motors;
+  way->options.camera = wanted.camera;
   way->options.robot = wanted.robot;
   way->options.key_file = wanted.key_file;
+  way->options.profile.sources = wanted;  // "Save profile" keeps them
+  if (wanted.touchpad != station::kSimulated) way->options.finger_csv.clear();
   return [this, way]() -> Arrival {
     if (way->leaving) way->leaving->shutDown();
     way->leaving.reset();  // its port and devices are free now
@@ -173,8 +171,8 @@ std::function<Session::Arrival()> StationSession::leaveFor(const RobotWords& wan
       way->options = way->former;
       opened = station::Station::open(way->former);
       if (!opened) {
-        way->outcome = fail("{}; robot {} could not be had again either: {}", way->outcome.error().message,
-                            way->former.robot, opened.error().message);
+        way->outcome = fail("{}; the former devices could not be had again either: {}", way->outcome.error().message,
+                            opened.error().message);
       }
     }
     if (opened) way->arriving = std::move(*opened);
@@ -205,6 +203,10 @@ Result<std::unique_ptr<Session>> openSession(const station::StationOptions& aske
   auto station = station::Station::open(options);
   if (!station) return tl::unexpected(station.error());
   return std::make_unique<StationSession>(options, std::move(*station));
+}
+
+std::unique_ptr<Session> closedSession(const station::StationOptions& options) {
+  return std::make_unique<StationSession>(station::withProfileSources(options), nullptr);
 }
 
 }  // namespace fyd::console

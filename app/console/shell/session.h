@@ -8,15 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/station/connection_check.h"
 #include "core/station/station.h"
 
 namespace fyd::console {
 
-/// Which robot a session has; values as in station::StationOptions.
-struct RobotWords {
-  std::string robot = "simulated";
-  std::string key_file;
-};
+/// Which touchpad, motors, camera and robot a session has; words as in station::StationOptions.
+using ConnectionWords = station::SourceParameters;
 
 /// All functions from the window's thread; meanings as in station::Station.
 class Session {
@@ -59,28 +57,30 @@ class Session {
   [[nodiscard]] virtual bool simulated() const = 0;
   [[nodiscard]] virtual std::shared_ptr<scene::SceneStage> scene() const = 0;
 
-  [[nodiscard]] virtual RobotWords robot() const = 0;
-  /// Ends the session and begins another with this robot and the present profile; motors are off then. Only
-  /// while nothing can move. @return an error when that robot cannot be opened: the former one is back then, if
-  /// `isOpen`
-  [[nodiscard]] virtual Result<void> reconnect(const RobotWords& wanted) = 0;
-  /// Whether that robot can be opened, as far as it can be checked beforehand; reads a whole scene with its meshes,
-  /// which may take seconds. The only function for any thread; changes nothing.
-  [[nodiscard]] virtual Result<void> checkRobot(const RobotWords& wanted) const = 0;
-  /// reconnect() in parts, for a robot that takes long to open. The session is closed from this call on. The returned
-  /// function may run on any thread; the function that it returns must run on the window's thread and begins the new
-  /// session, or the former one, as reconnect() does.
+  [[nodiscard]] virtual ConnectionWords connection() const = 0;
+  /// Whether these devices can be had, as far as it can be checked beforehand. The returned function may run on any
+  /// thread, takes up to some seconds, and changes nothing.
+  using Check = std::function<std::vector<station::ConnectionProblem>()>;
+  [[nodiscard]] virtual Check checkOf(const ConnectionWords& wanted) const = 0;
+  /// Ends the session and begins another with these devices and the present profile; motors are off then. Only while
+  /// nothing can move. The session is closed from this call on. The returned function may run on any thread; the
+  /// function that it returns must run on the window's thread and begins the new session; or, with an error, the former
+  /// one, if `isOpen`.
   using Arrival = std::function<Result<void>()>;
-  [[nodiscard]] virtual std::function<Arrival()> leaveFor(const RobotWords& wanted) = 0;
+  [[nodiscard]] virtual std::function<Arrival()> leaveFor(const ConnectionWords& wanted) = 0;
   /// Ends the session and begins another with this profile and the present devices, for values that cannot change while
   /// it runs; motors are off then. Only while nothing can move.
   /// @return an error when it cannot be begun; the former profile is back then, if `isOpen`
   [[nodiscard]] virtual Result<void> beginAnew(const station::Profile& profile) = 0;
-  /// False only after one of these failed and the former session could not be opened again either.
+  /// False after one of these failed and the former session could not be opened again either, and at a start whose
+  /// devices could not be opened.
   [[nodiscard]] virtual bool isOpen() const = 0;
 };
 
 /// A session on a station that is opened with these options.
 [[nodiscard]] Result<std::unique_ptr<Session>> openSession(const station::StationOptions& options);
+
+/// A closed session with these options: its devices could not be opened. Others can be chosen, or the same tried again.
+[[nodiscard]] std::unique_ptr<Session> closedSession(const station::StationOptions& options);
 
 }  // namespace fyd::console

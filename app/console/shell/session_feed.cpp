@@ -82,7 +82,7 @@ void SessionFeed::lookAtParts() {
   for (const device::DeviceReport& part : status.parts) {
     if (part.part != device::Part::camera || part.ok) continue;
     emit cameraMissing(
-        tr("Looked for: %1\n%2\n\nTo work without it, start with the simulated camera: leave --camera out.")
+        tr("Looked for: %1\n%2\n\nIt is tried again by itself. Another camera is chosen in Devices.")
             .arg(widgets::coreText(part.description), widgets::coreText(part.problem)));
   }
 }

@@ -7,14 +7,13 @@
 
 namespace fyd::console {
 
-using pipeline::SafetyState;
-
-LinkDock::LinkDock(widgets::TuningModel& model, QWidget* parent)
-    : LinkDock(new widgets::LinkPanel, new widgets::CouplingForm(model), new widgets::RobotForm, parent) {}
+LinkDock::LinkDock(widgets::TuningModel& model, ConnectionChange& connection, QWidget* parent)
+    : LinkDock(new widgets::LinkPanel, new widgets::CouplingForm(model), new widgets::RobotForm, connection, parent) {}
 
 LinkDock::LinkDock(widgets::LinkPanel* panel, widgets::CouplingForm* coupling, widgets::RobotForm* form,
-                   QWidget* parent)
+                   ConnectionChange& connection, QWidget* parent)
     : SideDock(tr("Link"), QStringLiteral("link_close"), tr("Close the link's panel"), {panel, coupling, form}, parent),
+      connection_(connection),
       panel_(panel),
       coupling_(coupling),
       form_(form) {
@@ -24,31 +23,34 @@ LinkDock::LinkDock(widgets::LinkPanel* panel, widgets::CouplingForm* coupling, w
     if (!predictors.contains(word)) predictors.append(word);
   }
   form_->setPredictors(predictors << QStringLiteral("thesis"));
+  connect(form_, &widgets::RobotForm::reconnectAsked, this, [this](const QString& robot, const QString& key_file) {
+    ConnectionWords wanted = connection_.present();
+    wanted.robot = robot.toStdString();
+    wanted.key_file = key_file.toStdString();
+    connection_.change(wanted);
+  });
+  connect(form_, &widgets::RobotForm::cancelAsked, &connection_, &ConnectionChange::cancel);
+  connect(&connection_, &ConnectionChange::refreshed, this, &LinkDock::refresh);
+  connect(&connection_, &ConnectionChange::arrived, this, &LinkDock::showRobot);
+  showRobot(connection_.present());
+  refresh();
+}
+
+void LinkDock::refresh() {
+  form_->setHindrance(connection_.hindrance());
+  form_->setWork(connection_.work(), connection_.canBeCancelled());
+}
+
+void LinkDock::showRobot(const ConnectionWords& words) {
+  form_->setRobot(QString::fromStdString(words.robot), QString::fromStdString(words.key_file));
 }
 
 void LinkDock::showSample(const pipeline::TelemetrySample& newest) {
   using Force = widgets::CouplingForm::Force;
-  can_move_ = newest.state == SafetyState::active || newest.state == SafetyState::held;
   coupling_->setForce(std::isnan(newest.robot_stiffness_N_per_mm) ? Force::unknown
                       : std::isnan(newest.robot_force_N)          ? Force::not_told
                                                                   : Force::told);
   if (!newest.contact) coupling_->setEnergy(newest.finger_energy_mJ, newest.coupling_withheld_mJ);
-  refresh();
 }
-
-void LinkDock::showSilence(bool silent) {
-  silent_ = silent;
-  refresh();
-}
-
-void LinkDock::restart(bool open) {
-  closed_ = !open;
-  can_move_ = true;
-  refresh();
-}
-
-void LinkDock::showWork(const QString& words, bool can_be_cancelled) { form_->setWork(words, can_be_cancelled); }
-
-bool LinkDock::mayReconnect() const { return closed_ || (!can_move_ && !silent_); }
 
 }  // namespace fyd::console

@@ -7,6 +7,7 @@
 #include <QScreen>
 #include <algorithm>
 
+#include "app/console/devices/devices_page.h"
 #include "app/console/review/review_page.h"
 #include "app/console/shell/language.h"
 #include "app/console/shell/side_dock.h"
@@ -82,6 +83,10 @@ OperatePage* MainWindow::operate() const { return qobject_cast<OperatePage*>(fra
 
 ReviewPage* MainWindow::reviewPage() const { return qobject_cast<ReviewPage*>(frame_->page(QStringLiteral("review"))); }
 
+DevicesPage* MainWindow::devicesPage() const {
+  return qobject_cast<DevicesPage*>(frame_->page(QStringLiteral("devices")));
+}
+
 void MainWindow::start() {
   if (const QString other = tuning_.claim().otherProgram(); !other.isEmpty()) {
     tell(Severity::warning, tr("%1 is also open in %2: here it is not saved, and no calibration accepted.")
@@ -145,6 +150,7 @@ void MainWindow::connectDevices() {
           [this](Severity severity, const QString& text) { tell(severity, text); });
   connect(connection_, &ConnectionChange::arrived, this,
           [this](const ConnectionWords& words) { memory_.setDevices(words); });
+  connect(devicesPage(), &DevicesPage::robotAsked, this, [this] { link_->show(); });
 }
 
 void MainWindow::connectStateBar() {

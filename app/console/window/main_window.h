@@ -31,6 +31,7 @@ class QDockWidget;
 
 namespace fyd::console {
 
+class DevicesPage;
 class ReviewPage;
 
 class MainWindow : public QMainWindow {
@@ -83,6 +84,7 @@ class MainWindow : public QMainWindow {
  private:
   PageContext context();
   [[nodiscard]] ReviewPage* reviewPage() const;
+  [[nodiscard]] DevicesPage* devicesPage() const;
   void buildDocks();
   void connectFeed();
   void connectDevices();

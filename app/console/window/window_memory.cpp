@@ -12,12 +12,34 @@ constexpr qsizetype kMostBytes = 64 * 1024;  // Qt's saved state has some hundre
 /// A name may hold any character; a key of the file may not.
 QString groupOf(const QString& name) { return QStringLiteral("layouts/") + QString::fromLatin1(name.toUtf8().toHex()); }
 
+/// A part's words and where they are kept.
+struct KeptWord {
+  const char* key;
+  std::string ConnectionWords::*word;
+};
+constexpr KeptWord kDevices[] = {{"devices/touchpad", &ConnectionWords::touchpad},
+                                 {"devices/motors", &ConnectionWords::motors},
+                                 {"devices/camera", &ConnectionWords::camera},
+                                 {"devices/robot", &ConnectionWords::robot},
+                                 {"devices/key_file", &ConnectionWords::key_file}};
+
 }  // namespace
 
 QString memoryFile(const QString& profile_path) {
   const QFileInfo file(QFileInfo(profile_path).absolutePath() + QStringLiteral("/window.ini"));
   if (file.exists() && !file.isFile()) return {};  // a pipe or a device is neither read nor written
   return file.filePath();
+}
+
+std::optional<ConnectionWords> WindowMemory::devices() const {
+  ConnectionWords words;
+  for (const auto& [key, word] : kDevices) words.*word = text(QLatin1String(key)).toStdString();
+  if (words.touchpad.empty() || words.robot.empty()) return std::nullopt;
+  return words;
+}
+
+void WindowMemory::setDevices(const ConnectionWords& words) {
+  for (const auto& [key, word] : kDevices) put(QLatin1String(key), QString::fromStdString(words.*word));
 }
 
 QStringList WindowMemory::layoutNames() const {

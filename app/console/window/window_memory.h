@@ -1,4 +1,5 @@
-// What the window remembers from one start to the next: place and size, panels, page, theme, language, named layouts.
+// What the window remembers from one start to the next: devices, place and size, panels, page, theme, language, named
+// layouts. The devices stand in for those that the user's own profile names; options of the command line go before both.
 // A file that is damaged, foreign or not writable is harmless: every value read is checked, and the default replaces a
 // missing one.
 #pragma once
@@ -6,8 +7,10 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <QVariant>
 #include <optional>
 
+#include "app/console/shell/session.h"
 #include "widgets/basics/theme.h"
 
 namespace fyd::console {
@@ -36,6 +39,12 @@ class WindowMemory {
   [[nodiscard]] QString page() const { return text(QStringLiteral("page")); }
   [[nodiscard]] QByteArray geometry() const { return bytes(QStringLiteral("geometry")); }
   [[nodiscard]] Layout layout() const { return layoutAt(QStringLiteral("layout")); }
+  /// Last connected in the window; none: never.
+  [[nodiscard]] std::optional<ConnectionWords> devices() const;
+  /// Whether the first steps are done with: dismissed, or gone to the end.
+  [[nodiscard]] bool firstStepsOver() const { return text(QStringLiteral("first_steps")) == QStringLiteral("over"); }
+  void setDevices(const ConnectionWords& words);
+  void setFirstStepsOver() { put(QStringLiteral("first_steps"), QStringLiteral("over")); }
   void setLanguage(const QString& code) { put(QStringLiteral("language"), code); }
   void setTheme(widgets::ThemeChoice choice) { put(QStringLiteral("theme"), widgets::themeWord(choice)); }
   void setPage(const QString& page) { put(QStringLiteral("page"), page); }

@@ -1,0 +1,66 @@
+// Changes the session's devices while the window stays open. They are asked first, on their own thread, while the
+// present session continues, so that a choice that cannot work does not end it; then the session ends and another
+// begins with them, or the former one when they cannot be opened after all.
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "app/console/shell/background.h"
+#include "app/console/shell/session.h"
+#include "app/console/shell/session_feed.h"
+#include "app/console/shell/tuning_bridge.h"
+#include "widgets/status/notice_stack.h"
+
+namespace fyd::console {
+
+class ConnectionChange : public QObject {
+  Q_OBJECT
+ public:
+  ConnectionChange(Session& session, SessionFeed& feed, TuningBridge& tuning, QObject* parent = nullptr);
+
+  /// Why the devices may not be changed now, and what to do; empty: they may.
+  [[nodiscard]] QString hindrance() const;
+  /// What is being done; empty: nothing.
+  [[nodiscard]] const QString& work() const { return work_; }
+  /// Only while the present session continues.
+  [[nodiscard]] bool canBeCancelled() const { return asking_.running(); }
+  /// What could not be had of the last choice; none after one that could.
+  [[nodiscard]] const std::vector<station::ConnectionProblem>& problems() const { return problems_; }
+  [[nodiscard]] ConnectionWords present() const { return session_.connection(); }
+
+  /// Nothing happens while something hinders it or is being done.
+  void change(const ConnectionWords& wanted);
+  void cancel();
+
+ signals:
+  void refreshed();  ///< one of the above is another
+  void leaving();    ///< the present session ends now
+  /// Another session began. @param words of its devices
+  void arrived(const fyd::console::ConnectionWords& words);
+  void told(fyd::widgets::Severity severity, const QString& text);
+
+ private:
+  [[nodiscard]] bool mayBegin();
+  void show(const QString& work);
+  void hear(std::span<const pipeline::TelemetrySample> samples);
+  void answered(const ConnectionWords& wanted, std::vector<station::ConnectionProblem> problems);
+  void leaveFor(const ConnectionWords& wanted);
+  void done(const ConnectionWords& wanted, const Result<void>& outcome);
+
+  Session& session_;
+  SessionFeed& feed_;
+  TuningBridge& tuning_;
+  bool can_move_ = true;  // until the first sample says otherwise
+  bool silent_ = false;
+  bool recording_ = false;
+  QString work_;
+  std::vector<station::ConnectionProblem> problems_;
+  Background asking_;
+  Background opening_;
+};
+
+/// "Touchpad simulated, camera its own, robot none": for notices.
+[[nodiscard]] QString inWords(const ConnectionWords& words);
+
+}  // namespace fyd::console
