@@ -99,6 +99,12 @@ class CalibrateTest : public QObject {
     QCOMPARE(records->front().conditions, std::string("21 C"));
     QCOMPARE(records->front().touchpad, std::string("serial:A7"));
     QVERIFY(!records->front().simulated);
+    const QImage picture(c.folder.filePath(QString::fromStdString(records->front().picture)));
+    QVERIFY2(!picture.isNull(), records->front().picture.c_str());
+    QCOMPARE(records->front().samples.size(), std::size_t{2});
+    QCOMPARE(records->front().samples[1].values.size(), std::size_t{4});
+    QCOMPARE(records->front().coefficients.size(), std::size_t{2});
+    QVERIFY(records->front().coefficients[0].standard_error >= 0.0);
     QCOMPARE(records->front().points, std::int64_t{4});
     QCOMPARE(c.session->begun_anew, 1);
     QVERIFY(std::abs(c.session->profile.step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
@@ -257,6 +263,7 @@ class CalibrateTest : public QObject {
     QVERIFY(!QFileInfo::exists(QString::fromStdString(c.profilePath())));
     QCOMPARE(c.session->begun_anew, 0);
     QVERIFY(!c.page->points().empty());
+    QVERIFY(QDir(c.folder.path()).entryList({QStringLiteral("*.png")}).isEmpty());
   }
 
   void simulatedPointsSayThatTheyAre() {

@@ -133,7 +133,9 @@ void CalibrationFitPanel::askWho() {
 }
 
 AcceptedWords CalibrationFitPanel::words() const {
-  return {.who = who_->text().trimmed().toStdString(), .conditions = conditions_->text().trimmed().toStdString()};
+  return {.who = who_->text().trimmed().toStdString(),
+          .conditions = conditions_->text().trimmed().toStdString(),
+          .picture = plot_->grab().toImage()};
 }
 
 void CalibrationFitPanel::setChanges(const calibration::CalibrationResult& result, station::Profile& profile) {

@@ -1,14 +1,17 @@
 #include "app/console/calibrate/calibrate_records.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include "app/console/shell/calibration_ages.h"
 #include "core/station/profile/calibrated_values.h"
 #include "core/station/profile/calibration_file.h"
 #include "core/station/profile/calibration_report.h"
+#include "core/station/profile/replace_file.h"
 #include "widgets/basics/core_text.h"
 
 namespace fyd::console {
@@ -37,6 +40,27 @@ void keepOffsetInForce(station::Profile& file, const station::Profile& session, 
   if (sensor > 0 && place < to.size() && place < from.size()) to[place] = from[place];
 }
 
+/// "lab.ir-2.2026-11-21T201500Z.pdf": a file about one calibration, beside the profile.
+QString fileBeside(const QString& profile, const std::string& procedure, int sensor, const std::string& when,
+                   const char* ending) {
+  const QFileInfo info(profile);
+  QString part = words(procedure);
+  if (sensor > 0) part += QStringLiteral("-%1").arg(sensor);
+  return info.dir().filePath(
+      QStringLiteral("%1.%2.%3.%4")
+          .arg(info.completeBaseName(), part, words(when).remove(QLatin1Char(':')), QLatin1String(ending)));
+}
+
+/// @return an error when the file cannot be written; then there is none
+Result<void> writePicture(const QImage& picture, const QString& path) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG")) {
+    return fail("{}: no picture can be made", path.toStdString());
+  }
+  return station::replaceFile(path.toStdString(), bytes.toStdString());
+}
+
 }  // namespace
 
 bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result, int sensor,
@@ -56,11 +80,25 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
     return false;
   }
   keepOffsetInForce(*profile, in_force, sensor);
-  const auto record = station::saveCalibration(
-      result,
-      {.sensor = sensor, .who = said.who, .when = nowUtc(), .conditions = said.conditions, .simulated = said.simulated},
-      *profile, path.toStdString());
+  const std::string when = nowUtc();
+  const QString picture = said.picture.isNull() ? QString() : fileBeside(path, result.procedure, sensor, when, "png");
+  if (!picture.isEmpty()) {
+    if (const auto drawn = writePicture(said.picture, picture); !drawn) {
+      context.tell(Severity::error,
+                   tr("Not accepted, the old values stay. %1").arg(widgets::coreText(drawn.error().message)));
+      return false;
+    }
+  }
+  const auto record = station::saveCalibration(result,
+                                               {.sensor = sensor,
+                                                .who = said.who,
+                                                .when = when,
+                                                .conditions = said.conditions,
+                                                .simulated = said.simulated,
+                                                .picture = QFileInfo(picture).fileName().toStdString()},
+                                               *profile, path.toStdString());
   if (!record) {
+    if (!picture.isEmpty()) QFile::remove(picture);
     context.tell(Severity::error,
                  tr("Not accepted, the old values stay. %1").arg(widgets::coreText(record.error().message)));
     return false;
@@ -108,12 +146,7 @@ QString writeCalibrationReport(const PageContext& context, const std::string& pr
   const auto own = station::recordsFor(*records, context.session.currentProfile().calibrated_on);
   const auto pair = station::newestOf(own, procedure, sensor);
   if (pair.newest == nullptr) return tr("this part was never calibrated: accept a calibration first");
-  const QFileInfo info(profile);
-  QString part = words(procedure);
-  if (sensor > 0) part += QStringLiteral("-%1").arg(sensor);
-  const QString path =
-      info.dir().filePath(QStringLiteral("%1.%2.%3.pdf")
-                              .arg(info.completeBaseName(), part, words(pair.newest->when).remove(QLatin1Char(':'))));
+  const QString path = fileBeside(profile, procedure, sensor, pair.newest->when, "pdf");
   // The same record gives the same file: writing it again replaces it.
   const auto written = station::writeCalibrationReport({.record = *pair.newest, .accepted = true, .outliers = {}},
                                                        pair.former, profile.toStdString(), path.toStdString(), true);

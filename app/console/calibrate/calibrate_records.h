@@ -1,6 +1,7 @@
 // Accepts a calibration into the profile, and writes its report.
 #pragma once
 
+#include <QImage>
 #include <QString>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace fyd::console {
 struct AcceptedWords {
   std::string who;
   std::string conditions;
+  QImage picture = {};     ///< of the fit; the record keeps it as a file beside it
   bool simulated = false;  ///< the points are not readings of a real touchpad
 };
 
