@@ -13,6 +13,7 @@
 #include "app/console/window/geometry_dump.h"
 #include "app/console/window/main_window.h"
 #include "app/console/window/places.h"
+#include "app/console/window/start.h"
 #include "core/base/end_signals.h"
 #include "core/station/profile/replace_file.h"
 
@@ -28,19 +29,6 @@ int complain(const fyd::Message& message, int code) {
 /// The operator's own profile, where "Save profile" writes when no other was named.
 QString ownProfile() {
   return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/profile.toml");
-}
-
-fyd::Result<fyd::station::StationOptions> stationOptions(const Options& options, const QString& profile_path) {
-  fyd::station::StationOptions out = options.station;
-  // Screenshots for the manual show the defaults, whatever the operator saved.
-  const bool own = options.profile.isEmpty();
-  if (!options.standardWindow() || !own) out.profile_file = profile_path.toStdString();
-  if (!own || (!options.standardWindow() && QFileInfo::exists(profile_path))) {
-    auto loaded = fyd::station::loadProfile(profile_path.toStdString());
-    if (!loaded) return tl::unexpected(loaded.error());
-    out.profile = *loaded;
-  }
-  return out;
 }
 
 /// The name's extension gives the format.
@@ -92,21 +80,21 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("fyd-console"));
   QApplication::setApplicationVersion(QStringLiteral(FYD_VERSION));
   const QString profile_path = options->profile.isEmpty() ? ownProfile() : options->profile;
-  const auto wanted = stationOptions(*options, profile_path);
-  if (!wanted) return complain(wanted.error().message, 2);
-  fyd::watchForEnd();
-  auto session = fyd::console::openSession(*wanted);
-  if (!session) return complain(session.error().message, 1);
-
-  if (options->scale > 0.0) qputenv("QT_SCALE_FACTOR", QByteArray::number(options->scale));
-  QApplication application(argc, argv);
   // Screenshots show the standard window, whatever was changed in it before.
   const fyd::console::WindowMemory memory(!options->standardWindow() ? fyd::console::memoryFile(profile_path)
                                                                      : QString());
+  const auto start = fyd::console::readStart(*options, profile_path, memory);
+  if (!start) return complain(start.error().message, 2);
+  fyd::watchForEnd();
+  auto opened = fyd::console::openStart(*start);
+  if (!opened) return complain(opened.error().message, 1);
+
+  if (options->scale > 0.0) qputenv("QT_SCALE_FACTOR", QByteArray::number(options->scale));
+  QApplication application(argc, argv);
   fyd::console::speak(application, fyd::console::chooseLanguage({options->language, memory.language()}));
   fyd::widgets::Look::instance().apply(
       application, options->theme.value_or(memory.theme().value_or(fyd::widgets::ThemeChoice::system)));
-  fyd::console::MainWindow window(std::move(*session), profile_path, options->catalogue, memory);
+  fyd::console::MainWindow window(std::move(opened->session), profile_path, options->catalogue, memory);
   if (!options->page.isEmpty()) window.frame()->go(options->page);
   if (!options->trials.conditions.isEmpty()) (void)window.trials()->plan(options->trials);  // checked by readOptions
   if (!options->review.isEmpty()) window.review(options->review);
@@ -114,9 +102,11 @@ int main(int argc, char** argv) {
   window.show();
   window.openPanels(options->open);
   window.start();
+  if (start->first) window.showFirstSteps();
+  if (start->devices_remembered) window.expectDevices(opened->missing);
   if (options->dump_geometry) printGeometryAndLeave(window);
   if (!options->screenshot.isEmpty()) {
-    const auto sources = fyd::station::withProfileSources(*wanted);
+    const auto sources = fyd::station::withProfileSources(start->station);
     takePictureAfter(window, *options, sources.touchpad == "simulated" && sources.motors.empty());
   }
   QSocketNotifier asked_to_end(fyd::endSignalDescriptor(), QSocketNotifier::Read);

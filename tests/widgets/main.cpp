@@ -6,13 +6,26 @@ int main(int argc, char** argv) {
   QLocale::setDefault(QLocale(QStringLiteral("en")));  // whatever the machine speaks
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
   int failed = 0;
-  for (auto make :
-       {fyd::tests::makeCurveLineTest, fyd::tests::makeCurveTest, fyd::tests::makeCurveToolsTest,
-        fyd::tests::makeControlTest, fyd::tests::makeTuningTest, fyd::tests::makeTuneTest, fyd::tests::makeLinkTest,
-        fyd::tests::makeConsoleTest, fyd::tests::makeFrameTest, fyd::tests::makeRecordingTest,
-        fyd::tests::makeCalibrateTest, fyd::tests::makeCalibrateFieldsTest, fyd::tests::makeCalibrateMotionTest,
-        fyd::tests::makeReviewTest, fyd::tests::makeReviewWorkTest, fyd::tests::makeMannersTest,
-        fyd::tests::makeJourneyTest, fyd::tests::makeSceneViewTest, fyd::tests::makeSceneDockTest}) {
+  for (auto make : {fyd::tests::makeCurveLineTest,
+                    fyd::tests::makeCurveTest,
+                    fyd::tests::makeCurveToolsTest,
+                    fyd::tests::makeControlTest,
+                    fyd::tests::makeTuningTest,
+                    fyd::tests::makeTuneTest,
+                    fyd::tests::makeLinkTest,
+                    fyd::tests::makeConsoleTest,
+                    fyd::tests::makeConnectionTest,
+                    fyd::tests::makeFrameTest,
+                    fyd::tests::makeRecordingTest,
+                    fyd::tests::makeCalibrateTest,
+                    fyd::tests::makeCalibrateFieldsTest,
+                    fyd::tests::makeCalibrateMotionTest,
+                    fyd::tests::makeReviewTest,
+                    fyd::tests::makeReviewWorkTest,
+                    fyd::tests::makeMannersTest,
+                    fyd::tests::makeJourneyTest,
+                    fyd::tests::makeSceneViewTest,
+                    fyd::tests::makeSceneDockTest}) {
     const auto suite = make();
     // While working on one: its name, or a part of it.
     if (argc > 1 && !QByteArray(suite->metaObject()->className()).contains(argv[1])) continue;

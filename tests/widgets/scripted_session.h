@@ -99,9 +99,9 @@ class ScriptedSession : public console::Session {
   }
   std::function<Arrival()> leaveFor(const console::ConnectionWords& wanted) override {
     const bool was_open = std::exchange(open, false);
-    asked.push_back(wanted);
     return [this, wanted, was_open] {
       return [this, wanted, was_open]() -> Result<void> {
+        asked.push_back(wanted);
         open = !refuses || was_open;
         if (refuses) return fail("127.0.0.1:3490: refused by the script");
         present = wanted;

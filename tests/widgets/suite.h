@@ -13,6 +13,7 @@ std::unique_ptr<QObject> makeControlTest();
 std::unique_ptr<QObject> makeTuningTest();
 std::unique_ptr<QObject> makeTuneTest();
 std::unique_ptr<QObject> makeLinkTest();
+std::unique_ptr<QObject> makeConnectionTest();
 std::unique_ptr<QObject> makeConsoleTest();
 std::unique_ptr<QObject> makeFrameTest();
 std::unique_ptr<QObject> makeRecordingTest();

@@ -1,5 +1,6 @@
 #include "widgets/devices/connection_form.h"
 
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
@@ -88,7 +89,7 @@ std::vector<SourceKind> cameraKinds() {
        .entry = Entry::folder,
        .example = QStringLiteral("pictures/"),
        .missing = ConnectionForm::tr("Choose the folder."),
-       .fits = [](const QString& text) { return text.endsWith(QLatin1Char('/')); }},
+       .fits = [](const QString& text) { return text.endsWith(QLatin1Char('/')) || QFileInfo(text).isDir(); }},
       {.label = ConnectionForm::tr("Video file"),
        .prefix = {},
        .entry = Entry::file,

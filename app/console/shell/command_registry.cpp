@@ -30,6 +30,7 @@ const std::vector<CommandInfo>& commandTable() {
       {"help.context", QT_TRANSLATE_NOOP("Commands", "Help"),
        QT_TRANSLATE_NOOP("Commands", "Help for what is in focus"), "info", "F1"},
       {"help.manual", "Help", QT_TRANSLATE_NOOP("Commands", "Manual"), "", "Shift+F1", true},
+      {"help.first_steps", "Help", QT_TRANSLATE_NOOP("Commands", "First steps"), "", ""},
       {"view.palette", "View", QT_TRANSLATE_NOOP("Commands", "Find a command…"), "search", "Ctrl+K"},
   };
   return kTable;

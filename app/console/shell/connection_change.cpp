@@ -44,7 +44,8 @@ void ConnectionChange::show(const QString& work) {
 }
 
 void ConnectionChange::change(const ConnectionWords& wanted) {
-  if (!work_.isEmpty() || !mayBegin()) return;
+  if (!work_.isEmpty()) return;
+  if (!mayBegin()) return emit told(Severity::warning, hindrance());
   problems_.clear();
   const bool scene = wanted.robot.starts_with("scene:") && wanted.robot != present().robot;
   asking_.run([this, wanted, check = session_.checkOf(wanted)](const std::stop_token&) -> Background::Finish {

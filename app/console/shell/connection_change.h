@@ -29,7 +29,7 @@ class ConnectionChange : public QObject {
   [[nodiscard]] const std::vector<station::ConnectionProblem>& problems() const { return problems_; }
   [[nodiscard]] ConnectionWords present() const { return session_.connection(); }
 
-  /// Nothing happens while something hinders it or is being done.
+  /// While something hinders it, only that is told; while something is being done, nothing happens.
   void change(const ConnectionWords& wanted);
   void cancel();
 

@@ -52,7 +52,7 @@ constexpr OptionInfo kOptions[] = {
     {"screenshot", "FILE", "Save a picture of the window and leave; arms once in simulation."},
     {"after", "S", "Seconds before the picture is taken; default: 5."},
     {"dump-geometry", "", "Print where the visible controls stand, as JSON, and leave."},
-    {"open", "PANELS", "Panels to open first: recording, link, manual, log; several with commas."},
+    {"open", "PANELS", "Panels to open first: recording, link, manual, log, first-steps; several with commas."},
     {"scale", "S", "Scale of everything on the screen, from 0.5 to 4; default: the screen's."},
     {"size", "WIDTHxHEIGHT", "Size of the window in logical pixels; default: that of the last time."},
 };

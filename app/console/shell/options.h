@@ -20,8 +20,8 @@ struct TrialWords {
   std::uint64_t seed = 1;
 };
 
-/// Panels of the window that --open names; their names in saved layouts.
-inline constexpr std::array kPanelNames = {"recording", "link", "manual", "log"};
+/// Panels of the window that --open names; the docks' names in saved layouts. "first-steps" stands above the places.
+inline constexpr std::array kPanelNames = {"recording", "link", "manual", "log", "first-steps"};
 
 struct Options {
   station::StationOptions station;  ///< without the profile: that is read from `profile`

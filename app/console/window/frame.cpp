@@ -36,6 +36,7 @@ QScrollArea* scrolled(QStackedWidget* places) {
 Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* parent)
     : QWidget(parent),
       commands_(commands),
+      strips_(new QVBoxLayout),
       navigation_bar_(new widgets::NavigationBar(this)),
       state_bar_(new widgets::StateBar(this)),
       notices_(new widgets::NoticeStack(this)),
@@ -59,6 +60,7 @@ Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* par
   auto* column = new QVBoxLayout;
   column->setSpacing(kGrid);
   column->addWidget(state_bar_);
+  column->addLayout(strips_);
   column->addWidget(panel_area_, 1);
   column->addWidget(notices_);
   panel_area_->setWindowFlags(Qt::Widget);  // a part of the window, not one of its own
@@ -69,6 +71,8 @@ Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* par
   layout->addWidget(navigation_bar_);
   layout->addLayout(column, 1);
 }
+
+void Frame::addStrip(QWidget* strip) { strips_->addWidget(strip); }
 
 void Frame::go(const QString& place) {
   const auto wanted = pages_.find(place);

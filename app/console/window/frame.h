@@ -1,10 +1,11 @@
-// The window's frame: the navigation bar at the left; beside it the state bar with Stop, below that the shown place with
-// the window's panels around it, and the notices at the lower edge. Panels open below the state bar, so nothing in it
+// The window's frame: the navigation bar at the left; beside it the state bar with Stop, below that a line that guides
+// when there is one, the shown place with the window's panels around it, and the notices at the lower edge. Panels open below the state bar, so nothing in it
 // moves; a place that needs more room than there is scrolls.
 #pragma once
 
 #include <QMainWindow>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <map>
 
@@ -22,6 +23,8 @@ class Frame : public QWidget {
   /// Makes every place, and a command for each.
   Frame(const PageContext& context, CommandRegistry& commands, QWidget* parent = nullptr);
 
+  /// Puts a line above the places, below the state bar.
+  void addStrip(QWidget* strip);
   /// Shows a place; an unknown one changes nothing.
   void go(const QString& place);
   [[nodiscard]] const QString& place() const { return place_; }
@@ -35,6 +38,7 @@ class Frame : public QWidget {
 
  private:
   CommandRegistry& commands_;
+  QVBoxLayout* strips_;
   widgets::NavigationBar* navigation_bar_;
   widgets::StateBar* state_bar_;
   widgets::NoticeStack* notices_;

@@ -32,6 +32,10 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       commands_(new CommandRegistry(this)),
       keys_(new KeyGuard(this)),
       frame_(new Frame(context(), *commands_, this)),
+      first_steps_(new FirstSteps(
+          context(), memory_, [this](const QString& place) { frame_->go(place); }, this)),
+      missing_(new MissingDevices(
+          context(), [this] { chooseDevices(false); }, this)),
       help_(new HelpDock(this)),
       link_(new LinkDock(tuning_.model(), *connection_, this)),
       recording_(new RecordingControl(context(), memoryFile(profile_path), this)),
@@ -98,6 +102,7 @@ void MainWindow::start() {
 
 void MainWindow::openPanels(const QStringList& names) {
   for (const QString& name : names) {
+    if (name == QStringLiteral("first-steps")) showFirstSteps();
     if (auto* panel = frame_->panelArea()->findChild<QDockWidget*>(name)) {
       panel->show();
       panel->raise();
@@ -151,6 +156,14 @@ void MainWindow::connectDevices() {
   connect(connection_, &ConnectionChange::arrived, this,
           [this](const ConnectionWords& words) { memory_.setDevices(words); });
   connect(devicesPage(), &DevicesPage::robotAsked, this, [this] { link_->show(); });
+  connect(first_steps_, &FirstSteps::ownAsked, this, [this] { chooseDevices(true); });
+  frame_->addStrip(first_steps_->strip());
+  frame_->addStrip(missing_->strip());
+}
+
+void MainWindow::chooseDevices(bool own) {
+  frame_->go(QStringLiteral("devices"));
+  if (own) devicesPage()->form()->askForOwn();
 }
 
 void MainWindow::connectStateBar() {
@@ -177,6 +190,7 @@ void MainWindow::connectCommands() {
   connect(help_, &QDockWidget::visibilityChanged, this, [this](bool shown) {
     if (shown && help_->topic().isEmpty()) help_->showTopic(manualTopic(nullptr, frame_->place()));
   });
+  on("help.first_steps", [this](bool) { showFirstSteps(); });
   on("help.context", [this](bool) { help_->showTopic(manualTopic(QApplication::focusWidget(), frame_->place())); });
   on("view.notices_read", [this](bool) { notices()->dismissAll(); });
   on("view.palette", [this](bool) { palette_->open(); });

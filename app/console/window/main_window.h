@@ -16,11 +16,13 @@
 #include "app/console/shell/session_feed.h"
 #include "app/console/shell/tuning_bridge.h"
 #include "app/console/window/command_palette.h"
+#include "app/console/window/first_steps.h"
 #include "app/console/window/frame.h"
 #include "app/console/window/help_dock.h"
 #include "app/console/window/layouts_dialog.h"
 #include "app/console/window/leaving.h"
 #include "app/console/window/link_dock.h"
+#include "app/console/window/missing_devices.h"
 #include "app/console/window/notice_causes.h"
 #include "app/console/window/trial_run.h"
 #include "app/console/window/window_memory.h"
@@ -52,6 +54,12 @@ class MainWindow : public QMainWindow {
   /// @param names of kPanelNames
   void openPanels(const QStringList& names);
 
+  /// Shows the way from the first start to the first touch.
+  void showFirstSteps() { first_steps_->show(); }
+  /// The devices are those of last time: when they do not come, the window says what to do.
+  /// @param why the session could not be opened; empty: it is open
+  void expectDevices(const Message& why) { missing_->expect(why); }
+
   /// Goes to the place "Review" and opens a recording there.
   void review(const QString& recording);
 
@@ -69,6 +77,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] TrialRun* trials() const { return trials_; }
   [[nodiscard]] CommandPalette* palette() const { return palette_; }
   [[nodiscard]] HelpDock* help() const { return help_; }
+  [[nodiscard]] FirstSteps* firstSteps() const { return first_steps_; }
+  [[nodiscard]] MissingDevices* missing() const { return missing_; }
   [[nodiscard]] LayoutsDialog* layouts() const { return layouts_; }
   [[nodiscard]] Layout layoutNow() const;
   /// What cannot be restored of it is noted in the log.
@@ -88,6 +98,7 @@ class MainWindow : public QMainWindow {
   void buildDocks();
   void connectFeed();
   void connectDevices();
+  void chooseDevices(bool own);
   void connectStateBar();
   void connectCommands();
   void connectLook();
@@ -112,6 +123,8 @@ class MainWindow : public QMainWindow {
   Frame* frame_;
   widgets::LogView* log_ = nullptr;
   QDockWidget* log_dock_ = nullptr;
+  FirstSteps* first_steps_;
+  MissingDevices* missing_;
   HelpDock* help_;
   LinkDock* link_;
   RecordingControl* recording_;

@@ -1,0 +1,419 @@
+// Devices are chosen and connected in the window: by address to a simulated touchpad that is served over the network,
+// wrong ones, while something can move, with the touchpad gone and back; what a start remembers; the first steps.
+#include "app/console/window/start.h"
+#include "core/sim/server/touchpad_process.h"
+#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/suite.h"
+
+namespace fyd::tests {
+
+using pipeline::SafetyState;
+
+namespace {
+
+/// A touchpad of one's own on the network, with its camera.
+class NetworkTouchpad {
+ public:
+  NetworkTouchpad() { switchOn(); }
+  void switchOn() {
+    const auto at = [](std::uint16_t port) {
+      return protocol::parseEndpoint(fmt::format("127.0.0.1:{}", port)).value();
+    };
+    sim::TouchpadProcessOptions options;
+    options.modbus_tcp = at(port_);
+    options.camera_mjpeg = at(camera_port_);
+    WAIT_FOR((process_ = started(options)) != nullptr);
+    port_ = process_->modbusPort();
+    camera_port_ = process_->cameraPort();
+  }
+  void switchOff() { process_.reset(); }
+  [[nodiscard]] QString address() const { return QStringLiteral("127.0.0.1:%1").arg(port_); }
+  [[nodiscard]] QString camera() const { return QStringLiteral("http://127.0.0.1:%1/").arg(camera_port_); }
+
+ private:
+  static std::unique_ptr<sim::TouchpadProcess> started(sim::TouchpadProcessOptions options) {
+    auto process = sim::TouchpadProcess::start(std::move(options));
+    return process ? std::move(*process) : nullptr;
+  }
+  std::unique_ptr<sim::TouchpadProcess> process_;
+  std::uint16_t port_ = 0;
+  std::uint16_t camera_port_ = 0;
+};
+
+/// A start of the program without options: what it reads, it reads from the files of the start before.
+struct Started {
+  explicit Started(const QTemporaryDir& folder) : profile(folder.filePath(QStringLiteral("profile.toml"))) {
+    const console::WindowMemory memory(console::memoryFile(profile));
+    start = console::readStart({}, profile, memory).value();
+    auto opened = console::openStart(start).value();
+    window = std::make_unique<console::MainWindow>(std::move(opened.session), profile, QString(), memory);
+    window->show();
+    window->activateWindow();
+    (void)QTest::qWaitForWindowActive(window.get(), kPatience_ms);
+    window->start();
+    if (start.first) window->showFirstSteps();
+    if (start.devices_remembered) window->expectDevices(opened.missing);
+  }
+  [[nodiscard]] std::optional<console::ConnectionWords> remembered() const {
+    return console::WindowMemory(console::memoryFile(profile)).devices();
+  }
+  [[nodiscard]] QString state() const { return window->stateBar()->stateWord(); }
+  [[nodiscard]] widgets::ConnectionForm* form() const {
+    return qobject_cast<console::DevicesPage*>(window->frame()->page(QStringLiteral("devices")))->form();
+  }
+  [[nodiscard]] QString present() const { return QString::fromStdString(window->connection().present().touchpad); }
+
+  QString profile;
+  console::Start start;
+  std::unique_ptr<console::MainWindow> window;
+};
+
+void click(QWidget* widget) {
+  QVERIFY(widget != nullptr && widget->isVisible() && widget->isEnabled());
+  QTest::mouseClick(widget, Qt::LeftButton);
+}
+
+void enter(widgets::PartChoice* part, int kind, const QString& text) {
+  part->kind()->setCurrentIndex(kind);
+  part->entry()->setFocus();
+  part->entry()->lineEdit()->selectAll();
+  QTest::keyClicks(part->entry()->lineEdit(), text);
+}
+
+constexpr int kNetwork = 1;  // of the touchpad's kinds
+constexpr int kStream = 2;   // of the camera's kinds
+
+void connectTo(const Started& day, const NetworkTouchpad& touchpad) {
+  day.window->frame()->go(QStringLiteral("devices"));
+  enter(day.form()->touchpad(), kNetwork, touchpad.address());
+  enter(day.form()->camera(), kStream, touchpad.camera());
+  WAIT_FOR(day.form()->connectButton()->isEnabled());
+  click(day.form()->connectButton());
+  WAIT_EQUAL(day.present(), QStringLiteral("modbus-tcp:") + touchpad.address());
+  WAIT_FOR(day.window->connection().work().isEmpty());
+}
+
+console::DevicesPage* devicesOf(const Fixture& f) {
+  return qobject_cast<console::DevicesPage*>(f.window->frame()->page(QStringLiteral("devices")));
+}
+
+void say(const Fixture& f, SafetyState state, bool contact = false) {
+  f.session->say(state);
+  f.session->telemetry.back().contact = contact;
+  f.window->feed().pump();
+}
+
+}  // namespace
+
+class ConnectionTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void fromTheFirstStartATouchpadIsConnectedByItsAddressAndRemembered() {
+    const QTemporaryDir folder;
+    NetworkTouchpad touchpad;
+    int clicks = 0;
+    const auto press = [&clicks](QWidget* widget) {
+      click(widget);
+      ++clicks;
+    };
+    {
+      const Started day(folder);
+      QVERIFY(day.start.first && day.window->firstSteps()->strip()->isVisible());
+      WAIT_FOR(day.state() != QStringLiteral("Unknown"));
+      press(day.window->firstSteps()->strip()->button(QStringLiteral("first_own")));
+      QCOMPARE(day.window->frame()->place(), QStringLiteral("devices"));
+      WAIT_FOR(day.form()->touchpad()->entry()->hasFocus() || day.form()->touchpad()->entry()->lineEdit()->hasFocus());
+      QTest::keyClicks(QApplication::focusWidget(), touchpad.address());
+      // The camera's list, its entry, and the address.
+      day.form()->camera()->kind()->setCurrentIndex(kStream);
+      clicks += 2;
+      press(day.form()->camera()->entry());
+      QTest::keyClicks(day.form()->camera()->entry()->lineEdit(), touchpad.camera());
+      WAIT_FOR(day.form()->connectButton()->isEnabled());
+      press(day.form()->connectButton());
+      WAIT_EQUAL(day.present(), QStringLiteral("modbus-tcp:") + touchpad.address());
+      QCOMPARE(clicks, 5);
+      WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+      // Each step is ticked by what is so.
+      const auto& steps = day.window->firstSteps()->strip()->steps();
+      WAIT_FOR(steps[0].done && steps[1].done);
+      QVERIFY(!steps[2].done && !steps[3].done);
+      QCOMPARE(day.remembered()->touchpad, day.present().toStdString());
+      day.window->close();
+    }
+    const Started next(folder);
+    QVERIFY(!next.start.first && next.start.devices_remembered);
+    QCOMPARE(next.present(), QStringLiteral("modbus-tcp:") + touchpad.address());
+    WAIT_EQUAL(next.state(), QStringLiteral("Ready"));
+    QVERIFY(!next.window->missing()->strip()->isVisible());
+    next.window->close();
+  }
+
+  void whatCannotWorkIsSaidAtItsFieldAndTheSessionGoesOn() {
+    const QTemporaryDir folder;
+    const Started day(folder);
+    NetworkTouchpad touchpad;
+    touchpad.switchOff();
+    WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+    day.window->frame()->go(QStringLiteral("devices"));
+    for (const auto& [address, camera] : {std::pair{QStringLiteral("nonsense"), QStringLiteral("no such folder/")},
+                                          std::pair{touchpad.address(), touchpad.camera()}}) {
+      enter(day.form()->touchpad(), kNetwork, address);
+      enter(day.form()->camera(), kStream, camera);
+      WAIT_FOR(day.form()->connectButton()->isEnabled());
+      click(day.form()->connectButton());
+      QVERIFY(!day.window->connection().work().isEmpty());
+      WAIT_FOR(day.window->connection().work().isEmpty());
+      QVERIFY2(!day.form()->touchpad()->problem().isEmpty(), qPrintable(address));
+      QVERIFY2(!day.form()->camera()->problem().isEmpty(), qPrintable(camera));
+      QVERIFY(day.form()->motors()->problem().isEmpty());
+      QCOMPARE(day.present(), QStringLiteral("simulated"));
+      WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+    }
+    QVERIFY2(day.form()->touchpad()->problem().contains(touchpad.address()),
+             qPrintable(day.form()->touchpad()->problem()));
+    QVERIFY(!day.remembered());
+    // What is entered anew is not the one that failed.
+    QTest::keyClicks(day.form()->touchpad()->entry()->lineEdit(), QStringLiteral("1"));
+    QVERIFY(day.form()->touchpad()->problem().isEmpty());
+    day.window->close();
+  }
+
+  void aRealTouchpadNeedsACamera() {
+    const QTemporaryDir folder;
+    const Started day(folder);
+    const NetworkTouchpad touchpad;
+    WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+    day.window->frame()->go(QStringLiteral("devices"));
+    enter(day.form()->touchpad(), kNetwork, touchpad.address());
+    QVERIFY(day.form()->camera()->kind()->currentIndex() != 0);  // asked for by itself
+    day.form()->camera()->kind()->setCurrentIndex(0);
+    WAIT_FOR(day.form()->connectButton()->isEnabled());
+    click(day.form()->connectButton());
+    WAIT_FOR(day.window->connection().work().isEmpty());
+    QVERIFY(!day.form()->camera()->problem().isEmpty() && day.form()->touchpad()->problem().isEmpty());
+    QCOMPARE(day.present(), QStringLiteral("simulated"));
+    day.window->close();
+  }
+
+  void aTouchpadThatIsSwitchedOffIsSaidAndComesBackUnarmed() {
+    const QTemporaryDir folder;
+    NetworkTouchpad touchpad;
+    const Started day(folder);
+    WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+    connectTo(day, touchpad);
+    WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+    touchpad.switchOff();
+    WAIT_FOR(day.state() != QStringLiteral("Ready"));
+    touchpad.switchOn();
+    WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+    // Back to the simulation, which brings its own pictures.
+    day.form()->touchpad()->kind()->setCurrentIndex(0);
+    day.form()->camera()->kind()->setCurrentIndex(0);
+    click(day.form()->connectButton());
+    WAIT_EQUAL(day.present(), QStringLiteral("simulated"));
+    WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+    QCOMPARE(day.remembered()->touchpad, std::string("simulated"));
+    day.window->close();
+  }
+
+  void nothingIsConnectedWhileSomethingCanMoveOrIsRecorded() {
+    Fixture f;
+    f.window->frame()->go(QStringLiteral("devices"));
+    const widgets::ConnectionForm* form = devicesOf(f)->form();
+    QVERIFY(!form->connectButton()->isEnabled());  // no state known yet
+    for (const auto& [state, allowed] : {std::pair{SafetyState::ready, true},
+                                         {SafetyState::active, false},
+                                         {SafetyState::stopped, true},
+                                         {SafetyState::held, false},
+                                         {SafetyState::disconnected, true}}) {
+      say(f, state);
+      QCOMPARE(form->connectButton()->isEnabled(), allowed);
+      QCOMPARE(form->hint().contains(QStringLiteral("Esc first")), !allowed);
+    }
+    // Armed since the button was painted.
+    f.session->say(SafetyState::active);
+    click(form->connectButton());
+    QCOMPARE(f.session->checks, 0);
+    QVERIFY(f.session->asked.empty());
+    // Armed while the devices are asked.
+    say(f, SafetyState::ready);
+    f.session->reads_long = true;
+    click(form->connectButton());
+    QCOMPARE(form->connectButton()->text(), QStringLiteral("Cancel"));
+    say(f, SafetyState::active);
+    f.session->reads_long = false;
+    WAIT_EQUAL(form->connectButton()->text(), QStringLiteral("Connect"));
+    QVERIFY(f.session->asked.empty() && f.session->open);
+    // A recording would end.
+    f.session->recorder.state = recording::RecorderState::recording;
+    say(f, SafetyState::ready);
+    QVERIFY(!form->connectButton()->isEnabled());
+    QVERIFY2(form->hint().contains(QStringLiteral("recording")), qPrintable(form->hint()));
+  }
+
+  void whatIsChosenIsAskedForInTheStationsWordsAndAFailureLeavesTheFormer() {
+    Fixture f;
+    f.window->frame()->go(QStringLiteral("devices"));
+    widgets::ConnectionForm* form = devicesOf(f)->form();
+    say(f, SafetyState::ready);
+    form->touchpad()->setWord(QStringLiteral("modbus-rtu:/dev/ttyUSB0:1000000"));
+    QVERIFY(!form->connectButton()->isEnabled());  // no camera yet
+    form->motors()->setWord(QStringLiteral("qbmove:/dev/ttyUSB1"));
+    form->camera()->setWord(QStringLiteral("id=99F1"));
+    QVERIFY(form->connectButton()->isEnabled());
+    f.session->refuses = true;
+    click(form->connectButton());
+    WAIT_EQUAL(f.session->asked.size(), std::size_t{1});
+    QCOMPARE(f.session->asked[0].touchpad, std::string("modbus-rtu:/dev/ttyUSB0:1000000"));
+    QCOMPARE(f.session->asked[0].motors, std::string("qbmove:/dev/ttyUSB1"));
+    QCOMPARE(f.session->asked[0].camera, std::string("id=99F1"));
+    QCOMPARE(f.session->asked[0].robot, std::string("simulated"));  // as it was
+    QCOMPARE(f.session->present.touchpad, std::string("simulated"));
+    // For every kind of camera the word comes back as it was given.
+    for (const char* word :
+         {"", "0", "/dev/video2", "rtsp://10.0.0.9/x", "recording:/s/one.h5", "pictures/", "press.avi"}) {
+      form->camera()->setWord(QLatin1String(word));
+      QCOMPARE(form->camera()->word(), QLatin1String(word));
+    }
+  }
+
+  void whatASearchFoundGoesIntoTheForm() {
+    Fixture f;
+    console::DevicesPage* page = devicesOf(f);
+    using enum widgets::FoundRow::Use;
+    page->setSearch({{QStringLiteral("Serial port"),
+                      QStringLiteral("ports"),
+                      [] {
+                        return std::vector<device::FoundDevice>{
+                            {.path = "/dev/ttyUSB7", .node = "/dev/ttyUSB7", .name = {}, .problem = {}}};
+                      },
+                      {touchpad, motors}},
+                     {QStringLiteral("Camera"),
+                      QStringLiteral("cameras"),
+                      [] {
+                        return std::vector<device::FoundDevice>{
+                            {.path = "/dev/video3", .node = "/dev/video3", .name = {}, .problem = {}}};
+                      },
+                      {camera}}});
+    f.window->frame()->go(QStringLiteral("devices"));
+    WAIT_EQUAL(page->found()->count(), 2);
+    QList<QToolButton*> uses = page->found()->findChildren<QToolButton*>();
+    QCOMPARE(uses.size(), 3);
+    uses[1]->click();
+    QCOMPARE(page->form()->devices().motors, QStringLiteral("qbmove:/dev/ttyUSB7"));
+    uses[0]->click();
+    QCOMPARE(page->form()->devices().touchpad, QStringLiteral("modbus-rtu:/dev/ttyUSB7"));
+    QCOMPARE(page->form()->devices().camera, QStringLiteral("/dev/video3"));  // the only one found
+  }
+
+  void missingDevicesOfLastTimeDoNotKeepTheWindowFromOpening() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("gone.h5"));
+    const QString profile = folder.filePath(QStringLiteral("profile.toml"));
+    console::WindowMemory(console::memoryFile(profile))
+        .setDevices({.touchpad = "recording:" + file.toStdString(), .robot = "none"});
+    const Started day(folder);
+    QVERIFY(!day.window->session().isOpen());
+    const widgets::GuideStrip* strip = day.window->missing()->strip();
+    WAIT_FOR(strip->isVisible());
+    QVERIFY2(strip->advice().contains(file), qPrintable(strip->advice()));
+    click(strip->button(QStringLiteral("missing_retry")));
+    WAIT_FOR(day.window->connection().work().isEmpty());
+    QVERIFY(!day.window->session().isOpen() && strip->isVisible());
+    click(strip->button(QStringLiteral("missing_choose")));
+    QCOMPARE(day.window->frame()->place(), QStringLiteral("devices"));
+    click(strip->button(QStringLiteral("missing_simulated")));
+    WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+    QVERIFY(!strip->isVisible());
+    day.window->close();
+  }
+
+  void aTouchpadThatDoesNotAnswerAtTheStartIsSaidUntilItDoes() {
+    const QTemporaryDir folder;
+    NetworkTouchpad touchpad;
+    {
+      const Started day(folder);
+      WAIT_EQUAL(day.state(), QStringLiteral("Ready"));
+      connectTo(day, touchpad);
+      day.window->close();
+    }
+    touchpad.switchOff();
+    const Started next(folder);
+    const widgets::GuideStrip* strip = next.window->missing()->strip();
+    WAIT_FOR(strip->isVisible());
+    QVERIFY2(strip->advice().contains(touchpad.address()), qPrintable(strip->advice()));
+    QVERIFY(strip->button(QStringLiteral("missing_retry")) == nullptr);  // it is asked again by itself
+    touchpad.switchOn();
+    WAIT_FOR(!strip->isVisible());
+    WAIT_EQUAL(next.state(), QStringLiteral("Ready"));
+    next.window->close();
+  }
+
+  void optionsGoBeforeWhatIsRemembered() {
+    const QTemporaryDir folder;
+    const QString profile = folder.filePath(QStringLiteral("profile.toml"));
+    console::WindowMemory memory(console::memoryFile(profile));
+    memory.setDevices(
+        {.touchpad = "modbus-tcp:10.0.0.7:502", .motors = "qbmove:/dev/ttyUSB1", .camera = "0", .robot = "none"});
+    const auto sources = [&](const console::Options& options) {
+      return station::withProfileSources(console::readStart(options, profile, memory).value().station);
+    };
+    QCOMPARE(sources({}).touchpad, std::string("modbus-tcp:10.0.0.7:502"));
+    QCOMPARE(sources({}).motors, std::string("qbmove:/dev/ttyUSB1"));
+    console::Options simulated;
+    simulated.station.touchpad = "simulated";
+    QCOMPARE(sources(simulated).touchpad, std::string("simulated"));
+    QVERIFY(sources(simulated).motors.empty() && sources(simulated).camera.empty());
+    QVERIFY(!console::readStart(simulated, profile, memory)->devices_remembered);
+    // A wrong word of an option ends the start; a remembered one does not.
+    console::Options wrong;
+    wrong.station.touchpad = "kitchen";
+    QVERIFY(!console::openStart(*console::readStart(wrong, profile, memory)).has_value());
+    memory.setDevices({.touchpad = "kitchen"});
+    const auto opened = console::openStart(*console::readStart({}, profile, memory));
+    QVERIFY(opened.has_value() && !opened->session->isOpen() && !opened->missing.empty());
+  }
+
+  void theFirstStepsAreTickedByWhatIsSoAndCanBeClosedAndCalledAgain() {
+    const QTemporaryDir folder;
+    const QString profile = folder.filePath(QStringLiteral("profile.toml"));
+    const console::WindowMemory memory(console::memoryFile(profile));
+    auto made = std::make_unique<ScriptedSession>();
+    ScriptedSession* session = made.get();
+    console::MainWindow window(std::move(made), profile, QString(), memory);
+    window.show();
+    const widgets::GuideStrip* strip = window.firstSteps()->strip();
+    QVERIFY(!strip->isVisible());
+    window.commands().action(QStringLiteral("help.first_steps"))->trigger();
+    QVERIFY(strip->isVisible());
+    QCOMPARE(strip->current(), std::size_t{0});
+    click(strip->button(QStringLiteral("first_simulated")));
+    QCOMPARE(strip->current(), std::size_t{1});
+    QCOMPARE(memory.devices()->touchpad, std::string("simulated"));
+    session->say(SafetyState::ready);
+    window.feed().pump();
+    QCOMPARE(strip->current(), std::size_t{3});  // the simulation needs no calibration
+    QVERIFY(strip->steps()[1].done && !strip->steps()[2].done && !strip->steps()[3].done);
+    session->say(SafetyState::ready);
+    session->telemetry.back().contact = true;  // a touch that is not rendered is none
+    window.feed().pump();
+    QVERIFY(!strip->steps()[3].done);
+    click(strip->closeButton());
+    QVERIFY(!strip->isVisible() && memory.firstStepsOver());
+    QVERIFY(!console::readStart({}, profile, memory)->first);
+    window.commands().action(QStringLiteral("help.first_steps"))->trigger();
+    session->say(SafetyState::active);
+    session->telemetry.back().contact = true;
+    window.feed().pump();
+    QVERIFY(strip->steps()[3].done);
+    QCOMPARE(strip->current(), std::size_t{4});
+    window.close();
+  }
+};
+
+std::unique_ptr<QObject> makeConnectionTest() { return std::make_unique<ConnectionTest>(); }
+
+}  // namespace fyd::tests
+
+#include "connection_test.moc"
