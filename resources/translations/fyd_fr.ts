@@ -327,11 +327,15 @@
     </message>
     <message>
         <source>%1: choose the file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 : choisir le fichier</translation>
     </message>
     <message>
         <source>%1: difference %2, mean %3</source>
         <translation>%1 : différence %2, moyenne %3</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation>%1 : fait</translation>
     </message>
     <message>
         <source>%1: expected a number</source>
@@ -340,6 +344,10 @@
     <message>
         <source>%1: expected at least %2 s</source>
         <translation>%1 : au moins %2 s attendues</translation>
+    </message>
+    <message>
+        <source>%1: now</source>
+        <translation>%1 : maintenant</translation>
     </message>
     <message>
         <source>%1: this folder cannot be made</source>
@@ -519,7 +527,7 @@
     </message>
     <message>
         <source>A recording is under way and would end. End it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un enregistrement est en cours et finirait. Y mettre fin d’abord.</translation>
     </message>
     <message>
         <source>A rectangle around the cloth, with a finger in it.</source>
@@ -731,11 +739,11 @@
     </message>
     <message>
         <source>Asking the devices whether they answer …</source>
-        <translation type="unfinished"></translation>
+        <translation>On demande aux appareils s’ils répondent …</translation>
     </message>
     <message>
         <source>Asking the devices whether they answer. The present session goes on meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>On demande aux appareils s’ils répondent. La session actuelle continue pendant ce temps.</translation>
     </message>
     <message>
         <source>At A</source>
@@ -870,12 +878,20 @@
         <translation>Étalonnage</translation>
     </message>
     <message>
+        <source>Calibrate (the simulation needs none)</source>
+        <translation>Étalonnage (la simulation n’en a pas besoin)</translation>
+    </message>
+    <message>
         <source>Calibrate it again under Calibrate. It does not keep you from arming.</source>
         <translation>À refaire sous Étalonnage. Cela n'empêche pas d'armer.</translation>
     </message>
     <message>
         <source>Calibrate this one under Calibrate. It does not keep you from arming.</source>
         <translation>L'étalonner sous Étalonnage. Cela n'empêche pas d'armer.</translation>
+    </message>
+    <message>
+        <source>Calibrate: %1 of %2 parts</source>
+        <translation>Étalonnage : %1 parties sur %2</translation>
     </message>
     <message>
         <source>Calibrated on this touchpad</source>
@@ -895,7 +911,7 @@
     </message>
     <message>
         <source>Camera of this computer</source>
-        <translation type="unfinished"></translation>
+        <translation>Caméra de cet ordinateur</translation>
     </message>
     <message>
         <source>Camera panel</source>
@@ -1066,8 +1082,12 @@
         <translation>Choisir les courbes</translation>
     </message>
     <message>
+        <source>Choose others</source>
+        <translation>En choisir d’autres</translation>
+    </message>
+    <message>
         <source>Choose the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir la caméra.</translation>
     </message>
     <message>
         <source>Choose the file</source>
@@ -1075,7 +1095,7 @@
     </message>
     <message>
         <source>Choose the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir le dossier.</translation>
     </message>
     <message>
         <source>Choose the key file</source>
@@ -1087,11 +1107,11 @@
     </message>
     <message>
         <source>Choose the motor board's serial port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir le port série de la carte moteurs.</translation>
     </message>
     <message>
         <source>Choose the recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir l’enregistrement.</translation>
     </message>
     <message>
         <source>Choose the robot's stiffness or set one by hand.</source>
@@ -1107,11 +1127,15 @@
     </message>
     <message>
         <source>Choose the serial port; behind a colon its speed, 115 200 Bd without.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir le port série ; après un deux-points sa vitesse, sans elle 115 200 Bd.</translation>
+    </message>
+    <message>
+        <source>Choose the touchpad and its camera in Devices, then press Connect there.</source>
+        <translation>Choisir le touchpad et sa caméra dans Appareils, puis y presser Connecter.</translation>
     </message>
     <message>
         <source>Choose the video file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir le fichier vidéo.</translation>
     </message>
     <message>
         <source>Choose two sessions to compare, the second with Ctrl.</source>
@@ -1178,6 +1202,10 @@
         <translation>Fermer le panneau de réglage</translation>
     </message>
     <message>
+        <source>Close: %1</source>
+        <translation>Fermer : %1</translation>
+    </message>
+    <message>
         <source>Closed loop: cloth and robot answer as identified from this recording.</source>
         <translation>Boucle fermée : tissu et robot répondent comme identifié dans cet enregistrement.</translation>
     </message>
@@ -1235,11 +1263,11 @@
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Connecter</translation>
     </message>
     <message>
         <source>Connect devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Connecter les appareils</translation>
     </message>
     <message>
         <source>Connected</source>
@@ -1247,7 +1275,7 @@
     </message>
     <message>
         <source>Connected: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Connecté : %1.</translation>
     </message>
     <message>
         <source>Connection refused</source>
@@ -1437,7 +1465,11 @@ mm</translation>
     </message>
     <message>
         <source>Devices can be changed only while nothing can move. Press Esc first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les appareils ne peuvent être changés que tant que rien ne peut bouger. Presser d’abord Esc.</translation>
+    </message>
+    <message>
+        <source>Devices not found</source>
+        <translation>Appareils introuvables</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -1643,11 +1675,11 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     </message>
     <message>
         <source>Enter the stream's address, such as http://192.168.0.7:8090/.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrer l’adresse du flux, par exemple http://192.168.0.7:8090/.</translation>
     </message>
     <message>
         <source>Enter the touchpad's address and port, such as 192.168.0.7:502.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrer l’adresse et le port du touchpad, par exemple 192.168.0.7:502.</translation>
     </message>
     <message>
         <source>Error</source>
@@ -1906,12 +1938,20 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Lecture du premier codeur à étirement nul.</translation>
     </message>
     <message>
+        <source>First steps</source>
+        <translation>Premiers pas</translation>
+    </message>
+    <message>
+        <source>First touch</source>
+        <translation>Premier toucher</translation>
+    </message>
+    <message>
         <source>Fit</source>
         <translation>Ajustement</translation>
     </message>
     <message>
         <source>Folder of pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Dossier d’images</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -2058,6 +2098,14 @@ N</translation>
     <message>
         <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
         <translation>Aller jusqu'au poids le plus lourd, puis retirer les mêmes poids un à un.</translation>
+    </message>
+    <message>
+        <source>Go to Operate, hold Arm in the bar above until it acts, then press the cloth with a finger. Esc stops at any time.</source>
+        <translation>Aller à Conduite, maintenir le bouton d’armement de la barre du haut jusqu’à ce qu’il agisse, puis presser le tissu du doigt. Esc arrête à tout moment.</translation>
+    </message>
+    <message>
+        <source>Go to Operate, hold Arm in the bar above until it acts, then press the cloth: with the mouse on the camera's picture.</source>
+        <translation>Aller à Conduite, maintenir le bouton d’armement de la barre du haut jusqu’à ce qu’il agisse, puis presser le tissu : à la souris sur l’image de la caméra.</translation>
     </message>
     <message>
         <source>Go to a time</source>
@@ -2564,6 +2612,10 @@ Robot : %2
         <translation>Erreur de mesure durable</translation>
     </message>
     <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+    <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
         <translation>Poser la cible imprimée sur le tissu, cliquer une de ses marques dans l'image, saisir sa position et prendre le point.</translation>
     </message>
@@ -2750,7 +2802,10 @@ s</translation>
 %2
 
 It is tried again by itself. Another camera is chosen in Devices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cherchée : %1
+%2
+
+Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareils.</translation>
     </message>
     <message>
         <source>Looking at cameras …</source>
@@ -2909,6 +2964,10 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
         <translation>Millimètres par pixel le long d'une ligne de l'image.</translation>
     </message>
     <message>
+        <source>Mine …</source>
+        <translation>Le mien …</translation>
+    </message>
+    <message>
         <source>Missing now: %1</source>
         <translation>Manque à présent : %1</translation>
     </message>
@@ -2942,11 +3001,11 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>Motor board (qbmove)</source>
-        <translation type="unfinished"></translation>
+        <translation>Carte moteurs (qbmove)</translation>
     </message>
     <message>
         <source>Motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Moteurs</translation>
     </message>
     <message>
         <source>Motors answer</source>
@@ -2990,7 +3049,7 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>Network (Modbus TCP)</source>
-        <translation type="unfinished"></translation>
+        <translation>Réseau (Modbus TCP)</translation>
     </message>
     <message>
         <source>Network is down</source>
@@ -3106,7 +3165,7 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>No serial port and no camera. A touchpad on the network is not searched for: enter its address. Simulated parts work without any.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun port série et aucune caméra. Un touchpad sur le réseau n’est pas cherché : entrer son adresse. Les parties simulées marchent sans.</translation>
     </message>
     <message>
         <source>No session has these words.</source>
@@ -3178,15 +3237,15 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>Not connected: something can move again. Press Esc, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non connecté : quelque chose peut de nouveau bouger. Presser Esc, puis réessayer.</translation>
     </message>
     <message>
         <source>Not connected; all is as it was. %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non connecté ; tout est comme avant. %1.</translation>
     </message>
     <message>
         <source>Not connected; the former devices are back. %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non connecté ; les appareils précédents sont de retour. %1.</translation>
     </message>
     <message>
         <source>Not following: press F to follow again</source>
@@ -3642,7 +3701,7 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>Puts it into the form; nothing is connected yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le met dans le formulaire ; rien n’est encore connecté.</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -3784,7 +3843,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Recording, played back</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrement, rejoué</translation>
     </message>
     <message>
         <source>Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)</source>
@@ -3796,7 +3855,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Recordings (*.h5);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrements (*.h5);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Record…</source>
@@ -3936,11 +3995,11 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Robot: %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot : %1 …</translation>
     </message>
     <message>
         <source>Robot…</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot…</translation>
     </message>
     <message>
         <source>Round trip</source>
@@ -4088,7 +4147,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Serial line (Modbus RTU)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ligne série (Modbus RTU)</translation>
     </message>
     <message>
         <source>Serial port</source>
@@ -4219,6 +4278,10 @@ s</translation>
     <message>
         <source>Simulated finger: %1</source>
         <translation>Doigt simulé : %1</translation>
+    </message>
+    <message>
+        <source>Simulated or mine?</source>
+        <translation>Simulé ou le mien ?</translation>
     </message>
     <message>
         <source>Simulated points, from the simulator's own truth and noise. No part was measured.</source>
@@ -4452,7 +4515,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Stream (address)</source>
-        <translation type="unfinished"></translation>
+        <translation>Flux (adresse)</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -4611,6 +4674,10 @@ N/mm</translation>
         <translation>Signal de texture</translation>
     </message>
     <message>
+        <source>That was the first touch. Esc or STOP switches the motors off; the manual (F1) explains the rest.</source>
+        <translation>C’était le premier toucher. Esc ou STOP coupe les moteurs ; le manuel (F1) explique le reste.</translation>
+    </message>
+    <message>
         <source>The breakaway of both motors, and sweeps at two stretches, 10° apart, with an accelerometer.</source>
         <translation>Le décollage des deux moteurs, et des balayages à deux étirements, à 10° l'un de l'autre, avec un accéléromètre.</translation>
     </message>
@@ -4652,7 +4719,11 @@ N/mm</translation>
     </message>
     <message>
         <source>The devices are asked first. Then the session starts anew; motors stay off until you arm. The choice is remembered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les appareils sont d’abord interrogés. Puis la session recommence ; les moteurs restent coupés jusqu’à l’armement. Le choix est retenu.</translation>
+    </message>
+    <message>
+        <source>The devices of last time are not there. Looked for: %1. %2.</source>
+        <translation>Les appareils de la dernière fois ne sont pas là. Cherchés : %1. %2.</translation>
     </message>
     <message>
         <source>The file before is still being written; try again.</source>
@@ -4680,7 +4751,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The former session has ended; the new one begins. Motors are off.</source>
-        <translation type="unfinished"></translation>
+        <translation>La session précédente est finie ; la nouvelle commence. Les moteurs sont coupés.</translation>
     </message>
     <message>
         <source>The haptic loop says nothing; the last state was %1.</source>
@@ -4784,7 +4855,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The robot is chosen in the link's panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le robot se choisit dans le panneau de la liaison.</translation>
     </message>
     <message>
         <source>The robot must have the same key; "fyd link keygen" makes one.</source>
@@ -4824,7 +4895,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
-        <translation type="unfinished"></translation>
+        <translation>La session n’a pas d’appareils : elle est fermée. Les choisir à côté et presser Connecter.</translation>
     </message>
     <message>
         <source>The session has no robot; the target is set by hand.</source>
@@ -4832,7 +4903,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The session is closed. %1. Choose other devices.</source>
-        <translation type="unfinished"></translation>
+        <translation>La session est fermée. %1. Choisir d’autres appareils.</translation>
     </message>
     <message>
         <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>
@@ -4871,8 +4942,12 @@ Pour commencer : %1</translation>
         <translation>La consigne est hors de portée ; rendu de la plus proche, {:.3f} N/mm.</translation>
     </message>
     <message>
+        <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
+        <translation>Le touchpad répond. Étalonner ses parties, pour qu’on puisse se fier à ce qu’il montre ; les moteurs ne bougent que tant qu’un bouton est maintenu.</translation>
+    </message>
+    <message>
         <source>The touchpad's own</source>
-        <translation type="unfinished"></translation>
+        <translation>Du touchpad lui-même</translation>
     </message>
     <message>
         <source>The values are, within the tolerance stated for that.</source>
@@ -4941,6 +5016,10 @@ Pour commencer : %1</translation>
     <message>
         <source>Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: each touch moves it from where it stands.</source>
         <translation>Mode thèse : le robot va où est le doigt, avec un saut à chaque nouveau toucher ; éteint : chaque toucher le déplace d'où il se trouve.</translation>
+    </message>
+    <message>
+        <source>They are asked again by themselves: check power and cables.</source>
+        <translation>Ils sont interrogés de nouveau d’eux-mêmes : vérifier l’alimentation et les câbles.</translation>
     </message>
     <message>
         <source>This angle is taken.</source>
@@ -5055,6 +5134,10 @@ Pour commencer : %1</translation>
         <translation>Essai %1 sur %2 : %3.</translation>
     </message>
     <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
         <source>Tune</source>
         <translation>Réglage</translation>
     </message>
@@ -5124,7 +5207,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Use %1 as: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Utiliser %1 comme : %2</translation>
     </message>
     <message>
         <source>Use a preset's values</source>
@@ -5141,6 +5224,10 @@ Pour commencer : %1</translation>
     <message>
         <source>Use the proposed values; one step to undo</source>
         <translation>Utiliser les valeurs proposées ; une seule étape à annuler</translation>
+    </message>
+    <message>
+        <source>Use the simulation</source>
+        <translation>Utiliser la simulation</translation>
     </message>
     <message>
         <source>Value</source>
@@ -5172,7 +5259,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Video file</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichier vidéo</translation>
     </message>
     <message>
         <source>Video without loss</source>
@@ -5203,6 +5290,10 @@ Pour commencer : %1</translation>
         <translation>Poids</translation>
     </message>
     <message>
+        <source>Welcome. Try everything on the simulated touchpad, or connect your own. The answer is remembered and can be changed in Devices.</source>
+        <translation>Bienvenue. On peut tout essayer sur le touchpad simulé, ou connecter le sien. La réponse est retenue et peut être changée dans Appareils.</translation>
+    </message>
+    <message>
         <source>Well</source>
         <translation>Bien</translation>
     </message>
@@ -5220,7 +5311,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>What one is used as goes into the form; Connect takes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les boutons mettent l’appareil dans le formulaire ; Connecter le prend.</translation>
     </message>
     <message>
         <source>What stands in the robot's place and is touched; "fyd scene keys" shows what it may say.</source>
@@ -5728,7 +5819,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>camera %1</source>
-        <translation type="unfinished"></translation>
+        <translation>caméra %1</translation>
     </message>
     <message>
         <source>camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, id=SERIAL, a video file, a folder of pictures or a stream's URL</source>
@@ -6836,7 +6927,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>motors %1</source>
-        <translation type="unfinished"></translation>
+        <translation>moteurs %1</translation>
     </message>
     <message>
         <source>motors '{}': a recording drives no motors</source>
@@ -6881,6 +6972,10 @@ Pour commencer : %1</translation>
     <message>
         <source>no answer in {:.0f} ms; is it switched on and connected?</source>
         <translation>pas de réponse en {:.0f} ms ; est-il allumé et connecté ?</translation>
+    </message>
+    <message>
+        <source>no answer yet</source>
+        <translation>pas encore de réponse</translation>
     </message>
     <message>
         <source>no catalogue was chosen</source>
@@ -7488,7 +7583,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>robot %1</source>
-        <translation type="unfinished"></translation>
+        <translation>robot %1</translation>
     </message>
     <message>
         <source>robot '{}': FYD Link needs a key file; fyd link keygen makes one</source>
@@ -8316,7 +8411,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>touchpad %1</source>
-        <translation type="unfinished"></translation>
+        <translation>touchpad %1</translation>
     </message>
     <message>
         <source>touchpad at {}</source>
@@ -9243,6 +9338,10 @@ Pour commencer : %1</translation>
         <translation>{} : pas de permission. S'ajouter à son groupe par « sudo usermod -aG {} $USER » et se reconnecter</translation>
     </message>
     <message>
+        <source>{}: no picture can be made</source>
+        <translation>{} : aucune image ne peut être faite</translation>
+    </message>
+    <message>
         <source>{}: no picture of this format can be made</source>
         <translation>{} : aucune image de ce format ne peut être faite</translation>
     </message>
@@ -9856,7 +9955,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}; the former devices could not be had again either: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ; les appareils précédents n’ont pas pu être repris non plus : {}</translation>
     </message>
     <message>
         <source>{}; the former session could not be had again either: {}</source>

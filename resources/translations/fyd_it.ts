@@ -327,11 +327,15 @@
     </message>
     <message>
         <source>%1: choose the file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: scegliere il file</translation>
     </message>
     <message>
         <source>%1: difference %2, mean %3</source>
         <translation>%1: differenza %2, media %3</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation>%1: fatto</translation>
     </message>
     <message>
         <source>%1: expected a number</source>
@@ -340,6 +344,10 @@
     <message>
         <source>%1: expected at least %2 s</source>
         <translation>%1: attesi almeno %2 s</translation>
+    </message>
+    <message>
+        <source>%1: now</source>
+        <translation>%1: adesso</translation>
     </message>
     <message>
         <source>%1: this folder cannot be made</source>
@@ -519,7 +527,7 @@
     </message>
     <message>
         <source>A recording is under way and would end. End it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>È in corso una registrazione, che finirebbe. Terminarla prima.</translation>
     </message>
     <message>
         <source>A rectangle around the cloth, with a finger in it.</source>
@@ -731,11 +739,11 @@
     </message>
     <message>
         <source>Asking the devices whether they answer …</source>
-        <translation type="unfinished"></translation>
+        <translation>Si chiede ai dispositivi se rispondono …</translation>
     </message>
     <message>
         <source>Asking the devices whether they answer. The present session goes on meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si chiede ai dispositivi se rispondono. La sessione attuale intanto continua.</translation>
     </message>
     <message>
         <source>At A</source>
@@ -870,12 +878,20 @@
         <translation>Calibra</translation>
     </message>
     <message>
+        <source>Calibrate (the simulation needs none)</source>
+        <translation>Calibra (la simulazione non ne ha bisogno)</translation>
+    </message>
+    <message>
         <source>Calibrate it again under Calibrate. It does not keep you from arming.</source>
         <translation>Rifare la calibrazione in Calibra. Non impedisce di armare.</translation>
     </message>
     <message>
         <source>Calibrate this one under Calibrate. It does not keep you from arming.</source>
         <translation>Calibrarlo in Calibra. Non impedisce di armare.</translation>
+    </message>
+    <message>
+        <source>Calibrate: %1 of %2 parts</source>
+        <translation>Calibra: %1 parti su %2</translation>
     </message>
     <message>
         <source>Calibrated on this touchpad</source>
@@ -895,7 +911,7 @@
     </message>
     <message>
         <source>Camera of this computer</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera di questo computer</translation>
     </message>
     <message>
         <source>Camera panel</source>
@@ -1066,8 +1082,12 @@
         <translation>Scegli le curve</translation>
     </message>
     <message>
+        <source>Choose others</source>
+        <translation>Sceglierne altri</translation>
+    </message>
+    <message>
         <source>Choose the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere la telecamera.</translation>
     </message>
     <message>
         <source>Choose the file</source>
@@ -1075,7 +1095,7 @@
     </message>
     <message>
         <source>Choose the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere la cartella.</translation>
     </message>
     <message>
         <source>Choose the key file</source>
@@ -1087,11 +1107,11 @@
     </message>
     <message>
         <source>Choose the motor board's serial port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere la porta seriale della scheda motori.</translation>
     </message>
     <message>
         <source>Choose the recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere la registrazione.</translation>
     </message>
     <message>
         <source>Choose the robot's stiffness or set one by hand.</source>
@@ -1107,11 +1127,15 @@
     </message>
     <message>
         <source>Choose the serial port; behind a colon its speed, 115 200 Bd without.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere la porta seriale; dopo due punti la sua velocità, senza è 115 200 Bd.</translation>
+    </message>
+    <message>
+        <source>Choose the touchpad and its camera in Devices, then press Connect there.</source>
+        <translation>Scegliere il touchpad e la sua telecamera in Dispositivi, poi premere lì Collega.</translation>
     </message>
     <message>
         <source>Choose the video file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere il file video.</translation>
     </message>
     <message>
         <source>Choose two sessions to compare, the second with Ctrl.</source>
@@ -1178,6 +1202,10 @@
         <translation>Chiudi il pannello di regolazione</translation>
     </message>
     <message>
+        <source>Close: %1</source>
+        <translation>Chiudi: %1</translation>
+    </message>
+    <message>
         <source>Closed loop: cloth and robot answer as identified from this recording.</source>
         <translation>Anello chiuso: tessuto e robot rispondono come identificato da questa registrazione.</translation>
     </message>
@@ -1235,11 +1263,11 @@
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Collega</translation>
     </message>
     <message>
         <source>Connect devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Collega i dispositivi</translation>
     </message>
     <message>
         <source>Connected</source>
@@ -1247,7 +1275,7 @@
     </message>
     <message>
         <source>Connected: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collegato: %1.</translation>
     </message>
     <message>
         <source>Connection refused</source>
@@ -1437,7 +1465,11 @@ mm</translation>
     </message>
     <message>
         <source>Devices can be changed only while nothing can move. Press Esc first.</source>
-        <translation type="unfinished"></translation>
+        <translation>I dispositivi si possono cambiare solo mentre nulla si può muovere. Premere prima Esc.</translation>
+    </message>
+    <message>
+        <source>Devices not found</source>
+        <translation>Dispositivi non trovati</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -1643,11 +1675,11 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     </message>
     <message>
         <source>Enter the stream's address, such as http://192.168.0.7:8090/.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inserire l’indirizzo del flusso, come http://192.168.0.7:8090/.</translation>
     </message>
     <message>
         <source>Enter the touchpad's address and port, such as 192.168.0.7:502.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inserire indirizzo e porta del touchpad, come 192.168.0.7:502.</translation>
     </message>
     <message>
         <source>Error</source>
@@ -1906,12 +1938,20 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Lettura del primo encoder a tensione zero.</translation>
     </message>
     <message>
+        <source>First steps</source>
+        <translation>Primi passi</translation>
+    </message>
+    <message>
+        <source>First touch</source>
+        <translation>Primo tocco</translation>
+    </message>
+    <message>
         <source>Fit</source>
         <translation>Adattamento</translation>
     </message>
     <message>
         <source>Folder of pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Cartella di immagini</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -2058,6 +2098,14 @@ N</translation>
     <message>
         <source>Go on to the heaviest weight, then take the same weights off again one by one.</source>
         <translation>Arrivare al peso maggiore, poi togliere gli stessi pesi uno alla volta.</translation>
+    </message>
+    <message>
+        <source>Go to Operate, hold Arm in the bar above until it acts, then press the cloth with a finger. Esc stops at any time.</source>
+        <translation>Andare a Lavoro, tenere premuto il pulsante per armare nella barra in alto finché agisce, poi premere il tessuto con un dito. Esc ferma in ogni momento.</translation>
+    </message>
+    <message>
+        <source>Go to Operate, hold Arm in the bar above until it acts, then press the cloth: with the mouse on the camera's picture.</source>
+        <translation>Andare a Lavoro, tenere premuto il pulsante per armare nella barra in alto finché agisce, poi premere il tessuto: col mouse sull’immagine della telecamera.</translation>
     </message>
     <message>
         <source>Go to a time</source>
@@ -2564,6 +2612,10 @@ Robot: %2
         <translation>Errore di misura duraturo</translation>
     </message>
     <message>
+        <source>Later</source>
+        <translation>Più tardi</translation>
+    </message>
+    <message>
         <source>Lay the printed target on the cloth, click one of its marks in the picture, type where it lies, and take the point.</source>
         <translation>Posare il bersaglio stampato sul tessuto, fare clic su un suo segno nell'immagine, scrivere dove si trova e prendere il punto.</translation>
     </message>
@@ -2750,7 +2802,10 @@ s</translation>
 %2
 
 It is tried again by itself. Another camera is chosen in Devices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cercata: %1
+%2
+
+Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation>
     </message>
     <message>
         <source>Looking at cameras …</source>
@@ -2909,6 +2964,10 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
         <translation>Millimetri per pixel lungo una riga dell'immagine.</translation>
     </message>
     <message>
+        <source>Mine …</source>
+        <translation>Il mio …</translation>
+    </message>
+    <message>
         <source>Missing now: %1</source>
         <translation>Manca ora: %1</translation>
     </message>
@@ -2942,11 +3001,11 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>Motor board (qbmove)</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheda motori (qbmove)</translation>
     </message>
     <message>
         <source>Motors</source>
-        <translation type="unfinished"></translation>
+        <translation>Motori</translation>
     </message>
     <message>
         <source>Motors answer</source>
@@ -2990,7 +3049,7 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>Network (Modbus TCP)</source>
-        <translation type="unfinished"></translation>
+        <translation>Rete (Modbus TCP)</translation>
     </message>
     <message>
         <source>Network is down</source>
@@ -3106,7 +3165,7 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>No serial port and no camera. A touchpad on the network is not searched for: enter its address. Simulated parts work without any.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna porta seriale e nessuna telecamera. Un touchpad in rete non viene cercato: inserirne l’indirizzo. Le parti simulate funzionano senza.</translation>
     </message>
     <message>
         <source>No session has these words.</source>
@@ -3178,15 +3237,15 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>Not connected: something can move again. Press Esc, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non collegato: qualcosa si può di nuovo muovere. Premere Esc, poi riprovare.</translation>
     </message>
     <message>
         <source>Not connected; all is as it was. %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non collegato; tutto è come prima. %1.</translation>
     </message>
     <message>
         <source>Not connected; the former devices are back. %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non collegato; sono tornati i dispositivi precedenti. %1.</translation>
     </message>
     <message>
         <source>Not following: press F to follow again</source>
@@ -3642,7 +3701,7 @@ It is tried again by itself. Another camera is chosen in Devices.</source>
     </message>
     <message>
         <source>Puts it into the form; nothing is connected yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo mette nel modulo; ancora nulla viene collegato.</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -3784,7 +3843,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Recording, played back</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrazione, riprodotta</translation>
     </message>
     <message>
         <source>Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)</source>
@@ -3796,7 +3855,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Recordings (*.h5);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrazioni (*.h5);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Record…</source>
@@ -3936,11 +3995,11 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Robot: %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot: %1 …</translation>
     </message>
     <message>
         <source>Robot…</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot…</translation>
     </message>
     <message>
         <source>Round trip</source>
@@ -4088,7 +4147,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Serial line (Modbus RTU)</source>
-        <translation type="unfinished"></translation>
+        <translation>Linea seriale (Modbus RTU)</translation>
     </message>
     <message>
         <source>Serial port</source>
@@ -4219,6 +4278,10 @@ s</translation>
     <message>
         <source>Simulated finger: %1</source>
         <translation>Dito simulato: %1</translation>
+    </message>
+    <message>
+        <source>Simulated or mine?</source>
+        <translation>Simulato o il mio?</translation>
     </message>
     <message>
         <source>Simulated points, from the simulator's own truth and noise. No part was measured.</source>
@@ -4452,7 +4515,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Stream (address)</source>
-        <translation type="unfinished"></translation>
+        <translation>Flusso (indirizzo)</translation>
     </message>
     <message>
         <source>Stretch</source>
@@ -4611,6 +4674,10 @@ N/mm</translation>
         <translation>Segnale della texture</translation>
     </message>
     <message>
+        <source>That was the first touch. Esc or STOP switches the motors off; the manual (F1) explains the rest.</source>
+        <translation>Questo era il primo tocco. Esc o STOP spegne i motori; il manuale (F1) spiega il resto.</translation>
+    </message>
+    <message>
         <source>The breakaway of both motors, and sweeps at two stretches, 10° apart, with an accelerometer.</source>
         <translation>Lo spunto di entrambi i motori, e scansioni a due stiramenti, distanti 10°, con un accelerometro.</translation>
     </message>
@@ -4652,7 +4719,11 @@ N/mm</translation>
     </message>
     <message>
         <source>The devices are asked first. Then the session starts anew; motors stay off until you arm. The choice is remembered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima si interrogano i dispositivi. Poi la sessione ricomincia; i motori restano spenti finché non si arma. La scelta viene ricordata.</translation>
+    </message>
+    <message>
+        <source>The devices of last time are not there. Looked for: %1. %2.</source>
+        <translation>I dispositivi dell’ultima volta non ci sono. Cercati: %1. %2.</translation>
     </message>
     <message>
         <source>The file before is still being written; try again.</source>
@@ -4680,7 +4751,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The former session has ended; the new one begins. Motors are off.</source>
-        <translation type="unfinished"></translation>
+        <translation>La sessione precedente è finita; comincia la nuova. I motori sono spenti.</translation>
     </message>
     <message>
         <source>The haptic loop says nothing; the last state was %1.</source>
@@ -4784,7 +4855,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The robot is chosen in the link's panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il robot si sceglie nel pannello del collegamento.</translation>
     </message>
     <message>
         <source>The robot must have the same key; "fyd link keygen" makes one.</source>
@@ -4824,7 +4895,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
-        <translation type="unfinished"></translation>
+        <translation>La sessione non ha dispositivi: è chiusa. Sceglierli qui accanto e premere Collega.</translation>
     </message>
     <message>
         <source>The session has no robot; the target is set by hand.</source>
@@ -4832,7 +4903,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The session is closed. %1. Choose other devices.</source>
-        <translation type="unfinished"></translation>
+        <translation>La sessione è chiusa. %1. Scegliere altri dispositivi.</translation>
     </message>
     <message>
         <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>
@@ -4871,8 +4942,12 @@ Per cominciare: %1</translation>
         <translation>L'obiettivo è fuori portata; si rende il più vicino, {:.3f} N/mm.</translation>
     </message>
     <message>
+        <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
+        <translation>Il touchpad risponde. Calibrarne le parti, perché ci si possa fidare di ciò che mostra; i motori si muovono solo mentre si tiene premuto un pulsante.</translation>
+    </message>
+    <message>
         <source>The touchpad's own</source>
-        <translation type="unfinished"></translation>
+        <translation>Del touchpad stesso</translation>
     </message>
     <message>
         <source>The values are, within the tolerance stated for that.</source>
@@ -4941,6 +5016,10 @@ Per cominciare: %1</translation>
     <message>
         <source>Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: each touch moves it from where it stands.</source>
         <translation>Modo tesi: il robot va dove è il dito, con un salto a ogni nuovo tocco; spento: ogni tocco lo muove da dove si trova.</translation>
+    </message>
+    <message>
+        <source>They are asked again by themselves: check power and cables.</source>
+        <translation>Vengono interrogati di nuovo da soli: controllare alimentazione e cavi.</translation>
     </message>
     <message>
         <source>This angle is taken.</source>
@@ -5055,6 +5134,10 @@ Per cominciare: %1</translation>
         <translation>Prova %1 di %2: %3.</translation>
     </message>
     <message>
+        <source>Try again</source>
+        <translation>Riprova</translation>
+    </message>
+    <message>
         <source>Tune</source>
         <translation>Regola</translation>
     </message>
@@ -5124,7 +5207,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Use %1 as: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Usa %1 come: %2</translation>
     </message>
     <message>
         <source>Use a preset's values</source>
@@ -5141,6 +5224,10 @@ Per cominciare: %1</translation>
     <message>
         <source>Use the proposed values; one step to undo</source>
         <translation>Usa i valori proposti; un solo passo da annullare</translation>
+    </message>
+    <message>
+        <source>Use the simulation</source>
+        <translation>Usare la simulazione</translation>
     </message>
     <message>
         <source>Value</source>
@@ -5172,7 +5259,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Video file</source>
-        <translation type="unfinished"></translation>
+        <translation>File video</translation>
     </message>
     <message>
         <source>Video without loss</source>
@@ -5203,6 +5290,10 @@ Per cominciare: %1</translation>
         <translation>Peso</translation>
     </message>
     <message>
+        <source>Welcome. Try everything on the simulated touchpad, or connect your own. The answer is remembered and can be changed in Devices.</source>
+        <translation>Benvenuti. Si può provare tutto sul touchpad simulato, o collegare il proprio. La risposta viene ricordata e si può cambiare in Dispositivi.</translation>
+    </message>
+    <message>
         <source>Well</source>
         <translation>Bene</translation>
     </message>
@@ -5220,7 +5311,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>What one is used as goes into the form; Connect takes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>I pulsanti mettono il dispositivo nel modulo; Collega lo prende.</translation>
     </message>
     <message>
         <source>What stands in the robot's place and is touched; "fyd scene keys" shows what it may say.</source>
@@ -5728,7 +5819,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>camera %1</source>
-        <translation type="unfinished"></translation>
+        <translation>telecamera %1</translation>
     </message>
     <message>
         <source>camera '{}': no such file or folder; expected a device number, a path such as /dev/video0, id=SERIAL, a video file, a folder of pictures or a stream's URL</source>
@@ -6836,7 +6927,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>motors %1</source>
-        <translation type="unfinished"></translation>
+        <translation>motori %1</translation>
     </message>
     <message>
         <source>motors '{}': a recording drives no motors</source>
@@ -6881,6 +6972,10 @@ Per cominciare: %1</translation>
     <message>
         <source>no answer in {:.0f} ms; is it switched on and connected?</source>
         <translation>nessuna risposta in {:.0f} ms; è acceso e collegato?</translation>
+    </message>
+    <message>
+        <source>no answer yet</source>
+        <translation>ancora nessuna risposta</translation>
     </message>
     <message>
         <source>no catalogue was chosen</source>
@@ -7488,7 +7583,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>robot %1</source>
-        <translation type="unfinished"></translation>
+        <translation>robot %1</translation>
     </message>
     <message>
         <source>robot '{}': FYD Link needs a key file; fyd link keygen makes one</source>
@@ -8316,7 +8411,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>touchpad %1</source>
-        <translation type="unfinished"></translation>
+        <translation>touchpad %1</translation>
     </message>
     <message>
         <source>touchpad at {}</source>
@@ -9243,6 +9338,10 @@ Per cominciare: %1</translation>
         <translation>{}: nessun permesso. Aggiungersi al suo gruppo con "sudo usermod -aG {} $USER" e rifare l'accesso</translation>
     </message>
     <message>
+        <source>{}: no picture can be made</source>
+        <translation>{}: non si può fare alcuna immagine</translation>
+    </message>
+    <message>
         <source>{}: no picture of this format can be made</source>
         <translation>{}: non si può produrre un'immagine in questo formato</translation>
     </message>
@@ -9856,7 +9955,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}; the former devices could not be had again either: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}; neppure i dispositivi precedenti si sono potuti riavere: {}</translation>
     </message>
     <message>
         <source>{}; the former session could not be had again either: {}</source>
