@@ -23,6 +23,7 @@ constexpr Topic kWidgets[] = {
     {"fyd::widgets::StateBar", "operate.md#state-bar"},
     {"fyd::widgets::LinkPanel", "operate.md#link"},
     {"fyd::widgets::RobotForm", "operate.md#link"},
+    {"fyd::widgets::ConnectionForm", "devices.md#choosing-and-connecting-in-the-window"},
     {"fyd::widgets::CameraPanel", "operate.md#camera"},
     {"fyd::widgets::CurveView", "operate.md#curves"},
     {"fyd::widgets::CurveSetupPanel", "operate.md#curves"},
