@@ -46,6 +46,17 @@ bool fits(const QCPAxis& axis, const QVector<double>& ticks, const QVector<QStri
   return true;
 }
 
+/// Least number of decimals that write this step exactly: 0 for 2, 1 for 2.5; more than kMostDecimals when none do.
+int decimalsOf(double step) {
+  int decimals = 0;
+  double scaled = step;
+  while (decimals <= kMostDecimals && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled) {
+    scaled *= 10.0;
+    ++decimals;
+  }
+  return decimals;
+}
+
 }  // namespace
 
 void keepLabelsWithRoom(const QCPAxis& axis, const QVector<double>& ticks, QVector<QString>& labels, int before_px,
@@ -76,12 +87,11 @@ void NumberTicker::generate(const QCPRange& range, const QLocale& locale, QChar 
   if (level) setTickCount(std::clamp(axis_->axisRect()->width() / kRoom_px, 1, kMostTicks));
   QCPAxisTicker::generate(range, locale, format, precision, ticks, sub_ticks, labels);
   if (labels == nullptr) return;
-  const double step = getTickStep(range);
-  const int decimals = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+  const int decimals = decimalsOf(getTickStep(range));
   for (qsizetype i = 0; i < ticks.size(); ++i) {
     const double number = ticks[i] + at_zero_;
     if (std::abs(number) < kMost && decimals <= kMostDecimals) {
-      (*labels)[i] = numberText(number, std::max(0, decimals)) + unit_;
+      (*labels)[i] = numberText(number, decimals) + unit_;
     } else {
       (*labels)[i] = (*labels)[i].replace(QLatin1Char('-'), QChar(0x2212)) + unit_;
     }

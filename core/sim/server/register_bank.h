@@ -32,8 +32,9 @@ class RegisterBank {
   static constexpr std::uint16_t kSize = protocol::kCommandAddress + protocol::kCommandRegisters;
   using Image = std::array<std::uint16_t, kSize>;
 
+  RegisterBank() = default;
   /// @param serial number that the identity registers tell, at most 16 characters
-  explicit RegisterBank(std::string serial = "FYD-SIM-0001") : serial_(std::move(serial)) {}
+  explicit RegisterBank(std::string serial) : serial_(std::move(serial)) {}
 
   /// Power comes up at `now`. @param cause `undervoltage` after a brown-out
   void restart(Instant now, protocol::DriveFault cause);
@@ -65,7 +66,7 @@ class RegisterBank {
                                              bool obeys);
   [[nodiscard]] protocol::DeviceState stateFor(int master, const device::TouchpadReadings& readings, Instant now);
 
-  std::string serial_;
+  std::string serial_ = "FYD-SIM-0001";
   protocol::Drive drive_;
   protocol::DeviceCommand command_;
   protocol::CommandRegisters command_image_{};

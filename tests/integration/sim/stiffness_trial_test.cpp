@@ -229,7 +229,7 @@ TEST(StiffnessTrial, AutoTuneOnTheSimulatedChainProposesAStableLoop) {
   const auto proposal = control::proposeGains(recordExcitation(trial), trial.parameters.control);
   ASSERT_TRUE(proposal) << proposal.error().text();
   EXPECT_NEAR(proposal->cloth.scale, 1.15, 0.06);
-  EXPECT_TRUE(proposal->after.stable);
+  EXPECT_TRUE(proposal->after.stable());
   trial.parameters.control = proposal->proposed;
   trial.target_N_per_mm = 0.7;
   const TrialResult result = runTrial(trial);
