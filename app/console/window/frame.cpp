@@ -21,8 +21,23 @@ void claimSize(Page& page, bool claims) {
   page.setSizePolicy(policy, policy);
 }
 
+constexpr int kLeastPlace_px = 500;  // height of a place that is still used without scrolling inside it
+
+/// A scroll area takes the preferred height for its width as the least: this one has none, so that a low window
+/// shrinks lists and plots before anything scrolls away.
+class ShrinkingLayout : public QVBoxLayout {
+ public:
+  using QVBoxLayout::QVBoxLayout;
+  [[nodiscard]] bool hasHeightForWidth() const override { return false; }
+};
+
 /// The places as large as the area; larger, and scrolled, where it is smaller than what the shown one needs.
-QScrollArea* scrolled(QStackedWidget* places) {
+QScrollArea* scrolled(QStackedWidget* stack) {
+  auto* places = new QWidget;
+  places->setMinimumHeight(kLeastPlace_px);
+  auto* layout = new ShrinkingLayout(places);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(stack);
   auto* area = new QScrollArea;
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
