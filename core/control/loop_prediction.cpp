@@ -103,7 +103,7 @@ double noiseAt(double time_s, double sigma) {
   constexpr std::array kTones_Hz = {0.13, 0.31, 0.53, 0.89, 1.39, 2.23};
   double sum = 0.0;
   for (std::size_t i = 0; i < kTones_Hz.size(); ++i)
-    sum += std::sin(2 * std::numbers::pi * kTones_Hz[i] * time_s + 2.4 * static_cast<double>(i));
+    sum += math::sin(2 * std::numbers::pi * kTones_Hz[i] * time_s + 2.4 * static_cast<double>(i));
   return sigma * sum * std::sqrt(2.0 / static_cast<double>(kTones_Hz.size()));
 }
 

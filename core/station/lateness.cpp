@@ -21,8 +21,8 @@ bool mayBeLateness(pipeline::Fault fault) {
 Message describe(const Lateness& lateness) {
   if (!lateness.worthNaming()) return {};
   return say(
-      "this computer was late: {:.1f} % of the haptic cycles of the second before were missed, the longest gap "
-      "between two was {:.0f} ms; close other programs",
+      "this computer was late: {:.1f} % of the haptic cycles of that second were missed, longest gap {:.0f} ms; close "
+      "other programs",
       lateness.missed_percent, lateness.longest_gap_ms);
 }
 

@@ -21,7 +21,7 @@ struct Lateness {
 /// Whether a late computer gives this fault, too.
 [[nodiscard]] bool mayBeLateness(pipeline::Fault fault);
 
-/// "this computer was late: 7.2 % of the haptic cycles of the second before were missed, ..."; empty when it was not.
+/// "this computer was late: 7.2 % of the haptic cycles of that second were missed, ..."; empty when it was not.
 [[nodiscard]] Message describe(const Lateness& lateness);
 
 /// One call for each step.

@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, 12> kRobotCommands = {sentence("none"),
 
 Message heldSentence(const pipeline::Event& event, const Lateness& lateness) {
   const Message name = phrase(toString(event.state));
-  if (lateness.worthNaming() && mayBeLateness(event.fault)) {
-    return say("{}: {}; {}. Then re-arm.", name, phrase(toString(event.fault)), describe(lateness));
+  if (Message blame = blameOf(event, lateness); !blame.empty()) {
+    return say("{}: {}; {}. Then re-arm.", name, phrase(toString(event.fault)), std::move(blame));
   }
   return say("{}: {}. {} Then re-arm.", name, phrase(toString(event.fault)), phrase(remedy(event.fault)));
 }
@@ -66,6 +66,11 @@ Message changeSentence(const pipeline::Event& event, std::span<const Parameter> 
 std::string_view toString(pipeline::RobotCommand command) {
   const auto index = static_cast<std::size_t>(command);
   return index < kRobotCommands.size() ? kRobotCommands[index] : sentence("unknown");
+}
+
+Message blameOf(const pipeline::Event& event, const Lateness& lateness) {
+  const bool held = event.kind == pipeline::EventKind::state_changed && event.state == pipeline::SafetyState::held;
+  return held && mayBeLateness(event.fault) ? describe(lateness) : Message{};
 }
 
 Message describeEvent(const pipeline::Event& e, std::span<const Parameter> parameters, const Lateness& lateness) {

@@ -17,12 +17,16 @@ struct Notice {
   pipeline::Event event;
   Message message;
   bool of_step = true;  ///< false: about the session, a warning without an event
+  Message lateness;     ///< of this computer, where it may be why the state is Held; empty: it was on time
 };
 
 /// @param parameters the step's, for the names behind indices
 /// @param lateness of this computer in the second before: what went missing then is blamed on it, not on a cable
 [[nodiscard]] Message describeEvent(const pipeline::Event& event, std::span<const Parameter> parameters,
                                     const Lateness& lateness = {});
+
+/// What the computer's lateness may have to do with this event, as a phrase; empty: nothing.
+[[nodiscard]] Message blameOf(const pipeline::Event& event, const Lateness& lateness);
 
 /// Of a robot's command: "vibration up".
 [[nodiscard]] std::string_view toString(pipeline::RobotCommand command);

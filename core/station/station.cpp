@@ -245,7 +245,8 @@ std::vector<Notice> Station::takeNotices() {
   while (impl_->haptic.events.pop(event)) {
     out.push_back({.when = event.when,
                    .event = event.event,
-                   .message = describeEvent(event.event, impl_->bound, event.lateness)});
+                   .message = describeEvent(event.event, impl_->bound, event.lateness),
+                   .lateness = blameOf(event.event, event.lateness)});
     // What the robot's operator changed belongs to the profile as well.
     if (event.event.kind == pipeline::EventKind::parameter_changed && event.event.index < impl_->bound.size()) {
       impl_->bound[event.event.index].set(event.event.value);

@@ -1715,7 +1715,7 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     </message>
     <message>
         <source>Everything is simulated: time waits for this computer when it is late, %1 s so far, and nothing is Held for it.</source>
-        <translation>Tout est simulé : le temps attend cet ordinateur quand il est en retard, %1 s jusqu&apos;ici, et rien n&apos;est Bloqué pour cela.</translation>
+        <translation>Tout est simulé : le temps attend cet ordinateur quand il est en retard, %1 s jusqu'ici, et rien n'est Bloqué pour cela.</translation>
     </message>
     <message>
         <source>Everything needed is there; motors off.</source>
@@ -3478,6 +3478,10 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     <message>
         <source>Page of the manual</source>
         <translation>Page du manuel</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -8322,8 +8326,8 @@ Pour commencer : %1</translation>
         <translation>cette caméra n'en a pas, ou refuse la valeur</translation>
     </message>
     <message>
-        <source>this computer was late: {:.1f} % of the haptic cycles of the second before were missed, the longest gap between two was {:.0f} ms; close other programs</source>
-        <translation>cet ordinateur était en retard : {:.1f} % des cycles haptiques de la seconde précédente manqués, le plus long écart entre deux était de {:.0f} ms ; fermer d&apos;autres programmes</translation>
+        <source>this computer was late: {:.1f} % of the haptic cycles of that second were missed, longest gap {:.0f} ms; close other programs</source>
+        <translation>cet ordinateur était en retard : {:.1f} % des cycles haptiques de cette seconde manqués, plus long écart {:.0f} ms ; fermer d'autres programmes</translation>
     </message>
     <message>
         <source>this part was never calibrated: accept a calibration first</source>

@@ -215,7 +215,7 @@
     </message>
     <message>
         <source>%1 steps, %2 cycles missed since the start; a step takes %3 µs (median), %4 µs (99th percentile)</source>
-        <translation>%1 passi, %2 cicli mancati dall&apos;inizio; un passo dura %3 µs (mediana), %4 µs (99º percentile)</translation>
+        <translation>%1 passi, %2 cicli mancati dall'inizio; un passo dura %3 µs (mediana), %4 µs (99º percentile)</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -3478,6 +3478,10 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
     <message>
         <source>Page of the manual</source>
         <translation>Pagina del manuale</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Pannelli</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -8322,8 +8326,8 @@ Per cominciare: %1</translation>
         <translation>questa telecamera non ne ha, o rifiuta il valore</translation>
     </message>
     <message>
-        <source>this computer was late: {:.1f} % of the haptic cycles of the second before were missed, the longest gap between two was {:.0f} ms; close other programs</source>
-        <translation>questo computer era in ritardo: {:.1f} % dei cicli aptici del secondo precedente mancati, l&apos;intervallo più lungo tra due era di {:.0f} ms; chiudere altri programmi</translation>
+        <source>this computer was late: {:.1f} % of the haptic cycles of that second were missed, longest gap {:.0f} ms; close other programs</source>
+        <translation>questo computer era in ritardo: {:.1f} % dei cicli aptici di quel secondo mancati, intervallo più lungo {:.0f} ms; chiudere altri programmi</translation>
     </message>
     <message>
         <source>this part was never calibrated: accept a calibration first</source>

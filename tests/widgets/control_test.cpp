@@ -218,6 +218,26 @@ class ControlTest : public QObject {
     QVERIFY(!held(Fault::step_gap, {}).contains(QStringLiteral("back")));  // nothing had gone
   }
 
+  void heldNamesThisComputerInsteadOfACableWhenItWasLate() {
+    const QString late = QStringLiteral("this computer was late: 9.1 % of the haptic cycles missed");
+    widgets::StateBar bar;
+    bar.resize(1280, 120);
+    bar.show();
+    bar.showState(SafetyState::active, Fault::none);
+    bar.showLateness(late);  // the notice may come before the sample, and after it
+    bar.showState(SafetyState::held, Fault::camera_stale);
+    const auto said = [&] { return bar.accessibleDescription(); };
+    QVERIFY2(said().contains(QStringLiteral("This computer was late: 9.1 %")), qPrintable(said()));
+    QVERIFY2(!said().contains(QStringLiteral("cable")), qPrintable(said()));
+    // What is missing even now still has its cable.
+    bar.showMissing(
+        {widgets::asSentence(toString(Fault::camera_stale)), QStringLiteral("Check the cable of the camera.")});
+    QVERIFY2(said().contains(QStringLiteral("Check the cable of the camera.")), qPrintable(said()));
+    bar.showState(SafetyState::active, Fault::none);
+    bar.showState(SafetyState::held, Fault::camera_stale);
+    QVERIFY2(!said().contains(QStringLiteral("was late")), qPrintable(said()));
+  }
+
   void whatIsSimulatedIsSaidWithItsParts() {
     using Origin = widgets::PartView::Origin;
     widgets::StateBar bar;

@@ -2,6 +2,7 @@
 // pass and nothing grows.
 #include <sys/resource.h>
 #include <QCheckBox>
+#include <QScrollArea>
 #include <cmath>
 #include <csignal>
 #include <numbers>
@@ -65,6 +66,13 @@ struct CurveFixture : Fixture {
   widgets::CurveView* curves;
   console::CurveTools* tools;
 };
+
+void scrollTo(QWidget& widget) {
+  for (QWidget* above = widget.parentWidget(); above != nullptr; above = above->parentWidget()) {
+    if (auto* area = qobject_cast<QScrollArea*>(above)) area->ensureWidgetVisible(&widget);
+  }
+  QApplication::processEvents();
+}
 
 /// A pixel of the curve's colour within two of where the spike must be.
 bool spikeOnScreen(widgets::CurveStrip& strip, double share, double value) {
@@ -221,6 +229,7 @@ class CurveToolsTest : public QObject {
     f.curves->goTo(2.0);
     f.curves->setMark(CurveStack::Mark::b);
     look();
+    scrollTo(*f.tools->spectrum());  // below the edge of a low window
     const QStringList texts = paintedTexts(*f.tools->spectrum());
     QVERIFY(texts.contains(QStringLiteral("Frequency, Hz")));
     QVERIFY(texts.contains(QStringLiteral("session time, s")));

@@ -156,6 +156,7 @@ class LinkTest : public QObject {
     f.session->say(SafetyState::ready);
     f.window->feed().pump();
     QTest::mouseClick(form->reconnectButton(), Qt::LeftButton);
+    WAIT_EQUAL(f.session->asked.size(), std::size_t{1});
     QCOMPARE(f.session->asked.back().robot, std::string("simulated:thesis"));
     form->kind()->setCurrentIndex(1);
     QVERIFY(!form->predictor()->isVisible());

@@ -19,6 +19,7 @@ void write(QLineEdit* field, const QString& text) {
 /// A window with the panel open and entries that can be taken.
 struct RecordingFixture : Fixture {
   RecordingFixture() {
+    window->resize(1280, 720);  // the button shows both of its lines
     QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
     form = window->recording()->form();
     write(form->operatorField(), QStringLiteral("M. Muster"));

@@ -175,10 +175,17 @@ void StateBar::showParts(const std::vector<PartView>& parts) {
   badge_->setParts(parts);
 }
 
+void StateBar::showLateness(const QString& lateness) {
+  if (lateness_ == lateness) return;
+  lateness_ = lateness;
+  refresh();
+}
+
 void StateBar::showState(pipeline::SafetyState state, pipeline::Fault fault) {
   if (known_ && state == state_ && fault == fault_) return;
   if (!known_ || state != state_) since_.start();
   missing_.reset();
+  if (state != pipeline::SafetyState::held) lateness_.clear();
   known_ = true;
   state_ = state;
   fault_ = fault;
@@ -192,7 +199,7 @@ void StateBar::showSilence(bool silent) {
 }
 
 void StateBar::refresh() {
-  StateWords words = describeState(state_, fault_, missing_);
+  StateWords words = describeState(state_, fault_, missing_, lateness_);
   QColor colour = stateColour(state_);
   if (!known_) {
     words = {tr("Starting"), tr("Waiting for the haptic loop."), {}, QStringLiteral("state-disconnected")};

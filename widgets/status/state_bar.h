@@ -25,6 +25,8 @@ class StateBar : public QFrame {
   explicit StateBar(QWidget* parent = nullptr);
 
   void showState(pipeline::SafetyState state, pipeline::Fault fault);
+  /// How late this computer was when the state became Held, as a phrase; empty: on time. Forgotten with that state.
+  void showLateness(const QString& lateness);
   /// Whether the haptic loop sends no telemetry: the state shown may then be outdated.
   void showSilence(bool silent);
   /// What arming would be refused for now. To be called often: what was said before the state changed is forgotten.
@@ -57,6 +59,7 @@ class StateBar : public QFrame {
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
   pipeline::Fault fault_ = pipeline::Fault::none;
   std::optional<MissingNow> missing_;
+  QString lateness_;
   bool known_ = false;
   bool silent_ = false;
   QElapsedTimer since_;

@@ -32,13 +32,19 @@ QString howToRearm(Fault fault, const QString& reason, const QString& remedy, co
   return remedy.isEmpty() ? tr("Hold Re-arm to start again.") : remedy + then;
 }
 
+QString heldReason(const QString& reason, const QString& lateness) {
+  const QString what = reason.isEmpty() ? tr("Something needed went missing.") : reason;
+  return lateness.isEmpty() ? what : what + QLatin1Char(' ') + sentenceOf(lateness);
+}
+
 }  // namespace
 
 QString asSentence(std::string_view phrase) { return sentenceOf(coreText(phrase)); }
 
-StateWords describeState(SafetyState state, Fault fault, const std::optional<MissingNow>& now) {
+StateWords describeState(SafetyState state, Fault fault, const std::optional<MissingNow>& now,
+                         const QString& lateness) {
   const QString reason = fault == Fault::none ? QString() : asSentence(toString(fault));
-  QString remedy = fault == Fault::none ? QString() : coreText(pipeline::remedy(fault));
+  QString remedy = fault == Fault::none || !lateness.isEmpty() ? QString() : coreText(pipeline::remedy(fault));
   // The readiness list names the very cable.
   if (now && !now->remedy.isEmpty() && sentenceOf(now->why) == reason) remedy = now->remedy;
   const QString word = coreText(toString(state));
@@ -56,8 +62,7 @@ StateWords describeState(SafetyState state, Fault fault, const std::optional<Mis
     case SafetyState::active:
       return {word, tr("Rendering; motors on."), tr("Esc stops."), QStringLiteral("state-active")};
     case SafetyState::held:
-      return {word, reason.isEmpty() ? tr("Something needed went missing.") : reason,
-              howToRearm(fault, reason, remedy, now), QStringLiteral("state-held")};
+      return {word, heldReason(reason, lateness), howToRearm(fault, reason, remedy, now), QStringLiteral("state-held")};
     case SafetyState::stopped:
       return {word, tr("Stopped by the operator; motors off."), howToRearm(Fault::none, {}, {}, now),
               QStringLiteral("state-stopped")};

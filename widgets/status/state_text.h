@@ -25,8 +25,9 @@ struct MissingNow {
 
 /// @param fault why the state is Held, or what is missing before Ready
 /// @param now none: not known yet
+/// @param lateness "this computer was late: ...", said of Held beside the reason and instead of a cable; empty: not late
 [[nodiscard]] StateWords describeState(pipeline::SafetyState state, pipeline::Fault fault,
-                                       const std::optional<MissingNow>& now = {});
+                                       const std::optional<MissingNow>& now = {}, const QString& lateness = {});
 [[nodiscard]] QColor stateColour(pipeline::SafetyState state);
 /// "Arm" before the first start and "Re-arm" after Held or Stopped.
 [[nodiscard]] QString armText(pipeline::SafetyState state);

@@ -14,8 +14,8 @@ using widgets::kGrid;
 using widgets::numberText;
 using widgets::Severity;
 
-constexpr int kAtLeast = 40 * kGrid;  // every tab
-constexpr int kAtMost = 50 * kGrid;  // every column of the touches
+constexpr int kAtLeast = 44 * kGrid;  // every tab
+constexpr int kAtMost = 50 * kGrid;   // every column of the touches
 
 }  // namespace
 

@@ -1,9 +1,13 @@
 #include "app/console/shell/dock_set.h"
 
 #include <QAction>
+#include <QChildEvent>
 #include <QScrollArea>
+#include <QTabBar>
 #include <QTabWidget>
 #include <algorithm>
+
+#include "app/console/shell/side_dock.h"
 
 namespace fyd::console {
 namespace {
@@ -20,9 +24,23 @@ int heightOf(const QDockWidget& panel, int width) {
                                    : body->sizeHint().height();
 }
 
+/// Names the tab bars that the window makes for panels at one place.
+class TabBarNamer : public QObject {
+ public:
+  using QObject::QObject;
+  bool eventFilter(QObject* window, QEvent* event) override {
+    if (event->type() == QEvent::ChildPolished) {
+      auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
+      if (tabs != nullptr && tabs->accessibleName().isEmpty()) tabs->setAccessibleName(SideDock::tr("Panels"));
+    }
+    return QObject::eventFilter(window, event);
+  }
+};
+
 }  // namespace
 
 DockSet::DockSet(QMainWindow& window, Sharing sharing) : window_(window), sharing_(sharing) {
+  window_.installEventFilter(new TabBarNamer(&window_));
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
   // Side panels extend to the window's lower edge, so that bottom panels do not shorten them.

@@ -288,6 +288,9 @@ void MainWindow::takeNotice(const station::Notice& notice) {
     return;
   }
   tuning_.hear(notice.event);
+  if (notice.event.kind == pipeline::EventKind::state_changed) {
+    stateBar()->showLateness(widgets::coreText(notice.lateness));
+  }
   const Telling telling = tellingOf(notice.event);
   const QString cause = causes_.begin(notice.event, *notices());
   tell(telling.severity, widgets::coreText(notice.message), telling.slides_in, cause);

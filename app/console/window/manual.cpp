@@ -45,7 +45,7 @@ constexpr Topic kWidgets[] = {
     {"fyd::console::TouchTable", "review.md#touches"},
     {"fyd::console::FiguresTable", "review.md#figures-between-a-and-b"},
     {"fyd::console::WhatIfPanel", "review.md#what-if"},
-    {"fyd::console::NoteTable", "review.md#notes"},
+    {"fyd::console::NoteTable", "review.md#notes-and-tags"},
     {"fyd::console::CalibrationFitPanel", "calibration.md#what-the-answer-says"},
     {"fyd::console::LayoutsDialog", "operate.md#panels-and-layouts"},
     {"fyd::console::CommandPalette", "operate.md#keys"},
