@@ -116,7 +116,12 @@ class FrameTest : public QObject {
                                 .arg(size.width())
                                 .arg(size.height())
                                 .arg(words(stop), words(stop_now), words(arm), words(arm_now))));
-        QCOMPARE(f.window->size(), size);
+        QVERIFY2(f.window->size() == size, qPrintable(QStringLiteral("%1: the window of %2x%3 becomes %4x%5")
+                                                          .arg(QLatin1String(what))
+                                                          .arg(size.width())
+                                                          .arg(size.height())
+                                                          .arg(f.window->width())
+                                                          .arg(f.window->height())));
       };
       for (const console::PlaceInfo& place : console::places()) {
         f.window->frame()->go(QLatin1String(place.id));

@@ -123,7 +123,7 @@ QWidget* CalibratePage::buildMiddle() {
   layout->addWidget(live_);
   layout->addWidget(progress_);
   layout->addWidget(hint_);
-  layout->addWidget(trace_, 2);
+  layout->addWidget(trace_, 3);  // high enough for the words at its axis
   layout->addWidget(table_, 2);
   layout->addWidget(missing_);
   return out;

@@ -40,8 +40,8 @@ RecordingControl::RecordingControl(const PageContext& context, QString memory, Q
       context_(context),
       memory_(std::move(memory)),
       form_(new widgets::RecordingForm),
-      dock_(new SideDock(tr("Recording"), QStringLiteral("recording_close"), tr("Close the recording's panel"), {form_},
-                         window)) {
+      dock_(new SideDock(tr("Recording"), QStringLiteral("recording_close"), tr("Close the recording's panel"),
+                         std::vector<QWidget*>{form_}, window)) {
   const QSettings kept(memory_, QSettings::IniFormat);
   form_->setSuggestion(&RecordingControl::suggestedFile);
   form_->setEntries({.operator_name = kept.value(QStringLiteral("recording/operator")).toString(),
