@@ -48,8 +48,9 @@ std::vector<Row> blockRows(const Settings& settings) {
   std::vector<Row> rows;
   const auto silenceOf = [&](const std::function<void()>& act) {
     session->longest_ms = 0.0;
-    act();
+    QMetaObject::invokeMethod(&window, act, Qt::QueuedConnection);  // in an event, as an operator's
     runFor(kSettle_ms);
+    for (const double last_ms = session->last_ms; session->last_ms == last_ms;) runFor(20);  // ends with a heartbeat
     return session->longest_ms;
   };
   const auto add = [&](const std::string& what, const std::vector<std::function<void()>>& acts) {
