@@ -4946,6 +4946,10 @@ Pour commencer : %1</translation>
         <translation>La consigne est hors de portée ; rendu de la plus proche, {:.3f} N/mm.</translation>
     </message>
     <message>
+        <source>The theme changes once nothing renders: Esc would not be heard meanwhile.</source>
+        <translation>Le thème change quand plus rien n&apos;est rendu : Échap ne serait pas entendu entre-temps.</translation>
+    </message>
+    <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
         <translation>Le touchpad répond. Étalonner ses parties, pour qu’on puisse se fier à ce qu’il montre ; les moteurs ne bougent que tant qu’un bouton est maintenu.</translation>
     </message>

@@ -4946,6 +4946,10 @@ Per cominciare: %1</translation>
         <translation>L'obiettivo è fuori portata; si rende il più vicino, {:.3f} N/mm.</translation>
     </message>
     <message>
+        <source>The theme changes once nothing renders: Esc would not be heard meanwhile.</source>
+        <translation>Il tema cambia quando nulla è più reso: nel frattempo Esc non sarebbe sentito.</translation>
+    </message>
+    <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
         <translation>Il touchpad risponde. Calibrarne le parti, perché ci si possa fidare di ciò che mostra; i motori si muovono solo mentre si tiene premuto un pulsante.</translation>
     </message>

@@ -76,6 +76,27 @@ class FrameTest : public QObject {
     WAIT_FOR(f.session->beats > before);
   }
 
+  void aThemeWaitsUntilNothingRenders() {
+    Fixture f;
+    widgets::Look& look = widgets::Look::instance();
+    const widgets::ThemeChoice before = look.choice();
+    const auto chosen =
+        before == widgets::ThemeChoice::light ? widgets::ThemeChoice::dark : widgets::ThemeChoice::light;
+    const auto become = [&](SafetyState state) {
+      f.session->say(state);
+      f.window->feed().pump();
+    };
+    become(SafetyState::active);
+    f.window->commands().action(QStringLiteral("view.theme_") + widgets::themeWord(chosen))->trigger();
+    QCOMPARE(look.choice(), before);
+    become(SafetyState::active);
+    QCOMPARE(look.choice(), before);
+    become(SafetyState::stopped);
+    QCOMPARE(look.choice(), chosen);
+    f.window->commands().action(QStringLiteral("view.theme_") + widgets::themeWord(before))->trigger();
+    QCOMPARE(look.choice(), before);  // nothing renders: at once
+  }
+
   void stopWorksFromEveryPlace() {
     Fixture f;
     for (const console::PlaceInfo& place : console::places()) {

@@ -202,8 +202,8 @@ void MainWindow::connectCommands() {
 void MainWindow::connectLook() {
   for (const auto choice : {widgets::ThemeChoice::dark, widgets::ThemeChoice::light, widgets::ThemeChoice::system}) {
     commands_->on(QStringLiteral("view.theme_") + themeWord(choice), [this, choice](bool) {
-      widgets::Look::instance().apply(*qApp, choice);
       memory_.setTheme(choice);
+      setTheme(choice);
     });
   }
   for (const Language& language : languages()) {
@@ -213,6 +213,19 @@ void MainWindow::connectLook() {
       tell(Severity::information, tr("The language changes when the window is started again."));
     });
   }
+}
+
+void MainWindow::setTheme(widgets::ThemeChoice choice) {
+  // Dressing every widget anew takes almost a second, in which the window hears no key and a real device is Held.
+  if (state_ == pipeline::SafetyState::active && !session_->status().loop.waits) {
+    waiting_theme_ = choice;
+    tell(Severity::information, tr("The theme changes once nothing renders: Esc would not be heard meanwhile."), true,
+         QStringLiteral("theme"));
+    return;
+  }
+  waiting_theme_.reset();
+  notices()->withdraw(QStringLiteral("theme"));
+  widgets::Look::instance().apply(*qApp, choice);
 }
 
 void MainWindow::connectLayouts() {
@@ -269,6 +282,7 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
   state_ = newest.state;
   stateBar()->showState(newest.state, newest.fault);
   link_->showSample(newest);
+  if (waiting_theme_ && state_ != pipeline::SafetyState::active) setTheme(*waiting_theme_);
   if (arm_once_ && newest.state == pipeline::SafetyState::ready) {
     arm_once_ = false;
     ask(pipeline::OperatorAction::arm);

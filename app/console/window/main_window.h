@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QTime>
 #include <memory>
+#include <optional>
 
 #include "app/console/operate/operate_page.h"
 #include "app/console/operate/recording_control.h"
@@ -102,6 +103,7 @@ class MainWindow : public QMainWindow {
   void connectStateBar();
   void connectCommands();
   void connectLook();
+  void setTheme(widgets::ThemeChoice choice);
   void connectLayouts();
   void recall();
   void remember();
@@ -137,6 +139,7 @@ class MainWindow : public QMainWindow {
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
   Layout standard_;  ///< the curves of a first start; the panels' states are empty, which gives the standard layout
   bool arm_once_ = false;
+  std::optional<widgets::ThemeChoice> waiting_theme_;
 };
 
 }  // namespace fyd::console
