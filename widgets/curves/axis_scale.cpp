@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kApart_px = 6;      // least distance of two numbers beside each other
 constexpr int kEdge_px = 4;       // from the plot's left end to the title
+constexpr int kBelow_px = 5;      // the words stand on the numbers' line
 constexpr int kRoom_px = 40;      // least distance of two ticks on a level axis
 constexpr int kMostTicks = 6;     // on a level axis
 constexpr int kMostDecimals = 6;  // beyond: powers of ten
@@ -117,7 +118,7 @@ LevelScale::LevelScale(QCustomPlot& plot)
     text->position->setType(QCPItemPosition::ptViewportRatio);
     text->position->setCoords(left ? 0.0 : 1.0, 1.0);
     text->setPositionAlignment((left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
-    text->setPadding({left ? kEdge_px : 0, 0, left ? 0 : 1, 1});
+    text->setPadding({left ? kEdge_px : 0, 0, left ? 0 : 1, kBelow_px});
     text->setVisible(false);
   }
   dress();

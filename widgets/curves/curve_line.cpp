@@ -16,7 +16,8 @@ int nearest(double value) { return static_cast<int>(value + kFar_px + 0.5) - sta
 
 constexpr std::size_t kBlock = 8;  // columns
 
-/// What the line covers of each column, as rectangles. All in pixels of the screen.
+/// What the line covers of each column, as rectangles. A column is as wide as the line: narrower ones would lie on each
+/// other. Places across are counted in columns, heights in pixels of the screen.
 class Columns {
  public:
   /// @param count of the columns that can be seen
@@ -90,7 +91,8 @@ class Columns {
 
   /// From the first of the rows to the last, the line's width included.
   void put(int x, int columns, int from, int to) {
-    if (to >= from) rectangles_.append(QRect(x - line_width_ / 2, from, columns - 1 + line_width_, to - from + 1));
+    if (to < from) return;
+    rectangles_.append(QRect(x * line_width_ - line_width_ / 2, from, columns * line_width_, to - from + 1));
   }
 
   int count_;
@@ -106,6 +108,8 @@ bool isFinite(QPointF point) { return std::isfinite(point.x()) && std::isfinite(
 
 }  // namespace
 
+int lineWidth_px(double width, double scale) { return std::max(1, nearest(width * scale)); }
+
 void CurveLine::drawLinePlot(QCPPainter* painter, const QVector<QPointF>& points) const {
   applyDefaultAntialiasingHint(painter);
   const QPen pen = painter->pen();
@@ -115,7 +119,9 @@ void CurveLine::drawLinePlot(QCPPainter* painter, const QVector<QPointF>& points
     return;
   }
   const double scale = painter->device()->devicePixelRatioF();
-  Columns columns(nearest(parentPlot()->viewport().width() * scale), std::max(1, nearest(pen.widthF() * scale)));
+  const int line_width = lineWidth_px(pen.widthF(), scale);
+  const double across = scale / line_width;
+  Columns columns(nearest(parentPlot()->viewport().width() * across), line_width);
   bool down = false;
   for (const QPointF& point : points) {
     if (!isFinite(point)) {
@@ -123,7 +129,7 @@ void CurveLine::drawLinePlot(QCPPainter* painter, const QVector<QPointF>& points
       down = false;
       continue;
     }
-    const QPointF pixel(std::clamp(point.x() * scale, -kFar_px, kFar_px),
+    const QPointF pixel(std::clamp(point.x() * across, -kFar_px, kFar_px),
                         std::clamp(point.y() * scale, -kFar_px, kFar_px));
     down ? columns.lineTo(pixel) : columns.moveTo(pixel);
     down = true;

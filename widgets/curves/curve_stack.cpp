@@ -194,6 +194,15 @@ void CurveStack::draw(const CurveSource& source) {
   marks_changed_ = false;
 }
 
+double CurveStack::column_s() const {
+  double least_s = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < strips_.size(); ++i) {
+    if (!shown(i)) continue;
+    least_s = std::min(least_s, window(i).span_s() / static_cast<double>(strips_[i].strip->columns()));
+  }
+  return least_s;
+}
+
 void CurveStack::readCursor(std::size_t index, const CurveSource& source) {
   const auto& [setup, strip, readout, row] = strips_[index];
   std::vector<double> values;

@@ -80,6 +80,8 @@ class CurveStack : public QWidget {
   void freeRanges();
 
   void draw(const CurveSource& source);
+  /// Least time that a column of a shown strip stands for.
+  [[nodiscard]] double column_s() const;
   /// Whether a strip's numerals are those at the cursor: there is one, and the strip does not follow.
   [[nodiscard]] bool readsCursor(std::size_t index) const {
     return std::isfinite(cursor_s_) && !window(index).following();

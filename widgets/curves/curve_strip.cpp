@@ -13,6 +13,7 @@
 namespace fyd::widgets {
 namespace {
 
+constexpr int kLineWidth = 1;  // of the curves' pens
 constexpr int kLeastHeight_px = 24;  // one line of text
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -28,7 +29,7 @@ QPen penOf(const Trace& trace) {
   const Qt::PenStyle style = trace.stroke == Stroke::dashed   ? Qt::DashLine
                              : trace.stroke == Stroke::dotted ? Qt::DotLine
                                                               : Qt::SolidLine;
-  return {colour, 1, style};
+  return {colour, kLineWidth, style};
 }
 
 }  // namespace
@@ -90,6 +91,7 @@ void CurveStrip::setTimeScale(bool shown) {
   plot_->axisRect()->setMargins(QMargins(kCurveLeft_px, 4, kCurveRight_px, shown ? kTimeScale_px : 4));
   plot_->setMinimumHeight(kLeastHeight_px + (shown ? kTimeScale_px : 0));
   time_scale_->setVisible(shown);
+  plot_->axesChanged();
 }
 
 void CurveStrip::setCursorValues(double time_s, std::vector<double> values) {
@@ -166,12 +168,18 @@ void CurveStrip::dress() {
   for (std::size_t i = 0; i < traces_.size(); ++i) {
     plot_->graph(static_cast<int>(i))->setPen(penOf(traces_[i]));
   }
+  plot_->axesChanged();
+}
+
+// One for each width of a line, in which no more can be seen.
+std::size_t CurveStrip::columns() const {
+  const double scale = plot_->devicePixelRatioF();
+  const double pixels = plot_->axisRect()->width() * scale;
+  return std::max<std::size_t>(1, static_cast<std::size_t>(pixels / lineWidth_px(kLineWidth, scale)));
 }
 
 void CurveStrip::fill(QCPGraph* graph, const Trace& trace, const CurveSource& source, const TimeWindow& window) {
-  // A column for each pixel of the screen, of which a scaled display has more than the layout.
-  const auto width =
-      std::max<std::size_t>(1, static_cast<std::size_t>(plot_->axisRect()->width() * plot_->devicePixelRatioF()));
+  const std::size_t width = columns();
   source.decimate(trace.channel, window.from_s(), window.to_s(), width, columns_);
   const double last_x = -0.75 * window.span_s() / static_cast<double>(width);
   QVector<QCPGraphData> points;
@@ -223,6 +231,9 @@ void CurveStrip::draw(const CurveSource& source, const TimeWindow& window) {
       fixed_range_ || chosen_range_ ? 0.0 : 0.04 * (shown.upper - shown.lower);  // the line at the end stays visible
   drawMarks(window);
   drawLabels(window);
+  // Back from now the same numbers stand at the axis all the time.
+  if (!window.following() || !drew_live_) plot_->axesChanged();
+  drew_live_ = window.following();
   time_scale_->showTime(window);
   plot_->yAxis->setRange(shown.lower - margin, shown.upper + margin);
   plot_->update();

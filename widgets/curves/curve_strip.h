@@ -1,4 +1,4 @@
-// One plot of curves over time: traces that share a unit. Draws from a CurveSource, one min/max pair per pixel
+// One plot of curves over time: traces that share a unit. Draws from a CurveSource, one min/max pair per
 // column.
 //
 // The time axis counts from the right edge, so that scale and grid stay in place while the curves move. While a window
@@ -63,6 +63,8 @@ class CurveStrip : public QWidget {
   ~CurveStrip() override;
 
   void draw(const CurveSource& source, const TimeWindow& window);
+  /// Columns of samples across the plot.
+  [[nodiscard]] std::size_t columns() const;
   /// Paints what the last `draw` drew, for an export to a file.
   void paintTo(QCPPainter& painter, QSize size);
   void setTimeScale(bool shown);
@@ -121,6 +123,7 @@ class CurveStrip : public QWidget {
   CurvePlot* plot_;
   std::vector<Trace> traces_;
   ValueRange range_;
+  bool drew_live_ = false;  ///< the last picture followed
   std::optional<Range> fixed_range_;
   std::optional<Range> chosen_range_;
   QString unit_;

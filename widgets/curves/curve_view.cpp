@@ -44,7 +44,7 @@ CurveView::CurveView(QWidget* parent)
   });
   connect(stack_, &CurveStack::clicked, stack_, &CurveStack::setCursor_s);
   connect(stack_, &CurveStack::followAsked, this, &CurveView::follow);
-  connect(&redraw_timer_, &QTimer::timeout, this, &CurveView::redraw);
+  connect(&redraw_timer_, &QTimer::timeout, this, &CurveView::redrawWhenMoved);
   connect(&numeral_timer_, &QTimer::timeout, this, &CurveView::refreshNumerals);
   redraw_timer_.start(kRedraw_ms);
   numeral_timer_.start(kNumerals_ms);
@@ -127,12 +127,17 @@ void CurveView::append(std::span<const pipeline::TelemetrySample> samples) {
   newest_ = samples.back();
   since_sample_.start();
   stack_->advance(buffer_.lastTime_s());
-  dirty_ = true;
+}
+
+void CurveView::redrawWhenMoved() {
+  const bool column_more = !(buffer_.lastTime_s() - drawn_s_ < stack_->column_s());  // also for the first samples
+  if (dirty_ || (!buffer_.empty() && column_more)) redraw();
 }
 
 void CurveView::redraw() {
-  if (!isVisible() || !dirty_) return;
+  if (!isVisible()) return;
   dirty_ = false;
+  drawn_s_ = buffer_.lastTime_s();
   stack_->draw(buffer_);
   emit drawn();
 }

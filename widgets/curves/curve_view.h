@@ -49,7 +49,7 @@ class CurveView : public QWidget {
   void goTo(double time_s);
   /// @param by_s > 0 towards the newest; without a cursor it appears at the newest value
   void moveCursor(double by_s);
-  /// Draws at once what is due; for tests, exports and the bench.
+  /// Draws at once; for tests, exports and the bench.
   void redraw();
 
  signals:
@@ -59,6 +59,8 @@ class CurveView : public QWidget {
  private:
   void buildBar(class QVBoxLayout* layout);
   void addStrips();
+  /// With less than a column of new samples the picture would be the same.
+  void redrawWhenMoved();
   void refreshNumerals();
   /// Why a strip's numeral is old or missing; empty: it is current.
   [[nodiscard]] QString noteOf(const QString& strip) const;
@@ -70,7 +72,8 @@ class CurveView : public QWidget {
   pipeline::TelemetrySample newest_;
   Instant origin_{};
   bool any_ = false;
-  bool dirty_ = true;
+  bool dirty_ = true;  ///< something else than samples changed the picture
+  double drawn_s_ = std::numeric_limits<double>::quiet_NaN();  ///< newest sample in the picture
   bool was_following_ = true;
   QElapsedTimer since_sample_;
   QTimer redraw_timer_;
