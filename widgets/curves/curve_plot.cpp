@@ -40,6 +40,14 @@ void CurvePlot::drawBefore(QCPPainter& painter) {
 }
 
 void CurvePlot::paintEvent(QPaintEvent* /*event*/) {
+  QCPPainter painter(this);
+  // On paper, in a vector picture or for who reads the texts, numbers stay text.
+  if (painter.paintEngine()->type() != QPaintEngine::Raster) {
+    painter.fillRect(rect(), ground_);
+    drawBehind(painter);
+    drawBefore(painter);
+    return;
+  }
   const double scale = devicePixelRatioF();
   // The axis labels are cached as pixmaps for one scale of the screen.
   if (!qFuzzyCompare(bufferDevicePixelRatio(), scale)) setBufferDevicePixelRatio(scale);
@@ -50,10 +58,9 @@ void CurvePlot::paintEvent(QPaintEvent* /*event*/) {
     frame_.fill(ground_);
     frame_x_ = xAxis->range();
     frame_y_ = yAxis->range();
-    QCPPainter painter(&frame_);
-    drawBehind(painter);
+    QCPPainter on_frame(&frame_);
+    drawBehind(on_frame);
   }
-  QCPPainter painter(this);
   painter.drawPixmap(0, 0, frame_);
   drawBefore(painter);
 }
