@@ -1,4 +1,4 @@
-// How long the window's thread is silent while the operator changes theme, place or dock, or opens a recording: the
+// How long the window's thread is silent while the operator changes theme, language, place or dock, or opens a recording: the
 // longest gap between two heartbeats, of which half a second holds a session with a real part.
 #include <QAction>
 #include <QApplication>
@@ -66,7 +66,8 @@ std::vector<Row> blockRows(const Settings& settings) {
   };
 
   add("nothing, baseline", {[] {}});
-  add("change of theme", {triggering("view.theme_light"), triggering("view.theme_dark")});
+  add("change of theme, put off while it renders", {triggering("view.theme_light"), triggering("view.theme_dark")});
+  add("change of language", {triggering("view.language_it"), triggering("view.language_en")});
   for (const char* place : {"calibrate", "review", "tune", "devices"}) {
     const std::string command = std::string("place.") + place;
     add(std::string("place ") + place + ", and back",

@@ -82,11 +82,12 @@ int runAll(const QStringList& passed) {
       {QStringLiteral("columns"), QJsonArray{"measured", "scale", "p50", "p95", "worst", "unit", "aim", "error"}},
       {QStringLiteral("rows"), rows},
       {QStringLiteral("notes"),
-       QJsonArray{QStringLiteral("Drawn by %1 in software, without a graphics processor. A frame is all work of the "
-                                 "window's thread between two pictures of the curves: feeding, numerals, camera, "
-                                 "decimation, drawing, painting. Times are wall clock unless the row says otherwise, "
-                                 "so whatever else the machine does is in them.")
-                      .arg(QGuiApplication::platformName())}}};
+       QJsonArray{
+           QStringLiteral("Drawn by %1 in software, without a graphics processor. A frame is all work of the "
+                          "window's thread in a thirtieth of a second, the camera's period: feeding, numerals, "
+                          "camera, decimation, drawing, painting. Times are wall clock unless the row says otherwise, "
+                          "so whatever else the machine does is in them.")
+               .arg(QGuiApplication::platformName())}}};
   std::fputs(QJsonDocument(table).toJson().constData(), stdout);
   if (failed > 0) std::fprintf(stderr, "fyd-window-bench: %d parts gave no figures\n", failed);
   return failed == 0 ? 0 : 1;
