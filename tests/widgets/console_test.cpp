@@ -181,7 +181,8 @@ class ConsoleTest : public QObject {
     QCOMPARE(by_hand(), f.session->profile.step.control.kp);
     // A second console on the same profile says who has the first, and saves nothing.
     {
-      console::MainWindow second(std::make_unique<ScriptedSession>(), f.folder.filePath(QStringLiteral("profile.toml")));
+      console::MainWindow second(std::make_unique<ScriptedSession>(),
+                                 f.folder.filePath(QStringLiteral("profile.toml")));
       second.start();
       const QString process = QString::number(QCoreApplication::applicationPid());
       QVERIFY2(second.notices()->text(0).contains(process), qPrintable(second.notices()->text(0)));
@@ -251,6 +252,35 @@ class ConsoleTest : public QObject {
     QVERIFY(std::abs(f.session->finger[0]) < 10.0 && f.session->finger[2] == 4.0);
     QTest::mouseRelease(image, Qt::LeftButton, {}, image->rect().center());
     QVERIFY(f.session->finger.empty());
+  }
+
+  void theMousePressesNoTouchpadOfOnesOwn() {
+    Fixture f;
+    f.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
+    const auto pressed = [&] {
+      ++f.session->view.number;
+      f.window->feed().pump();
+      f.session->finger.clear();
+      QWidget* image = f.window->operate()->camera()->image();
+      QTest::mousePress(image, Qt::LeftButton, {}, image->rect().center());
+      const bool moved = !f.session->finger.empty();
+      QTest::mouseRelease(image, Qt::LeftButton, {}, image->rect().center());
+      return moved;
+    };
+    const QAction* card = f.window->commands().action(QStringLiteral("session.finger_card"));
+    QVERIFY(pressed() && f.window->operate()->finger()->isVisible() && card->isEnabled());
+    const auto connect_to = [&](const char* touchpad, const std::string& identity) {
+      f.session->say(SafetyState::ready);
+      f.window->feed().pump();
+      f.session->profile.calibrated_on = identity;
+      f.window->connection().change({.touchpad = touchpad});
+      WAIT_EQUAL(f.session->present.touchpad, std::string(touchpad));
+      WAIT_FOR(f.window->connection().work().isEmpty());
+    };
+    connect_to("modbus-tcp:10.0.0.7:502", "FYD-0007");
+    QVERIFY(!pressed() && !f.window->operate()->finger()->isVisible() && !card->isEnabled());
+    connect_to("simulated", station::kSimulatedTouchpad);
+    QVERIFY(pressed() && f.window->operate()->finger()->isVisible() && card->isEnabled());
   }
 
   void theSimulatedFingerPlaysAGestureCardAtASpeedOnceOrAgain() {

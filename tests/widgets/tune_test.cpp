@@ -61,6 +61,19 @@ struct TuneFixture : Fixture {
 class TuneTest : public QObject {
   Q_OBJECT
  private slots:
+  void theSimulationIsASourceOnlyBesideASimulatedTouchpad() {
+    TuneFixture f;
+    const QComboBox* sources = f.page->proposal()->sources();
+    QCOMPARE(sources->count(), 2);
+    f.session->say(pipeline::SafetyState::ready);
+    f.window->feed().pump();
+    f.session->profile.calibrated_on = "FYD-0007";
+    f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});
+    WAIT_EQUAL(sources->count(), 1);
+    QVERIFY(sources->itemText(0).contains(QStringLiteral("this session")));
+    QVERIFY(!f.page->study().proposal());
+  }
+
   void everyLiveParameterIsThereWithItsRangeDefaultAndHelp() {
     TuneFixture f;
     station::Profile profile;

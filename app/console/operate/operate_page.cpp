@@ -42,6 +42,7 @@ OperatePage::OperatePage(const PageContext& context, QWidget* parent)
       context_(context),
       ages_(context),
       camera_(new widgets::CameraPanel(this)),
+      finger_(new FingerMenu(context.session, context.tell, camera_)),
       readiness_(new widgets::ReadinessList(this)),
       curves_(new widgets::CurveView(this)),
       curve_tools_(new CurveTools(curves_->stack(), context.tell, this)),
@@ -130,20 +131,36 @@ void OperatePage::connectTuning() {
   connect(bridge, &TuningBridge::targetShown, tuning_, &widgets::TuningPanel::showTargetByHand);
 }
 
-void OperatePage::connectFinger() {
-  Session& session = context_.session;
-  if (session.simulated()) {
-    const sensing::FingerParameters finger = session.currentProfile().step.sensing.finger;
-    camera_->setTouchable([finger](QPointF px) {
+void OperatePage::enter() {
+  showLimits();
+  showFinger();
+}
+
+/// The mouse presses only where the finger is simulated. Called again when other devices have come, and when the place
+/// is entered: a calibration of the camera moves what lies under the mouse.
+void OperatePage::showFinger() {
+  const bool simulated = context_.session.simulated();
+  widgets::PictureToTouchpad to_touchpad;
+  if (simulated) {
+    to_touchpad = [finger = context_.session.currentProfile().step.sensing.finger](QPointF px) {
       double x_mm = 0.0;
       double y_mm = 0.0;
       sensing::toMillimetres(finger, px.x(), px.y(), x_mm, y_mm);
       return QPointF(x_mm, y_mm);
-    });
-    scene_->setTouchable(true);
-    finger_ = new FingerMenu(session, context_.tell, camera_);
-    camera_->addBelow(finger_);
+    };
   }
+  camera_->setTouchable(to_touchpad);
+  scene_->setTouchable(simulated);
+  finger_->setVisible(simulated);
+  for (QAction* each : finger_actions_) each->setEnabled(simulated);
+}
+
+void OperatePage::connectFinger() {
+  Session& session = context_.session;
+  camera_->addBelow(finger_);
+  connect(&context_.connection, &ConnectionChange::refreshed, this, [this] {
+    if (finger_->isHidden() == context_.session.simulated()) showFinger();
+  });
   const widgets::CameraImage* image = camera_->image();
   const auto move = [&session](double x_mm, double y_mm, double depth_mm) {
     session.moveSimulatedFinger(x_mm, y_mm, depth_mm);
@@ -153,6 +170,7 @@ void OperatePage::connectFinger() {
   connect(image, &widgets::CameraImage::fingerReleased, this, release);
   connect(scene_, &SceneDock::fingerMoved, this, move);
   connect(scene_, &SceneDock::fingerReleased, this, release);
+  showFinger();
 }
 
 void OperatePage::addCurveCommands(PlaceCommands& commands) {
@@ -217,14 +235,13 @@ void OperatePage::addCommands(PlaceCommands& commands) {
   panel("view.panel_tuning", QT_TRANSLATE_NOOP("Commands", "Tuning panel"), "tuning");
   panel("view.panel_scene", QT_TRANSLATE_NOOP("Commands", "Scene panel"), "scene", "Ctrl+E");
   addCurveCommands(commands);
-  if (finger_ != nullptr) {
-    commands.add(
-        {"session.finger_card", "Edit", QT_TRANSLATE_NOOP("Commands", "Gesture card for the simulated finger"), "", ""},
-        [this](bool) { finger_->chooseFile(); });
-    commands.add({"session.finger_demonstration", "Edit",
-                  QT_TRANSLATE_NOOP("Commands", "Demonstration by the simulated finger"), "", ""},
-                 [this](bool) { finger_->playDemonstration(); });
-  }
+  finger_actions_ = {commands.add({"session.finger_card", "Edit",
+                                   QT_TRANSLATE_NOOP("Commands", "Gesture card for the simulated finger"), "", ""},
+                                  [this](bool) { finger_->chooseFile(); }),
+                     commands.add({"session.finger_demonstration", "Edit",
+                                   QT_TRANSLATE_NOOP("Commands", "Demonstration by the simulated finger"), "", ""},
+                                  [this](bool) { finger_->playDemonstration(); })};
+  showFinger();
   QToolButton* mask = camera_->maskButton();
   QAction* mask_action =
       commands.add({"view.mask", "View", QT_TRANSLATE_NOOP("Commands", "Finger mask"), "mask", "M", true},

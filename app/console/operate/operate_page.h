@@ -19,10 +19,10 @@ class OperatePage : public Page {
  public:
   explicit OperatePage(const PageContext& context, QWidget* parent = nullptr);
   void addCommands(PlaceCommands& commands) override;
-  void enter() override { showLimits(); }
+  void enter() override;
 
   [[nodiscard]] widgets::CameraPanel* camera() const { return camera_; }
-  /// Null for a real touchpad.
+  /// Hidden beside a real touchpad.
   [[nodiscard]] FingerMenu* finger() const { return finger_; }
   [[nodiscard]] widgets::ReadinessList* readiness() const { return readiness_; }
   [[nodiscard]] widgets::CurveView* curves() const { return curves_; }
@@ -39,12 +39,14 @@ class OperatePage : public Page {
   void showLimits();
   void connectTuning();
   void connectFinger();
+  void showFinger();
   void addCurveCommands(PlaceCommands& commands);
 
   PageContext context_;
   CalibrationAges ages_;
   widgets::CameraPanel* camera_;
-  FingerMenu* finger_ = nullptr;
+  FingerMenu* finger_;
+  std::vector<QAction*> finger_actions_;
   widgets::ReadinessList* readiness_;
   widgets::CurveView* curves_;
   CurveTools* curve_tools_;

@@ -135,6 +135,11 @@ void SceneDock::prepare() {
   });
 }
 
+void SceneDock::setTouchable(bool on) {
+  touchable_ = on;
+  view_->setDrivable(touchable_ && stage_ != nullptr, reachOfFinger());
+}
+
 void SceneDock::showScene(const std::shared_ptr<scene::SceneStage>& stage) {
   if (!looked_ || stage != stage_) {
     looked_ = true;

@@ -22,7 +22,7 @@ class SceneDock : public SideDock {
   /// panel, one without closes it.
   void showScene(const std::shared_ptr<scene::SceneStage>& stage);
   /// Lets the mouse in the picture lead the simulated finger, where a scene is shown.
-  void setTouchable(bool on) { touchable_ = on; }
+  void setTouchable(bool on);
 
   [[nodiscard]] widgets::SceneView* view() const { return view_; }
 

@@ -39,6 +39,7 @@ GainStudy::GainStudy(const PageContext& context, widgets::TuningResponse* respon
     : QObject(parent), context_(context), model_(context.tuning.model()), response_(response), proposal_(proposal) {
   using widgets::TuningResponse;
   offerSources();
+  connect(&context_.connection, &ConnectionChange::arrived, this, &GainStudy::beginAnew);
   connect(&study_, &LoopStudy::respondingChanged, response_, &TuningResponse::setBusy);
   connect(&study_, &LoopStudy::responses, this,
           [this](const widgets::ResponseView& current, const widgets::ResponseView& saved) {
@@ -49,6 +50,7 @@ GainStudy::GainStudy(const PageContext& context, widgets::TuningResponse* respon
 }
 
 void GainStudy::offerSources() {
+  sources_.clear();
   if (context_.session.simulated()) sources_.push_back(TuneSource::simulation);
   sources_.push_back(TuneSource::session);
   QStringList names;
@@ -57,6 +59,14 @@ void GainStudy::offerSources() {
                                                : tr("From the last minute of this session"));
   }
   proposal_->setSources(names);
+}
+
+/// What was found on the former touchpad is not proposed for another.
+void GainStudy::beginAnew() {
+  study_.cancel();
+  study_.forget();
+  offerSources();
+  discardProposal({});
 }
 
 void GainStudy::connectProposal() {

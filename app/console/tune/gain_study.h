@@ -26,6 +26,7 @@ class GainStudy : public QObject {
  private:
   void connectProposal();
   void offerSources();
+  void beginAnew();
   void showProposal(const widgets::ResponseView& response);
   void acceptProposal();
   void discardProposal(const QString& words);

@@ -38,6 +38,9 @@ class LoopStudy : public QObject {
   /// Drops the proposal and the model identified with it.
   void discard();
 
+  /// Another touchpad is listened to from now on.
+  void forget() { heard_.clear(); }
+
   [[nodiscard]] bool tuning() const { return tuning_.running(); }
   [[nodiscard]] const std::optional<control::TuneProposal>& proposal() const { return proposal_; }
   [[nodiscard]] std::size_t heard() const { return heard_.size(); }

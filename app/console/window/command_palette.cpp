@@ -43,7 +43,7 @@ void CommandPalette::open() {
 void CommandPalette::filter(const QString& letters) {
   list_->clear();
   for (QAction* action : registry_.actions()) {
-    if (!action->isVisible()) continue;  // belongs to another place
+    if (!action->isVisible() || !action->isEnabled()) continue;  // belongs to another place or other devices
     const QString name = action->text().section(QLatin1Char('\t'), 0, 0);
     if (!name.contains(letters, Qt::CaseInsensitive)) continue;
     const QString own = action->shortcut().toString(QKeySequence::NativeText);  // as the menus name them: Ctrl+Maj+L
