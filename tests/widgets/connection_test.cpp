@@ -179,6 +179,45 @@ class ConnectionTest : public QObject {
     day.window->close();
   }
 
+  void whatWasSaidOfATryGoesWithTheNext() {
+    Fixture f;
+    f.window->frame()->go(QStringLiteral("devices"));
+    say(f, SafetyState::ready);
+    f.window->connection().change({.touchpad = "modbus-tcp:bad"});
+    WAIT_EQUAL(f.window->notices()->count(), 1);
+    QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("bad by the script")));
+    WAIT_FOR(f.window->connection().work().isEmpty());
+    f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});
+    WAIT_EQUAL(f.session->present.touchpad, std::string("modbus-tcp:10.0.0.7:502"));
+    WAIT_FOR(f.window->connection().work().isEmpty());
+    QCOMPARE(f.window->notices()->count(), 1);
+    QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("Connected")));
+    // Of the new session nothing is known yet, least of all that it is ready.
+    QCOMPARE(f.window->stateBar()->stateWord(), QStringLiteral("Starting"));
+    QVERIFY(!f.window->stateBar()->armButton()->isEnabled());
+  }
+
+  void theFocusStaysAtConnectWhileItWorks() {
+    Fixture f;
+    f.window->frame()->go(QStringLiteral("devices"));
+    say(f, SafetyState::ready);
+    widgets::ConnectionForm* form = devicesOf(f)->form();
+    form->connectButton()->setFocus();
+    form->setWork(QStringLiteral("working"), false);
+    QVERIFY(!form->connectButton()->hasFocus());
+    form->setWork({}, false);
+    QVERIFY(form->connectButton()->hasFocus());
+  }
+
+  void theFirstStartMakesTheFolderOfTheProfileSoThatASecondWindowIsTold() {
+    const QTemporaryDir folder;
+    const QString profile = folder.filePath(QStringLiteral("new/profile.toml"));
+    (void)console::readStart({}, profile, console::WindowMemory(console::memoryFile(profile)));
+    widgets::FileClaim first(profile);
+    widgets::FileClaim second(profile);
+    QVERIFY(first.otherProgram().isEmpty() && !second.otherProgram().isEmpty());
+  }
+
   void aRealTouchpadNeedsACamera() {
     const QTemporaryDir folder;
     const Started day(folder);
@@ -388,8 +427,10 @@ class ConnectionTest : public QObject {
     window.commands().action(QStringLiteral("help.first_steps"))->trigger();
     QVERIFY(strip->isVisible());
     QCOMPARE(strip->current(), std::size_t{0});
+    strip->button(QStringLiteral("first_simulated"))->setFocus();
     click(strip->button(QStringLiteral("first_simulated")));
     QCOMPARE(strip->current(), std::size_t{1});
+    QCOMPARE(QApplication::focusWidget(), strip->button(QStringLiteral("first_connect")));  // and not "Record"
     QCOMPARE(memory.devices()->touchpad, std::string("simulated"));
     session->say(SafetyState::ready);
     window.feed().pump();

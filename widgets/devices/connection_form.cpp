@@ -1,5 +1,6 @@
 #include "widgets/devices/connection_form.h"
 
+#include <QApplication>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QVBoxLayout>
@@ -200,7 +201,7 @@ void ConnectionForm::refresh() {
   connect_->setText(work_.isEmpty() ? tr("Connect") : tr("Cancel"));
   if (!work_.isEmpty()) {
     hint_->setText(work_);
-    connect_->setEnabled(can_be_cancelled_);
+    allowConnect(can_be_cancelled_);
     return;
   }
   const QString what = missing();
@@ -208,7 +209,17 @@ void ConnectionForm::refresh() {
                  : !what.isEmpty()     ? what
                                    : tr("The devices are asked first. Then the session starts anew; motors stay off "
                                         "until you arm. The choice is remembered."));
-  connect_->setEnabled(hindrance_.isEmpty() && what.isEmpty());
+  allowConnect(hindrance_.isEmpty() && what.isEmpty());
+}
+
+/// The focus of a button that is disabled goes somewhere, and comes back unless it was moved on meanwhile.
+void ConnectionForm::allowConnect(bool on) {
+  const bool loses_focus = !on && connect_->hasFocus();
+  connect_->setEnabled(on);
+  if (loses_focus) fallen_to_ = QApplication::focusWidget();
+  if (!on) return;
+  if (fallen_to_ && fallen_to_ == QApplication::focusWidget()) connect_->setFocus(Qt::OtherFocusReason);
+  fallen_to_.clear();
 }
 
 }  // namespace fyd::widgets

@@ -4,6 +4,7 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 
 #include "widgets/devices/part_choice.h"
@@ -49,6 +50,7 @@ class ConnectionForm : public QFrame {
 
  private:
   void refresh();
+  void allowConnect(bool on);
   [[nodiscard]] QString missing() const;
   void touchpadChanged();
 
@@ -61,6 +63,7 @@ class ConnectionForm : public QFrame {
   QPushButton* robot_;
   QLabel* hint_;
   QPushButton* connect_;
+  QPointer<QWidget> fallen_to_;  ///< what got the focus when `connect_` was disabled
 };
 
 }  // namespace fyd::widgets

@@ -1,5 +1,6 @@
 #include "widgets/status/guide_strip.h"
 
+#include <QApplication>
 #include <QVBoxLayout>
 
 #include "widgets/basics/icon.h"
@@ -72,7 +73,9 @@ void GuideStrip::rebuildSteps() {
 }
 
 void GuideStrip::rebuildActions(const std::vector<Action>& actions) {
-  // One of these buttons may be the caller.
+  // One of these buttons may be the caller, and have the focus: the next step's button takes it, not the one that Qt
+  // finds next, which may record or arm.
+  const bool focused = action_body_ != nullptr && action_body_->isAncestorOf(QApplication::focusWidget());
   if (action_body_ != nullptr) {
     action_body_->hide();
     for (QPushButton* each : action_body_->findChildren<QPushButton*>()) each->setObjectName({});
@@ -82,14 +85,22 @@ void GuideStrip::rebuildActions(const std::vector<Action>& actions) {
   auto* row = new QHBoxLayout(action_body_);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kGrid);
+  QWidget* before = nullptr;
   for (const Action& each : actions) {
     auto* button = new QPushButton(each.words, action_body_);
     button->setObjectName(each.id);
     button->setAutoDefault(false);
     connect(button, &QPushButton::clicked, this, [run = each.run] { run(); });
     row->addWidget(button);
+    setTabOrder(before != nullptr ? before : close_->previousInFocusChain(), button);
+    before = button;
   }
+  if (before != nullptr) setTabOrder(before, close_);
   action_row_->addWidget(action_body_);
+  if (!focused) return;
+  action_body_->show();
+  QWidget* next = actions.empty() ? static_cast<QWidget*>(close_) : button(actions.front().id);
+  next->setFocus(Qt::OtherFocusReason);
 }
 
 }  // namespace fyd::widgets

@@ -192,6 +192,14 @@ void StateBar::showState(pipeline::SafetyState state, pipeline::Fault fault) {
   refresh();
 }
 
+void StateBar::restart() {
+  known_ = false;
+  missing_.reset();
+  lateness_.clear();
+  since_.start();
+  refresh();
+}
+
 void StateBar::showSilence(bool silent) {
   if (silent == silent_) return;
   silent_ = silent;

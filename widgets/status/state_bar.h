@@ -29,6 +29,8 @@ class StateBar : public QFrame {
   void showLateness(const QString& lateness);
   /// Whether the haptic loop sends no telemetry: the state shown may then be outdated.
   void showSilence(bool silent);
+  /// Another session begins: its state is not known yet, and its time begins anew.
+  void restart();
   /// What arming would be refused for now. To be called often: what was said before the state changed is forgotten.
   void showMissing(const MissingNow& missing);
   void showParts(const std::vector<PartView>& parts);

@@ -150,9 +150,15 @@ void MainWindow::connectFeed() {
 }
 
 void MainWindow::connectDevices() {
-  connect(connection_, &ConnectionChange::leaving, this, [this] { arm_once_ = false; });
-  connect(connection_, &ConnectionChange::told, this,
-          [this](Severity severity, const QString& text) { tell(severity, text); });
+  connect(connection_, &ConnectionChange::leaving, this, [this] {
+    arm_once_ = false;
+    stateBar()->restart();
+  });
+  connect(connection_, &ConnectionChange::told, this, [this](Severity severity, const QString& text) {
+    const QString cause = QStringLiteral("connection");
+    notices()->withdraw(cause);  // what the try before came to is no longer so
+    tell(severity, text, true, cause);
+  });
   connect(connection_, &ConnectionChange::arrived, this,
           [this](const ConnectionWords& words) { memory_.setDevices(words); });
   connect(devicesPage(), &DevicesPage::robotAsked, this, [this] { link_->show(); });

@@ -1,5 +1,6 @@
 #include "app/console/window/start.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 namespace fyd::console {
@@ -23,6 +24,8 @@ Result<Start> readStart(const Options& options, const QString& profile_path, con
   const bool own = options.profile.isEmpty();
   const bool standard = options.standardWindow();
   const bool there = QFileInfo::exists(profile_path);
+  // The claim of the first window needs the profile's folder, which a first start has not made yet.
+  if (own && !standard) (void)QDir().mkpath(QFileInfo(profile_path).absolutePath());
   if (!standard || !own) start.station.profile_file = profile_path.toStdString();
   if (!own || (!standard && there)) {
     auto loaded = station::loadProfile(profile_path.toStdString());
