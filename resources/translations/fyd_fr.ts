@@ -2412,10 +2412,6 @@ Robot : %2
         <translation>Se termine au premier de %1 échantillons perdus.</translation>
     </message>
     <message>
-        <source>It is back. Hold Re-arm to start again.</source>
-        <translation>C'est revenu. Maintenir Réarmer pour recommencer.</translation>
-    </message>
-    <message>
         <source>It is damaged. Recover keeps what can be proven; it can be opened as it is, too.</source>
         <translation>Il est endommagé. Récupérer garde ce qui peut être prouvé ; il s'ouvre aussi tel quel.</translation>
     </message>
@@ -4306,6 +4302,10 @@ s</translation>
     <message>
         <source>Simulated: press on the picture, %1 deep; the wheel changes it.</source>
         <translation>Simulé : presser l'image ; profondeur %1 (molette).</translation>
+    </message>
+    <message>
+        <source>Since then it is back. Hold Re-arm to start again.</source>
+        <translation>C'est revenu depuis. Maintenir Réarmer pour recommencer.</translation>
     </message>
     <message>
         <source>Slope

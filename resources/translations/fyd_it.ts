@@ -2412,10 +2412,6 @@ Robot: %2
         <translation>Termina al primo di %1 campioni persi.</translation>
     </message>
     <message>
-        <source>It is back. Hold Re-arm to start again.</source>
-        <translation>È tornato tutto. Tenere premuto Riarma per ricominciare.</translation>
-    </message>
-    <message>
         <source>It is damaged. Recover keeps what can be proven; it can be opened as it is, too.</source>
         <translation>È danneggiata. Recupera conserva ciò che si può provare; si può aprire anche così com'è.</translation>
     </message>
@@ -4306,6 +4302,10 @@ s</translation>
     <message>
         <source>Simulated: press on the picture, %1 deep; the wheel changes it.</source>
         <translation>Simulato: premere sull'immagine, a fondo %1; la rotella lo cambia.</translation>
+    </message>
+    <message>
+        <source>Since then it is back. Hold Re-arm to start again.</source>
+        <translation>Nel frattempo è tornato tutto. Tenere premuto Riarma per ricominciare.</translation>
     </message>
     <message>
         <source>Slope

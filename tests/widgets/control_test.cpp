@@ -212,7 +212,7 @@ class ControlTest : public QObject {
     const QString silent = widgets::asSentence(toString(Fault::motors_stale));
     const QString cable = QStringLiteral("Check the network cable to 10.0.0.7:502.");
     QVERIFY(held(Fault::motors_stale, {silent, cable}).startsWith(cable));
-    QCOMPARE(held(Fault::motors_stale, {}), QStringLiteral("It is back. Hold Re-arm to start again."));
+    QCOMPARE(held(Fault::motors_stale, {}), QStringLiteral("Since then it is back. Hold Re-arm to start again."));
     const QString other = held(Fault::motors_stale, {QStringLiteral("The camera sends no pictures"), cable});
     QVERIFY2(other.contains(QStringLiteral("camera sends no pictures.")) && other.contains(cable), qPrintable(other));
     QVERIFY(!held(Fault::step_gap, {}).contains(QStringLiteral("back")));  // nothing had gone

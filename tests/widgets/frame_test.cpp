@@ -226,7 +226,7 @@ class FrameTest : public QObject {
     f.window->feed().pump();
     QCOMPARE(f.window->notices()->count(), 0);
     QCOMPARE(f.window->log()->lines(), 1);
-    QVERIFY(f.window->stateBar()->stateReason().contains(QStringLiteral("It is back. Hold Re-arm")));
+    QVERIFY(f.window->stateBar()->stateReason().contains(QStringLiteral("Since then it is back. Hold Re-arm")));
   }
 
   void thePaletteGivesTheFocusBackAndLeadsToTheArmingButton() {

@@ -28,7 +28,7 @@ QString howToRearm(Fault fault, const QString& reason, const QString& remedy, co
     return tr("Missing now: %1").arg(missing + QLatin1Char(' ') + now->remedy + then);
   }
   const bool lasts = fault != Fault::none && pipeline::infoOf(fault).need != pipeline::Need::rendering;
-  if (now && missing.isEmpty() && lasts) return tr("It is back. Hold Re-arm to start again.");
+  if (now && missing.isEmpty() && lasts) return tr("Since then it is back. Hold Re-arm to start again.");
   return remedy.isEmpty() ? tr("Hold Re-arm to start again.") : remedy + then;
 }
 
