@@ -5,6 +5,7 @@
 #include "core/protocol/udp_socket.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
+#include "widgets/basics/number_text.h"
 
 namespace fyd::tests {
 
@@ -66,6 +67,15 @@ class LinkTest : public QObject {
     panel.setLink(console::toLink(sealedStatus()));
     QCOMPARE(panel.securityWord(), QStringLiteral("Secured"));
     QCOMPARE(panel.securityShape(), QStringLiteral("lock"));
+  }
+
+  void numbersInARowAreToldApartWhereACommaIsTheirDecimalSign() {
+    const QLocale before;
+    QCOMPARE(widgets::rowText({QStringLiteral("1.5"), QStringLiteral("2.0")}), QStringLiteral("1.5, 2.0"));
+    QLocale::setDefault(QLocale(QLocale::Italian));
+    const QString italian = widgets::rowText({QStringLiteral("1,5"), QStringLiteral("2,0")});
+    QLocale::setDefault(before);
+    QCOMPARE(italian, QStringLiteral("1,5; 2,0"));
   }
 
   void everyFigureIsShownAndWhatAProtocolCannotTellIsADash() {

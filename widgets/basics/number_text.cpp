@@ -31,6 +31,11 @@ QString quantityText(double value, int decimals, const QString& unit) {
   return text == kNoValue || unit.isEmpty() ? text : text + QLatin1Char(' ') + unit;
 }
 
+QString rowText(const QStringList& numbers) {
+  const bool comma = QLocale().decimalPoint() == QLatin1String(",");
+  return numbers.join(comma ? QStringLiteral("; ") : QStringLiteral(", "));
+}
+
 QString ageText(double age_ms) {
   if (!std::isfinite(age_ms)) return kNoValue;
   if (age_ms < 999.5) return tr("%1 ms").arg(std::lround(std::max(0.0, age_ms)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 namespace fyd::widgets {
 
@@ -11,6 +12,8 @@ inline const QString kNoValue = QStringLiteral("—");
 [[nodiscard]] QString numberText(double value, int decimals);
 /// numberText and the unit after a space; the unit is left off with the value.
 [[nodiscard]] QString quantityText(double value, int decimals, const QString& unit);
+/// Numbers in a row: a semicolon between them where a comma is their decimal sign.
+[[nodiscard]] QString rowText(const QStringList& numbers);
 /// An age: "4 ms", "1.2 s", "3 min"; "—" for NaN.
 [[nodiscard]] QString ageText(double age_ms);
 /// A duration: "12 s", "3 min 05 s", "1 h 02 min".

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "widgets/basics/core_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/devices/device_text.h"
 
@@ -154,7 +155,9 @@ ChosenDevices ConnectionForm::devices() const {
   return {.touchpad = touchpad_->word(), .motors = motors_->word(), .camera = camera_->word()};
 }
 
-void ConnectionForm::setRobot(const QString& robot) { robot_->setText(tr("Robot: %1 …").arg(robot)); }
+void ConnectionForm::setRobot(const QString& robot) {
+  robot_->setText(tr("Robot: %1 …").arg(coreText(robot.toStdString())));  // "simulated" and "none" have translations
+}
 
 void ConnectionForm::offer(const QStringList& serial_ports, const QStringList& cameras) {
   touchpad_->offer(serial_ports);

@@ -167,8 +167,8 @@ QString sceneForceText(const SceneState& state) {
 
 QString scenePlaceText(Vec3 place_mm) {
   if (!place_mm.finite()) return kNoValue;
-  return QStringLiteral("%1, %2, %3 mm")
-      .arg(numberText(place_mm.x, 1), numberText(place_mm.y, 1), numberText(place_mm.z, 1));
+  return rowText({numberText(place_mm.x, 1), numberText(place_mm.y, 1), numberText(place_mm.z, 1)}) +
+         QStringLiteral(" mm");
 }
 
 void paintSceneMarks(QPainter& painter, const ScenePicture& picture, const SceneState& state, QSizeF widget_px,

@@ -104,7 +104,7 @@ void ConnectionChange::done(const ConnectionWords& wanted, const Result<void>& o
 }
 
 QString inWords(const ConnectionWords& words) {
-  const auto text = [](const std::string& word) { return QString::fromStdString(word); };
+  const auto text = [](const std::string& word) { return widgets::coreText(word); };
   QStringList parts{ConnectionChange::tr("touchpad %1").arg(text(words.touchpad))};
   if (!words.motors.empty()) parts << ConnectionChange::tr("motors %1").arg(text(words.motors));
   if (!words.camera.empty()) parts << ConnectionChange::tr("camera %1").arg(text(words.camera));

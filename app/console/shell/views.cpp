@@ -167,8 +167,8 @@ widgets::LinkView toLink(const station::StationStatus& status) {
   out.age_ms = figures.silence_ms;
   if (link.led) {
     const auto place = [](const Vec3& p) {
-      return QStringLiteral("%1, %2, %3 mm")
-          .arg(widgets::numberText(p.x, 1), widgets::numberText(p.y, 1), widgets::numberText(p.z, 1));
+      using widgets::numberText;
+      return widgets::rowText({numberText(p.x, 1), numberText(p.y, 1), numberText(p.z, 1)}) + QStringLiteral(" mm");
     };
     out.predictor = text(link.led->predictor);
     out.arrived = place(link.led->arrived_mm);

@@ -317,7 +317,8 @@ void MainWindow::takeNotice(const station::Notice& notice) {
 }
 
 void MainWindow::tell(Severity severity, const QString& text, bool slide_in, const QString& cause) {
-  log_->add(QTime::currentTime().toString(QStringLiteral("HH:mm:ss.zzz")), severity, text);
+  const QString clock = QStringLiteral("HH:mm:ss'%1'zzz").arg(QLocale().decimalPoint());
+  log_->add(QTime::currentTime().toString(clock), severity, text);
   if (slide_in) notices()->post({.severity = severity, .text = text, .cause = cause, .actions = {}});
 }
 
