@@ -111,6 +111,39 @@ class FrameTest : public QObject {
     }
   }
 
+  void aLargerWindowGivesTheCameraItsShareAndASmallerOneTakesItBack() {
+    Fixture f;
+    const QWidget* picture = f.window->operate()->camera()->image();
+    const auto width_at = [&](int width, int height) {
+      f.window->resize(width, height);
+      for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+      return picture->width();
+    };
+    const int before = width_at(1280, 720);
+    const int large = width_at(3840, 2160);
+    QVERIFY2(large > 0.12 * 3840, qPrintable(QString::number(large)));
+    QCOMPARE(width_at(1280, 720), before);
+  }
+
+  void theFirstFocusIsNoButtonThatRecords() {
+    Fixture f;
+    QVERIFY(!f.window->stateBar()->isAncestorOf(f.window->focusWidget()));
+  }
+
+  void howToArmIsSaidUntilItIsArmed() {
+    Fixture f;
+    QAction* arm = f.window->commands().action(QStringLiteral("session.arm"));
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    arm->trigger();
+    QCOMPARE(f.window->notices()->count(), 1);
+    f.session->say(SafetyState::active);
+    f.window->feed().pump();
+    QCOMPARE(f.window->notices()->count(), 0);
+    arm->trigger();
+    QCOMPARE(f.window->notices()->count(), 0);
+  }
+
   void stopAndArmStandStillWhateverOpensAndWhateverIsSaid() {
     Fixture f;
     const auto at = [&](const QWidget* button) {

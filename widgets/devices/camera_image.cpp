@@ -111,10 +111,14 @@ void CameraImage::paintEvent(QPaintEvent*) {
   if (shown_.picture.isNull()) {
     painter.setPen(QPen(theme().line, 1, Qt::DashLine));
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-    paintIcon(painter, QRectF(width() / 2.0 - 16, 16, 32, 32), QStringLiteral("camera"), theme().muted);
     painter.setPen(theme().muted);
     painter.setFont(textFont(TextSize::small));
-    painter.drawText(rect().adjusted(12, 52, -12, -8), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, empty_text_);
+    constexpr int kHow = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
+    const QRect below = rect().adjusted(12, 52, -12, -8);
+    const bool fits = painter.boundingRect(below, kHow, empty_text_).height() <= below.height();
+    // Long words are worth more than the icon.
+    if (fits) paintIcon(painter, QRectF(width() / 2.0 - 16, 16, 32, 32), QStringLiteral("camera"), theme().muted);
+    painter.drawText(fits ? below : rect().adjusted(8, 8, -8, -4), kHow, empty_text_);
     return;
   }
   QPainterPath corners;

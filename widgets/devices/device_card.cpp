@@ -99,6 +99,7 @@ DeviceCard::Section DeviceCard::section(const QString& title) {
 void DeviceCard::fill(Section& section, const std::vector<Entry>& entries) {
   while (section.rows.size() < entries.size()) {
     section.rows.push_back({small(new QLabel(this), true), small(new QLabel(this), false)});
+    section.rows.back().value->setWordWrap(true);
   }
   const auto columns = static_cast<std::size_t>(section.columns);
   const std::size_t lines = (entries.size() + columns - 1) / columns;
@@ -114,7 +115,6 @@ void DeviceCard::fill(Section& section, const std::vector<Entry>& entries) {
         section.grid->addWidget(row.label, line, column, Qt::AlignTop);
         section.grid->addWidget(row.value, line, column + 1, Qt::AlignTop);
       }
-      row.value->setWordWrap(section.columns == 1);
       row.label->setText(entries[i].label);
       if (row.value->text() != entries[i].value) {
         row.value->setText(entries[i].value);

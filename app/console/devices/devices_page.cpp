@@ -183,7 +183,7 @@ void DevicesPage::refresh() {
 
 widgets::DeviceCard* DevicesPage::addCard() {
   auto* card = new widgets::DeviceCard(this);
-  card->setMinimumWidth(36 * kGrid);
+  card->setMinimumWidth(34 * kGrid);
   row_->insertWidget(row_->count() - 1, card, 1);
   return card;
 }

@@ -2,10 +2,12 @@
 
 #include <QAction>
 #include <QChildEvent>
+#include <QResizeEvent>
 #include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>
 #include <algorithm>
+#include <functional>
 
 #include "app/console/shell/side_dock.h"
 
@@ -24,23 +26,38 @@ int heightOf(const QDockWidget& panel, int width) {
                                    : body->sizeHint().height();
 }
 
-/// Names the tab bars that the window makes for panels at one place.
-class TabBarNamer : public QObject {
+/// Width of a panel at the side that nobody has moved.
+int standardWidth(const QDockWidget& panel, int window_width) {
+  return std::max(panel.minimumSizeHint().width(), static_cast<int>(kShareOfWidth * window_width));
+}
+
+/// Names the tab bars that the window makes for panels at one place, and tells of another width of it.
+class WindowFollower : public QObject {
  public:
-  using QObject::QObject;
+  WindowFollower(QObject* parent, std::function<void(int former_width)> widened)
+      : QObject(parent), widened_(std::move(widened)) {}
   bool eventFilter(QObject* window, QEvent* event) override {
+    if (event->type() == QEvent::Resize) {
+      const auto* resized = static_cast<QResizeEvent*>(event);
+      if (resized->oldSize().width() > 0 && resized->oldSize().width() != resized->size().width()) {
+        widened_(resized->oldSize().width());
+      }
+    }
     if (event->type() == QEvent::ChildPolished) {
       auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
       if (tabs != nullptr && tabs->accessibleName().isEmpty()) tabs->setAccessibleName(SideDock::tr("Panels"));
     }
     return QObject::eventFilter(window, event);
   }
+
+ private:
+  std::function<void(int)> widened_;
 };
 
 }  // namespace
 
 DockSet::DockSet(QMainWindow& window, Sharing sharing) : window_(window), sharing_(sharing) {
-  window_.installEventFilter(new TabBarNamer(&window_));
+  window_.installEventFilter(new WindowFollower(&window_, [this](int former_width) { follow(former_width); }));
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
   // Side panels extend to the window's lower edge, so that bottom panels do not shorten them.
@@ -81,7 +98,7 @@ void DockSet::arrange() {
     QList<int> widths;
     QList<int> heights;
     for (const QDockWidget* panel : upright) {
-      widths << std::max(panel->minimumSizeHint().width(), static_cast<int>(kShareOfWidth * window.width()));
+      widths << standardWidth(*panel, window.width());
       heights << std::max(heightOf(*panel, widths.last()), kLeastHeight);
     }
     window.resizeDocks(upright, heights, Qt::Vertical);
@@ -89,6 +106,28 @@ void DockSet::arrange() {
   };
   resize();
   QMetaObject::invokeMethod(&window_, resize, Qt::QueuedConnection);  // again once the window has its final size
+}
+
+/// A larger window gives the panels at its sides their share, but not one that was drawn to another width.
+void DockSet::follow(int former_width) {
+  if (!window_.isVisible()) return;
+  QList<QDockWidget*> moved;
+  for (const Panel& each : panels_) {
+    const bool at_side = each.area == Qt::LeftDockWidgetArea || each.area == Qt::RightDockWidgetArea;
+    if (!at_side || !each.shown || each.dock->isFloating() || !each.dock->isVisible()) continue;
+    constexpr int kRounding_px = 2;
+    if (std::abs(each.dock->width() - standardWidth(*each.dock, former_width)) <= kRounding_px) moved << each.dock;
+  }
+  if (moved.isEmpty()) return;
+  // Once the window's own layout has followed.
+  QMetaObject::invokeMethod(
+      &window_,
+      [&window = window_, moved] {
+        QList<int> widths;
+        for (const QDockWidget* panel : moved) widths << standardWidth(*panel, window.width());
+        window.resizeDocks(moved, widths, Qt::Horizontal);
+      },
+      Qt::QueuedConnection);
 }
 
 void DockSet::restore(const QByteArray& layout) {

@@ -31,6 +31,7 @@ class DockSet {
   static constexpr int kVersion = 1;  ///< increased when a panel's meaning changes: older layouts are then dropped
 
   void place(const Panel& panel);
+  void follow(int former_width);
 
   QMainWindow& window_;
   Sharing sharing_;

@@ -21,7 +21,7 @@ void claimSize(Page& page, bool claims) {
   page.setSizePolicy(policy, policy);
 }
 
-constexpr int kLeastPlace_px = 500;  // height of a place that is still used without scrolling inside it
+constexpr int kLeastPlace_px = 440;  // height of a place that is still used without scrolling inside it
 
 /// A scroll area takes the preferred height for its width as the least: this one has none, so that a low window
 /// shrinks lists and plots before anything scrolls away.

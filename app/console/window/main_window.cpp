@@ -21,6 +21,12 @@ namespace fyd::console {
 
 using widgets::Severity;
 
+namespace {
+
+const QString kHowToArm = QStringLiteral("arm");  // cause of a notice
+
+}  // namespace
+
 MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_path, const QString& catalogue,
                        const WindowMemory& memory)
     : session_(std::move(session)),
@@ -264,6 +270,7 @@ void MainWindow::recall() {
   if (const QByteArray kept = memory_.geometry(); !kept.isEmpty()) restoreGeometry(kept);
   setLayoutTo(memory_.layout());
   frame_->go(memory_.page());
+  operate()->curves()->setFocus(Qt::OtherFocusReason);  // not the first button: a stray space bar would record
 }
 
 void MainWindow::remember() {
@@ -286,6 +293,7 @@ void MainWindow::ask(pipeline::OperatorAction action) {
 void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples) {
   const pipeline::TelemetrySample& newest = samples.back();
   state_ = newest.state;
+  if (state_ == pipeline::SafetyState::active) notices()->withdraw(kHowToArm);
   stateBar()->showState(newest.state, newest.fault);
   link_->showSample(newest);
   if (waiting_theme_ && state_ != pipeline::SafetyState::active) setTheme(*waiting_theme_);
@@ -337,8 +345,8 @@ QStringList MainWindow::unfinished() const {
 // Arming stays a deliberate hold.
 void MainWindow::leadToArm() {
   stateBar()->armButton()->setFocus(Qt::ShortcutFocusReason);
-  tell(Severity::information, tr("Hold the space bar, or the mouse on the button, for 0.6 s to arm."), true,
-       QStringLiteral("arm"));
+  if (state_ == pipeline::SafetyState::active) return;
+  tell(Severity::information, tr("Hold the space bar, or the mouse on the button, for 0.6 s to arm."), true, kHowToArm);
 }
 
 }  // namespace fyd::console
