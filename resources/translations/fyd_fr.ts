@@ -6771,7 +6771,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>live, peak</source>
-        <translation>en direct, crête</translation>
+        <translation>direct, crête</translation>
     </message>
     <message>
         <source>load cell</source>

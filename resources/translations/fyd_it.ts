@@ -6771,7 +6771,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>live, peak</source>
-        <translation>dal vivo, picco</translation>
+        <translation>vivo, picco</translation>
     </message>
     <message>
         <source>load cell</source>

@@ -99,8 +99,12 @@ void GuideStrip::rebuildActions(const std::vector<Action>& actions) {
   action_row_->addWidget(action_body_);
   if (!focused) return;
   action_body_->show();
-  QWidget* next = actions.empty() ? static_cast<QWidget*>(close_) : button(actions.front().id);
-  next->setFocus(Qt::OtherFocusReason);
+  takeFocus();
+}
+
+void GuideStrip::takeFocus() {
+  QWidget* first = action_ids_.isEmpty() ? static_cast<QWidget*>(close_) : button(action_ids_.front());
+  first->setFocus(Qt::OtherFocusReason);
 }
 
 }  // namespace fyd::widgets

@@ -32,6 +32,8 @@ class GuideStrip : public QFrame {
   /// @param current step; as many as there are steps: none. Equal words keep their buttons, and the focus in them.
   void setGuide(const std::vector<Step>& steps, std::size_t current, const QString& advice,
                 std::vector<Action> actions);
+  /// The focus goes to the present step's first button.
+  void takeFocus();
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] std::size_t current() const { return current_; }
   [[nodiscard]] QString advice() const { return advice_->text(); }

@@ -46,7 +46,6 @@ class OperatePage : public Page {
   CalibrationAges ages_;
   widgets::CameraPanel* camera_;
   FingerMenu* finger_;
-  std::vector<QAction*> finger_actions_;
   widgets::ReadinessList* readiness_;
   widgets::CurveView* curves_;
   CurveTools* curve_tools_;
@@ -54,6 +53,7 @@ class OperatePage : public Page {
   QMainWindow* area_;
   SceneDock* scene_;
   DockSet panels_;
+  std::vector<QAction*> finger_actions_;
 };
 
 }  // namespace fyd::console

@@ -46,6 +46,7 @@ void FirstSteps::show() {
   counting_.start();
   refresh();
   strip_->show();
+  strip_->takeFocus();
 }
 
 void FirstSteps::hear(std::span<const pipeline::TelemetrySample> samples) {

@@ -87,7 +87,10 @@ Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* par
   layout->addLayout(column, 1);
 }
 
-void Frame::addStrip(QWidget* strip) { strips_->addWidget(strip); }
+void Frame::addStrip(widgets::GuideStrip* strip) {
+  strips_->addWidget(strip);
+  setTabOrder(state_bar_->stopButton(), strip->closeButton());  // where it is seen: between the bar and the place
+}
 
 void Frame::go(const QString& place) {
   const auto wanted = pages_.find(place);

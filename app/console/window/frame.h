@@ -12,6 +12,7 @@
 #include "app/console/shell/command_registry.h"
 #include "app/console/shell/page.h"
 #include "widgets/basics/navigation_bar.h"
+#include "widgets/status/guide_strip.h"
 #include "widgets/status/notice_stack.h"
 #include "widgets/status/state_bar.h"
 
@@ -24,7 +25,7 @@ class Frame : public QWidget {
   Frame(const PageContext& context, CommandRegistry& commands, QWidget* parent = nullptr);
 
   /// Puts a line above the places, below the state bar.
-  void addStrip(QWidget* strip);
+  void addStrip(widgets::GuideStrip* strip);
   /// Shows a place; an unknown one changes nothing.
   void go(const QString& place);
   [[nodiscard]] const QString& place() const { return place_; }
