@@ -257,6 +257,7 @@ LoopPrediction predictLoop(const IdentifiedCloth& cloth, const ControlParameters
   prediction.steady_error_percent = run.steady_error_percent;
   if (prediction.margins.gain_margin <= 1 || prediction.margins.phase_margin_deg <= 0 || run.swings_late) {
     prediction.verdict = LoopVerdict::unstable;
+    prediction.settling_s = kNever;  // a swing that ends inside the band by chance settles nothing
   } else if (!std::isnan(run.settling_s)) {
     prediction.verdict = run.swings_early ? LoopVerdict::rings : LoopVerdict::settles;
   }

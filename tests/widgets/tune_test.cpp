@@ -213,6 +213,7 @@ class TuneTest : public QObject {
     f.type("control.kp", QStringLiteral("0.3"));
     f.type("control.ki", QStringLiteral("6"));
     f.type("texture.k_vib", QStringLiteral("2"));
+    QCOMPARE(f.page->differences()->table()->item(1, 0)->text(), QStringLiteral("Ki"));
     f.page->differences()->table()->selectRow(1);
     click(f.page->differences()->revertButton());
     QCOMPARE(f.used("control.ki"), 5.0);
@@ -339,6 +340,7 @@ class TuneTest : public QObject {
     QCOMPARE(f.used("control.kp"), 6.0);
     WAIT_EQUAL(f.page->response()->response(TuningResponse::current).verdict, control::LoopVerdict::unstable);
     QVERIFY(f.page->response()->ground().contains(QStringLiteral("20.0 ms")));
+    QCOMPARE(f.page->response()->figure(TuningResponse::current, 1), QStringLiteral("—"));  // it never settles
     f.type("texture.k_vib", QStringLiteral("5"));  // nothing of the loop: not asked
     QCOMPARE(f.used("texture.k_vib"), 5.0);
     QTest::keyClick(f.page, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);  // all back to saved: steady

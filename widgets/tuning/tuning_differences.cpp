@@ -9,6 +9,11 @@
 #include "widgets/tuning/tuning_text.h"
 
 namespace fyd::widgets {
+namespace {
+
+constexpr int kId = Qt::UserRole;  // the parameter's id in each cell
+
+}  // namespace
 
 TuningDifferences::TuningDifferences(TuningModel& model, QWidget* parent)
     : QWidget(parent),
@@ -45,7 +50,7 @@ TuningDifferences::TuningDifferences(TuningModel& model, QWidget* parent)
   connect(revert_, &QPushButton::clicked, this, [this] {
     std::vector<Setting> settings;
     for (const QModelIndex& index : table_->selectionModel()->selectedRows()) {
-      const std::string id = table_->item(index.row(), 0)->text().toStdString();
+      const std::string id = table_->item(index.row(), 0)->data(kId).toString().toStdString();
       if (const TunedParameter* p = model_.find(id)) settings.push_back({.id = id, .value = p->saved});
     }
     if (const auto ok = model_.changeAll(tr("back to the saved values"), settings); !ok) {
@@ -73,12 +78,14 @@ void TuningDifferences::refresh() {
       const QString number = valueText(p.info, value);
       return unit.isEmpty() ? number : tr("%1 %2").arg(number, unit);
     };
-    const QStringList cells = {QString::fromUtf8(p.info.id.data(), static_cast<qsizetype>(p.info.id.size())),
-                               text(p.saved), text(p.value)};
+    const QString id = QString::fromUtf8(p.info.id.data(), static_cast<qsizetype>(p.info.id.size()));
+    const QStringList cells = {tunedName(p.info), text(p.saved), text(p.value)};
     for (int column = 0; column < cells.size(); ++column) {
       QTableWidgetItem* item = table_->item(row, column);
       if (item == nullptr) table_->setItem(row, column, item = new QTableWidgetItem);
       item->setText(cells[column]);
+      item->setToolTip(tr("Parameter %1").arg(id));
+      item->setData(kId, id);
     }
     ++row;
   }

@@ -171,7 +171,8 @@ void TuningResponse::display(Which which) {
   double low = 100.0 - 2 * kBand_percent, high = 100.0 + 2 * kBand_percent;
   for (const ResponseView& each : views_) {
     if (each.course.empty()) continue;
-    span_s = std::max(span_s, std::isfinite(each.settling_s) ? 2.0 * each.settling_s : each.course.back().x());
+    const double end_s = each.course.back().x();
+    span_s = std::max(span_s, std::isfinite(each.settling_s) ? std::min(2.0 * each.settling_s, end_s) : end_s);
     for (const QPointF& point : each.course) {
       if (!std::isfinite(point.y())) continue;
       low = std::min(low, point.y());

@@ -239,6 +239,7 @@ void TuningRow::takeField() {
     return;
   }
   markRefused(true);
+  field_->selectAll();  // the next key writes another value
   emit refused(tr("%1: \"%2\" was not taken. Expected %3.")
                    .arg(name_->text(), field_->text(), coreText(describeRange(parameter().info))));
 }
