@@ -7,6 +7,7 @@
 #include <qcustomplot.h>
 
 #include "widgets/basics/theme.h"
+#include "widgets/curves/axis_scale.h"
 #include "widgets/curves/plot_style.h"
 
 namespace fyd::widgets {
@@ -60,8 +61,9 @@ FitPlot::FitPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)
   plot_->plotLayout()->setRowSpacing(0);
   for (QCPAxisRect* rect : {above_, below_}) {
     rect->setAutoMargins(QCP::msTop | QCP::msBottom | QCP::msRight);
-    rect->setMargins(QMargins(kReadingLeft_px, 4, 8, 4));
+    rect->setMargins(QMargins(kReadingLeft_px + kGrid, 4, 8, 4));  // a true minus is wide
     for (QCPAxis* axis : rect->axes()) {
+      axis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(*axis)));
       axis->setNumberFormat(QStringLiteral("gb"));
       axis->setNumberPrecision(4);
       axis->ticker()->setTickCount(4);

@@ -11,6 +11,7 @@
 #include "widgets/basics/number_text.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/vertical_scroll.h"
+#include "widgets/tuning/tuning_text.h"
 
 namespace fyd::console {
 namespace {
@@ -147,9 +148,12 @@ void CalibrationFitPanel::setChanges(const calibration::CalibrationResult& resul
     const QString before = parameter != nullptr ? QString::fromStdString(formatParameter(*parameter)) : QString();
     // The module's name is the same on every line, so it is left out to save width.
     const QString id = QString::fromStdString(change.id);
+    const QString unit = parameter != nullptr ? widgets::unitText(*parameter) : QString();
+    const QString name = id.section(QLatin1Char('.'), 1) + (unit.isEmpty() ? unit : QStringLiteral(", ") + unit);
+    const QString help = parameter != nullptr ? widgets::coreText(parameter->info.help) : QString();
     const QString after = QString::fromStdString(change.value);
     int column = 0;
-    for (const auto& [text, tip] : {std::pair{id.section(QLatin1Char('.'), 1), id},
+    for (const auto& [text, tip] : {std::pair{name, help.isEmpty() ? id : help + QLatin1Char('\n') + id},
                                     std::pair{shortened(before), before}, std::pair{shortened(after), after}}) {
       auto* item = new QTableWidgetItem(text);
       item->setToolTip(tip);

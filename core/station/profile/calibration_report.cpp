@@ -6,6 +6,7 @@
 #include "core/base/whole_file.h"
 #include "core/calibration/calibration_dependence.h"
 #include "core/report/report.h"
+#include "core/station/profile/profile.h"
 #include "core/station/profile/touchpad_name.h"
 
 namespace fyd::station {
@@ -66,11 +67,17 @@ report::ReportTable valuesTable(const CalibrationReport& report) {
                           .remark = {},
                           .columns = {{.title = "parameter", .share = 3.0},
                                       {.title = "before", .share = 3.0},
-                                      {.title = "after", .share = 3.0}},
+                                      {.title = "after", .share = 3.0},
+                                      {.title = "unit", .share = 1.0}},
                           .rows = {}};
+  Profile described;
+  const auto bound = bindParameters(described);
   for (const calibration::AppliedChange& change : report.record.changes) {
     const bool left = change.before == change.after && calibration::isTared(report.record.procedure, change.id);
-    out.rows.push_back({change.id, change.before, left ? "as before: to be taken again" : change.after});
+    const Parameter* parameter = findParameter(bound, change.id);
+    const bool has_unit = parameter != nullptr && parameter->info.unit != "1";
+    out.rows.push_back({change.id, change.before, left ? "as before: to be taken again" : change.after,
+                        has_unit ? std::string(parameter->info.unit) : std::string()});
   }
   if (!out.rows.empty()) return out;
   out.remark = report.accepted ? "This calibration is a check: it changes no value."
