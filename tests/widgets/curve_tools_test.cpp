@@ -247,6 +247,11 @@ class CurveToolsTest : public QObject {
     f.key(Qt::Key_C);
     widgets::CurveSetupPanel* panel = f.tools->panel();
     QVERIFY(panel->isVisible());
+    QApplication::processEvents();
+    const auto* area = panel->findChild<QScrollArea*>();
+    QVERIFY2(area->widget()->sizeHint().width() <= area->viewport()->width(), "names and ranges are cut off");
+    f.curves->chooseSpan(30.0);
+    QCOMPARE(panel->findChild<QLineEdit*>(QStringLiteral("curve_span"))->text(), QStringLiteral("30"));
     const std::size_t stretch = f.indexOf("stretch");
     QVERIFY(!f.curves->strip(stretch)->isVisible());
     panel->shownBox(stretch)->setFocus();

@@ -1,6 +1,7 @@
 #include "widgets/curves/curve_setup_panel.h"
 
 #include <QGridLayout>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -11,8 +12,6 @@
 
 namespace fyd::widgets {
 namespace {
-
-constexpr int kWidth = 32 * kGrid;
 
 QLabel* small(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -35,7 +34,6 @@ CurveSetupPanel::CurveSetupPanel(CurveStack* stack, QWidget* parent)
       link_(new QCheckBox(tr("One time for all curves"), this)),
       problem_(new QLabel(this)) {
   setAccessibleName(tr("Choice of curves"));
-  setFixedWidth(kWidth);
   build();
   refresh();
 }
@@ -87,6 +85,8 @@ void CurveSetupPanel::build() {
   grid->setRowStretch(static_cast<int>(stack_->size()) + 1, 1);
   scroll->setWidget(body);
   layout->addWidget(scroll, 1);
+  // Names in every language, both ends of a range, and the scroll bar have room beside each other.
+  setFixedWidth(kGrid + body->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
 
   problem_->setObjectName(QStringLiteral("curve_problem"));
   problem_->setWordWrap(true);
@@ -99,9 +99,7 @@ void CurveSetupPanel::addRow(QGridLayout* grid, std::size_t index) {
   const StripSetup& setup = stack_->setup(index);
   const QString name = setup.unit.isEmpty() ? setup.title : tr("%1, %2").arg(setup.title, setup.unit);
   QWidget* body = grid->parentWidget();
-  Row row{.shown = new QCheckBox(setup.title, body),
-          .lower = new QLineEdit(body),
-          .upper = new QLineEdit(body)};
+  Row row{.shown = new QCheckBox(setup.title, body), .lower = new QLineEdit(body), .upper = new QLineEdit(body)};
   row.shown->setObjectName(QStringLiteral("show_") + setup.id);
   row.shown->setAccessibleName(tr("Show %1").arg(name));
   connect(row.shown, &QCheckBox::toggled, this, [this, index](bool shown) {

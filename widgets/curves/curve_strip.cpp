@@ -13,7 +13,7 @@
 namespace fyd::widgets {
 namespace {
 
-constexpr int kLineWidth = 1;  // of the curves' pens
+constexpr int kLineWidth = 1;        // of the curves' pens
 constexpr int kLeastHeight_px = 24;  // one line of text
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -74,6 +74,7 @@ CurveStrip::CurveStrip(const QString& name, const QString& unit, Range least, st
   }
   lanes_ = !traces_.front().lane.isEmpty();
   if (lanes_) buildLanes();
+  mark_words_->setLayer(QStringLiteral("overlay"));  // above the curve, which is made after it
   mark_words_->position->setType(QCPItemPosition::ptAxisRectRatio);
   mark_words_->position->setCoords(1.0, 0.0);
   mark_words_->setPositionAlignment(Qt::AlignRight | Qt::AlignTop);

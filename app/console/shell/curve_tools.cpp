@@ -49,6 +49,7 @@ void CurveTools::addCommands(PlaceCommands& commands, const std::string& place, 
 void CurveTools::showState() {
   link_action_->setChecked(stack_->linked());
   hold_action_->setChecked(stack_->rangesHeld());
+  if (panel_->isVisible()) panel_->refresh();
 }
 
 QByteArray CurveTools::choice() const { return widgets::choiceOf(*stack_); }
