@@ -103,6 +103,8 @@ class ReviewTest : public QObject {
     QVERIFY(f.page->noteField()->hasFocus());
     QTest::keyClicks(f.page->noteField(), QStringLiteral("feels soft <b>"));
     QTest::keyClick(f.page->noteField(), Qt::Key_Return);
+    QVERIFY(f.page->curves()->hasFocus());  // the next key is a command again, and the note is seen in its list
+    QCOMPARE(f.page->notes()->item(f.page->notes()->currentRow(), 2)->text(), QStringLiteral("feels soft <b>"));
     f.key(Qt::Key_B);
     QCOMPARE(f.page->notes()->rowCount(), 2);
     const auto notes = recording::readReviewNotes(f.path.toStdString());

@@ -12,6 +12,7 @@ using widgets::Stroke;
 using widgets::TimeWindow;
 
 constexpr int kRedraw_ms = 15;
+constexpr int kLeastWidth = 56 * widgets::kGrid;  // beside axis and numerals a curve is still read
 
 Stroke strokeOf(ReviewLayer layer, Stroke own) {
   if (layer == ReviewLayer::other) return Stroke::faint;
@@ -32,6 +33,7 @@ ReviewCurves::ReviewCurves(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(widgets::kGrid, widgets::kGrid / 2, widgets::kGrid, widgets::kGrid / 2);
   layout->addWidget(stack_);
+  setMinimumWidth(kLeastWidth);
   addStrips();
   // The window stays within the recording, as far as it is not longer than that.
   stack_->setBounds([this](TimeWindow& window) {

@@ -119,6 +119,12 @@ void ReviewExports::finish(const std::string& target, const Result<void>& done, 
   }
 }
 
+QStringList ReviewExports::underWay() const {
+  QStringList out;
+  for (const auto& [target, work] : works_) out << QFileInfo(QString::fromStdString(target)).fileName();
+  return out;
+}
+
 void ReviewExports::drop() {
   for (auto& [target, work] : works_) work->drop();
 }

@@ -32,8 +32,8 @@ class ReviewExports : public QObject {
   void exportShown(const ReviewCurves& curves, const QString& target);
   /// A touch as a gesture card. @param number from 1
   void exportCard(const exports::Touch& touch, int number);
-  /// How many files are being written.
-  [[nodiscard]] int underWay() const { return static_cast<int>(works_.size()); }
+  /// Names of the files that are being written.
+  [[nodiscard]] QStringList underWay() const;
   /// Cancels all of them; no partial file is left.
   void drop();
 

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,7 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
   layout->addWidget(work_);
   stack_->addWidget(panel(list_, this));
   stack_->addWidget(buildReview());
+  showPart(0);
   connect(list_, &SessionList::openAsked, this, &ReviewPage::open);
   connect(list_, &SessionList::compareAsked, this, &ReviewPage::compare);
   bar_->timeField()->setSpan(
@@ -98,7 +100,7 @@ QWidget* ReviewPage::buildReview() {
   layout->addWidget(panel(overview_, review));
   auto* body = new QHBoxLayout;
   body->setSpacing(kGrid);
-  body->addWidget(buildLeft());
+  body->addWidget(buildLeft(), 2);
   auto* curves = new QWidget(review);
   auto* beside = new QHBoxLayout(curves);
   beside->setContentsMargins(0, 0, 0, 0);
@@ -118,7 +120,8 @@ QWidget* ReviewPage::buildReview() {
 QWidget* ReviewPage::buildLeft() {
   auto* left = new QFrame(this);
   left->setProperty("surface", "panel");
-  left->setFixedWidth(kSideWidth);
+  left->setMinimumWidth(kSideWidth);
+  left->setMaximumWidth(3 * kSideWidth);  // a wide window gives the picture room
   auto* layout = new QVBoxLayout(left);
   layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
   layout->setSpacing(kGrid);
@@ -136,7 +139,12 @@ QWidget* ReviewPage::buildLeft() {
   tags_field_->setAccessibleName(tr("Tags of the session"));
   tags_field_->setToolTip(tr("Kept beside the recording, which stays as it is; the list of sessions finds them."));
   connect(tags_field_, &QLineEdit::returnPressed, this, &ReviewPage::writeTags);
-  layout->addWidget(tags_field_);
+  auto* tags = new QHBoxLayout;
+  auto* word = new QLabel(tr("Tags"), left);
+  word->setBuddy(tags_field_);
+  tags->addWidget(word);
+  tags->addWidget(tags_field_, 1);
+  layout->addLayout(tags);
   return left;
 }
 
@@ -207,15 +215,24 @@ void ReviewPage::enter() {
 }
 
 QString ReviewPage::unfinished() const {
-  const int files = exports_->underWay();
-  return files == 0 ? QString() : tr("exports being written: %1").arg(files);
+  const QStringList files = exports_->underWay();
+  return files.isEmpty() ? QString() : tr("being written: %1").arg(files.join(QStringLiteral(", ")));
 }
 
 void ReviewPage::leave() { player_.stop(); }
 
+/// Only the shown one claims its size, so that the list needs no scrolling in a window that is too low for a review.
+void ReviewPage::showPart(int index) {
+  for (int i = 0; i < stack_->count(); ++i) {
+    const auto policy = i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    stack_->widget(i)->setSizePolicy(policy, policy);
+  }
+  stack_->setCurrentIndex(index);
+}
+
 void ReviewPage::showList() {
   player_.stop();
-  stack_->setCurrentIndex(0);
+  showPart(0);
   list_->look();
 }
 
@@ -256,7 +273,7 @@ bool ReviewPage::open(const QString& path) {
   describe();
   marks_.show(*recording_);
   tags_field_->setText(marks_.tags().join(QStringLiteral(", ")));
-  stack_->setCurrentIndex(1);
+  showPart(1);
   player_.setRecording(recording_.get());
   curves_->show(0.0, std::min(duration_s, 30.0));
   showEnvelope();
@@ -315,6 +332,8 @@ void ReviewPage::writeNote(recording::NoteKind kind, const QString& text) {
   if (!recording_ || !marks_.write(kind, text, player_.time_s())) return;
   note_field_->clear();
   marks_.show(*recording_);
+  note_table_->showAt(player_.time_s(), text.trimmed());
+  curves_->setFocus();  // the keys of the place work again
 }
 
 void ReviewPage::writeTags() {

@@ -72,6 +72,7 @@ class ReviewPage : public Page {
  private:
   QWidget* buildReview();
   QWidget* buildLeft();
+  void showPart(int index);
   void connectCursor();
   void connectTabs();
   void connectRecovery();

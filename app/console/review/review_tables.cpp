@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QHeaderView>
 #include <QPainter>
+#include <QSignalBlocker>
+#include <algorithm>
 
 #include "widgets/basics/number_text.h"
 
@@ -144,6 +146,14 @@ void NoteTable::setNotes(const std::vector<NoteLine>& notes) {
     setRow(i, {numberText(note.time_s, 2), note.kind, note.text},
            tr("%1 at %2 s: %3").arg(note.kind, numberText(note.time_s, 2), note.text));
   }
+}
+
+void NoteTable::showAt(double time_s, const QString& text) {
+  const auto found =
+      std::ranges::find_if(notes_, [&](const NoteLine& each) { return each.time_s == time_s && each.text == text; });
+  if (found == notes_.end()) return;
+  const QSignalBlocker quiet(this);
+  setCurrentCell(static_cast<int>(found - notes_.begin()), 0);
 }
 
 }  // namespace fyd::console

@@ -63,6 +63,8 @@ class NoteTable : public ReviewTable {
  public:
   explicit NoteTable(QWidget* parent = nullptr);
   void setNotes(const std::vector<NoteLine>& notes);
+  /// Scrolls to the note with these words at that time, and selects it without choosing its time.
+  void showAt(double time_s, const QString& text);
 
  signals:
   void noteChosen(double time_s);

@@ -29,6 +29,10 @@ Found search(const std::string& catalogue, const std::string& text) {
   return opened->search({.text = text, .limit = kMostRows});
 }
 
+QString howToOpen() {
+  return SessionList::tr("Enter or a double click opens a session. Two chosen, the second with Ctrl, can be compared.");
+}
+
 QString stateWord(const catalogue::CatalogueEntry& entry) {
   switch (entry.file_state) {
     case catalogue::FileState::missing: return SessionList::tr("file missing");
@@ -159,7 +163,7 @@ void SessionList::fill(const std::vector<catalogue::CatalogueEntry>& entries) {
         QString::fromStdString(e.subject),
         tags.join(QStringLiteral(", ")),
         stateWord(e),
-        QString::fromStdString(e.notes).simplified()};
+        QString::fromStdString(e.notes).split(QLatin1Char('\n'), Qt::SkipEmptyParts).join(QStringLiteral(" · "))};
     for (int column = 0; column < cells.size(); ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(QString::fromStdString(e.path));
@@ -167,7 +171,7 @@ void SessionList::fill(const std::vector<catalogue::CatalogueEntry>& entries) {
     }
   }
   if (!entries.empty()) {
-    say(tr("Enter or a double click opens a session."));
+    say(howToOpen());
   } else if (filter_->text().isEmpty()) {
     say(tr("No session is in the catalogue yet. Record one in Operate (Ctrl+R), or name a recording's file below."));
   } else {
@@ -203,7 +207,7 @@ void SessionList::explain(const catalogue::CatalogueEntry& entry) {
   } else if (present && entry.wholeness == recording::Wholeness::damaged) {
     say(tr("It is damaged. Recover keeps what can be proven; it can be opened as it is, too."));
   } else {
-    say(tr("Enter or a double click opens a session."));
+    say(howToOpen());
   }
 }
 
