@@ -42,10 +42,6 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>%1 %2 ± %3</source>
-        <translation>%1 %2 ± %3</translation>
-    </message>
-    <message>
         <source>%1 (%2 times)</source>
         <translation>%1 (%2 fois)</translation>
     </message>
@@ -318,6 +314,10 @@
         <translation>%1 : %2 échantillons sauvés, %3 illisibles. L'original endommagé est conservé sous %4.</translation>
     </message>
     <message>
+        <source>%1: %2 ± %3</source>
+        <translation>%1 : %2 ± %3</translation>
+    </message>
+    <message>
         <source>%1: %2.</source>
         <translation>%1 : %2.</translation>
     </message>
@@ -367,7 +367,7 @@
     </message>
     <message>
         <source>'%1' is no time; expected seconds, such as 83.5, or minutes and seconds, such as 1:23.5.</source>
-        <translation>« %1 » n'est pas un temps ; attendu : des secondes, comme 83.5, ou des minutes et secondes, comme 1:23.5.</translation>
+        <translation>« %1 » n'est pas un temps ; attendu : des secondes, comme 83,5, ou des minutes et secondes, comme 1:23,5.</translation>
     </message>
     <message>
         <source>'{}' is no parameter of this program's step</source>
@@ -1307,7 +1307,7 @@
     </message>
     <message>
         <source>Contact mode: radius of the disc that the finger looks like from afar, as a share of the contact's: 0.6 for a sphere, 1 for a flat disc.</source>
-        <translation>Mode contact : rayon du disque que le doigt paraît être de loin, en part de celui du contact : 0.6 pour une sphère, 1 pour un disque plat.</translation>
+        <translation>Mode contact : rayon du disque que le doigt paraît être de loin, en part de celui du contact : 0,6 pour une sphère, 1 pour un disque plat.</translation>
     </message>
     <message>
         <source>Contact mode: the cloth's tension from left to right over that from front to back.</source>
@@ -1666,8 +1666,8 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Entrée ou un double-clic revient à une disposition.</translation>
     </message>
     <message>
-        <source>Enter or a double click opens a session.</source>
-        <translation>Entrée ou un double-clic ouvre une session.</translation>
+        <source>Enter or a double click opens a session. Two chosen, the second with Ctrl, can be compared.</source>
+        <translation>Entrée ou un double-clic ouvre une session. Deux choisies, la seconde avec Ctrl, peuvent être comparées.</translation>
     </message>
     <message>
         <source>Enter the address and port to listen on, such as 127.0.0.1:3490.</source>
@@ -1703,7 +1703,7 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     </message>
     <message>
         <source>Errors of the stiffness up to this are left alone (the thesis, in its own mode, 0.01).</source>
-        <translation>Les erreurs de raideur jusqu'à cette valeur sont laissées telles quelles (la thèse, dans son mode, 0.01).</translation>
+        <translation>Les erreurs de raideur jusqu'à cette valeur sont laissées telles quelles (la thèse, dans son mode, 0,01).</translation>
     </message>
     <message>
         <source>Esc stops.</source>
@@ -2073,7 +2073,7 @@ N</translation>
     </message>
     <message>
         <source>Gain of the vibration; the robot's operator moves it by 0.1.</source>
-        <translation>Gain de la vibration ; l'opérateur du robot le change de 0.1.</translation>
+        <translation>Gain de la vibration ; l'opérateur du robot le change de 0,1.</translation>
     </message>
     <message>
         <source>Gesture card for the simulated finger</source>
@@ -3244,8 +3244,8 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
         <translation>Non connecté ; les appareils précédents sont de retour. %1.</translation>
     </message>
     <message>
-        <source>Not following: press F to follow again</source>
-        <translation>Suivi arrêté : appuyer sur F pour suivre à nouveau</translation>
+        <source>Not following (F)</source>
+        <translation>Ne suit pas (F)</translation>
     </message>
     <message>
         <source>Not moved: %1.</source>
@@ -4159,7 +4159,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Session time in seconds, 83.5, or minutes and seconds, 1:23.5; then Enter (J)</source>
-        <translation>Temps de la session en secondes, 83.5, ou minutes et secondes, 1:23.5 ; puis Entrée (J)</translation>
+        <translation>Temps de la session en secondes, 83,5, ou minutes et secondes, 1:23,5 ; puis Entrée (J)</translation>
     </message>
     <message>
         <source>Sessions</source>
@@ -4947,7 +4947,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The theme changes once nothing renders: Esc would not be heard meanwhile.</source>
-        <translation>Le thème change quand plus rien n&apos;est rendu : Échap ne serait pas entendu entre-temps.</translation>
+        <translation>Le thème change quand plus rien n'est rendu : Échap ne serait pas entendu entre-temps.</translation>
     </message>
     <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
@@ -5032,6 +5032,10 @@ Pour commencer : %1</translation>
     <message>
         <source>This angle is taken.</source>
         <translation>Cet angle est pris.</translation>
+    </message>
+    <message>
+        <source>This computer opens no folder from here: %1.</source>
+        <translation>Cet ordinateur n'ouvre pas de dossier d'ici : %1.</translation>
     </message>
     <message>
         <source>This computer opens no folder from here: %1. Copy path takes the file's path along.</source>
@@ -5766,6 +5770,10 @@ Pour commencer : %1</translation>
         <translation>en cours d'enregistrement</translation>
     </message>
     <message>
+        <source>being written: %1</source>
+        <translation>en cours d'écriture : %1</translation>
+    </message>
+    <message>
         <source>black picture</source>
         <translation>image noire</translation>
     </message>
@@ -5934,6 +5942,10 @@ Pour commencer : %1</translation>
         <translation>modifié depuis l'étalonnage d'aujourd'hui</translation>
     </message>
     <message>
+        <source>changed since it was calibrated yesterday</source>
+        <translation>modifié depuis l'étalonnage d'hier</translation>
+    </message>
+    <message>
         <source>check the touchpad's connection</source>
         <translation>vérifier la connexion du touchpad</translation>
     </message>
@@ -6067,7 +6079,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
-        <translation>contact et membrane utilisent la forme du tissu pressé et un filtre de Kalman, contact avec l'aire que voit la caméra ; thesis un plan, 0.8/0.2 et un seuil de 2 mm.</translation>
+        <translation>contact et membrane utilisent la forme du tissu pressé et un filtre de Kalman, contact avec l'aire que voit la caméra ; thesis un plan, 0,8/0,2 et un seuil de 2 mm.</translation>
     </message>
     <message>
         <source>contrast</source>
@@ -6362,10 +6374,6 @@ Pour commencer : %1</translation>
         <translation>attendu une vidéo que FFmpeg sait décoder</translation>
     </message>
     <message>
-        <source>exports being written: %1</source>
-        <translation>exports en cours : %1</translation>
-    </message>
-    <message>
         <source>exposure</source>
         <translation>exposition</translation>
     </message>
@@ -6420,6 +6428,10 @@ Pour commencer : %1</translation>
     <message>
         <source>fine: calibrated today</source>
         <translation>bon : étalonné aujourd'hui</translation>
+    </message>
+    <message>
+        <source>fine: calibrated yesterday</source>
+        <translation>bon : étalonné hier</translation>
     </message>
     <message>
         <source>finger</source>

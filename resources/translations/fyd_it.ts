@@ -42,10 +42,6 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>%1 %2 ± %3</source>
-        <translation>%1 %2 ± %3</translation>
-    </message>
-    <message>
         <source>%1 (%2 times)</source>
         <translation>%1 (%2 volte)</translation>
     </message>
@@ -318,6 +314,10 @@
         <translation>%1: %2 campioni salvati, %3 illeggibili. L'originale danneggiato è conservato come %4.</translation>
     </message>
     <message>
+        <source>%1: %2 ± %3</source>
+        <translation>%1: %2 ± %3</translation>
+    </message>
+    <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
     </message>
@@ -367,7 +367,7 @@
     </message>
     <message>
         <source>'%1' is no time; expected seconds, such as 83.5, or minutes and seconds, such as 1:23.5.</source>
-        <translation>'%1' non è un tempo; attesi secondi, come 83.5, o minuti e secondi, come 1:23.5.</translation>
+        <translation>'%1' non è un tempo; attesi secondi, come 83,5, o minuti e secondi, come 1:23,5.</translation>
     </message>
     <message>
         <source>'{}' is no parameter of this program's step</source>
@@ -1307,7 +1307,7 @@
     </message>
     <message>
         <source>Contact mode: radius of the disc that the finger looks like from afar, as a share of the contact's: 0.6 for a sphere, 1 for a flat disc.</source>
-        <translation>Modo contact: raggio del disco che il dito sembra da lontano, come parte di quello del contatto: 0.6 per una sfera, 1 per un disco piatto.</translation>
+        <translation>Modo contact: raggio del disco che il dito sembra da lontano, come parte di quello del contatto: 0,6 per una sfera, 1 per un disco piatto.</translation>
     </message>
     <message>
         <source>Contact mode: the cloth's tension from left to right over that from front to back.</source>
@@ -1666,8 +1666,8 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Invio o doppio clic torna a una disposizione.</translation>
     </message>
     <message>
-        <source>Enter or a double click opens a session.</source>
-        <translation>Invio o doppio clic apre una sessione.</translation>
+        <source>Enter or a double click opens a session. Two chosen, the second with Ctrl, can be compared.</source>
+        <translation>Invio o doppio clic apre una sessione. Due scelte, la seconda con Ctrl, si possono confrontare.</translation>
     </message>
     <message>
         <source>Enter the address and port to listen on, such as 127.0.0.1:3490.</source>
@@ -1703,7 +1703,7 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     </message>
     <message>
         <source>Errors of the stiffness up to this are left alone (the thesis, in its own mode, 0.01).</source>
-        <translation>Gli errori di rigidezza fino a questo valore sono lasciati stare (la tesi, nel suo modo, 0.01).</translation>
+        <translation>Gli errori di rigidezza fino a questo valore sono lasciati stare (la tesi, nel suo modo, 0,01).</translation>
     </message>
     <message>
         <source>Esc stops.</source>
@@ -2073,7 +2073,7 @@ N</translation>
     </message>
     <message>
         <source>Gain of the vibration; the robot's operator moves it by 0.1.</source>
-        <translation>Guadagno della vibrazione; l'operatore del robot lo muove di 0.1.</translation>
+        <translation>Guadagno della vibrazione; l'operatore del robot lo muove di 0,1.</translation>
     </message>
     <message>
         <source>Gesture card for the simulated finger</source>
@@ -3244,8 +3244,8 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
         <translation>Non collegato; sono tornati i dispositivi precedenti. %1.</translation>
     </message>
     <message>
-        <source>Not following: press F to follow again</source>
-        <translation>Non segue: premere F per seguire di nuovo</translation>
+        <source>Not following (F)</source>
+        <translation>Non segue (F)</translation>
     </message>
     <message>
         <source>Not moved: %1.</source>
@@ -4159,7 +4159,7 @@ Premere per leggere perché</translation>
     </message>
     <message>
         <source>Session time in seconds, 83.5, or minutes and seconds, 1:23.5; then Enter (J)</source>
-        <translation>Tempo della sessione in secondi, 83.5, o minuti e secondi, 1:23.5; poi Invio (J)</translation>
+        <translation>Tempo della sessione in secondi, 83,5, o minuti e secondi, 1:23,5; poi Invio (J)</translation>
     </message>
     <message>
         <source>Sessions</source>
@@ -5034,6 +5034,10 @@ Per cominciare: %1</translation>
         <translation>Questo angolo è preso.</translation>
     </message>
     <message>
+        <source>This computer opens no folder from here: %1.</source>
+        <translation>Questo computer non apre cartelle da qui: %1.</translation>
+    </message>
+    <message>
         <source>This computer opens no folder from here: %1. Copy path takes the file's path along.</source>
         <translation>Questo computer non apre cartelle da qui: %1. Copia il percorso prende con sé quello del file.</translation>
     </message>
@@ -5766,6 +5770,10 @@ Per cominciare: %1</translation>
         <translation>in registrazione</translation>
     </message>
     <message>
+        <source>being written: %1</source>
+        <translation>in scrittura: %1</translation>
+    </message>
+    <message>
         <source>black picture</source>
         <translation>immagine nera</translation>
     </message>
@@ -5934,6 +5942,10 @@ Per cominciare: %1</translation>
         <translation>cambiata dopo la calibrazione di oggi</translation>
     </message>
     <message>
+        <source>changed since it was calibrated yesterday</source>
+        <translation>cambiata dopo la calibrazione di ieri</translation>
+    </message>
+    <message>
         <source>check the touchpad's connection</source>
         <translation>controllare il collegamento del touchpad</translation>
     </message>
@@ -6067,7 +6079,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>contact and membrane use the shape of the pushed cloth and a Kalman filter, contact with the area that the camera sees; thesis a plane, 0.8/0.2 and a 2 mm gate.</source>
-        <translation>contact e membrane usano la forma del tessuto premuto e un filtro di Kalman, contact con l'area che la telecamera vede; thesis un piano, 0.8/0.2 e una soglia di 2 mm.</translation>
+        <translation>contact e membrane usano la forma del tessuto premuto e un filtro di Kalman, contact con l'area che la telecamera vede; thesis un piano, 0,8/0,2 e una soglia di 2 mm.</translation>
     </message>
     <message>
         <source>contrast</source>
@@ -6362,10 +6374,6 @@ Per cominciare: %1</translation>
         <translation>atteso un video che FFmpeg sappia decodificare</translation>
     </message>
     <message>
-        <source>exports being written: %1</source>
-        <translation>esportazioni in corso: %1</translation>
-    </message>
-    <message>
         <source>exposure</source>
         <translation>esposizione</translation>
     </message>
@@ -6420,6 +6428,10 @@ Per cominciare: %1</translation>
     <message>
         <source>fine: calibrated today</source>
         <translation>a posto: calibrato oggi</translation>
+    </message>
+    <message>
+        <source>fine: calibrated yesterday</source>
+        <translation>a posto: calibrato ieri</translation>
     </message>
     <message>
         <source>finger</source>

@@ -262,6 +262,41 @@ class FrameTest : public QObject {
     QVERIFY(f.window->stateBar()->stateReason().contains(QStringLiteral("Since then it is back. Hold Re-arm")));
   }
 
+  void aControlThatIsGoneGivesItsFocusToNothingThatCloses() {
+    Fixture f;
+    f.window->showFirstSteps();
+    f.session->recorder = {.state = recording::RecorderState::recording, .path = "a.h5"};
+    f.window->openPanels({QStringLiteral("recording")});
+    auto* stop = f.window->findChild<QPushButton*>(QStringLiteral("recording_stop"));
+    stop->show();
+    stop->setFocus();
+    QVERIFY(stop->hasFocus());
+    stop->hide();
+    for (const QWidget* each : f.window->findChildren<QWidget*>(QStringLiteral("recording_start"))) {
+      QVERIFY(!each->hasFocus());
+    }
+    WAIT_FOR(f.window->frame()->placeButton()->hasFocus());
+    // One that has gone to a neighbour of the same panel stays there.
+    auto* record = f.window->frame()->stateBar()->recordButton();
+    record->setFocus();
+    record->setEnabled(false);
+    QApplication::processEvents();
+    QVERIFY(!f.window->frame()->placeButton()->hasFocus());
+  }
+
+  void aMuchLargerWindowGivesThePanelsTheirShare() {
+    Fixture f;
+    f.window->resize(1280, 720);
+    QApplication::processEvents();
+    const QWidget* camera = f.window->findChild<QDockWidget*>(QStringLiteral("camera"));
+    QVERIFY(camera != nullptr);
+    const int before = camera->width();
+    f.window->resize(3840, 2160);
+    WAIT_FOR(camera->width() > 2 * before);
+    f.window->resize(1280, 720);
+    WAIT_FOR(camera->width() < 2 * before);
+  }
+
   void thePaletteGivesTheFocusBackAndLeadsToTheArmingButton() {
     Fixture f;
     QLineEdit* field = f.row("control.kp")->field();

@@ -66,7 +66,8 @@ class EncoderStep : public CalibrationStep {
 
   CalibrationFit fit(const std::vector<CalibrationPoint>& points, const station::Profile& profile) const override {
     if (points.empty()) {
-      return noPoints(tr("One sweep of at least %1° with 5 angles.").arg(profile.calibration.encoder_least_sweep_deg));
+      return noPoints(tr("One sweep of at least %1° with 5 angles.")
+                          .arg(widgets::plainNumber(profile.calibration.encoder_least_sweep_deg)));
     }
     const auto found = calibration::calibrateEncoders({.command_deg = {columnOf(points, 0), columnOf(points, 2)},
                                                        .counts = {columnOf(points, 1), columnOf(points, 3)}},

@@ -50,8 +50,9 @@ class IrStep : public CalibrationStep {
   CalibrationFit fit(const std::vector<CalibrationPoint>& points, const station::Profile& profile) const override {
     const auto& p = profile.calibration;
     if (points.empty()) {
-      return noPoints(
-          tr("At least %1 different distances that span %2 mm.").arg(p.ir_fewest_distances).arg(p.ir_least_span_mm));
+      return noPoints(tr("At least %1 different distances that span %2 mm.")
+                          .arg(p.ir_fewest_distances)
+                          .arg(widgets::plainNumber(p.ir_least_span_mm)));
     }
     const auto& present = profile.step.sensing.indentation;
     const auto found =

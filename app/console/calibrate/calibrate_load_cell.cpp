@@ -50,8 +50,9 @@ class LoadCellStep : public CalibrationStep {
   CalibrationFit fit(const std::vector<CalibrationPoint>& points, const station::Profile& profile) const override {
     const auto& p = profile.calibration;
     if (points.empty()) {
-      return noPoints(
-          tr("At least %1 different weights that span %2 N.").arg(p.force_fewest_loads).arg(p.force_least_span_N));
+      return noPoints(tr("At least %1 different weights that span %2 N.")
+                          .arg(p.force_fewest_loads)
+                          .arg(widgets::plainNumber(p.force_least_span_N)));
     }
     const auto found = calibration::calibrateLoadCell({columnOf(points, 0), columnOf(points, 1)}, p);
     CalibrationFit out =

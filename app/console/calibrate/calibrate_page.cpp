@@ -1,5 +1,6 @@
 #include "app/console/calibrate/calibrate_page.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -181,7 +182,8 @@ void CalibratePage::enter() {
 }
 
 QString CalibratePage::unfinished() const {
-  return points().empty() ? QString() : tr("calibration points not accepted: %1").arg(points().size());
+  const QStringList parts = run_->unaccepted();
+  return parts.isEmpty() ? QString() : tr("calibration points not accepted: %1").arg(parts.join(QStringLiteral(", ")));
 }
 
 void CalibratePage::leave() {
@@ -201,6 +203,13 @@ void CalibratePage::showStep(int index) {
   run_->choose(index);
   const CalibrationStep& step = run_->step();
   entries_->setEntries(step.entries());
+  QWidget* before = parts_;  // fields made later would come last
+  for (std::size_t i = 0; i < step.entries().size(); ++i) {
+    for (QWidget* each : {static_cast<QWidget*>(entries_->field(i)), static_cast<QWidget*>(entries_->unit(i))}) {
+      setTabOrder(before, each);
+      before = each;
+    }
+  }
   timer_.setInterval(step.interval_ms());
   refreshDrawing();
   restartTrace();
@@ -243,7 +252,7 @@ void CalibratePage::showReading(const Result<std::vector<double>>& reading) {
   const auto mean = run_->recent().mean(), spread = run_->recent().spread();
   QStringList lines;
   for (std::size_t i = 0; i < std::min(wanted.size(), mean.size()); ++i) {
-    lines << tr("%1 %2 ± %3")
+    lines << tr("%1: %2 ± %3")
                  .arg(wanted[i].name, widgets::quantityText(mean[i], wanted[i].decimals, wanted[i].unit),
                       widgets::numberText(spread[i], wanted[i].decimals));
   }
@@ -342,12 +351,16 @@ void CalibratePage::refreshTable() {
 }
 
 void CalibratePage::refreshButtons() {
+  // A button that may not be pressed now loses the focus to whatever comes next in the window; the list is harmless.
+  QWidget* pressed = QApplication::focusWidget();
+  if (!buttons_->isAncestorOf(pressed)) pressed = nullptr;
   buttons_->allow({.moves = run_->step().motion() != CalibrationStep::Motion::none,
                    .may_move = run_->mayMove(),
                    .renders = run_->renders(),
                    .has_points = !points().empty(),
                    .taking = run_->taking(),
                    .acceptable = run_->fit().result.verdict.accepted});
+  if (pressed != nullptr && !(pressed->isEnabled() && pressed->isVisible())) parts_->setFocus(Qt::OtherFocusReason);
 }
 
 void CalibratePage::say(const QString& hint, bool warning) {

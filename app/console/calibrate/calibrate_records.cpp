@@ -151,7 +151,7 @@ QString writeCalibrationReport(const PageContext& context, const std::string& pr
   const auto written = station::writeCalibrationReport({.record = *pair.newest, .accepted = true, .outliers = {}},
                                                        pair.former, profile.toStdString(), path.toStdString(), true);
   if (!written) return widgets::coreText(written.error().message);
-  context.tell(Severity::information, tr("Report written to %1.").arg(QDir::toNativeSeparators(path)));
+  context.written(tr("Report written to %1.").arg(QDir::toNativeSeparators(path)), path);
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include "core/device/touchpad/test_motion.h"
 #include "core/station/profile/calibration_file.h"
 #include "widgets/basics/core_text.h"
+#include "widgets/basics/number_text.h"
 
 namespace fyd::console {
 
@@ -150,7 +151,9 @@ void CalibrationRun::startPoint(const Picks& picks, const Entered& entered) {
     return;
   }
   taking_now_ = true;
-  emit said(tr("Averaging for %1 s: keep still.").arg(step().readings() * step().interval_ms() / 1000.0), false);
+  emit said(tr("Averaging for %1 s: keep still.")
+                .arg(widgets::plainNumber(step().readings() * step().interval_ms() / 1000.0)),
+            false);
   emit allowedChanged();
 }
 
@@ -266,6 +269,15 @@ void CalibrationRun::takeExperiment() {
   if (point.empty()) return;
   points_.add(step_, std::move(point), originOfReadings());
   refit();
+}
+
+QStringList CalibrationRun::unaccepted() const {
+  QStringList out;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const std::size_t count = points_.of(static_cast<int>(i)).size();
+    if (count > 0) out << tr("%1 %2").arg(steps_[i]->name()).arg(count);
+  }
+  return out;
 }
 
 void CalibrationRun::refit() {

@@ -33,6 +33,8 @@ class CalibrationRun : public QObject {
   [[nodiscard]] const CalibrationSteps& steps() const { return steps_; }
   [[nodiscard]] const CalibrationStep& step() const { return *steps_[static_cast<std::size_t>(step_)]; }
   [[nodiscard]] const std::vector<CalibrationPoint>& points() const { return points_.of(step_); }
+  /// Each part with points that were not accepted, and how many: "Load cell 5".
+  [[nodiscard]] QStringList unaccepted() const;
   [[nodiscard]] bool holdsSimulated() const { return points_.holdsSimulated(step_); }
   [[nodiscard]] const CalibrationFit& fit() const { return fit_; }
   [[nodiscard]] const station::Profile& profile() const { return profile_; }  ///< with the values in force

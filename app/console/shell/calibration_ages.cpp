@@ -40,8 +40,9 @@ PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records
   const auto age = calibration::ageOf(*newest, today, profile.calibration);
   if (!age) return {PartState::Kind::old, widgets::coreText(age.error().message)};
   if (!calibration::inForce(*newest, bindParameters(profile))) {
-    return {PartState::Kind::changed, age->days == 0
-                                          ? tr("changed since it was calibrated today")
+    return {PartState::Kind::changed, age->days == 0 ? tr("changed since it was calibrated today")
+                                      : age->days == 1
+                                          ? tr("changed since it was calibrated yesterday")
                                           : tr("changed since it was calibrated %1 days ago").arg(age->days)};
   }
   switch (age->age) {
@@ -50,8 +51,9 @@ PartState partStateOf(const std::vector<calibration::CalibrationRecord>& records
     case calibration::Age::old: return {PartState::Kind::old, tr("old: %1").arg(widgets::coreText(age->warning))};
     case calibration::Age::fresh: break;
   }
-  return {PartState::Kind::fine,
-          age->days == 0 ? tr("fine: calibrated today") : tr("fine: calibrated %1 days ago").arg(age->days)};
+  return {PartState::Kind::fine, age->days == 0   ? tr("fine: calibrated today")
+                                 : age->days == 1 ? tr("fine: calibrated yesterday")
+                                                  : tr("fine: calibrated %1 days ago").arg(age->days)};
 }
 
 std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }

@@ -21,6 +21,7 @@ struct PageContext {
   ConnectionChange& connection;
   QString catalogue;                                            ///< word as after --catalogue; empty: this user's own
   std::function<void(widgets::Severity, const QString&)> tell;  ///< shows a notice, and adds it to the log
+  std::function<void(const QString& text, const QString& file)> written;  ///< the same, with a way to the file's folder
 };
 
 /// The state bar with Stop stands above every page; a page has none of its own, and nothing on it is modal.

@@ -3,6 +3,7 @@
 #include <QActionGroup>
 #include <QHBoxLayout>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <string>
 
@@ -79,7 +80,8 @@ Frame::Frame(const PageContext& context, CommandRegistry& commands, QWidget* par
   column->addWidget(panel_area_, 1);
   column->addWidget(notices_);
   panel_area_->setWindowFlags(Qt::Widget);  // a part of the window, not one of its own
-  panel_area_->setCentralWidget(scrolled(stack_));
+  area_ = scrolled(stack_);
+  panel_area_->setCentralWidget(area_);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, kGrid, kGrid, kGrid);
   layout->setSpacing(kGrid);
@@ -102,9 +104,18 @@ void Frame::go(const QString& place) {
   place_ = place;
   claimSize(*wanted->second, true);
   stack_->setCurrentWidget(wanted->second);
+  for (QScrollBar* bar : {area_->verticalScrollBar(), area_->horizontalScrollBar()}) bar->setValue(0);
   commands_.showPlace(place);
   commands_.action(QStringLiteral("place.") + place)->setChecked(true);
   wanted->second->enter();
+}
+
+QWidget* Frame::placeButton() const {
+  const QAction* action = commands_.action(QStringLiteral("place.") + place_);
+  for (auto* button : navigation_bar_->findChildren<QToolButton*>()) {
+    if (button->defaultAction() == action) return button;
+  }
+  return navigation_bar_;
 }
 
 Page* Frame::page(const QString& place) const {

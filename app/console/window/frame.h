@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -30,6 +31,8 @@ class Frame : public QWidget {
   void go(const QString& place);
   [[nodiscard]] const QString& place() const { return place_; }
   [[nodiscard]] Page* page(const QString& place) const;
+  /// The shown place's button in the navigation bar.
+  [[nodiscard]] QWidget* placeButton() const;
   [[nodiscard]] widgets::StateBar* stateBar() const { return state_bar_; }
   [[nodiscard]] widgets::NavigationBar* navigationBar() const { return navigation_bar_; }
   [[nodiscard]] widgets::NoticeStack* notices() const { return notices_; }
@@ -44,6 +47,7 @@ class Frame : public QWidget {
   widgets::StateBar* state_bar_;
   widgets::NoticeStack* notices_;
   QMainWindow* panel_area_;
+  QScrollArea* area_ = nullptr;  ///< around the places
   QStackedWidget* stack_;
   std::map<QString, Page*> pages_;
   QString place_;

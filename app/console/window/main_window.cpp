@@ -2,9 +2,12 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDesktopServices>
 #include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QScreen>
+#include <QUrl>
 #include <algorithm>
 
 #include "app/console/devices/devices_page.h"
@@ -12,6 +15,7 @@
 #include "app/console/shell/language.h"
 #include "app/console/shell/side_dock.h"
 #include "app/console/shell/views.h"
+#include "app/console/window/focus_guard.h"
 #include "app/console/window/manual.h"
 #include "app/console/window/places.h"
 #include "widgets/basics/core_text.h"
@@ -66,6 +70,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
   connectLook();
   connectLayouts();
   reviewPage()->recent().keepIn(memoryFile(profile_path));
+  new FocusGuard([this] { return frame_->placeButton(); }, frame_);
   new FileDrop(*this, [this](const QString& file) { review(file); });
   standard_ = {.window = {},
                .operate = {},
@@ -86,7 +91,8 @@ PageContext MainWindow::context() {
           .tuning = tuning_,
           .connection = *connection_,
           .catalogue = catalogue_,
-          .tell = [this](Severity severity, const QString& text) { tell(severity, text); }};
+          .tell = [this](Severity severity, const QString& text) { tell(severity, text); },
+          .written = [this](const QString& text, const QString& file) { tellWritten(text, file); }};
 }
 
 OperatePage* MainWindow::operate() const { return qobject_cast<OperatePage*>(frame_->page(QStringLiteral("operate"))); }
@@ -328,6 +334,19 @@ void MainWindow::tell(Severity severity, const QString& text, bool slide_in, con
   const QString clock = QStringLiteral("HH:mm:ss'%1'zzz").arg(QLocale().decimalPoint());
   log_->add(QTime::currentTime().toString(clock), severity, text);
   if (slide_in) notices()->post({.severity = severity, .text = text, .cause = cause, .actions = {}});
+}
+
+void MainWindow::tellWritten(const QString& text, const QString& file) {
+  tell(Severity::information, text, false);
+  const QString folder = QFileInfo(file).absolutePath();
+  notices()->post({.severity = Severity::information,
+                   .text = text,
+                   .cause = {},
+                   .actions = {{QStringLiteral("show_folder"), tr("Show in folder"), [this, folder] {
+                                  if (QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) return;
+                                  tell(Severity::warning,
+                                       tr("This computer opens no folder from here: %1.").arg(folder));
+                                }}}});
 }
 
 QStringList MainWindow::unfinished() const {

@@ -113,6 +113,8 @@ class MainWindow : public QMainWindow {
   void takeNotice(const station::Notice& notice);
   void takeReadiness(const std::vector<widgets::ReadinessRow>& rows);
   void leadToArm();
+  /// A notice that a file is written, with a button that shows its folder.
+  void tellWritten(const QString& text, const QString& file);
 
   std::unique_ptr<Session> session_;
   QString catalogue_;
