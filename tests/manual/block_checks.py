@@ -107,14 +107,19 @@ def run_shell(code, place):
     return "run"
 
 
-def run_console(code, place):
-    """"$ command", and below it what it prints; "…" stands for anything. What stands there must come, in that order."""
+def run_console(code, what, place):
+    """"$ command", and below it what it prints; "…" stands for anything. What stands there must come, in that order.
+    ```console refused: the commands must fail."""
     parts = re.split(r"^\$ ", code, flags=re.MULTILINE)
     if len(parts) == 1:
         raise Broken("no line begins with \"$ \": which command prints this?")
     for part in parts[1:]:
         command, *expected = part.rstrip("\n").split("\n")
         status, out, err = place.run(["bash", "-c", shortened(command, place.as_written)])
+        if (status != 0) != (what == "refused"):
+            raise Broken(f"{command}: exit code {status}\n{err[-2000:]}")
+        if not any(line.strip(" …") for line in expected):
+            raise Broken(f"{command}: nothing is shown of what it prints")
         printed = [line.rstrip() for line in (out + err).split("\n")]
         compare(expected, printed, f"{command} (exit code {status})")
     return "run"
@@ -360,6 +365,11 @@ def check_presets(code, root):
         for name in re.findall(pattern, code):
             if name not in [each["name"] for each in presets[kind]]:
                 raise Broken(f"CMakePresets.json has no {kind} {name}")
+    listed = "".join(path.read_text(encoding="utf-8") for path in Path(root).glob("tests/**/CMakeLists.txt"))
+    modules = (Path(root) / "CMakeLists.txt").read_text(encoding="utf-8")
+    for name in re.findall(r"--target (\S+)", code):
+        if name not in listed and not re.search(rf"\b{name.removeprefix('test_')}\b", modules):
+            raise Broken(f"there is no target {name}")
     return "checked"
 
 

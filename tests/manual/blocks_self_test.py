@@ -60,6 +60,9 @@ class Planted(unittest.TestCase):
 
     def test_output_that_is_another(self):
         self.assertIn("expected", self.block("console", "$ fyd --version\nfyd 99.0.0"))
+        self.assertIn("exit code 2", self.block("console", "$ fyd station --no-such\n…expected…"))
+        self.assertEqual(self.block("console refused", "$ fyd station --no-such\n…not expected…"), "")
+        self.assertIn("nothing is shown", self.block("console", "$ fyd --version\n…"))
         self.assertIn("which command", self.block("console", "fyd 0.1.0"))
 
     def test_a_synopsis_with_an_option_or_a_command_that_is_not_there(self):

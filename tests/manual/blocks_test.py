@@ -114,7 +114,7 @@ class Book:
         if block.language == "sh":
             return checks.run_shell(code, place)
         if block.language == "console":
-            return checks.run_console(code, place)
+            return checks.run_console(code, what, place)
         if block.language == "toml":
             return checks.run_toml(code, what, place)
         if block.language == "json":
