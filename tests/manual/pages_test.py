@@ -122,6 +122,26 @@ class Pages(unittest.TestCase):
                        for option in re.findall(r"(?<![\w-])--[a-z][\w-]*", text) if option not in known]
         self.assert_no_faults(faults)
 
+    def test_every_command_among_the_words_exists_with_its_options(self):
+        """`fyd session list --tag WORD`: the subcommand has the option, not only some other one."""
+        class Place:
+            programs = os.environ["FYD_PROGRAMS"]
+
+        faults, count = [], 0
+        for page, line, text in words():
+            if not re.match(r"(\S*/)?fyd(-console|-bench|-window-bench)? [a-z-]", text) or "… -" in text:
+                continue
+            try:
+                # A quotation mark without its partner is the page's own, as in `--notes "…`.
+                block_checks.check_options(text.replace('"', "").replace("…", ""), Place)
+                count += 1
+            except block_checks.NotBuilt:
+                pass
+            except block_checks.Broken as broken:
+                faults.append(f"{page}:{line}: {broken}")
+        self.assertGreater(count, 50)
+        self.assert_no_faults(faults)
+
     def test_every_parameter_that_is_named_exists(self):
         done = subprocess.run([Path(os.environ["FYD_PROGRAMS"]) / "fyd", "params", "--markdown"], capture_output=True, text=True,
                               check=True)
