@@ -24,6 +24,8 @@ constexpr Topic kWidgets[] = {
     {"fyd::widgets::LinkPanel", "operate.md#link"},
     {"fyd::widgets::RobotForm", "operate.md#link"},
     {"fyd::widgets::ConnectionForm", "devices.md#choosing-and-connecting-in-the-window"},
+    {"fyd::console::SceneDock", "operate.md#scene"},
+    {"fyd::widgets::GuideStrip", "first-session.md#in-the-window"},
     {"fyd::widgets::CameraPanel", "operate.md#camera"},
     {"fyd::widgets::CurveView", "operate.md#curves"},
     {"fyd::widgets::CurveSetupPanel", "operate.md#curves"},
