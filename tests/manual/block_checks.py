@@ -37,12 +37,15 @@ class Place:
             (self.folder / name).symlink_to(self.root / name)
         (self.folder / "build/release").mkdir(parents=True)
         (self.folder / "build/release/bin").symlink_to(self.programs)
+        module = os.environ.get("FYD_PYTHON_PATH", "")
+        if module:
+            (self.folder / "build/release/python").symlink_to(module)
         home = self.folder / ".home"
         home.mkdir()
         self.environment = os.environ | {
             "PATH": f"{self.programs}:/usr/bin:/bin", "HOME": str(home), "XDG_DATA_HOME": str(home / "data"),
             "XDG_CONFIG_HOME": str(home / "config"), "QT_QPA_PLATFORM": "offscreen",
-            "PYTHONPATH": os.environ.get("FYD_PYTHON_PATH", ""), "PYTHONDONTWRITEBYTECODE": "1"}
+            "PYTHONPATH": module, "PYTHONDONTWRITEBYTECODE": "1"}
 
     def run(self, command, **keywords):
         """Ends with everything that it started."""
@@ -93,6 +96,8 @@ def whole_commands(code):
 
 def run_shell(code, place):
     """Each command must succeed: also the first of "a && b", at which set -e would not stop, and what runs behind."""
+    if "build/release/python" in code and not os.environ.get("FYD_PYTHON_PATH"):
+        raise NotBuilt("fyd for Python")
     for program in os.environ.get("FYD_NOT_BUILT", "").split():
         if re.search(rf"\b{program}\b", code.replace("fyd bench", "fyd-bench")):
             raise NotBuilt(program)
@@ -261,9 +266,12 @@ def check_example(code, what, root):
 
 
 def run_python(code, before, place):
-    """@param before the page's earlier blocks: their imports hold here too"""
-    imports = [line for line in before.split("\n") if re.match(r"(import|from) ", line)]
-    status, out, err = place.run([PYTHON, "-c", "\n".join([*imports, code])])
+    """@param before the page's earlier blocks: what they define holds here too, as in one session of the interpreter"""
+    if re.search(r"^\s*(import|from) fyd\b", before + code, re.MULTILINE) and not os.environ.get("FYD_PYTHON_PATH"):
+        raise NotBuilt("fyd for Python")
+    # The interpreter is not built with a sanitizer; where the module is, the build says what must be loaded first.
+    prefix = ["env", *os.environ.get("FYD_PYTHON_ENVIRONMENT", "").split(), PYTHON]
+    status, out, err = place.run([*prefix, "-c", before + code])
     if status != 0:
         raise Broken(f"{err[-2000:]}{out[-500:]}")
     return "run"

@@ -92,7 +92,7 @@ class Planted(unittest.TestCase):
         self.assertIn("there is no", self.block("cpp examples/b.cpp", "int b;"))
 
     def test_python_that_raises(self):
-        self.assertEqual(self.faults("```python\nimport math\n```\n\n```python\nprint(math.pi)\n```\n"), "")
+        self.assertEqual(self.faults("```python\nimport math\ntwo = 2\n```\n\n```python\nprint(two * math.pi)\n```\n"), "")
         self.assertIn("ZeroDivisionError", self.block("python", "1 / 0"))
 
     def test_cmake_that_does_not_parse(self):
@@ -121,6 +121,7 @@ class Planted(unittest.TestCase):
         self.assertIn("no option", self.block("sh", "fyd station --no-such", not_run=[row]))
         self.assertIn("no such block", self.faults(GOOD, replaced=[{"page": "page.md", "old": "a", "new": "b"}]))
         self.assertIn("no such block", self.faults(GOOD, assumed=[{"page": "other.md", "run": "true"}]))
+        self.assertEqual(self.block("sh", "cat a.txt", assumed=[{"file": "a.txt", "run": "touch a.txt"}]), "")
 
 
 if __name__ == "__main__":

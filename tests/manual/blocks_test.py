@@ -63,7 +63,7 @@ class Book:
             if time.monotonic() - started > 1:
                 print(f"  {page}: {time.monotonic() - started:.1f} s", file=sys.stderr)
         if not only:
-            self.faults += [f"blocks.toml: [[{kind}]] {row['page']}, {row.get('first', row.get('old', ''))!r}: no such block"
+            self.faults += [f"blocks.toml: [[{kind}]] {row.get('page', row.get('file'))}, {row.get('first', row.get('old', ''))!r}: no such block"
                             for kind, rows in self.listed.items() for i, row in enumerate(rows)
                             if (kind, i) not in self.used]
         return self
@@ -77,8 +77,9 @@ class Book:
     def run_page(self, page, blocks):
         with tempfile.TemporaryDirectory() as folder:
             place = checks.Place(folder, self.root, self.programs, self.as_written)
+            code = "".join(block.code for block in blocks)
             for i, row in enumerate(self.listed.get("assumed", [])):
-                if row["page"] == page:
+                if row.get("page", page) == page and self.asks_for(row, code):
                     self.used.add(("assumed", i))
                     status, _, err = place.run(["bash", "-c", "set -e\n" + row["run"]])
                     if status != 0:
@@ -90,6 +91,11 @@ class Book:
                     self.counts[block.kind, "not built"] += 1
                 except checks.Broken as broken:
                     self.faults.append(f"{block}: {block.first}\n    {str(broken).strip()}")
+
+    @staticmethod
+    def asks_for(row, code):
+        """A row with a file is for every page whose code names the file and does not make it."""
+        return "file" not in row or row["file"] in code and f"--record {row['file']}" not in code
 
     def do(self, block, before, place):
         if not block.language:

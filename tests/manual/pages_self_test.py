@@ -16,6 +16,7 @@ PLANTED = {
     "`control.no_such_gain`": "there is no parameter control.no_such_gain",
     "`test_pipeline --gtest_filter='SafetyTable.NoSuchTest'`": "no test fits SafetyTable.NoSuchTest",
     "`SafetyTable.NoSuchOne`": "there is no test SafetyTable.NoSuchOne",
+    "`kNoSuchConstant_s`": "the code has no kNoSuchConstant_s",
     "`attack_no_such_thing`": "ctest knows no attack_no_such_thing",
     "`fyd session list --until-when`": "fyd session list has no option --until-when",
 }

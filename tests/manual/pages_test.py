@@ -161,6 +161,17 @@ class Pages(unittest.TestCase):
                         faults.append(f"{page}:{line}: there is no parameter {name}")
         self.assert_no_faults(faults)
 
+    def test_every_name_of_the_code_exists(self):
+        """Constants (kSilence_s), qualified names (Pipeline::step), variables of the build (FYD_REAL_TIME)."""
+        code = block_checks.sources(str(ROOT)) + "\n".join(
+            path.read_text(encoding="utf-8") for name in ("CMakeLists.txt", "*.cmake", "*.py", "*.h", "*.cpp", "*.sh")
+            for folder in ("tests", "installer") for path in (ROOT / folder).rglob(name)) + (ROOT / "CMakeLists.txt").read_text()
+        known = set(re.findall(r"\w+", code))
+        faults = [f"{page}:{line}: the code has no {text}" for page, line, text in words()
+                  if re.fullmatch(r"k[A-Z]\w+|FYD_[A-Z_0-9]+|[A-Za-z]\w*(::\w+)+(\(\))?", text)
+                  and not set(re.findall(r"\w+", text)) <= known]
+        self.assert_no_faults(faults)
+
     def test_every_test_that_is_named_exists(self):
         known = tests_of_the_sources()
         every = [f"{suite}.{name}" for suite, names in known.items() for name in names]
