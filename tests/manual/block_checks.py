@@ -356,10 +356,13 @@ def check_vectors(code, root):
 
 def check_scripts(code, root):
     """Scripts of the project that are not run here: they exist, may be run and are bash."""
-    for line in code.rstrip("\n").split("\n"):
-        path = Path(root) / line.split()[0]
+    names = re.findall(r"(?:^|[\s/])(installer/[\w.-]+)", code)
+    if not names:
+        raise Broken("names no script of installer/")
+    for name in names:
+        path = Path(root) / name
         if not os.access(path, os.X_OK):
-            raise Broken(f"{path.name} is no program")
+            raise Broken(f"{name} is no program")
         done = subprocess.run(["bash", "-n", path], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise Broken(done.stderr)

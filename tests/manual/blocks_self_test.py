@@ -15,7 +15,7 @@ class Planted(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
-        for name in ("tests", "installer", "core", "app", "widgets", "CMakePresets.json"):
+        for name in ("tests", "installer", "core", "app", "widgets", "CMakePresets.json", "CMakeLists.txt"):
             (self.root / name).symlink_to(ROOT / name)
         (self.root / "resources/manual/it").mkdir(parents=True)
         (self.root / "README.md").write_text("# Project\n", encoding="utf-8")
@@ -119,6 +119,13 @@ class Planted(unittest.TestCase):
         self.assertIn("no reason", self.block("sh", "fyd station", not_run=[row | {"why": ""}]))
         self.assertIn("expected one of", self.block("sh", "fyd station", not_run=[row | {"check": "none"}]))
         self.assertIn("no option", self.block("sh", "fyd station --no-such", not_run=[row]))
+        script = {"page": "page.md", "why": "installs", "check": "scripts"}
+        self.assertEqual(self.block("sh", "A=1 installer/run.sh  # builds\nsudo apt install x", not_run=[script]), "")
+        self.assertIn("is no program", self.block("sh", "installer/walk.sh", not_run=[script]))
+        preset = script | {"check": "presets"}
+        self.assertEqual(self.block("sh", "cmake --build --preset asan --target test_pipeline", not_run=[preset]), "")
+        self.assertIn("no buildPresets", self.block("sh", "cmake --build --preset asam", not_run=[preset]))
+        self.assertIn("no target", self.block("sh", "cmake --build --preset asan --target test_kitchen", not_run=[preset]))
         self.assertIn("no such block", self.faults(GOOD, replaced=[{"page": "page.md", "old": "a", "new": "b"}]))
         self.assertIn("no such block", self.faults(GOOD, assumed=[{"page": "other.md", "run": "true"}]))
         self.assertEqual(self.block("sh", "cat a.txt", assumed=[{"file": "a.txt", "run": "touch a.txt"}]), "")
