@@ -150,7 +150,7 @@ class Pages(unittest.TestCase):
         groups = {each.split(".")[0] for each in known}
         faults = []
         for page, line, text in words():
-            for name in re.findall(r"(?<![\w./-])(?:%s)\.[a-z]\w*[\w*…]*" % "|".join(groups), text):
+            for name in re.findall(r"(?<![\w./-])(?:%s)\.[a-z]\w*[\w*…]*(?![\w*…(])" % "|".join(groups), text):
                 if name == "sim.fabric_…" and page == "glossary.md":
                     continue  # an old name, called so there
                 if name + "/" in text:  # finger_scale_x/y_mm_per_px
