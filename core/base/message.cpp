@@ -68,13 +68,28 @@ std::optional<std::vector<std::string_view>> specsOf(const std::vector<Piece>& f
 
 /// Of a message of two.
 Message pair(std::string_view format, Message first, Message second) {
-  Message out{.kind = second.kind, .format = format, .values = {}};
-  out.values.push_back({std::move(first)});
-  out.values.push_back({std::move(second)});
+  Message out(second.kind, format);
+  out.add(std::move(first));
+  out.add(std::move(second));
   return out;
 }
 
 }  // namespace
+
+Message::Message(const Message&) = default;
+Message::Message(Message&&) noexcept = default;
+Message& Message::operator=(const Message&) = default;
+Message& Message::operator=(Message&&) noexcept = default;
+Message::~Message() = default;
+
+void Message::add(std::int64_t value) { values.push_back({value}); }
+void Message::add(std::uint64_t value) { values.push_back({value}); }
+void Message::add(double value) { values.push_back({value}); }
+void Message::add(std::string value) { values.push_back({std::move(value)}); }
+void Message::add(Message value) { values.push_back({std::move(value)}); }
+
+bool operator==(const Value& a, const Value& b) { return a.is == b.is; }
+bool operator==(const Message& a, const Message& b) { return a.format == b.format && a.values == b.values; }
 
 std::string_view toString(MessageKind kind) {
   using enum MessageKind;
@@ -121,12 +136,16 @@ std::optional<std::string> filledIn(std::string_view form, const Message& messag
   return out;
 }
 
+std::optional<std::string> filledIn(std::string_view form, const Message& message) {
+  return filledIn(form, message, shown);
+}
+
 std::string Message::text() const { return filledIn(format, *this).value_or(std::string(format)); }
 
 Message verbatim(std::string_view text) {
   if (text.empty()) return {};
-  Message out{.kind = MessageKind::input, .format = "{}", .values = {}};
-  out.values.push_back({std::string(text)});
+  Message out(MessageKind::input, "{}");
+  out.add(std::string(text));
   return out;
 }
 

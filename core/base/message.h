@@ -46,26 +46,40 @@ enum class MessageKind : std::uint8_t {
 
 struct Value;
 
+// Nearly every file makes, copies and drops messages: what that takes is compiled once, in message.cpp.
 struct Message {
   MessageKind kind = MessageKind::command;
   std::string_view format;  ///< static storage; places as fmt has them, each filled by the value of its number
   std::vector<Value> values;
+
+  Message() = default;
+  Message(MessageKind its_kind, std::string_view its_format) : kind(its_kind), format(its_format) {}
+  Message(const Message&);
+  Message(Message&&) noexcept;
+  Message& operator=(const Message&);
+  Message& operator=(Message&&) noexcept;
+  ~Message();
 
   [[nodiscard]] bool empty() const { return format.empty(); }
   /// In English.
   [[nodiscard]] std::string text() const;
   /// Equal format and values; `kind` is not compared.
   friend bool operator==(const Message& a, const Message& b);
+
+  /// One value more.
+  void add(std::int64_t value);
+  void add(std::uint64_t value);
+  void add(double value);
+  void add(std::string value);
+  void add(Message value);
 };
 
 /// A value of a message.
 struct Value {
   std::variant<std::int64_t, std::uint64_t, double, std::string, Message> is;
 
-  friend bool operator==(const Value&, const Value&) = default;
+  friend bool operator==(const Value&, const Value&);
 };
-
-inline bool operator==(const Message& a, const Message& b) { return a.format == b.format && a.values == b.values; }
 
 /// A value as a place with this spec ("" or ".2f") shows it, in English.
 [[nodiscard]] std::string shown(const Value& value, std::string_view spec);
@@ -74,15 +88,16 @@ using ShowValue = std::function<std::string(const Value& value, std::string_view
 /// The values filled into `form`, the message's format or its translation.
 /// @return nullopt when the form's places do not fit the values: every value in at least one place, with the same spec
 ///         as in the message's own format
-[[nodiscard]] std::optional<std::string> filledIn(std::string_view form, const Message& message,
-                                                  const ShowValue& show = shown);
+[[nodiscard]] std::optional<std::string> filledIn(std::string_view form, const Message& message, const ShowValue& show);
+[[nodiscard]] std::optional<std::string> filledIn(std::string_view form,
+                                                  const Message& message);  ///< as `shown`
 
 /// Marks a literal for translation, and returns it.
 [[nodiscard]] consteval std::string_view sentence(const char* english) { return english; }
 
 /// A `sentence` as a message.
 /// @param english static storage
-[[nodiscard]] inline Message phrase(std::string_view english) { return {.format = english, .values = {}}; }
+[[nodiscard]] inline Message phrase(std::string_view english) { return {MessageKind::command, english}; }
 
 /// Words that are not the program's own (of the system, of a library, of a file) and that no language changes.
 [[nodiscard]] Message verbatim(std::string_view text);
@@ -139,32 +154,50 @@ template <class Iterator, class End, class Char>
 inline constexpr bool kIsList<fmt::join_view<Iterator, End, Char>> = true;
 
 template <class T>
-Value valueOf(T&& from) {
-  using Plain = std::remove_cvref_t<T>;
-  static_assert(!std::is_same_v<Plain, float>, "a float and a double show other digits: say which is meant");
-  if constexpr (std::is_same_v<Plain, Message>) {
-    return {std::forward<T>(from)};
-  } else if constexpr (kIsList<Plain>) {
-    return {fmt::format("{}", std::forward<T>(from))};
-  } else if constexpr (std::is_same_v<Plain, bool>) {
-    return {std::string(from ? "true" : "false")};
-  } else if constexpr (std::is_same_v<Plain, char>) {
-    return {std::string(1, from)};
-  } else if constexpr (std::signed_integral<Plain>) {
-    return {static_cast<std::int64_t>(from)};
-  } else if constexpr (std::unsigned_integral<Plain>) {
-    return {static_cast<std::uint64_t>(from)};
-  } else if constexpr (std::floating_point<Plain>) {
-    return {static_cast<double>(from)};
+consteval auto heldAs() {
+  if constexpr (std::is_same_v<T, Message>) {
+    return std::type_identity<Message>();
+  } else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, char>) {
+    return std::type_identity<std::string>();
+  } else if constexpr (std::signed_integral<T>) {
+    return std::type_identity<std::int64_t>();
+  } else if constexpr (std::unsigned_integral<T>) {
+    return std::type_identity<std::uint64_t>();
+  } else if constexpr (std::floating_point<T>) {
+    return std::type_identity<double>();
   } else {
-    return {std::string(std::forward<T>(from))};
+    return std::type_identity<std::string>();
   }
 }
 
-/// Type that a place's format spec is checked against: messages and lists (fmt::join) are shown as a text.
+/// As what a message holds a T: a number of the widest type of its sort, a message, or a text (fmt::join makes one).
 template <class T>
-using Checked = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, Message> || kIsList<std::remove_cvref_t<T>>,
-                                   std::string_view, T>;
+using Held = typename decltype(heldAs<T>())::type;
+
+template <class T>
+void add(Message& message, T&& from) {
+  using Plain = std::remove_cvref_t<T>;
+  static_assert(!std::is_same_v<Plain, float>, "a float and a double show other digits: say which is meant");
+  if constexpr (kIsList<Plain>) {
+    message.add(fmt::format("{}", std::forward<T>(from)));
+  } else if constexpr (std::is_same_v<Plain, bool>) {
+    message.add(std::string(from ? "true" : "false"));
+  } else if constexpr (std::is_same_v<Plain, char>) {
+    message.add(std::string(1, from));
+  } else {
+    message.add(static_cast<Held<Plain>>(std::forward<T>(from)));
+  }
+}
+
+/// Type that a place's format spec is checked against: a message is shown as a text.
+template <class T>
+using Checked = std::conditional_t<std::is_arithmetic_v<Held<std::remove_cvref_t<T>>>, Held<std::remove_cvref_t<T>>,
+                                   std::string_view>;
+
+template <class... Held>
+consteval void checkPlaces(const char* literal) {
+  static_cast<void>(fmt::format_string<Held...>(literal));
+}
 
 /// A literal, checked as it is compiled: its places fit the arguments, and it says something beside them.
 template <class... Args>
@@ -174,7 +207,7 @@ struct Format {
 
   consteval Format(const char* literal, const char* file = __builtin_FILE())  // NOLINT: a literal becomes one
       : text(literal), kind(kindOf(file)) {
-    static_cast<void>(fmt::format_string<Checked<Args>...>(literal));
+    checkPlaces<Checked<Args>...>(literal);
     if (!hasWords(text)) throw "a format of places only: there is nothing to translate; see verbatim and about";
   }
 };
@@ -187,9 +220,8 @@ using MessageFormat = message_detail::Format<std::type_identity_t<Args>...>;
 /// A message from a format, as fmt has it, and its values.
 template <class... Args>
 [[nodiscard]] Message say(MessageFormat<Args...> format, Args&&... args) {
-  Message out{.kind = format.kind, .format = format.text, .values = {}};
-  out.values.reserve(sizeof...(Args));
-  (out.values.push_back(message_detail::valueOf(std::forward<Args>(args))), ...);
+  Message out(format.kind, format.text);
+  (message_detail::add(out, std::forward<Args>(args)), ...);
   return out;
 }
 

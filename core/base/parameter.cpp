@@ -22,7 +22,62 @@ Result<double> parseNumber(const Parameter& parameter, std::string_view text) {
   return value;
 }
 
+template <class T>
+double readAs(const void* field) {
+  return static_cast<double>(*static_cast<const T*>(field));
+}
+
 }  // namespace
+
+void ParameterCollector::real(std::string_view id, double& field, const ParameterInfo& info) {
+  out_.push_back({.id = id,
+                  .kind = ParameterKind::real,
+                  .info = info,
+                  .field = &field,
+                  .read = readAs<double>,
+                  .store = [](void* to, double value) { *static_cast<double*>(to) = value; }});
+}
+
+void ParameterCollector::integer(std::string_view id, int& field, const ParameterInfo& info) {
+  out_.push_back({.id = id,
+                  .kind = ParameterKind::integer,
+                  .info = info,
+                  .field = &field,
+                  .read = readAs<int>,
+                  .store = [](void* to, double value) { *static_cast<int*>(to) = static_cast<int>(value); }});
+}
+
+void ParameterCollector::boolean(std::string_view id, bool& field, const ParameterInfo& info) {
+  out_.push_back({.id = id,
+                  .kind = ParameterKind::boolean,
+                  .info = info,
+                  .field = &field,
+                  .read = readAs<bool>,
+                  .store = [](void* to, double value) { *static_cast<bool*>(to) = value != 0.0; }});
+  out_.back().info.minimum = 0;
+  out_.back().info.maximum = 1;
+}
+
+void ParameterCollector::list(std::string_view id, ParameterList& field, const ParameterInfo& info) {
+  out_.push_back({.id = id, .kind = ParameterKind::list, .info = info, .field = &field});
+}
+
+void ParameterCollector::text(std::string_view id, std::string& field, const ParameterInfo& info) {
+  out_.push_back({.id = id, .kind = ParameterKind::text, .info = info, .field = &field});
+}
+
+void ParameterCollector::add(std::string_view id, void* field, std::span<const std::string_view> names,
+                             const ParameterInfo& info, double (*read)(const void*), void (*store)(void*, double)) {
+  out_.push_back({.id = id,
+                  .kind = ParameterKind::choice,
+                  .info = info,
+                  .choices = names,
+                  .field = field,
+                  .read = read,
+                  .store = store});
+  out_.back().info.minimum = 0;
+  out_.back().info.maximum = static_cast<double>(names.size()) - 1;
+}
 
 bool mayTake(const Parameter& parameter, double value, Ranges ranges) {
   const ParameterKind kind = parameter.kind;

@@ -79,56 +79,29 @@ class ParameterCollector {
  public:
   explicit ParameterCollector(std::vector<Parameter>& out) : out_(out) {}
 
-  void real(std::string_view id, double& field, const ParameterInfo& info) {
-    add(id, ParameterKind::real, field, info);
-  }
-  void integer(std::string_view id, int& field, const ParameterInfo& info) {
-    add(id, ParameterKind::integer, field, info);
-  }
-  void boolean(std::string_view id, bool& field, ParameterInfo info) {
-    info.minimum = 0;
-    info.maximum = 1;
-    add(id, ParameterKind::boolean, field, info);
-  }
+  void real(std::string_view id, double& field, const ParameterInfo& info);
+  void integer(std::string_view id, int& field, const ParameterInfo& info);
+  void boolean(std::string_view id, bool& field, const ParameterInfo& info);
   /// @param names static storage; the enum's values count from 0 in the same order.
   template <class Enum>
-  void choice(std::string_view id, Enum& field, std::span<const std::string_view> names, ParameterInfo info) {
+  void choice(std::string_view id, Enum& field, std::span<const std::string_view> names, const ParameterInfo& info) {
     static_assert(std::is_enum_v<Enum>);
-    info.minimum = 0;
-    info.maximum = static_cast<double>(names.size()) - 1;
-    add(id, ParameterKind::choice, field, info);
-    out_.back().choices = names;
+    add(
+        id, &field, names, info, [](const void* p) { return static_cast<double>(*static_cast<const Enum*>(p)); },
+        [](void* p, double value) { *static_cast<Enum*>(p) = static_cast<Enum>(static_cast<int>(value)); });
   }
-  void list(std::string_view id, ParameterList& field, const ParameterInfo& info) {
-    out_.push_back({.id = id, .kind = ParameterKind::list, .info = info, .field = &field});
-  }
-  void text(std::string_view id, std::string& field, const ParameterInfo& info) {
-    out_.push_back({.id = id, .kind = ParameterKind::text, .info = info, .field = &field});
-  }
+  void list(std::string_view id, ParameterList& field, const ParameterInfo& info);
+  void text(std::string_view id, std::string& field, const ParameterInfo& info);
 
  private:
-  template <class T>
-  void add(std::string_view id, ParameterKind kind, T& field, const ParameterInfo& info) {
-    out_.push_back({.id = id,
-                    .kind = kind,
-                    .info = info,
-                    .field = &field,
-                    .read = [](const void* p) { return static_cast<double>(*static_cast<const T*>(p)); },
-                    .store =
-                        [](void* p, double value) {
-                          if constexpr (std::is_same_v<T, bool>) {
-                            *static_cast<T*>(p) = value != 0.0;
-                          } else {
-                            *static_cast<T*>(p) =
-                                static_cast<T>(static_cast<std::conditional_t<std::is_enum_v<T>, int, T>>(value));
-                          }
-                        }});
-  }
+  void add(std::string_view id, void* field, std::span<const std::string_view> names, const ParameterInfo& info,
+           double (*read)(const void*), void (*store)(void*, double));
 
   std::vector<Parameter>& out_;
 };
 
-/// Parameters of `instance`, in the order they are described. The result points into `instance`.
+/// Parameters of `instance`, in the order they are described. The result points into `instance`. A header of parameters
+/// that many files bind declares it `extern template`: hundreds of descriptions are then compiled once.
 template <class Parameters>
 [[nodiscard]] std::vector<Parameter> bindParameters(Parameters& instance) {
   std::vector<Parameter> out;

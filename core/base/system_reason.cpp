@@ -53,7 +53,7 @@ constexpr std::array kKnown{Known{EPERM, sentence("Operation not permitted")},
 
 Message systemReason(int error) {
   for (const Known& each : kKnown) {
-    if (each.error == error) return {.kind = MessageKind::input, .format = each.words, .values = {}};
+    if (each.error == error) return {MessageKind::input, each.words};
   }
   return verbatim(std::strerror(error));
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kLineCondition = 30.0;  // of the scaled plane design: above it the points lie on a line
 constexpr double kLeastTurn_deg = 0.1;
-constexpr double kSure = 3.0;
+constexpr double kSureOfCamera = 3.0;
 constexpr double kLargest_px = 1e5, kLargest_mm = 1e4;
 constexpr double kLeastNoise_mm = 0.02;
 constexpr double kDeepest_mm = 25.0;
@@ -249,7 +249,7 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
   }
   const double half_turn = std::abs(out.rotation_deg) > 90.0 ? 180.0 : 0.0;
   const double turn = wrapped(out.rotation_deg - half_turn);
-  out.rotated = std::abs(turn) > std::max(kLeastTurn_deg, kSure * out.rotation_error_deg);
+  out.rotated = std::abs(turn) > std::max(kLeastTurn_deg, kSureOfCamera * out.rotation_error_deg);
   const Frame frame = frameOf(s, out.rotated ? turn : 0.0);
 
   std::vector<std::size_t> rows(s.x_px.size());

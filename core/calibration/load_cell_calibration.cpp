@@ -12,10 +12,10 @@ namespace fyd::calibration {
 namespace {
 
 constexpr double kCellFullScale_N = 7.65;
-constexpr double kLeastNoise_N = 0.002;
+constexpr double kLeastBridgeNoise_N = 0.002;
 constexpr double kLargestValue = 1000.0, kLargestForce_N = 1000.0;
 constexpr double kDriftCondition = 50.0;
-constexpr double kSure = 3.0;  // standard errors
+constexpr double kSureOfLoadCell = 3.0;  // standard errors
 
 struct Line {
   Eigen::MatrixXd design;  // value, 1
@@ -97,7 +97,7 @@ void findRepeatability(LoadCellCalibration& out, const LoadCellSamples& s, doubl
 
 void pointOut(LoadCellCalibration& out, double span_N, double allowed_percent) {
   const double allowed_N = allowed_percent / 100.0 * span_N;
-  if (std::abs(out.drift_N) > std::max(allowed_N, kSure * out.drift_error_N)) {
+  if (std::abs(out.drift_N) > std::max(allowed_N, kSureOfLoadCell * out.drift_error_N)) {
     out.result.notes.push_back(
         say("the reading drifts by {:.3f} N over the measurement: let the bridge warm up", out.drift_N));
   }
@@ -177,7 +177,7 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   result.residuals.assign(fit->residuals.begin(), fit->residuals.end());
   result.valid_from = line.design.col(0).minCoeff();
   result.valid_to = line.design.col(0).maxCoeff();
-  result.outliers = findOutliers(centred, line.force, {.least_sigma = kLeastNoise_N});
+  result.outliers = findOutliers(centred, line.force, {.least_sigma = kLeastBridgeNoise_N});
 
   const auto predicted = predictHeldOut(
       foldsByTarget(s.force_N, Ends::held_out),
@@ -206,7 +206,7 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
                 "calibration.force_held_out_N");
     return out;
   }
-  if (!(std::abs(slope) > kSure * fit->standardError(0)) && fit->sigma > 0) {
+  if (!(std::abs(slope) > kSureOfLoadCell * fit->standardError(0)) && fit->sigma > 0) {
     result = refused(std::move(result), say("the value does not follow the weight: check the cell's cable"));
     return out;
   }

@@ -127,7 +127,7 @@ void makeLaw(StiffnessMap& out) {
   }
 }
 
-std::string listOfValues(const std::vector<double>& values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
+std::string listOf(const std::vector<double>& values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
 
 }  // namespace
 
@@ -272,8 +272,8 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
   result.valid_from = out.law_angle_deg.front();
   result.valid_to = out.law_angle_deg.back();
   result.changes = {{"control.law", "interpolated"},
-                    {"control.law_angle_deg", listOfValues(out.law_angle_deg)},
-                    {"control.law_stiffness_N_per_mm", listOfValues(out.law_stiffness_N_per_mm)}};
+                    {"control.law_angle_deg", listOf(out.law_angle_deg)},
+                    {"control.law_stiffness_N_per_mm", listOf(out.law_stiffness_N_per_mm)}};
   result.verdict = {
       .accepted = true,
       .reason = say("held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm",

@@ -26,7 +26,7 @@ struct Gains {
   [[nodiscard]] bool any() const { return kp != 0 || ki != 0 || kd != 0; }
 };
 
-Gains gainsOf(const ControlParameters& p) {
+Gains loopGainsOf(const ControlParameters& p) {
   if (p.mode == ControlMode::thesis) return {p.thesis_kp, p.thesis_ki, p.thesis_kd};
   return {p.kp, p.ki_per_s, p.kd_s};
 }
@@ -47,7 +47,11 @@ double steepest_N_per_mm_deg(const ControlParameters& p) {
 class Loop {
  public:
   Loop(const IdentifiedCloth& cloth, const ControlParameters& p, const LoopTiming& timing)
-      : cloth_(cloth), p_(p), gains_(gainsOf(p)), thesis_(p.mode == ControlMode::thesis), dead_s_(timing.deadTime_s()) {
+      : cloth_(cloth),
+        p_(p),
+        gains_(loopGainsOf(p)),
+        thesis_(p.mode == ControlMode::thesis),
+        dead_s_(timing.deadTime_s()) {
     if (!thesis_) return;
     slope_ = cloth.shape_gain * steepest_N_per_mm_deg(p);
     dead_s_ += 0.5e-3 * p.thesis_period_ms;

@@ -1,7 +1,10 @@
 // The step's parameters, gathered from the modules that declare them.
 #pragma once
 
+#include <vector>
+
 #include "core/base/message.h"
+#include "core/base/parameter.h"
 #include "core/control/control_parameters.h"
 #include "core/sensing/sensing_parameters.h"
 #include "core/teleop/coupling/touchpad_coupling.h"
@@ -96,3 +99,5 @@ struct Parameters {
 };
 
 }  // namespace fyd::pipeline
+
+extern template std::vector<fyd::Parameter> fyd::bindParameters(fyd::pipeline::Parameters& instance);

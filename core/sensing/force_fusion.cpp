@@ -15,7 +15,7 @@ constexpr double kMovingPace = 0.5;    // … and while they stretch the cloth
 constexpr double kStartStill = 0.9;    // probability that a touch begins with the motors standing
 constexpr double kLeastForce_N = 0.2;  // below it a reading says nothing of the compliance
 constexpr double kForceSigma_N = 0.03;
-constexpr double kLargestForce_N = 1000.0;  // beyond any finger: keeps the arithmetic finite
+constexpr double kLargestFusedForce_N = 1000.0;  // beyond any finger: keeps the arithmetic finite
 constexpr Duration kOldestForce = std::chrono::milliseconds(100);
 constexpr double kContradiction = 4.0;  // standard deviations …
 constexpr double kPersistent_s = 0.4;   // … for this long
@@ -36,7 +36,7 @@ void ForceFusion::restart() {
 void ForceFusion::takeForce(const Timed<double>& force_N) {
   if (force_N.count == last_count_) return;
   last_count_ = force_N.count;
-  known_ = force_N.count > 0 && std::abs(force_N.value) <= kLargestForce_N;  // false for NaN
+  known_ = force_N.count > 0 && std::abs(force_N.value) <= kLargestFusedForce_N;  // false for NaN
   if (!known_) return;
   forces_[written_ % forces_.size()] = {.value_N = force_N.value, .taken = force_N.taken};
   ++written_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHolds_s = 3.0;  // mean time for which a finger holds still …
 constexpr double kMoves_s = 0.2;  // … and moves
-constexpr double kLongestStep_s = 1.0;
+constexpr double kLongestFilterStep_s = 1.0;
 constexpr double kLargest_mm = 200.0;  // beyond any cloth: keeps the arithmetic finite
 constexpr double kOutlier = 5.0;       // standard deviations from what a moving finger allows
 constexpr int kPersistent = 4;         // after so many outliers in a row, readings are accepted
@@ -36,7 +36,7 @@ void IndentationFilter::restart() {
 double IndentationFilter::sigma_mm() const { return std::sqrt(variance_); }
 
 void IndentationFilter::update(double dt_s, std::span<Measurement> measurements) {
-  mix(std::isfinite(dt_s) ? std::clamp(dt_s, 0.0, kLongestStep_s) : 0.0);
+  mix(std::isfinite(dt_s) ? std::clamp(dt_s, 0.0, kLongestFilterStep_s) : 0.0);
 
   // Outliers are judged against the moving filter's estimate, which is the wider one, before any reading is used.
   const Gaussian& wide = modes_[1];

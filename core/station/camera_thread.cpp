@@ -9,7 +9,7 @@
 namespace fyd::station {
 namespace {
 
-constexpr Duration kSilence = std::chrono::milliseconds(900);  // the slowest video gives a picture a second
+constexpr Duration kCameraSilence = std::chrono::milliseconds(900);  // the slowest video gives a picture a second
 constexpr Duration kRetry = std::chrono::milliseconds(500);
 
 void sleepUnlessStopped(const std::stop_token& stop, Duration time) {
@@ -24,7 +24,7 @@ CameraThread::CameraThread(const Message& description, Opener opener, const sens
                            const device::DeviceParameters& device)
     : opener_(std::move(opener)),
       detector_(parameters),
-      monitor_(device::Part::camera, description, kSilence),
+      monitor_(device::Part::camera, description, kCameraSilence),
       frozen_(fromSeconds(device.camera_freeze_ms / 1e3)),
       flat_cloth_(device.camera_flat_cloth),
       report_{.part = device::Part::camera, .description = description},

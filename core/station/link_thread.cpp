@@ -10,8 +10,8 @@
 namespace fyd::station {
 namespace {
 
-constexpr Duration kPatience = std::chrono::milliseconds(1);  // also how late a lost link may be noticed
-constexpr Duration kLateness = std::chrono::milliseconds(4);  // of this thread, where the clock waits for it
+constexpr Duration kPatience = std::chrono::milliseconds(1);      // also how late a lost link may be noticed
+constexpr Duration kLinkLateness = std::chrono::milliseconds(4);  // of this thread, where the clock waits for it
 constexpr Duration kStatusPeriod = std::chrono::milliseconds(50);
 constexpr double kDelayStep_ms = 5.0;
 constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
@@ -82,7 +82,7 @@ void LinkThread::run(const std::stop_token& stop, bool clock_waits) {
   while (!stop.stop_requested()) {
     const auto received = socket_.receive(buffer, kPatience);
     const Instant now = Clock::now();
-    hold.until(now + kLateness);
+    hold.until(now + kLinkLateness);
     const Announcement& said = announcement.read();
     if (received) {
       if (end_->imagesOn()) {

@@ -6,7 +6,7 @@
 namespace fyd::station {
 namespace {
 
-constexpr std::string_view kSimulated = "simulated";
+constexpr std::string_view kSimulatedRobot = "simulated";
 constexpr std::string_view kSimulatedPrefix = "simulated:";
 constexpr std::string_view kScenePrefix = "scene:";
 constexpr std::string_view kClassicPrefix = "classic:";
@@ -17,7 +17,7 @@ constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
 
 Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& key_file) {
   const bool scene = robot.starts_with(kScenePrefix);
-  const bool in_process = robot == kSimulated || robot.starts_with(kSimulatedPrefix);
+  const bool in_process = robot == kSimulatedRobot || robot.starts_with(kSimulatedPrefix);
   const bool classic = robot.starts_with(kClassicPrefix);
   const bool secured = robot.starts_with(kLinkPrefix);
   if (!in_process && !scene && !classic && !secured && robot != "none") {

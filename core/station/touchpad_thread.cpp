@@ -7,11 +7,11 @@
 namespace fyd::station {
 namespace {
 
-constexpr Duration kSilence = std::chrono::milliseconds(500);
+constexpr Duration kTouchpadSilence = std::chrono::milliseconds(500);
 constexpr Duration kFirstRetry = std::chrono::milliseconds(20);
 constexpr Duration kLongestRetry = std::chrono::milliseconds(500);
-constexpr Duration kLateness = std::chrono::milliseconds(2);       // of this thread, where the clock waits for it
-constexpr Duration kReportPeriod = std::chrono::milliseconds(16);  // as often as a distance sensor measures
+constexpr Duration kTouchpadLateness = std::chrono::milliseconds(2);  // of this thread, where the clock waits for it
+constexpr Duration kReportPeriod = std::chrono::milliseconds(16);     // as often as a distance sensor measures
 
 }  // namespace
 
@@ -26,7 +26,7 @@ TouchpadThread::TouchpadThread(std::unique_ptr<device::Touchpad> touchpad, const
     : touchpad_(std::move(touchpad)),
       plausibility_(parameters),
       frozen_(parameters),
-      monitor_(device::Part::touchpad, touchpad_->description(), kSilence),
+      monitor_(device::Part::touchpad, touchpad_->description(), kTouchpadSilence),
       clock_waits_(clock_waits) {}
 
 TouchpadThread::~TouchpadThread() { shutDown(); }
@@ -101,7 +101,7 @@ void TouchpadThread::run(const std::stop_token& stop) {
       retry = std::min(2 * retry, kLongestRetry);
     }
     publishReports(now);
-    hold.until(due + kLateness);
+    hold.until(due + kTouchpadLateness);
     Clock::sleepUntil(due);
   }
   takeDuties();

@@ -13,7 +13,7 @@ constexpr double kLearn_s = 0.1;
 constexpr double kKnock_s = 0.025;  // the touch's own vibration
 constexpr double kPause_s = 0.01;
 constexpr double kSteady = 0.25;
-constexpr double kTiny = 1e-24;  // g²
+constexpr double kTinyPower = 1e-24;  // g²
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void ContactDetector::follow(double& mean, double power, double time_s) const {
   // Plain mean until `time_s` has passed, then exponential: the first samples count as much as later ones.
   const double share = std::max(1.0 / (time_s * sample_rate_Hz_), 1.0 / static_cast<double>(samples_));
   mean += std::min(share, 1.0) * (power - mean);
-  if (mean < kTiny) mean = 0.0;
+  if (mean < kTinyPower) mean = 0.0;
 }
 
 ContactEvent ContactDetector::step(const Vec3& acceleration_g) {

@@ -17,8 +17,8 @@ constexpr double kSpectrumTime_s = 0.3;
 constexpr double kTrimTime_s = 0.5;
 constexpr double kFewestSpectrum = 300.0;  // samples that the spectra average over at least, for low rates
 constexpr double kFewestTrim = 500.0;
-constexpr double kFloor = 1e-4;  // of the strongest bin: nothing weaker is boosted
-const double kLargestLogGain = 18.0 / 20.0 * std::numbers::ln10;
+constexpr double kBoostFloor = 1e-4;  // of the strongest bin: nothing weaker is boosted
+const double kLargestLogBoost = 18.0 / 20.0 * std::numbers::ln10;
 constexpr double kLargestTrim = 1.4142135623730951;  // 3 dB
 constexpr double kSilence = 1e-30;                   // g²: below, smoothed powers become exactly zero
 // Frame power of about 1e-6 g RMS, far below any sensor's noise: spectra fainter than this are not learned from.
@@ -26,7 +26,7 @@ constexpr double kFaint = 1e-10;
 
 using Taps = Eigen::Map<Eigen::ArrayXd>;
 
-double flushed(double power) { return power < kSilence ? 0.0 : power; }
+double flushedPower(double power) { return power < kSilence ? 0.0 : power; }
 
 }  // namespace
 
@@ -88,10 +88,10 @@ void SpectralEqualiser::measure() {
   ++frames_;
   const double share = std::max(frame_share_, 1.0 / frames_);
   if (frames_ > 1000) frames_ = 1000;
-  frame_energy_ = flushed(frame_energy_ + share * (energy - frame_energy_));
+  frame_energy_ = flushedPower(frame_energy_ + share * (energy - frame_energy_));
   for (std::size_t k = 0; k < kBins; ++k) {
-    reference_[k] = flushed(reference_[k] + share * (reference[k] - reference_[k]));
-    power_[k] = flushed(power_[k] + share * (power[k] - power_[k]));
+    reference_[k] = flushedPower(reference_[k] + share * (reference[k] - reference_[k]));
+    power_[k] = flushedPower(power_[k] + share * (power[k] - power_[k]));
   }
 }
 
@@ -103,10 +103,10 @@ void SpectralEqualiser::design() {
   if (strongest <= kFaint) return;  // nothing to learn from: keep the last filter
 
   const auto bins = fft_.bins();
-  const double floor = kFloor * strongest;
+  const double floor = kBoostFloor * strongest;
   for (std::size_t k = 0; k < kBins; ++k) {
     const double log_gain = 0.5 * math::log((reference_[k] + floor) / (power_[k] + floor));
-    bins[k] = std::clamp(log_gain, -kLargestLogGain, kLargestLogGain);
+    bins[k] = std::clamp(log_gain, -kLargestLogBoost, kLargestLogBoost);
   }
   signal::minimumPhase(fft_);
   const auto response = fft_.time();
@@ -128,8 +128,8 @@ double SpectralEqualiser::filtered(double signal) {
 
 double SpectralEqualiser::trimmed(double equalised, const Vec3& axes) {
   const double in = axes.x * axes.x + axes.y * axes.y + axes.z * axes.z;
-  energy_in_ = flushed(energy_in_ + trim_share_ * (in - energy_in_));
-  energy_out_ = flushed(energy_out_ + trim_share_ * (equalised * equalised - energy_out_));
+  energy_in_ = flushedPower(energy_in_ + trim_share_ * (in - energy_in_));
+  energy_out_ = flushedPower(energy_out_ + trim_share_ * (equalised * equalised - energy_out_));
   if (energy_in_ <= 0.0 || energy_out_ <= 0.0) return equalised;
   return equalised * std::clamp(std::sqrt(energy_in_ / energy_out_), 1.0 / kLargestTrim, kLargestTrim);
 }

@@ -9,7 +9,7 @@
 namespace fyd::texture {
 namespace {
 
-constexpr double kLowest_Hz = 20.0;
+constexpr double kLowestMatched_Hz = 20.0;
 
 int segmentFor(std::size_t samples) {
   int segment = 512;
@@ -46,7 +46,7 @@ MatchFigures compareSpectra(std::span<const double> x, std::span<const double> y
   double difference = 0.0;
   double total = 0.0;
   for (std::size_t k = 0; k < spectrum.density.size(); ++k) {
-    if (spectrum.frequency_Hz(k) < kLowest_Hz) continue;
+    if (spectrum.frequency_Hz(k) < kLowestMatched_Hz) continue;
     difference += std::abs(std::sqrt(spectrum.density[k]) - std::sqrt(reference.density[k]));
     total += std::sqrt(reference.density[k]);
   }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kIterations = 400;
 constexpr double kThirdOctaveQuality = 4.318;  // 1 / (2^(1/6) − 2^(−1/6))
-constexpr double kFloor = 1e-6;                // of the strongest bin: weaker ones need not fit
+constexpr double kFitFloor = 1e-6;             // of the strongest bin: weaker ones need not fit
 constexpr double kWeakest = 1e-5;              // of the strongest band's power
 constexpr std::size_t kShortest = 64;
 
@@ -53,7 +53,7 @@ std::vector<double> mixed(const std::vector<std::vector<double>>& shapes, const 
 std::vector<double> fitPowers(const std::vector<std::vector<double>>& shapes, const std::vector<double>& target,
                               std::size_t from) {
   const double strongest = *std::max_element(target.begin() + static_cast<std::ptrdiff_t>(from), target.end());
-  const double floor = kFloor * strongest;
+  const double floor = kFitFloor * strongest;
   std::vector<double> powers(shapes.size(), strongest);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const std::vector<double> model = mixed(shapes, powers, target.size());

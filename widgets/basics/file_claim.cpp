@@ -1,15 +1,14 @@
 #include "widgets/basics/file_claim.h"
 
-#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
+#include "widgets/basics/words.h"
+
 namespace fyd::widgets {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("FileClaim", text); }
 
 /// Hidden, in the file's folder: all who open the file find it, on whichever computer.
 QString lockFileOf(const QString& file_path) {

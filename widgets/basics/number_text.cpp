@@ -1,14 +1,13 @@
 #include "widgets/basics/number_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
 #include <limits>
 
+#include "widgets/basics/words.h"
+
 namespace fyd::widgets {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("NumberText", text); }
 
 const QChar kMinus(0x2212);
 

@@ -1,11 +1,11 @@
 #include "widgets/curves/axis_scale.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/basics/number_text.h"
 #include "widgets/basics/theme.h"
+#include "widgets/basics/words.h"
 #include "widgets/curves/plot_style.h"
 #include "widgets/curves/time_window.h"
 
@@ -19,8 +19,6 @@ constexpr int kRoom_px = 40;      // least distance of two ticks on a level axis
 constexpr int kMostTicks = 6;     // on a level axis
 constexpr int kMostDecimals = 6;  // beyond: powers of ten
 constexpr double kMost = 1e6;     // larger numbers are written with powers of ten
-
-QString tr(const char* text) { return QCoreApplication::translate("LevelScale", text); }
 
 /// Half of what a label covers along its axis.
 double halfOf(const QCPAxis& axis, const QString& label) {

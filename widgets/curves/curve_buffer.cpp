@@ -6,20 +6,20 @@
 namespace fyd::widgets {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr std::size_t kBlock = 65536;  // 16^4: the entries of every level divide the ring evenly
+constexpr float kNoSample = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kBufferBlock = 65536;  // 16^4: the entries of every level divide the ring evenly
 
 std::size_t roundUp(std::size_t capacity) {
-  return std::max<std::size_t>(1, (capacity + kBlock - 1) / kBlock) * kBlock;
+  return std::max<std::size_t>(1, (capacity + kBufferBlock - 1) / kBufferBlock) * kBufferBlock;
 }
 
 }  // namespace
 
 CurveBuffer::CurveBuffer(std::size_t channels, std::size_t capacity, double longest_step_s)
     : times_(roundUp(capacity)), channels_(std::max<std::size_t>(1, channels)), longest_step_s_(longest_step_s) {
-  hole_.assign(channels_.size(), kNaN);
+  hole_.assign(channels_.size(), kNoSample);
   for (Channel& channel : channels_) {
-    channel.values.assign(times_.size(), kNaN);
+    channel.values.assign(times_.size(), kNoSample);
     for (std::size_t level = 1; level <= kLevels; ++level) {
       channel.levels.emplace_back(times_.size() >> (kShift * level));
     }
@@ -68,9 +68,9 @@ double CurveBuffer::lastTime_s() const {
 }
 
 float CurveBuffer::last(std::size_t channel) const {
-  if (empty()) return kNaN;
+  if (empty()) return kNoSample;
   const float value = channels_[channel].values[positionOf(next_ - 1)];
-  return std::isfinite(value) ? value : kNaN;
+  return std::isfinite(value) ? value : kNoSample;
 }
 
 // Galloping search: steps that double, then bisection. Drawing asks for one column after the other, so the next is
@@ -93,9 +93,9 @@ std::uint64_t CurveBuffer::firstNotBefore(double time_s, std::uint64_t from) con
 }
 
 double CurveBuffer::valueAt(std::size_t channel, double time_s) const {
-  if (!std::isfinite(time_s) || empty() || time_s > lastTime_s() + longest_step_s_) return kNaN;
+  if (!std::isfinite(time_s) || empty() || time_s > lastTime_s() + longest_step_s_) return kNoSample;
   const std::uint64_t after = firstNotBefore(std::nextafter(time_s, std::numeric_limits<double>::infinity()), oldest());
-  if (after == oldest()) return kNaN;
+  if (after == oldest()) return kNoSample;
   return channels_[channel].values[positionOf(after - 1)];
 }
 

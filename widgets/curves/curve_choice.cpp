@@ -1,6 +1,5 @@
 #include "widgets/curves/curve_choice.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -8,12 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "widgets/basics/words.h"
+
 namespace fyd::widgets {
 namespace {
 
 using Json = nlohmann::json;
-
-QString tr(const char* text) { return QCoreApplication::translate("CurveChoice", text); }
 
 struct Wanted {
   bool shown = false;

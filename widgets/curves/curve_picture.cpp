@@ -1,7 +1,6 @@
 #include "widgets/curves/curve_picture.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QImage>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -12,6 +11,7 @@
 
 #include <qcustomplot.h>
 
+#include "widgets/basics/words.h"
 #include "widgets/curves/curve_catalogue.h"
 
 namespace fyd::widgets {
@@ -21,8 +21,6 @@ constexpr int kTitleHeight = 5 * kGrid;
 constexpr int kNameHeight = 3 * kGrid;
 constexpr int kLeast = 40 * kGrid;  // width in px when the window has no size yet
 constexpr int kDensity = 2;         // pixels of a PNG for one of the window
-
-QString tr(const char* text) { return QCoreApplication::translate("CurvePicture", text); }
 
 QSize sizeOf(const CurveStack& stack) {
   QSize size(kLeast, kTitleHeight);

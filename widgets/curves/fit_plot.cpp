@@ -13,7 +13,7 @@
 namespace fyd::widgets {
 namespace {
 
-constexpr QSize kLeast(160, 208);  // px, smallest readable size
+constexpr QSize kLeastSize(160, 208);  // px, smallest readable size
 constexpr double kPoint_px = 7.0;
 constexpr double kOutlier_px = 11.0;
 
@@ -49,7 +49,7 @@ FitPlot::FitPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)
   empty_->setWordWrap(true);
   empty_->setProperty("role", "muted");
   empty_->setFont(textFont(TextSize::title));
-  for (QWidget* each : {static_cast<QWidget*>(empty_), static_cast<QWidget*>(plot_)}) each->setMinimumSize(kLeast);
+  for (QWidget* each : {static_cast<QWidget*>(empty_), static_cast<QWidget*>(plot_)}) each->setMinimumSize(kLeastSize);
   plot_->setFocusPolicy(Qt::NoFocus);
   plot_->setInteractions({});
   plot_->plotLayout()->clear();

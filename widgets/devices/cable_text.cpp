@@ -1,11 +1,9 @@
 #include "widgets/devices/cable_text.h"
 
-#include <QCoreApplication>
+#include "widgets/basics/words.h"
 
 namespace fyd::widgets {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("CableText", text); }
 
 /// What follows `prefix` in a source's word; empty where it is another kind of source.
 QString addressAfter(const std::string& source, std::string_view prefix) {

@@ -15,9 +15,9 @@ constexpr double kMoveKey_px = 24.0;
 constexpr double kZoomNotch = 1.15;
 constexpr double kDriveKey_px = 4.0;
 constexpr double kDriveNotch_px = 4.0;
-constexpr double kGrab_px = 14.0;      // around the haptic point
-constexpr double kFarthest = 10.0;     // limit of the haptic point's target, in radii from the scene's middle
-constexpr double kNotch_deg8 = 120.0;  // angle delta of one notch of a wheel
+constexpr double kGrab_px = 14.0;         // around the haptic point
+constexpr double kFarthestTarget = 10.0;  // limit of the haptic point's target, in radii from the scene's middle
+constexpr double kNotch_deg8 = 120.0;     // angle delta of one notch of a wheel
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void SceneView::drive(Vec3 by_mm) {
   if (!drivable_) return;
   beginDriving();
   Vec3 to_mm = *driven_mm_ + by_mm;
-  if (!to_mm.finite() || (to_mm - camera_.centre_mm()).norm() > kFarthest * camera_.radius_mm()) return;
+  if (!to_mm.finite() || (to_mm - camera_.centre_mm()).norm() > kFarthestTarget * camera_.radius_mm()) return;
   if (!reach_.empty()) {
     to_mm = {std::clamp(to_mm.x, reach_.lowest_mm.x, reach_.highest_mm.x),
              std::clamp(to_mm.y, reach_.lowest_mm.y, reach_.highest_mm.y),

@@ -1,12 +1,12 @@
 #include "widgets/status/recording_view.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::widgets {
 namespace {
@@ -17,8 +17,6 @@ constexpr int kLongestName = 80;
 constexpr int kLongestCode = 32;
 constexpr int kMostTags = 16;
 constexpr int kLongestNotes = 2000;
-
-QString tr(const char* text) { return QCoreApplication::translate("Recording", text); }
 
 bool hasControlCharacter(const QString& text) {
   return std::any_of(text.begin(), text.end(), [](QChar c) { return c.category() == QChar::Other_Control; });

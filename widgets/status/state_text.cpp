@@ -1,17 +1,14 @@
 #include "widgets/status/state_text.h"
 
-#include <QCoreApplication>
-
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/theme.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::widgets {
 namespace {
 
 using pipeline::Fault;
 using pipeline::SafetyState;
-
-QString tr(const char* text) { return QCoreApplication::translate("StateText", text); }
 
 QString sentenceOf(QString text) {
   if (text.isEmpty()) return text;

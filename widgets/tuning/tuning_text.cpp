@@ -1,17 +1,16 @@
 #include "widgets/tuning/tuning_text.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <cmath>
 
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::widgets {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Tuning", text); }
-QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
 struct Room {
   const char* id;
@@ -33,18 +32,18 @@ QString moduleTitle(std::string_view id) {
   for (const Room& each : kRooms) {
     if (room == each.id) return tr(each.title);
   }
-  return fromView(room);
+  return textOf(room);
 }
 
 QString unitText(const Parameter& parameter) {
-  return parameter.info.unit == "1" ? QString() : fromView(parameter.info.unit);
+  return parameter.info.unit == "1" ? QString() : textOf(parameter.info.unit);
 }
 
 QString valueText(const Parameter& parameter, double value) {
   if (parameter.kind == ParameterKind::boolean) return value != 0.0 ? tr("on") : tr("off");
   if (parameter.kind != ParameterKind::choice) return plainNumber(value);
   const auto index = static_cast<std::size_t>(value);
-  return index < parameter.choices.size() ? fromView(parameter.choices[index]) : kNoValue;
+  return index < parameter.choices.size() ? textOf(parameter.choices[index]) : kNoValue;
 }
 
 QString tunedFacts(const TuningModel& model, const TunedParameter& p) {
@@ -69,7 +68,7 @@ QString deliveryWords(const TunedParameter& p) {
 
 bool tunedMatches(const Parameter& parameter, const QString& text) {
   const QString help = coreText(parameter.info.help);
-  const QString where = fromView(parameter.id) + QLatin1Char(' ') + tunedName(parameter) + QLatin1Char(' ') +
+  const QString where = textOf(parameter.id) + QLatin1Char(' ') + tunedName(parameter) + QLatin1Char(' ') +
                         moduleTitle(parameter.id) + QLatin1Char(' ') + help;
   const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
   return std::ranges::all_of(words, [&](const QString& word) { return where.contains(word, Qt::CaseInsensitive); });

@@ -39,7 +39,7 @@ Quantiles costOf(scene::Scene& scene, std::size_t body) {
   return quantiles(ns);
 }
 
-nlohmann::ordered_json jsonOf(const scene::ContactChoiceReport& choice) {
+nlohmann::ordered_json explanationOf(const scene::ContactChoiceReport& choice) {
   nlohmann::ordered_json json = {
       {"accuracy_met", choice.met}, {"depth_mm", choice.depth_mm}, {"places", choice.places}};
   for (const scene::ModelTrial& trial : choice.trials) {
@@ -50,7 +50,7 @@ nlohmann::ordered_json jsonOf(const scene::ContactChoiceReport& choice) {
   return json;
 }
 
-nlohmann::ordered_json jsonOf(const scene::SoftChoiceReport& choice) {
+nlohmann::ordered_json explanationOf(const scene::SoftChoiceReport& choice) {
   nlohmann::ordered_json json = {{"accuracy_met", choice.met}, {"depth_mm", choice.depth_mm}};
   for (const scene::SoftTrial& trial : choice.trials) {
     json[fmt::format("{}_points_error_percent", trial.most_points)] = 100.0 * trial.mean_error;
@@ -89,8 +89,8 @@ void explain(const ExplainOptions& options) {
     to["memory_bytes"] = scene.bytes(i);
     to["step_median_ns"] = cost.p50;
     to["step_p99_ns"] = cost.p99;
-    if (choices[i].contact) to["choice"] = jsonOf(*choices[i].contact);
-    if (choices[i].soft) to["choice"] = jsonOf(*choices[i].soft);
+    if (choices[i].contact) to["choice"] = explanationOf(*choices[i].contact);
+    if (choices[i].soft) to["choice"] = explanationOf(*choices[i].soft);
     json["bodies"].push_back(std::move(to));
   }
   json["gestures"] = nlohmann::ordered_json::array();

@@ -219,7 +219,7 @@ class Player {
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(protocol::kMaximumDatagram);
 };
 
-nlohmann::ordered_json summaryOf(Player& player, const sim::FencingSettings& settings, std::uint64_t missed) {
+nlohmann::ordered_json fencingSummary(Player& player, const sim::FencingSettings& settings, std::uint64_t missed) {
   Figures& f = player.figures;
   const double expected = 1.0 + std::round((f.last_s - f.first_s) / settings.players.period_s);
   const Quantiles ages = f.ages_ms.empty() ? Quantiles{NAN, NAN, NAN} : quantiles(f.ages_ms);
@@ -275,7 +275,7 @@ void fence(const FenceOptions& options) {
   if (!player.everLinked()) {
     throw Failure(say("{}: no other player answered", options.peer.empty() ? options.listen : options.peer));
   }
-  printSummary(summaryOf(player, settings, loop.missedCycles()), options.json);
+  printSummary(fencingSummary(player, settings, loop.missedCycles()), options.json);
 }
 
 }  // namespace

@@ -1,18 +1,18 @@
 // The step that sets the cloth's region in the camera's picture, and the threshold between finger and cloth.
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "app/console/calibrate/calibrate_step.h"
 #include "core/calibration/threshold_suggestion.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
 using calibration::CalibrationResult;
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 constexpr int kLeastSide_px = 16;  // as sensing.roi_width_px
 constexpr int kGreys = 256;

@@ -1,5 +1,4 @@
 // The step that finds the camera's scale and rotation from the marks of a printed target.
-#include <QCoreApplication>
 #include <random>
 
 #include "app/console/calibrate/calibrate_step.h"
@@ -7,11 +6,12 @@
 #include "core/sim/touchpad/picture.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 class CameraScaleStep : public CalibrationStep {
  public:

@@ -1,6 +1,5 @@
 // The step that measures the cloth's deflection beside a press: a finger presses over each distance sensor at two
 // depths, and each press is held until its mean is good enough.
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,11 +12,12 @@
 #include "core/sim/touchpad/cloth_presses.h"
 #include "core/sim/touchpad/ir_sensor.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 constexpr double kOld_ms = 500.0;
 

@@ -1,5 +1,4 @@
 // The encoders' step: the console sends the motors along a sweep, only while the operator holds the button.
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -8,11 +7,12 @@
 #include "core/calibration/encoder_calibration.h"
 #include "core/device/touchpad/test_motion.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 constexpr double kTurn_counts = control::kEncoderCountsPerTurn;
 

@@ -1,5 +1,4 @@
 // The steps that measure each distance sensor at known distances.
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -8,11 +7,12 @@
 #include "core/calibration/ir_calibration.h"
 #include "core/sim/touchpad/ir_sensor.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 constexpr int kCurvePoints = 120;
 

@@ -1,5 +1,4 @@
 // The step that measures the load cell under known weights.
-#include <QCoreApplication>
 #include <cmath>
 #include <random>
 
@@ -7,13 +6,14 @@
 #include "core/base/units.h"
 #include "core/calibration/load_cell_calibration.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
-constexpr int kCurvePoints = 120;
+constexpr int kLoadCurvePoints = 120;
 
 class LoadCellStep : public CalibrationStep {
  public:

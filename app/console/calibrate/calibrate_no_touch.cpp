@@ -1,6 +1,5 @@
 // The step that measures the untouched cloth: the offsets of the distance sensors and the load cell's zero. Like
 // the tare, but nothing is changed before it is accepted.
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -9,11 +8,12 @@
 #include "core/sensing/load_cell.h"
 #include "core/sensing/tare.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 class NoTouchStep : public CalibrationStep {
  public:

@@ -1,7 +1,6 @@
 #include "app/console/calibrate/calibrate_records.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -13,6 +12,7 @@
 #include "core/station/profile/calibration_report.h"
 #include "core/station/profile/replace_file.h"
 #include "widgets/basics/core_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 
@@ -20,7 +20,7 @@ using widgets::Severity;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationRecords", text); }
+using widgets::tr;
 QString words(const std::string& text) { return QString::fromStdString(text); }
 
 /// What the files hold for the session's touchpad; the session's profile, when there is none yet.

@@ -1,5 +1,4 @@
 // The step that checks the robot's accelerometer at rest for plausibility. It changes no value.
-#include <QCoreApplication>
 #include <array>
 #include <cmath>
 #include <random>
@@ -7,11 +6,12 @@
 #include "app/console/calibrate/calibrate_step.h"
 #include "core/calibration/rest_calibration.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 constexpr std::size_t kAxes = 3;
 

@@ -1,6 +1,5 @@
 // The stiffness map's step: the console stretches the cloth, only while the operator holds the button, and a finger
 // presses at each stretch.
-#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,11 +10,12 @@
 #include "core/control/static_law.h"
 #include "core/sim/cloth/cloth.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 /// Points are: stretch, indentation, force.
 class StiffnessStep : public CalibrationStep {

@@ -1,7 +1,6 @@
 // The step that identifies the dynamics from motor duty to finger: the duty at which the motors break away, and the
 // resonance of the cloth under a finger. Each press of the button is one experiment, recorded by the haptic loop at
 // 1 kHz.
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -9,11 +8,12 @@
 #include "core/calibration/texture_calibration.h"
 #include "core/sim/touchpad/vibration_sweep.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationStep", text); }
+using widgets::tr;
 
 /// A point is a whole experiment: its stretch, then for each millisecond the values of a SweepRow without the stretch.
 constexpr std::size_t kRowFigures = 7;

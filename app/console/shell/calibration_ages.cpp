@@ -1,6 +1,5 @@
 #include "app/console/shell/calibration_ages.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <algorithm>
 #include <set>
@@ -9,12 +8,13 @@
 #include "core/calibration/calibration_part.h"
 #include "core/station/profile/calibration_file.h"
 #include "widgets/basics/core_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CalibrationAges", text); }
+using widgets::tr;
 
 /// The sensors of a part that have a record; the part itself where it has none or one only.
 std::set<int> sensorsOf(const std::vector<calibration::CalibrationRecord>& records, std::string_view procedure) {

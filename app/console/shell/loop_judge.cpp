@@ -1,16 +1,16 @@
 #include "app/console/shell/loop_judge.h"
 
-#include <QCoreApplication>
 #include <cmath>
 
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
 constexpr double kMean_samples = 2000.0;  // two seconds of a step's telemetry
 
-QString tr(const char* text) { return QCoreApplication::translate("LoopJudge", text); }
+using widgets::tr;
 
 }  // namespace
 

@@ -1,9 +1,8 @@
 #include "app/console/shell/views.h"
 
-#include <QCoreApplication>
-
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 #include "widgets/devices/cable_text.h"
 
 namespace fyd::console {
@@ -12,7 +11,7 @@ namespace {
 using widgets::PartView;
 using widgets::Severity;
 
-QString tr(const char* text) { return QCoreApplication::translate("Views", text); }
+using widgets::tr;
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
 QString iconOf(device::Part part) {

@@ -1,11 +1,11 @@
 #include "app/console/tune/tuning_readback_lines.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
@@ -15,7 +15,7 @@ using widgets::ReadbackLine;
 constexpr double kFollows_deg = 2.0;   // tolerance of the motors' angles
 constexpr double kSame_percent = 1.0;  // tolerance of camera controls, which drivers round
 
-QString tr(const char* text) { return QCoreApplication::translate("Readback", text); }
+using widgets::tr;
 
 /// @return `asked` and `said` compared; NaN on one side is no answer
 ReadbackLine compare(const QString& what, double asked, double said, double tolerance, const QString& unit) {

@@ -20,7 +20,7 @@ const QString kContents = QStringLiteral("README.md");
 constexpr int kPageWidth = 54 * kGrid;  // px: a table of four columns fits without breaking words
 
 /// A page that scales its images to its width.
-class Page : public QTextBrowser {
+class ManualPage : public QTextBrowser {
  public:
   using QTextBrowser::QTextBrowser;
   QSize sizeHint() const override { return {kPageWidth, kPageWidth}; }
@@ -55,7 +55,7 @@ HelpDock::HelpDock(QWidget* parent) : HelpDock(new QWidget, parent) {}
 
 HelpDock::HelpDock(QWidget* body, QWidget* parent)
     : SideDock(tr("Manual"), QStringLiteral("help_close"), tr("Close the manual"), body, parent),
-      page_(new Page(body)),
+      page_(new ManualPage(body)),
       field_(new QLineEdit(body)),
       found_(new QListWidget(body)),
       back_(new QToolButton(body)) {

@@ -1,13 +1,13 @@
 #include "app/console/window/leaving.h"
 
-#include <QCoreApplication>
+#include "widgets/basics/words.h"
 
 namespace fyd::console {
 namespace {
 
 const QString kCause = QStringLiteral("leaving");
 
-QString tr(const char* text) { return QCoreApplication::translate("Leaving", text); }
+using widgets::tr;
 
 }  // namespace
 

@@ -10,7 +10,7 @@ constexpr int kChangesOfTheOthers = 10;
 constexpr double kFastestMotor_deg_s = 1000.0;
 constexpr double kSlack_deg = 5.0;
 constexpr double kSentFurther_deg = 10.0;
-constexpr Duration kLongestStandstill = std::chrono::seconds(1);
+constexpr Duration kLongestEncoderStandstill = std::chrono::seconds(1);
 constexpr Duration kComparable = std::chrono::milliseconds(500);
 constexpr Duration kWithheldWhileInactive = std::chrono::seconds(1);
 
@@ -88,7 +88,7 @@ void Plausibility::checkFollowing(const Timed<control::MotorFeedback>& motors, c
       still.sent_further.reset();
     } else if (!still.sent_further) {
       still.sent_further = motors.taken;
-    } else if (motors.taken - *still.sent_further > kLongestStandstill) {
+    } else if (motors.taken - *still.sent_further > kLongestEncoderStandstill) {
       disbelieve(say("encoder {} stands still although its motor was sent {:.0f}° further: check the motors' "
                      "supply and the encoder's cable; stop, then arm again",
                      i + 1, further_deg),

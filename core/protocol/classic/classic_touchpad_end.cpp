@@ -9,9 +9,9 @@ namespace {
 using pipeline::LinkPhase;
 using pipeline::RobotCommand;
 
-constexpr double kLostFloor_ms = 20.0;
-constexpr double kSmoothing = 1.0 / 16.0;
-constexpr double kJitterDeviations = 4.0;
+constexpr double kClassicLostFloor_ms = 20.0;
+constexpr double kClassicSmoothing = 1.0 / 16.0;
+constexpr double kClassicJitterDeviations = 4.0;
 constexpr std::size_t kImageChunk = 1'400;  // bytes: a datagram that fits one Ethernet frame
 constexpr std::string_view kNoBoardText = "-";
 
@@ -46,11 +46,11 @@ void ClassicTouchpadEnd::advance(Instant now) {
 }
 
 Duration ClassicTouchpadEnd::lostLimit() const {
-  const double wanted_ms = std::max(kLostFloor_ms, 3.0 * period_ms_ + jitterMs());
-  return fromSeconds(1e-3 * std::min(wanted_ms, std::max(kLostFloor_ms, parameters_.lost_cap_ms)));
+  const double wanted_ms = std::max(kClassicLostFloor_ms, 3.0 * period_ms_ + jitterMs());
+  return fromSeconds(1e-3 * std::min(wanted_ms, std::max(kClassicLostFloor_ms, parameters_.lost_cap_ms)));
 }
 
-double ClassicTouchpadEnd::jitterMs() const { return kJitterDeviations * deviation_ms_; }
+double ClassicTouchpadEnd::jitterMs() const { return kClassicJitterDeviations * deviation_ms_; }
 
 LinkFigures ClassicTouchpadEnd::figures(Instant now) const {
   LinkFigures out{.states = counters_.states,
@@ -183,8 +183,8 @@ void ClassicTouchpadEnd::measure(Instant now) {
     if (period_ms_ == 0.0) {
       period_ms_ = interval_ms;
     } else {
-      deviation_ms_ += kSmoothing * (std::abs(interval_ms - period_ms_) - deviation_ms_);
-      period_ms_ += kSmoothing * (interval_ms - period_ms_);
+      deviation_ms_ += kClassicSmoothing * (std::abs(interval_ms - period_ms_) - deviation_ms_);
+      period_ms_ += kClassicSmoothing * (interval_ms - period_ms_);
     }
   }
   last_state_ = now;

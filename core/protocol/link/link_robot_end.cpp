@@ -8,10 +8,10 @@ namespace {
 
 using pipeline::RobotCommand;
 
-constexpr int kFarewells = 3;
+constexpr int kRobotFarewells = 3;
 constexpr LinkTime kBetweenFarewells_us = 5'000;
 constexpr LinkTime kShortestCommandRetry_us = 20'000;
-constexpr LinkTime kMostBehindPeriods = 2;
+constexpr LinkTime kMostTouchBehindPeriods = 2;
 
 }  // namespace
 
@@ -132,7 +132,7 @@ void LinkRobotEnd::sendState(const RobotReport& report) {
   ++counters_.states;
   const LinkTime period_us = periodOf(rates_.state_Hz);
   next_state_us_ += period_us;
-  if (now_us_ > next_state_us_ + kMostBehindPeriods * period_us) next_state_us_ = now_us_ + period_us;
+  if (now_us_ > next_state_us_ + kMostTouchBehindPeriods * period_us) next_state_us_ = now_us_ + period_us;
 }
 
 void LinkRobotEnd::nextCommand() {
@@ -146,7 +146,7 @@ void LinkRobotEnd::nextCommand() {
   }
   outstanding_ = RobotCommand::none;
   phase_ = nextPhase(phase_, RobotEvent::leave);
-  farewells_left_ = kFarewells;
+  farewells_left_ = kRobotFarewells;
   next_farewell_us_ = now_us_;
   sendFarewell();
 }

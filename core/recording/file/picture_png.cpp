@@ -12,7 +12,7 @@
 namespace fyd::recording {
 namespace {
 
-constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::uint8_t kDepth_bit = 8;
 constexpr std::uint8_t kGrey = 0;
 constexpr std::uint8_t kColour = 2;
@@ -74,7 +74,7 @@ std::vector<std::uint8_t> encodePng(const cv::Mat& picture) {
   putNumber(head, static_cast<std::uint32_t>(picture.cols));
   putNumber(head, static_cast<std::uint32_t>(picture.rows));
   head.insert(head.end(), {kDepth_bit, picture.channels() == 1 ? kGrey : kColour, 0, 0, 0});
-  std::vector<std::uint8_t> out(kSignature.begin(), kSignature.end());
+  std::vector<std::uint8_t> out(kPngSignature.begin(), kPngSignature.end());
   putChunk(out, "IHDR", std::as_bytes(std::span(head)));
   putChunk(out, "IDAT", packed);
   putChunk(out, "IEND", {});

@@ -17,13 +17,13 @@ namespace {
 constexpr std::array kListed{Table::events, Table::notes, Table::link, Table::pictures};
 
 /// HDF5 takes the first of these in the file, at byte 0, 512, 1024, 2048…
-constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'H', 'D', 'F', '\r', '\n', 0x1A, '\n'};
+constexpr std::array<std::uint8_t, 8> kHdf5Signature{0x89, 'H', 'D', 'F', '\r', '\n', 0x1A, '\n'};
 constexpr std::uint64_t nextStart(std::uint64_t at) { return at == 0 ? 512 : 2 * at; }
 
 /// HDF5's superblock of version 3, up to its end-of-file address. Others are refused: older versions allow groups with
 /// a cyclic index, and an extension may hold an image of HDF5's metadata cache.
 struct Superblock {
-  std::array<std::uint8_t, 8> signature = kSignature;
+  std::array<std::uint8_t, 8> signature = kHdf5Signature;
   std::uint8_t version = 3;
   std::uint8_t bytes_of_address = 8;
   std::uint8_t bytes_of_length = 8;
@@ -94,9 +94,10 @@ bool isListed(const TableLayout& layout) {
 
 void checkStart(const JournaledFile& disk) {
   for (std::uint64_t at = 0; at < kJournalBytes; at = nextStart(at))
-    if (superblockAt(disk, at).signature == kSignature) failHard("an HDF5 file, but not a recording of the console");
+    if (superblockAt(disk, at).signature == kHdf5Signature)
+      failHard("an HDF5 file, but not a recording of the console");
   const Superblock found = superblockAt(disk, kJournalBytes);
-  if (found.signature != kSignature) failHard("not a recording, or too damaged to open");
+  if (found.signature != kHdf5Signature) failHard("not a recording, or too damaged to open");
   if (found != Superblock{})
     failHard("an HDF5 file, but not a recording of the console, or its first bytes are damaged");
 }

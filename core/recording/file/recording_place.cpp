@@ -40,7 +40,7 @@ std::string folderOf(const std::string& path) {
   return folder.empty() ? "." : folder.string();
 }
 
-Message words(int error) { return systemReason(error); }
+Message reasonOf(int error) { return systemReason(error); }
 
 struct flock lockRange(short type) {
   struct flock range {};
@@ -58,10 +58,10 @@ std::string partialOf(const std::string& path) { return path + kPartialEnding; }
 Result<void> checkPlace(const std::string& path) {
   const std::string folder = folderOf(path);
   struct stat status {};
-  if (::stat(folder.c_str(), &status) != 0) return fail("{}: the folder cannot be used: {}", folder, words(errno));
+  if (::stat(folder.c_str(), &status) != 0) return fail("{}: the folder cannot be used: {}", folder, reasonOf(errno));
   if (!S_ISDIR(status.st_mode)) return fail("{}: not a folder", folder);
   struct statfs system {};
-  if (::statfs(folder.c_str(), &system) != 0) return fail("{}: the folder cannot be used: {}", folder, words(errno));
+  if (::statfs(folder.c_str(), &system) != 0) return fail("{}: the folder cannot be used: {}", folder, reasonOf(errno));
   for (const NetworkKind& kind : kNetwork)
     if (static_cast<std::uint32_t>(system.f_type) == kind.magic)
       return fail("{}: lies on {}; a recording needs a local disk, whose promise to have written can be trusted",
@@ -74,12 +74,12 @@ Result<void> checkPlace(const std::string& path) {
 Result<void> syncFolder(const std::string& path) {
   const std::string folder = folderOf(path);
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return fail(about(folder, words(errno)));
+  if (descriptor < 0) return fail(about(folder, reasonOf(errno)));
   const int status = ::fsync(descriptor);
   const int error = errno;
   ::close(descriptor);
   // Some file systems cannot sync a folder (EINVAL) and store names without it.
-  if (status != 0 && error != EINVAL) return fail(about(folder, words(error)));
+  if (status != 0 && error != EINVAL) return fail(about(folder, reasonOf(error)));
   return {};
 }
 

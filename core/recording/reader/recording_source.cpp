@@ -15,7 +15,7 @@
 namespace fyd::recording {
 namespace {
 
-int opened(const std::string& path) {
+int descriptorOf(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // opening a pipe must not block
   if (descriptor < 0) failHard(systemReason(errno));
   struct stat status {};
@@ -38,9 +38,9 @@ std::string existingName(const std::string& path) {
   return path;
 }
 
-bool isBeingRecorded(const std::string& path) { return recorderRuns(Descriptor(opened(path)).number()); }
+bool isBeingRecorded(const std::string& path) { return recorderRuns(Descriptor(descriptorOf(path)).number()); }
 
-RecordingSource::RecordingSource(const std::string& path) : RecordingSource(opened(path), path) {}
+RecordingSource::RecordingSource(const std::string& path) : RecordingSource(descriptorOf(path), path) {}
 
 RecordingSource::RecordingSource(int descriptor, std::string path) : descriptor_(descriptor), path_(std::move(path)) {
   growing_ = recorderRuns();

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kCopyEnding = ".recovered";
 constexpr const char* kKeptEnding = ".damaged";
 
-bool exists(const std::string& path) {
+bool isThere(const std::string& path) {
   struct stat status {};
   return ::lstat(path.c_str(), &status) == 0;
 }
@@ -27,9 +27,9 @@ std::string targetOf(const std::string& found) {
 }
 
 Result<std::string> freeName(const std::string& wanted) {
-  if (!exists(wanted) && !exists(partialOf(wanted))) return wanted;
+  if (!isThere(wanted) && !isThere(partialOf(wanted))) return wanted;
   for (int i = 2; i < 1000; ++i)
-    if (const std::string name = fmt::format("{}-{}", wanted, i); !exists(name) && !exists(partialOf(name)))
+    if (const std::string name = fmt::format("{}-{}", wanted, i); !isThere(name) && !isThere(partialOf(name)))
       return name;
   return fail("{}: too many of this name; move them away", wanted);
 }
@@ -58,7 +58,7 @@ struct Unfinished {
 /// Removes the unfinished copy of an earlier recovery of the same recording that was killed.
 void dropLeftCopy(const std::string& copy, const std::string& id) {
   const std::string left = partialOf(copy);
-  const auto recorded = guarded(left, [&] { return exists(left) && isBeingRecorded(left); });
+  const auto recorded = guarded(left, [&] { return isThere(left) && isBeingRecorded(left); });
   if (!recorded || *recorded) return;
   const auto recording = DamagedRecording::open(left);
   const bool ours = recording && !id.empty() && (*recording)->info().header.id == id;
@@ -111,7 +111,7 @@ Result<RecoverOutcome> copyWhatIsLeft(const DamagedRecording& from, const std::s
 /// An earlier recovery was killed between its two renamings: the copy is whole, but not yet under its name.
 Result<RecoverOutcome> nameLeftCopy(const std::string& target) {
   const std::string copy = target + kCopyEnding;
-  if (!exists(copy) || !exists(target + kKeptEnding)) return fail("{}: there is no such file", target);
+  if (!isThere(copy) || !isThere(target + kKeptEnding)) return fail("{}: there is no such file", target);
   RecoverOutcome outcome{.result = RecoverResult::whole, .file = target, .kept = target + kKeptEnding};
   {
     const auto recording = Recording::open(copy);
@@ -138,8 +138,8 @@ RecoverOutcome nothing(const Error& why) {
 Result<RecoverOutcome> recover(const std::string& path, const Progress& progress) {
   const std::string found = existingName(path);
   const std::string target = targetOf(found);
-  if (!exists(found)) return nameLeftCopy(target);
-  if (target != found && exists(target)) return fail("{}: exists; move one of the two away first", target);
+  if (!isThere(found)) return nameLeftCopy(target);
+  if (target != found && isThere(target)) return fail("{}: exists; move one of the two away first", target);
   const auto recorded = guarded(found, [&] { return isBeingRecorded(found); });
   if (!recorded) return tl::unexpected(recorded.error());
   if (*recorded) return fail("{}: is being recorded at this moment", found);

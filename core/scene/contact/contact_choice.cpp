@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kPlaces = 400;   // at least, on a mesh of so many triangles
 constexpr std::size_t kLeftOut = 200;  // vertices, one at a time; likewise
 constexpr double kForce_N = 1.0;
-constexpr double kDeepest = 0.02;              // of the mesh's diagonal
+constexpr double kDeepestChoice = 0.02;        // of the mesh's diagonal
 constexpr double kErrorRatioOfHalfEdge = 2.0;  // halving the edge length divides the error by this at least
 constexpr double kThroughLimit = 0.01;         // of the places; more, and a wall is thin
 constexpr int kRings = 4;                      // of vertices around the one left out
@@ -113,7 +113,8 @@ ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surfa
                                   double accuracy) {
   const MeshReport& mesh = tree.mesh().report();
   ContactChoiceReport out;
-  out.depth_mm = std::min(kForce_N / surface.stiffness_N_per_mm, kDeepest * length(mesh.highest_mm - mesh.lowest_mm));
+  out.depth_mm =
+      std::min(kForce_N / surface.stiffness_N_per_mm, kDeepestChoice * length(mesh.highest_mm - mesh.lowest_mm));
   if (settings.reach_mm > 0.0) out.depth_mm = std::min(out.depth_mm, 0.5 * settings.reach_mm);
   const std::vector<Place> places = placesOn(tree.mesh(), out.depth_mm);
   out.places = places.size();

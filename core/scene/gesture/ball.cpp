@@ -6,13 +6,13 @@
 namespace fyd::scene {
 namespace {
 
-constexpr double kTouch = 1e-9;      // of the ball's radius: a gap up to this counts as contact
-constexpr double kRounding = 1e-14;  // of the distance from the origin
-constexpr double kLeaves = 1e-9;     // of the rest speed: separation speed after an impact without rebound
-constexpr double kCounted = 1e-6;    // of the rest speed: a slower approach is not counted as an impact
-constexpr double kLostTouch = 1e-6;  // of the radius: a ball at rest with a larger gap has been put elsewhere
-constexpr int kMostParts = 2000;     // of a step: flights, impacts and rests; only a ball that is crushed has more
-constexpr int kMostImpacts = 100;    // in a step; then the ball moves along with what it struck last
+constexpr double kTouch = 1e-9;           // of the ball's radius: a gap up to this counts as contact
+constexpr double kTouchRounding = 1e-14;  // of the distance from the origin
+constexpr double kLeaves = 1e-9;          // of the rest speed: separation speed after an impact without rebound
+constexpr double kCounted = 1e-6;         // of the rest speed: a slower approach is not counted as an impact
+constexpr double kLostTouch = 1e-6;       // of the radius: a ball at rest with a larger gap has been put elsewhere
+constexpr int kMostParts = 2000;          // of a step: flights, impacts and rests; only a ball that is crushed has more
+constexpr int kMostImpacts = 100;         // in a step; then the ball moves along with what it struck last
 constexpr double kInstant_s = 1e-12, kLongest_s = 60.0;
 constexpr double kNewton = 1e-3;  // kg·mm/s² in N
 
@@ -34,7 +34,7 @@ class Step {
         ball_(state.ball),
         racket_(racket),
         dt_s_(dt_s),
-        near_mm_(kTouch * p_.radius_mm + kRounding * length(ball_.position_mm)),
+        near_mm_(kTouch * p_.radius_mm + kTouchRounding * length(ball_.position_mm)),
         out_(out) {}
 
   /// @return the impulse on the racket of a ball that rests on it, N·s
@@ -287,7 +287,7 @@ std::optional<Meeting> meetPlane(const BallParameters& parameters, const BallSta
       !(within_s > 0.0 && within_s <= kLongest_s)) {
     return std::nullopt;
   }
-  const double near_mm = kTouch * parameters.radius_mm + kRounding * length(ball.position_mm);
+  const double near_mm = kTouch * parameters.radius_mm + kTouchRounding * length(ball.position_mm);
   const double side = dot(ball.position_mm - point_mm, n) < 0.0 ? -1.0 : 1.0;
   BallState now = ball;
   for (double left_s = within_s; left_s > 0.0;) {

@@ -154,7 +154,7 @@ std::optional<double> follow(SwordState& state, const Motion& motion, double fad
   return crossed_at;
 }
 
-struct Meeting {
+struct BladesMeeting {
   double at_a = 0.0, at_b = 0.0;
   Vec3 normal;
   double depth_mm = 0.0;
@@ -162,9 +162,9 @@ struct Meeting {
 
 /// Contact of blades that have crossed, by the lines along them.
 /// @return nothing when they have slid over an end
-std::optional<Meeting> crossing(const SwordState& state, const Blade& a, const Blade& b, double radii_mm) {
+std::optional<BladesMeeting> crossing(const SwordState& state, const Blade& a, const Blade& b, double radii_mm) {
   const Vec3 u = along(a), v = along(b), w = a.grip_mm - b.grip_mm, n = cross(u, v);
-  Meeting out;
+  BladesMeeting out;
   if (parallel(u, v)) {
     const NearestOfBlades near = nearestOf(a, b);
     if (near.at_a == 0.0 || near.at_a == 1.0) return std::nullopt;  // they do not overlap
@@ -242,7 +242,7 @@ SwordTouch stepSwords(const SwordParameters& parameters, SwordState& state, cons
   const Motion motion{state.local, local, state.distant, distant};
   const std::optional<double> crossed_at = follow(state, motion, parameters.fade_mm);
 
-  std::optional<Meeting> meeting;
+  std::optional<BladesMeeting> meeting;
   if (state.crossed) {
     meeting = crossing(state, local, distant, radii);
     if (!meeting) letGo(state, radii - length(near.apart_mm));
@@ -252,7 +252,7 @@ SwordTouch stepSwords(const SwordParameters& parameters, SwordState& state, cons
     if (parameters.fade_mm > 0.0) state.hold = std::min(state.hold, reach > 0.0 ? end / reach : 0.0);
   } else {
     const Vec3 normal = squared(near.apart_mm) > 0.0 ? unit(near.apart_mm) : state.normal;
-    meeting = Meeting{near.at_a, near.at_b, normal, radii - length(near.apart_mm)};
+    meeting = BladesMeeting{near.at_a, near.at_b, normal, radii - length(near.apart_mm)};
     state.free_mm = std::min(state.free_mm, std::max(0.0, meeting->depth_mm));
   }
   const double depth = std::max(0.0, meeting->depth_mm - state.free_mm);

@@ -11,12 +11,12 @@
 namespace fyd::scene {
 namespace {
 
-constexpr double kRounding = 1e-8;           // of the mesh's size: more than doubles lose; discs are grown for theirs
+constexpr double kBallRounding = 1e-8;       // of the mesh's size: more than doubles lose; discs are grown for theirs
 constexpr double kRoundingOfFloats = 1e-6;   // likewise
 constexpr float kRoundingOfSquares = 1e-6F;  // of a square
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kShrink = 1.0 - 1e-3;  // a ball shrinks by this below the size that touches, so that few turns suffice
-constexpr int kMostTurns = 12;
+constexpr int kMostBallTurns = 12;
 
 /// The largest radius of a ball that touches a triangle T and holds nothing of a body that rises at most `high` over
 /// T's plane and is at least `away` from T, measured along the plane. Infinite if it does not rise over the plane.
@@ -70,7 +70,7 @@ struct TriangleTree::EmptyBalls {
       return std::min({dot(of.a, slope), dot(of.b, slope), dot(of.c, slope)});
     };
     Vec3 f = centre;
-    for (int turn = 0; turn < kMostTurns && r > 0.0; ++turn) {
+    for (int turn = 0; turn < kMostBallTurns && r > 0.0; ++turn) {
       const Vec3 q = nearestOf(f + r * n, other.a, other.b, other.c, 0).point_mm;
       f = nearestOf(q, corners.a, corners.b, corners.c, 0).point_mm;
       const Vec3 w = q - f;
@@ -142,7 +142,7 @@ std::array<double, 2> TriangleTree::emptyBalls_mm(std::uint32_t triangle, double
                    .own = t,
                    .corners = {v[t[0]] - middle_mm_, v[t[1]] - middle_mm_, v[t[2]] - middle_mm_},
                    .normal = mesh_->triangleNormal(triangle),
-                   .slack_mm = kRounding * size_mm_,
+                   .slack_mm = kBallRounding * size_mm_,
                    .empty = {largest_mm, largest_mm}};
   const Corners& p = balls.corners;
   balls.centre = (1.0 / 3.0) * (p.a + p.b + p.c);

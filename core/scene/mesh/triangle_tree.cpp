@@ -12,9 +12,9 @@ namespace fyd::scene {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::max();
-constexpr int kDeepest = 40;        // levels; below, ranges are halved, which bounds the depth and the open list
-constexpr double kRounding = 1e-6;  // of a distance and of the mesh's size: more than floats lose
-constexpr float kRoundingOfSquares = 1e-6F;  // of a squared distance: more than cancellation loses
+constexpr int kDeepestLevel = 40;       // levels; below, ranges are halved, which bounds the depth and the open list
+constexpr double kTreeRounding = 1e-6;  // of a distance and of the mesh's size: more than floats lose
+constexpr float kTreeRoundingOfSquares = 1e-6F;  // of a squared distance: more than cancellation loses
 constexpr int kBins = 16;
 
 /// Lower bounds of the squared distances of four discs from a point.
@@ -27,7 +27,7 @@ Floats squaredDistances(const Node& node, const std::array<float, 3>& point) {
   const Floats along = root(larger(all - across * across, Floats{})) - load(node.radius);
   const Floats above = larger(across, -across) - load(node.height);
   const Floats out = larger(along, Floats{}), up = larger(above, Floats{});
-  return larger(out * out + up * up - kRoundingOfSquares * all, Floats{});
+  return larger(out * out + up * up - kTreeRoundingOfSquares * all, Floats{});
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ struct TriangleTree::Builder {
       const std::array<double, 3> m = {b.middle(0), b.middle(1), b.middle(2)};
       middles.hold({m, m});
     }
-    if (depth > kDeepest) return halve(range, 0);
+    if (depth > kDeepestLevel) return halve(range, 0);
     double best_cost = 1e300, best_at = 0.0;
     std::size_t best_axis = 3;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -243,7 +243,7 @@ struct TriangleTree::Search {
     if (!closer) return;
     const double distance_mm = std::sqrt(best.squared_mm2);
     // A disc at a larger float distance cannot hold a nearer triangle.
-    const auto bound = static_cast<float>(distance_mm * (1.0 + kRounding) + kRounding * size_mm);
+    const auto bound = static_cast<float>(distance_mm * (1.0 + kTreeRounding) + kTreeRounding * size_mm);
     squared_bound = std::min(kFar, bound * bound);
   }
 };
@@ -253,7 +253,7 @@ struct TriangleTree::OpenList {
     float squared;
     std::int32_t child;
   };
-  std::array<Place, 256> place;  // three are added for a level, and there are no more than kDeepest + 13
+  std::array<Place, 256> place;  // three are added for a level, and there are no more than kDeepestLevel + 13
   std::size_t count = 0;
 };
 
@@ -312,13 +312,13 @@ void TriangleTree::visitNear(const Vec3& from_mm, const Vec3& to_mm, double dist
   const double reach_mm = std::sqrt(half.x * half.x + half.y * half.y + half.z * half.z);
   const double far_mm = length(a) + length(b);
   if (!(far_mm + distance_mm < kFarthest_mm)) return;
-  const double rounding_mm = 2.0 * kRounding * (far_mm + size_mm_ + distance_mm);
+  const double rounding_mm = 2.0 * kTreeRounding * (far_mm + size_mm_ + distance_mm);
   const auto floats = [](const Vec3& v) {
     return std::array<float, 3>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   };
   const std::array<float, 3> middle = floats(a + half), ways = floats(half);
-  const auto bound = static_cast<float>((distance_mm + reach_mm + rounding_mm) * (1.0 + kRounding));
-  const auto beside = static_cast<float>((distance_mm + rounding_mm) * (1.0 + kRounding));
+  const auto bound = static_cast<float>((distance_mm + reach_mm + rounding_mm) * (1.0 + kTreeRounding));
+  const auto beside = static_cast<float>((distance_mm + rounding_mm) * (1.0 + kTreeRounding));
   const auto way_squared = static_cast<float>(squared(half));
   const float by_way = way_squared > 0.0F ? 1.0F / way_squared : 0.0F;
   std::array<std::int32_t, 256> open;  // as OpenList's

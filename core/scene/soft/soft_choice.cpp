@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::array<std::size_t, 5> kParts = {16, 8, 4, 2, 1};  // of what a press wakes
 constexpr std::size_t kLeast = 3;
-constexpr std::size_t kPlaces = 3;
+constexpr std::size_t kPressedPlaces = 3;
 constexpr int kDown = 30, kHeld = 30;  // steps of 1 ms
-constexpr double kForce_N = 1.0;
-constexpr double kDeepest = 0.02;  // of the mesh's diagonal
+constexpr double kPress_N = 1.0;
+constexpr double kDeepestPress = 0.02;  // of the mesh's diagonal
 
 struct Pressed {
   std::vector<double> force_N;
@@ -25,8 +25,8 @@ Result<Pressed> press(const TriangleTree& tree, const SoftMaterial& material, co
   if (!body) return tl::unexpected(body.error());
   const Mesh& mesh = tree.mesh();
   Pressed out;
-  for (std::size_t place = 0; place < kPlaces; ++place) {
-    const auto t = static_cast<std::uint32_t>((2 * place + 1) * mesh.triangles().size() / (2 * kPlaces));
+  for (std::size_t place = 0; place < kPressedPlaces; ++place) {
+    const auto t = static_cast<std::uint32_t>((2 * place + 1) * mesh.triangles().size() / (2 * kPressedPlaces));
     const auto v = mesh.vertices();
     const Triangle& c = mesh.triangles()[t];
     const Vec3 at = (1.0 / 3.0) * (v[c[0]] + v[c[1]] + v[c[2]]), normal = mesh.triangleNormal(t);
@@ -46,7 +46,8 @@ Result<Pressed> press(const TriangleTree& tree, const SoftMaterial& material, co
 Result<SoftChoiceReport> chooseSoft(const TriangleTree& tree, const SoftMaterial& material, double accuracy) {
   const MeshReport& mesh = tree.mesh().report();
   SoftChoiceReport out;
-  out.depth_mm = std::min(kForce_N / material.rigidity_N_per_mm, kDeepest * length(mesh.highest_mm - mesh.lowest_mm));
+  out.depth_mm =
+      std::min(kPress_N / material.rigidity_N_per_mm, kDeepestPress * length(mesh.highest_mm - mesh.lowest_mm));
   const auto whole = press(tree, material, {}, out.depth_mm);
   if (!whole) return tl::unexpected(whole.error());
   double largest_N = 0.0;

@@ -6,7 +6,7 @@
 namespace fyd::sim {
 namespace {
 
-constexpr Duration kPublishEvery = std::chrono::milliseconds(50);
+constexpr Duration kRelayPublishesEvery = std::chrono::milliseconds(50);
 constexpr Duration kLongestWait = std::chrono::milliseconds(20);  // until the next check for a stop
 constexpr int kMostAtOnce = 64;
 
@@ -36,7 +36,7 @@ void NetworkRelay::run(const std::stop_token& stop, Duration limit) {
   began_ = Clock::now();
   for (Instant now = began_; !stop.stop_requested() && now - began_ < limit; now = Clock::now()) {
     deliver(now);
-    if (now - published_ >= kPublishEvery) publish(now);
+    if (now - published_ >= kRelayPublishesEvery) publish(now);
     const Instant until = now + kLongestWait;
     protocol::waitForAny(waited_for_, underway_.empty() ? kLongestWait : std::min(underway_.top().due, until) - now);
     takeCalls();

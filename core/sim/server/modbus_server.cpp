@@ -17,7 +17,7 @@
 namespace fyd::sim {
 namespace {
 
-constexpr int kWake_ms = 10;
+constexpr int kModbusWake_ms = 10;
 constexpr Duration kRestOfRequest = std::chrono::milliseconds(50);
 constexpr std::uint8_t kReadHolding = 0x03;
 constexpr std::uint8_t kWriteSingle = 0x06;
@@ -30,10 +30,10 @@ int word(const std::uint8_t* bytes) { return (bytes[0] << 8) | bytes[1]; }
 
 bool readable(int file) {
   pollfd ready{.fd = file, .events = POLLIN, .revents = 0};
-  return ::poll(&ready, 1, kWake_ms) > 0;
+  return ::poll(&ready, 1, kModbusWake_ms) > 0;
 }
 
-asio::ip::tcp::endpoint toAsio(const protocol::Endpoint& local) {
+asio::ip::tcp::endpoint listeningAt(const protocol::Endpoint& local) {
   if (!local.v6) {
     asio::ip::address_v4::bytes_type bytes{};
     std::copy_n(local.address.begin(), bytes.size(), bytes.begin());
@@ -172,7 +172,7 @@ Result<std::unique_ptr<ModbusTcpServer>> ModbusTcpServer::start(const protocol::
   auto sockets = std::make_unique<Sockets>();
   protocol::Endpoint bound = local;
   try {
-    const auto address = toAsio(local);
+    const auto address = listeningAt(local);
     sockets->acceptor.open(address.protocol());
     sockets->acceptor.set_option(asio::socket_base::reuse_address(true));
     sockets->acceptor.bind(address);

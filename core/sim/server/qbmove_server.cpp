@@ -8,7 +8,7 @@
 namespace fyd::sim {
 namespace {
 
-constexpr int kWake_ms = 10;
+constexpr int kQbmoveWake_ms = 10;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void QbmoveServer::run(const std::stop_token& stop) {
   std::array<std::uint8_t, 256> buffer{};
   while (!stop.stop_requested()) {
     pollfd ready{.fd = line_.file(), .events = POLLIN, .revents = 0};
-    if (::poll(&ready, 1, kWake_ms) <= 0) continue;
+    if (::poll(&ready, 1, kQbmoveWake_ms) <= 0) continue;
     const ssize_t got = ::read(line_.file(), buffer.data(), buffer.size());
     for (ssize_t i = 0; i < got; ++i) {
       if (const auto frame = parser.push(buffer[static_cast<std::size_t>(i)])) answer(*frame);

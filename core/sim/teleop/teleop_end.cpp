@@ -18,14 +18,15 @@ constexpr double kBrake_N_s_per_m = 5.0;
 constexpr std::size_t kForces = 3;  // the first channel of the force
 constexpr int kMostTold = 64;       // positions given to the predictor at once, after a silence
 
-Position positionOf(const Vec3& v) { return {v.x, v.y, v.z}; }
+Position positionFrom(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// Whether a state can be a measurement: finite, and within the range of a device on a table.
 bool isMeasurement(const DeviceState& device) {
   for (std::size_t a = 0; a < 3; ++a) {
-    const double at_m = 1e-3 * positionOf(device.position_mm)[a], v = 1e-3 * positionOf(device.velocity_mm_per_s)[a];
+    const double at_m = 1e-3 * positionFrom(device.position_mm)[a],
+                 v = 1e-3 * positionFrom(device.velocity_mm_per_s)[a];
     if (!teleop::isPlace(at_m) || !(std::abs(v) <= teleop::kFastest_m_per_s)) return false;
-    if (!std::isfinite(positionOf(device.force_N)[a])) return false;
+    if (!std::isfinite(positionFrom(device.force_N)[a])) return false;
   }
   return true;
 }
@@ -129,7 +130,7 @@ void TeleopEnd::hear(const protocol::DeviceMessage& message) {
     }
     fed_s_ = std::max(fed_s_.value_or(message.date_s), message.date_s);
   }
-  predictor_->message(message.date_s, positionOf(message.position_mm));
+  predictor_->message(message.date_s, positionFrom(message.position_mm));
 }
 
 Vec3 TeleopEnd::step(const DeviceState& device, double now_s) {
@@ -142,7 +143,7 @@ Vec3 TeleopEnd::step(const DeviceState& device, double now_s) {
     const auto brake = [&](double speed) { return std::clamp(-1e-3 * kBrake_N_s_per_m * speed, -most, most); };
     return settings_.at_hand ? Vec3{} : Vec3{brake(v.x), brake(v.y), brake(v.z)};
   }
-  const Position own = positionOf(device.position_mm), speed = positionOf(v), force = positionOf(device.force_N);
+  const Position own = positionFrom(device.position_mm), speed = positionFrom(v), force = positionFrom(device.force_N);
   other_mm_ = smooth_.step(now_s, predictor_->predict(now_s), predictor_->velocity(now_s));
   other_orientation_ = turning_.predict(now_s);
   if (!apart_known_) {
@@ -175,7 +176,7 @@ bool TeleopEnd::surfaceIsAnother(const protocol::DeviceMessage& message) const {
     if (!now.knows_surface) continue;
     const double moved_N = told.stiffness_N_per_m * std::abs(now.surface_m - told.surface_m);
     if (std::abs(now.stiffness_N_per_m - told.stiffness_N_per_m) > share * told.stiffness_N_per_m) return true;
-    if (moved_N > std::max(kForceFloor_N, share * std::abs(positionOf(message.force_N)[a]))) return true;
+    if (moved_N > std::max(kForceFloor_N, share * std::abs(positionFrom(message.force_N)[a]))) return true;
   }
   return false;
 }

@@ -9,8 +9,8 @@
 namespace fyd::sim {
 namespace {
 
-constexpr int kParts = 20;  // of a millisecond
-constexpr double kPart_s = 1e-3 / kParts;
+constexpr int kVibrationParts = 20;  // of a millisecond
+constexpr double kPart_s = 1e-3 / kVibrationParts;
 constexpr double kTensionStretch_deg = 45.0;
 constexpr double kSlack = 1e-3;  // of the stall torque: a lower tension does not close the backlash
 constexpr double kRadians = std::numbers::pi / 180.0;
@@ -77,7 +77,7 @@ double FingerVibration::step(const std::array<double, control::kMotorCount>& dut
       std::max(5.0, (p_.resonance_Hz + p_.resonance_Hz_per_deg * (stretch_deg() - kTensionStretch_deg)) * loaded);
   const double w = 2.0 * std::numbers::pi * resonance_Hz;
   double sum_mm_s2 = 0.0;
-  for (int part = 0; part < kParts; ++part) {
+  for (int part = 0; part < kVibrationParts; ++part) {
     for (std::size_t i = 0; i < angle_deg_.size(); ++i) {
       turn(i, std::isfinite(duty_percent[i]) ? duty_percent[i] : 0.0);
       follow(i);
@@ -90,7 +90,7 @@ double FingerVibration::step(const std::array<double, control::kMotorCount>& dut
     finger_mm_ += finger_mm_s_ * kPart_s;
     sum_mm_s2 += acceleration;
   }
-  return sum_mm_s2 / kParts * 1e-3 / kStandardGravity;
+  return sum_mm_s2 / kVibrationParts * 1e-3 / kStandardGravity;
 }
 
 }  // namespace fyd::sim

@@ -21,9 +21,9 @@ constexpr double kTick_s = 1e-3;
 constexpr int kWarmUp = 1500;  // ticks: the handshake, the first readings, arming
 
 /// One direction of the network: datagrams come out when they are due.
-class Way {
+class ReachWay {
  public:
-  explicit Way(const NetworkSettings& settings) : emulator_(settings) {}
+  explicit ReachWay(const NetworkSettings& settings) : emulator_(settings) {}
 
   void put(const Datagram& datagram, Instant now) {
     for (const Instant due : emulator_.pass(datagram.bytes.size(), now).out) {
@@ -73,8 +73,8 @@ Result<std::vector<ReachRow>> reach(const ReachSettings& settings) {
   if (auto good = device::checkLimits(settings.limits); !good) return tl::unexpected(good.error());
   Lockstep touchpad(settings.touchpad);
   Ends ends = makeEnds(settings.secured);
-  Way to_touchpad(settings.network.forward);
-  Way to_robot(settings.network.backward);
+  ReachWay to_touchpad(settings.network.forward);
+  ReachWay to_robot(settings.network.backward);
   device::FollowingRobot robot(std::make_unique<RobotArm>(settings.touchpad.sim), settings.limits);
   device::TouchReference reference(settings.reference, robot.lag_s());
   const protocol::TouchMappingSettings& mapping = settings.reference.mapping;

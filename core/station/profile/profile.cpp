@@ -7,6 +7,8 @@
 #include "core/base/whole_file.h"
 #include "core/station/profile/replace_file.h"
 
+template std::vector<fyd::Parameter> fyd::bindParameters(fyd::station::Profile& instance);
+
 namespace fyd::station {
 
 Result<Profile> loadProfile(const std::string& path) {

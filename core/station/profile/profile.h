@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/parameter.h"
 #include "core/calibration/calibration_parameters.h"
 #include "core/device/device_parameters.h"
 #include "core/pipeline/parameters.h"
@@ -68,3 +70,5 @@ inline constexpr std::uintmax_t kLargestProfile_bytes = 1 << 20;
 [[nodiscard]] Result<void> saveProfile(const Profile& profile, const std::string& path);
 
 }  // namespace fyd::station
+
+extern template std::vector<fyd::Parameter> fyd::bindParameters(fyd::station::Profile& instance);

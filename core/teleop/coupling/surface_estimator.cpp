@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/teleop/coupling/coupling.h"
+
 namespace fyd::teleop {
 namespace {
 
-constexpr double kFurthest_m = 100.0, kFastest_m_per_s = 1000.0, kMost_N = 1e4;  // bounds of a measurement
+constexpr double kMost_N = 1e4;         // of a measurement
 constexpr double kSmoothing = 0.1;      // the same for position and force, so that their relation stays
 constexpr double kSlow_m_per_s = 0.06;  // above this speed damping and inertia contribute too
 constexpr double kDistinct_m = 2e-5, kDistinct_N = 0.03;

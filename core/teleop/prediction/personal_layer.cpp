@@ -9,7 +9,7 @@ namespace {
 constexpr float kInitialVariance = 1.0F / 200.0F;  // of P
 constexpr float kForgetting = 0.9998F;             // per message
 constexpr float kErrorFloor = 0.1F;                // in the motion's scale; the 0.1 of the weight
-constexpr float kLargestVariance = 1.0F;           // of P: above it P has diverged
+constexpr float kLargestLayerVariance = 1.0F;      // of P: above it P has diverged
 
 }  // namespace
 
@@ -67,7 +67,7 @@ void PersonalLayer::learn(const Inputs& inputs, const Differences& differences) 
     for (std::size_t i = 0; i < kInputs; ++i) row[i] = (row[i] - share * gain[i]) * kInflation;
     largest = std::max(largest, row[k]);
   }
-  if (!(largest < kLargestVariance)) beginCovariance();
+  if (!(largest < kLargestLayerVariance)) beginCovariance();
 }
 
 PersonalLayer::Differences PersonalLayer::operator()(const Inputs& inputs) const {

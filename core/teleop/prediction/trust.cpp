@@ -7,7 +7,7 @@
 namespace fyd::teleop {
 namespace {
 
-constexpr double kForgetting = 0.99;         // per evaluated tick
+constexpr double kTrustForgetting = 0.99;    // per evaluated tick
 constexpr double kCoefficientScale = 1.2;    // factor on the regression coefficient
 constexpr double kInitialWeight = 5.0;       // of the prior, in predictions
 constexpr double kFullHorizon_s = 0.220;     // up to this horizon the prior coefficient is not reduced
@@ -15,7 +15,7 @@ constexpr double kRandomWalkRatio = 2.0;     // squared second differences over 
 constexpr double kTremor_mm2 = 0.0009;       // (0.03 mm)²: tremor of a hand at rest, unpredictable
 constexpr double kInitialTremor_mm2 = 0.04;  // (0.2 mm)²: the same, for initialFactor
 
-double dot(const Position& a, const Position& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double inner(const Position& a, const Position& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 }  // namespace
 
@@ -25,8 +25,8 @@ void Trust::addDifferences(double first_mm2, double second_mm2) {
 }
 
 void Trust::addOutcome(const Position& predicted_mm, const Position& true_mm) {
-  predicted_mm2_ = predicted_mm2_ * kForgetting + dot(predicted_mm, predicted_mm);
-  product_mm2_ = product_mm2_ * kForgetting + dot(predicted_mm, true_mm);
+  predicted_mm2_ = predicted_mm2_ * kTrustForgetting + inner(predicted_mm, predicted_mm);
+  product_mm2_ = product_mm2_ * kTrustForgetting + inner(predicted_mm, true_mm);
 }
 
 double Trust::smoothness() const {
@@ -34,7 +34,7 @@ double Trust::smoothness() const {
 }
 
 double Trust::initialFactor(const Position& predicted_mm) const {
-  const double squares = dot(predicted_mm, predicted_mm);
+  const double squares = inner(predicted_mm, predicted_mm);
   return smoothness() * squares / (squares + kInitialTremor_mm2);
 }
 

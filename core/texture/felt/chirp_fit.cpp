@@ -15,8 +15,8 @@
 namespace fyd::texture {
 namespace {
 
-constexpr double kLowest_Hz = 10.0;
-constexpr double kHighest_Hz = 400.0;
+constexpr double kLowestFitted_Hz = 10.0;
+constexpr double kHighestFitted_Hz = 400.0;
 constexpr double kHeldOutBand_Hz = 5.0;
 constexpr double kShortestChirp_s = 4.0;
 constexpr int kMotorSubsteps = 10;  // integration steps of the motor model per millisecond
@@ -182,7 +182,7 @@ Spectra spectraOf(const std::vector<double>& in, const std::vector<double>& meas
   Spectra out;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double f = static_cast<double>(k) * kSweepRate_Hz / static_cast<double>(in.size());
-    if (f < kLowest_Hz || f > kHighest_Hz) continue;
+    if (f < kLowestFitted_Hz || f > kHighestFitted_Hz) continue;
     out.frequency_Hz.push_back(f);
     out.in.push_back(x[k]);
     out.out.push_back(y[k]);

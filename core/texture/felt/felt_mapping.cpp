@@ -52,7 +52,7 @@ constexpr double kRmsTargetShare = 0.92;  // of the limits, friction compensatio
 constexpr double kHeadroom = 0.97;        // margin to the limits, because clipping distorts the texture
 
 /// 0 for tiny values: denormal numbers would cost hundreds of processor cycles each.
-double flushed(double value) { return std::abs(value) < 1e-30 ? 0.0 : value; }
+double flushedToZero(double value) { return std::abs(value) < 1e-30 ? 0.0 : value; }
 
 /// Magnitude of the position loop's duty, 0 … 100.
 double positionDuty_percent(double position_share_percent) {
@@ -98,8 +98,8 @@ FeltMapping::MeanSquares FeltMapping::initialMeanSquares() const {
 
 void FeltMapping::updateGate(double signal_g) {
   const double T = 1.0 / rate_Hz_;
-  gate_mean_square_ =
-      flushed(gate_mean_square_ + std::min(1.0, T / kGateAveraging_s) * (signal_g * signal_g - gate_mean_square_));
+  gate_mean_square_ = flushedToZero(gate_mean_square_ +
+                                    std::min(1.0, T / kGateAveraging_s) * (signal_g * signal_g - gate_mean_square_));
   if (!(settings_.gate_g > 0.0)) {
     gate_gain_ = 1.0;
     return;
@@ -167,8 +167,8 @@ FeltDuty FeltMapping::step(double signal_g, double position_share_percent) {
 
   const double acceleration = inverse_.step(signal) / plant.cloth_gain * plant.rollerAccelerationPerG_deg_s2();
   const double leak = std::max(0.0, 1.0 - 2.0 * std::numbers::pi * kIntegratorLeak_Hz * T);
-  speed_deg_s_ = flushed(leak * speed_deg_s_ + T * acceleration);
-  angle_deg_ = flushed(leak * angle_deg_ + T * speed_deg_s_);
+  speed_deg_s_ = flushedToZero(leak * speed_deg_s_ + T * acceleration);
+  angle_deg_ = flushedToZero(leak * angle_deg_ + T * speed_deg_s_);
   const double linear_percent =
       100.0 * (plant.time_constant_ms * 1e-3 * acceleration + speed_deg_s_) / plant.free_speed_deg_s +
       plant.position_gain_percent_per_deg * angle_deg_;

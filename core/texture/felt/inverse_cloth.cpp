@@ -16,7 +16,7 @@ namespace {
 // least.
 const double kLargestLogGain = 14.0 / 20.0 * std::numbers::ln10;
 
-using Taps = Eigen::Map<Eigen::ArrayXd>;
+using MappedTaps = Eigen::Map<Eigen::ArrayXd>;
 
 }  // namespace
 
@@ -50,12 +50,12 @@ double InverseCloth::step(double wanted) {
   newest_ = newest_ == 0 ? kTaps - 1 : newest_ - 1;
   delay_line_[static_cast<std::size_t>(newest_)] = wanted;
   delay_line_[static_cast<std::size_t>(newest_ + kTaps)] = wanted;
-  Taps taps(taps_.data(), kTaps);
+  MappedTaps taps(taps_.data(), kTaps);
   if (transition_left_ > 0) {
-    taps += (Taps(target_taps_.data(), kTaps) - taps) / transition_left_;
+    taps += (MappedTaps(target_taps_.data(), kTaps) - taps) / transition_left_;
     --transition_left_;
   }
-  return (taps * Taps(delay_line_.data() + newest_, kTaps)).sum();
+  return (taps * MappedTaps(delay_line_.data() + newest_, kTaps)).sum();
 }
 
 }  // namespace fyd::texture

@@ -24,7 +24,7 @@
 namespace fyd::sim {
 namespace {
 
-constexpr double kTick_s = 0.001;
+constexpr double kFencingTick_s = 0.001;
 
 /// Its datagrams are late or lost before they leave it.
 class LateSocket {
@@ -157,7 +157,7 @@ Figures compare(const std::vector<scene::SwordTouch>& felt, const std::vector<sc
   const auto instants = [](const std::vector<scene::SwordTouch>& touches) {
     std::vector<double> out;
     for (std::size_t i = 0; i < touches.size(); ++i) {
-      if (touches[i].began) out.push_back(kTick_s * static_cast<double>(i) - touches[i].began_ago_s);
+      if (touches[i].began) out.push_back(kFencingTick_s * static_cast<double>(i) - touches[i].began_ago_s);
     }
     return out;
   };
@@ -206,15 +206,16 @@ Figures play(const Game& game, double seconds) {
   other.end.start(2);
   scene::SwordState here, there;
   std::vector<scene::SwordTouch> felt[2], truth[2];
-  for (int i = 0; i < static_cast<int>((seconds + 3.0) / kTick_s); ++i) {
-    const double t_s = kTick_s * i, now_s = 1000.0 + t_s;
+  for (int i = 0; i < static_cast<int>((seconds + 3.0) / kFencingTick_s); ++i) {
+    const double t_s = kFencingTick_s * i, now_s = 1000.0 + t_s;
     const DeviceState a = handAt(t_s, game.rate_Hz, true), b = handAt(t_s, game.rate_Hz, false);
     const scene::SwordTouch first = one.step(a, other.socket.local(), now_s),
                             second = other.step(b, one.socket.local(), now_s);
     const scene::Blade p = bladeOf(game.settings, a), q = bladeOf(game.settings, b);
-    const auto true_first = scene::stepSwords(game.settings.swords, here, p, asTheOtherSees(game.settings, q), kTick_s);
+    const auto true_first =
+        scene::stepSwords(game.settings.swords, here, p, asTheOtherSees(game.settings, q), kFencingTick_s);
     const auto true_second =
-        scene::stepSwords(game.settings.swords, there, q, asTheOtherSees(game.settings, p), kTick_s);
+        scene::stepSwords(game.settings.swords, there, q, asTheOtherSees(game.settings, p), kFencingTick_s);
     EXPECT_NEAR(scene::length(asTheOtherSees(true_second.force_N) + true_first.force_N), 0.0, 1e-9);
     EXPECT_TRUE(first.force_N.finite() && second.force_N.finite());
     EXPECT_LE(scene::length(first.force_N), game.settings.swords.most_force_N + 1e-9);
@@ -286,8 +287,8 @@ struct PressingHand {
 
   void step(double pull_N, double felt_N) {
     constexpr double kMass_kg = 0.3, kHeld_N_s_per_m = 10.0;
-    y_mm_per_s += (pull_N + felt_N - 1e-3 * kHeld_N_s_per_m * y_mm_per_s) / kMass_kg * 1e3 * kTick_s;
-    y_mm += y_mm_per_s * kTick_s;
+    y_mm_per_s += (pull_N + felt_N - 1e-3 * kHeld_N_s_per_m * y_mm_per_s) / kMass_kg * 1e3 * kFencingTick_s;
+    y_mm += y_mm_per_s * kFencingTick_s;
   }
   [[nodiscard]] DeviceState device() const {
     return {
@@ -310,7 +311,7 @@ TEST(Fencing, TwoHandsThatPressFeelEachOtherAsLongAsThePlayersAreLinked) {
       double force_N = 0.0, squared_N2 = 0.0, most_mm = 0.0;
       constexpr int kTicks = 20'000, kLast = 5000;
       for (int i = 0; i < kTicks; ++i) {
-        const double now_s = 1000.0 + kTick_s * i;
+        const double now_s = 1000.0 + kFencingTick_s * i;
         const auto first = one.step(a.device(), other.socket.local(), now_s);
         const auto second = other.step(b.device(), one.socket.local(), now_s);
         const double pull_N = i < 2000 ? 0.0 : std::min(1.0, 1e-3 * (i - 2000));
@@ -342,7 +343,7 @@ TEST(Fencing, WhoIsNotLinkedOrMeasuresNothingFeelsNothing) {
   double now_s = 1000.0;
   scene::SwordTouch first, second;
   const auto run = [&](int milliseconds, bool other_talks = true) {
-    for (int i = 0; i < milliseconds; ++i, now_s += kTick_s) {
+    for (int i = 0; i < milliseconds; ++i, now_s += kFencingTick_s) {
       first = one.step(a.device(), other.socket.local(), now_s);
       if (other_talks) second = other.step(b.device(), one.socket.local(), now_s);
     }

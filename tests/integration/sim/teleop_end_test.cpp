@@ -54,7 +54,7 @@ struct Peer {
   int sent = 0;
 };
 
-struct Pair {
+struct TeleopPair {
   /// Virtual milliseconds; between them real time for the kernel to deliver.
   void run(int milliseconds, bool hand_talks = true, bool far_talks = true) {
     for (int i = 0; i < milliseconds; ++i, now_s += 0.001) {
@@ -62,14 +62,14 @@ struct Pair {
       far.step(now_s, hand.socket.local(), far_talks);
     }
   }
-  explicit Pair(double deadband = 0.0) : hand(true, deadband), far(false, deadband) {}
+  explicit TeleopPair(double deadband = 0.0) : hand(true, deadband), far(false, deadband) {}
   Peer hand, far;
   double now_s = 100.0;
 };
 
 TEST(TeleopEnd, EitherMayStartFirstAndNoForceComesBeforeBothRun) {
   for (const bool hand_first : {true, false}) {
-    Pair pair;
+    TeleopPair pair;
     pair.hand.device.position_mm = {10.0, 0.0, 0.0};
     Peer& first = hand_first ? pair.hand : pair.far;
     Peer& second = hand_first ? pair.far : pair.hand;
@@ -93,7 +93,7 @@ TEST(TeleopEnd, EitherMayStartFirstAndNoForceComesBeforeBothRun) {
 
 TEST(TeleopEnd, EitherMayStopAndStartAgainAndTheOtherWaits) {
   for (const bool hand_stops : {true, false}) {
-    Pair pair;
+    TeleopPair pair;
     pair.hand.device.position_mm = {10.0, 0.0, 0.0};
     pair.hand.end.start(1);
     pair.far.end.start(2);
@@ -123,7 +123,7 @@ TEST(TeleopEnd, EitherMayStopAndStartAgainAndTheOtherWaits) {
 
 TEST(TeleopEnd, ALostEndLeavesTheOtherWithoutForceAndIsTakenBack) {
   for (const bool hand_vanishes : {true, false}) {
-    Pair pair;
+    TeleopPair pair;
     pair.hand.device.position_mm = {10.0, 0.0, 0.0};
     pair.hand.end.start(1);
     pair.far.end.start(2);
@@ -147,7 +147,7 @@ TEST(TeleopEnd, ALostEndLeavesTheOtherWithoutForceAndIsTakenBack) {
 }
 
 TEST(TeleopEnd, WhileLinkingTheDistanceIsClosedSlowlyNotInAJump) {
-  Pair pair;
+  TeleopPair pair;
   pair.hand.device.position_mm = {40.0, 0.0, 0.0};
   pair.hand.end.start(1);
   pair.far.end.start(2);
@@ -162,7 +162,7 @@ TEST(TeleopEnd, WhileLinkingTheDistanceIsClosedSlowlyNotInAJump) {
 }
 
 TEST(TeleopEnd, AMessageOfTheStartBeforeLinksNobodyAgain) {
-  Pair pair;
+  TeleopPair pair;
   pair.hand.end.start(1);
   pair.far.end.start(2);
   pair.run(200);
@@ -182,7 +182,7 @@ TEST(TeleopEnd, AMessageOfTheStartBeforeLinksNobodyAgain) {
 
 TEST(TeleopEnd, ADeviceThatMeasuresNothingGetsNoForceAndIsTakenAgain) {
   for (const bool far : {true, false}) {
-    Pair pair;
+    TeleopPair pair;
     pair.hand.device.position_mm = {10.0, 0.0, 0.0};
     pair.hand.end.start(1);
     pair.far.end.start(2);
@@ -200,7 +200,7 @@ TEST(TeleopEnd, ADeviceThatMeasuresNothingGetsNoForceAndIsTakenAgain) {
 }
 
 TEST(TeleopEnd, WithADeadbandAHandAtRestIsRefreshedAndAMoveIsToldAtOnce) {
-  Pair pair(0.10);
+  TeleopPair pair(0.10);
   pair.hand.device.position_mm = {10.0, 0.0, 0.0};
   pair.hand.end.start(1);
   pair.far.end.start(2);
@@ -235,7 +235,7 @@ TEST(TeleopEnd, WithADeadbandAHandAtRestIsRefreshedAndAMoveIsToldAtOnce) {
 }
 
 TEST(TeleopEnd, AMessageDatedFarAheadIsPassedOver) {
-  Pair pair;
+  TeleopPair pair;
   pair.hand.end.start(1);
   pair.far.end.start(2);
   pair.run(200);
@@ -249,7 +249,7 @@ TEST(TeleopEnd, AMessageDatedFarAheadIsPassedOver) {
 }
 
 TEST(TeleopEnd, NoiseFromAStrangerAndAnOvertakenFarewellChangeNothing) {
-  Pair pair;
+  TeleopPair pair;
   pair.hand.end.start(1);
   pair.far.end.start(2);
   pair.run(200);

@@ -8,12 +8,12 @@
 #include "core/control/motor_mixing.h"
 #include "core/control/pid.h"
 #include "core/control/stiffness_controller.h"
+#include "tests/not_a_number.h"
 #include "tests/unit/control/bench_plant.h"
 
 namespace fyd::control {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSubnormal = std::numeric_limits<double>::denorm_min();
 const std::vector<double> kBad = {kNaN, kInfinity, -kInfinity, kSubnormal, -kSubnormal, 0.0, -0.0,

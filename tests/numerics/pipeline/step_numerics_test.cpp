@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "core/pipeline/pipeline.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::pipeline {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Healthy inputs at a time: everything fresh, a finger in the middle, a robot of 0.6 N/mm.

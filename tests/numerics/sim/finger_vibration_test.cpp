@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::sim {
 namespace {
 
@@ -99,7 +101,6 @@ TEST(FingerVibration, PreslidingIsASpringUntilItSlides) {
 
 TEST(FingerVibration, DutiesThatAreNoNumbersCountAsNothing) {
   FingerVibration plant({}, 45.0);
-  const double kNaN = std::numeric_limits<double>::quiet_NaN();
   for (int n = 0; n < 100; ++n) ASSERT_NEAR(plant.step({kNaN, -kNaN}), 0.0, 1e-9);
 }
 

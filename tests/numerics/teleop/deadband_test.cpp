@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::teleop {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Column `name` of a recording of 1 kHz.
 std::vector<double> column(const std::string& file_name, const std::string& name) {

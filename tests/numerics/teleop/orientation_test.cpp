@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::teleop {
 namespace {
 
@@ -18,11 +20,11 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 
 Quaterniond of(const Orientation& q) { return {q.w, q.x, q.y, q.z}; }
 Orientation of(const Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-double degrees(const Quaterniond& a, const Quaterniond& b) { return a.angularDistance(b) * 360.0 / kTurn; }
+double degrees(const Quaterniond& a, const Quaterniond& b) { return a.angularDistance(b) * 360.0 / kWholeTurn; }
 
 using Motion = std::function<Quaterniond(double)>;
 
@@ -80,7 +82,7 @@ TEST(OrientationPredictor, ASteadyTurnThrough180DegreesIsFollowed) {
   EXPECT_LT(run("order1", kSpin, 0.05).worst, 0.01);
   EXPECT_LT(run("default", kSpin, 0.05).worst, 0.5);
   // Held: 3 rad/s · (50 … 59 ms).
-  EXPECT_NEAR(run("order0", kSpin, 0.05).worst, 3.0 * 0.059 * 360.0 / kTurn, 0.01);
+  EXPECT_NEAR(run("order0", kSpin, 0.05).worst, 3.0 * 0.059 * 360.0 / kWholeTurn, 0.01);
 }
 
 TEST(OrientationPredictor, EveryPredictorIsOfUseWhereAnglesFail) {
@@ -115,7 +117,6 @@ TEST(OrientationPredictor, AngleByAngleTheSameMotionsAreLost) {
 }
 
 TEST(OrientationPredictor, OvertakenDoubledAndBrokenMessagesAreTakenOrPassedOver) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   OrientationPredictor predictor(PredictorChoice::order1, 0.010);
   EXPECT_EQ(degrees(of(predictor.predict(3.0)), Quaterniond::Identity()), 0.0);
   predictor.message(0.00, of(kSpin(0.0)));
@@ -137,7 +138,7 @@ TEST(OrientationPredictor, AnglesAreAboutTheOuterAxesOneAfterTheOther) {
   const Quaterniond truth =
       AngleAxisd(0.7, Vector3d::UnitZ()) * AngleAxisd(-1.1, Vector3d::UnitY()) * AngleAxisd(2.0, Vector3d::UnitX());
   EXPECT_NEAR(degrees(of(fromAngles(2.0, -1.1, 0.7)), truth), 0.0, 1e-6);
-  EXPECT_NEAR(angle_deg(fromAngles(0.0, 0.0, 0.1), fromAngles(0.0, 0.0, -0.4)), 0.5 * 360.0 / kTurn, 1e-9);
+  EXPECT_NEAR(angle_deg(fromAngles(0.0, 0.0, 0.1), fromAngles(0.0, 0.0, -0.4)), 0.5 * 360.0 / kWholeTurn, 1e-9);
 }
 
 }  // namespace

@@ -14,11 +14,11 @@
 #include "core/texture/felt/finger_prediction.h"
 #include "core/texture/test_signals.h"
 #include "core/texture/texture_renderer.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::texture {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double rms(const std::vector<double>& x, std::size_t from = 0) {

@@ -10,13 +10,12 @@
 #include "core/signal/biquad.h"
 #include "core/texture/method_bank.h"
 #include "core/texture/texture_renderer.h"
+#include "tests/not_a_number.h"
 #include "tests/numerics/texture/scenes.h"
 #include "tests/processor_time.h"
 
 namespace fyd::texture {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(HardCases, ConstantsAndZerosGiveSilence) {
   for (std::size_t m = 0; m < kMethodNames.size(); ++m) {

@@ -6,12 +6,11 @@
 #include <limits>
 #include <random>
 
+#include "tests/not_a_number.h"
 #include "tests/unit/control/bench_plant.h"
 
 namespace fyd::control {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<TuneSample> excite(double scale, double delay_s, double lag_s, double noise, double rate_Hz = 200) {
   const ControlParameters parameters;

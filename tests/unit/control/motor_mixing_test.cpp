@@ -5,10 +5,10 @@
 
 #include <limits>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::control {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(MotorMixing, OppositeSensesStretchEqualSensesTranslate) {
   MotorMixing mixing;

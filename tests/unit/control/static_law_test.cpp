@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "core/base/profile_text.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::control {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 StaticLaw lawOf(StaticLawKind kind) {

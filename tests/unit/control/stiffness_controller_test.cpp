@@ -5,12 +5,11 @@
 
 #include <limits>
 
+#include "tests/not_a_number.h"
 #include "tests/unit/control/bench_plant.h"
 
 namespace fyd::control {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double settling_s(const std::vector<double>& course, double target) {
   std::size_t last_outside = 0;

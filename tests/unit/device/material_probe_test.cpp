@@ -6,10 +6,10 @@
 #include <functional>
 #include <limits>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::device {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // An arm that stands where it is told at once, above a surface with a force law.
 struct Bench {

@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "core/device/robot/following_robot.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::device {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 // Takes a position every tick and checks the limits between any two, three and four of them: differences of what was

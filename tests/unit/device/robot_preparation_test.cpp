@@ -9,13 +9,13 @@ namespace fyd::device {
 namespace {
 
 // Stands where it is told, above a material of 0.5 N/mm whose surface lies at −2.6 mm.
-struct Bench {
+struct PreparationBench {
   RobotPreparation preparation;
   RobotReadings readings{.acceleration_g = {0.1, -0.2, 1.0}};
   double seconds = 0.0;
   double lowest_mm = 0.0;
 
-  explicit Bench(bool probe = true, double known = 0.0) : preparation({}, probe, known) {}
+  explicit PreparationBench(bool probe = true, double known = 0.0) : preparation({}, probe, known) {}
   void succeed(int cycles) {
     for (int i = 0; i < cycles && !preparation.finished(); ++i) {
       readings.position_mm = preparation.target();
@@ -30,7 +30,7 @@ struct Bench {
 };
 
 TEST(RobotPreparation, ProbesAndTakesTheRestAcceleration) {
-  Bench bench;
+  PreparationBench bench;
   bench.succeed(20'000);
   ASSERT_TRUE(bench.preparation.finished());
   EXPECT_EQ(bench.preparation.outcome(), ProbeOutcome::measured);
@@ -40,7 +40,7 @@ TEST(RobotPreparation, ProbesAndTakesTheRestAcceleration) {
 }
 
 TEST(RobotPreparation, WaitsForAnArmThatDoesNotFollowYet) {
-  Bench bench;
+  PreparationBench bench;
   bench.fail(100'000);
   EXPECT_FALSE(bench.preparation.finished());
   EXPECT_EQ(bench.preparation.target(), Vec3{});
@@ -49,13 +49,13 @@ TEST(RobotPreparation, WaitsForAnArmThatDoesNotFollowYet) {
 }
 
 TEST(RobotPreparation, StartsWhereAYieldingArmIsToldToBe) {
-  Bench bench(false);
+  PreparationBench bench(false);
   bench.preparation.succeeded({.position_mm = {1, 2, -3}, .commanded_mm = Vec3{1, 2, -5}}, instantAt(0.0));
   EXPECT_EQ(bench.preparation.target(), (Vec3{1, 2, -5}));
 }
 
 TEST(RobotPreparation, AnArmThatStopsFollowingAbortsTheProbe) {
-  Bench bench;
+  PreparationBench bench;
   bench.succeed(3'200);
   EXPECT_LT(bench.preparation.target().z, -3.0);
   bench.fail(1);
@@ -67,7 +67,7 @@ TEST(RobotPreparation, AnArmThatStopsFollowingAbortsTheProbe) {
 }
 
 TEST(RobotPreparation, TheOperatorsStopBringsAProbeBackToItsStart) {
-  Bench bench;
+  PreparationBench bench;
   bench.succeed(3'200);
   bench.preparation.abort();
   EXPECT_FALSE(bench.preparation.finished());
@@ -78,24 +78,24 @@ TEST(RobotPreparation, TheOperatorsStopBringsAProbeBackToItsStart) {
 }
 
 TEST(RobotPreparation, TheOperatorsStopBeforeAProbeEndsAtOnce) {
-  Bench bench;
+  PreparationBench bench;
   bench.fail(10);
   bench.preparation.abort();
   EXPECT_TRUE(bench.preparation.finished());
 }
 
 TEST(RobotPreparation, WithoutAProbeTheKnownStiffnessStands) {
-  Bench bench(false, 0.7);
+  PreparationBench bench(false, 0.7);
   bench.succeed(1'000);
   EXPECT_TRUE(bench.preparation.finished());
   EXPECT_EQ(bench.preparation.outcome(), ProbeOutcome::skipped);
   EXPECT_EQ(bench.preparation.stiffness_N_per_mm(), 0.7);
   EXPECT_EQ(bench.lowest_mm, 0.0);
-  EXPECT_EQ(Bench(false, std::numeric_limits<double>::quiet_NaN()).preparation.stiffness_N_per_mm(), 0.0);
+  EXPECT_EQ(PreparationBench(false, std::numeric_limits<double>::quiet_NaN()).preparation.stiffness_N_per_mm(), 0.0);
 }
 
 TEST(RobotPreparation, AccelerationsThatAreNoNumbersDoNotCount) {
-  Bench bench(false);
+  PreparationBench bench(false);
   bench.succeed(101);
   bench.readings.acceleration_g = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
   bench.succeed(1'000);

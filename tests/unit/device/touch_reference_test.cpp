@@ -12,6 +12,7 @@
 #include <random>
 
 #include "core/device/robot/motion_limiter.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::device {
 namespace {
@@ -205,7 +206,6 @@ TEST(TouchReference, AClockThatDriftsOrLeapsIsFollowed) {
 }
 
 TEST(TouchReference, WhatIsNoPlaceLeadsNowhere) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();
   Wire wire(settingsOf("default"));
   wire.finger = [](double) { return Vec3{5, 5, -1}; };
@@ -260,7 +260,6 @@ TEST(TouchReference, WrongSettingsAreRefusedWithTheirValue) {
     const auto good = checkReference(settings);
     return good ? std::string("fine") : good.error().text();
   };
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message([](auto&) {}), "fine");
   EXPECT_EQ(message([](auto& s) { s.smooth_ms = -1.0; }), "smoothing of -1 ms: expected 0 to 1000");
   EXPECT_THAT(message([&](auto& s) { s.patience_ms = kNaN; }), ::testing::HasSubstr("patience of nan ms"));

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::pipeline {
 namespace {
 
@@ -106,7 +108,6 @@ TEST(TouchMotion, DisabledStandsStill) {
 }
 
 TEST(TouchMotion, WhatIsNotANumberMovesNothing) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   TouchMotion motion;
   settle(motion, touching(0, 0, 2));
   const Vec3 before = settle(motion, touching(3, 3, 2)).position_mm;

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::protocol {
 namespace {
 
@@ -16,10 +18,9 @@ using namespace std::string_view_literals;
 using pipeline::RobotCommand;
 using pipeline::TouchMessage;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Bytes bytes(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
+Bytes bytesOf(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
 
 std::string padded(std::string_view text, std::size_t size) {
   std::string out(text);
@@ -42,7 +43,7 @@ TEST(ClassicState, IsWrittenByteForByte) {
 }
 
 TEST(ClassicState, IsReadBack) {
-  const auto decoded = decodeState(bytes("?4,1'00655:0'32767:1'32768:0,1'00070:0'00035:0'00000:0'05500.\n"));
+  const auto decoded = decodeState(bytesOf("?4,1'00655:0'32767:1'32768:0,1'00070:0'00035:0'00000:0'05500.\n"));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded.value.command, RobotCommand::use_soc);
   EXPECT_NEAR(decoded.value.acceleration_g.x, -655.0 / 6553.0, 1e-12);
@@ -55,7 +56,7 @@ TEST(ClassicState, IsReadBack) {
 }
 
 TEST(ClassicState, PublishedRobotsPacketIsRead) {
-  const auto decoded = decodeState(bytes("?0,0'00000:0'00000:0'00000:1,0'00000:0'00000:0'00000:0'06000.\n"));
+  const auto decoded = decodeState(bytesOf("?0,0'00000:0'00000:0'00000:1,0'00000:0'00000:0'00000:0'06000.\n"));
   ASSERT_TRUE(decoded.ok());
   EXPECT_TRUE(decoded.value.robot.button);
   EXPECT_NEAR(decoded.value.robot.stiffness_N_per_mm, 0.6, 1e-12);
@@ -109,26 +110,26 @@ TEST(ClassicTouch, PositionThatIsNoNumberHoldsAndLifts) {
 }
 
 TEST(ClassicTouch, IsReadBack) {
-  const auto decoded = decodeTouch(bytes("?1'00012:0'00008:1'00003:0'12346.\n"));
+  const auto decoded = decodeTouch(bytesOf("?1'00012:0'00008:1'00003:0'12346.\n"));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded.value.position_mm, (Vec3{-12.0, 8.0, -3.0}));
   EXPECT_TRUE(decoded.value.in_contact);
   EXPECT_NEAR(decoded.value.force_N, 1.2346, 1e-12);
-  EXPECT_FALSE(decodeTouch(bytes("?0'00000:0'00000:1'00003:0'12346.\n")).value.in_contact);
-  EXPECT_TRUE(decodeTouch(bytes("?0'00000:0'00001:1'00003:0'12346.\n")).value.in_contact);
-  EXPECT_EQ(decodeTouch(bytes("?0'00000:0'00001:1'00003:1'12346.\n")).value.force_N, 0.0);
+  EXPECT_FALSE(decodeTouch(bytesOf("?0'00000:0'00000:1'00003:0'12346.\n")).value.in_contact);
+  EXPECT_TRUE(decodeTouch(bytesOf("?0'00000:0'00001:1'00003:0'12346.\n")).value.in_contact);
+  EXPECT_EQ(decodeTouch(bytesOf("?0'00000:0'00001:1'00003:1'12346.\n")).value.force_N, 0.0);
 }
 
 TEST(ClassicAck, IsThreeLettersAndNuls) {
   const auto ack = encodeAck();
   EXPECT_EQ(text(ack), padded("ACK", 62));
   EXPECT_TRUE(isAck(ack));
-  EXPECT_TRUE(isAck(bytes("ACK")));
-  EXPECT_FALSE(isAck(bytes("AC")));
-  EXPECT_FALSE(isAck(bytes("ACKN")));
-  EXPECT_FALSE(isAck(bytes("")));
-  EXPECT_FALSE(isAck(bytes("\0ACK"sv)));
-  EXPECT_FALSE(isAck(bytes(padded("ACK", 63))));
+  EXPECT_TRUE(isAck(bytesOf("ACK")));
+  EXPECT_FALSE(isAck(bytesOf("AC")));
+  EXPECT_FALSE(isAck(bytesOf("ACKN")));
+  EXPECT_FALSE(isAck(bytesOf("")));
+  EXPECT_FALSE(isAck(bytesOf("\0ACK"sv)));
+  EXPECT_FALSE(isAck(bytesOf(padded("ACK", 63))));
 }
 
 TEST(TouchpadInfo, IsWrittenByteForByte) {
@@ -137,17 +138,17 @@ TEST(TouchpadInfo, IsWrittenByteForByte) {
   EXPECT_EQ(text(encodeInfoValues({.k_vib = 1.3, .reference_ticks = {4200.0, -4199.6}})), "^013^0'04200^1'04200");
   EXPECT_EQ(text(encodeInfoValues({.k_vib = 1e9, .reference_ticks = {1e9, kNaN}})), "^999^0'32767^0'00000");
   EXPECT_EQ(text(encodeInfoValues({.k_vib = -1.0})), "^000^0'00000^0'00000");
-  const auto decoded = decodeInfoValues(bytes("^025^0'00933^1'00933"));
+  const auto decoded = decodeInfoValues(bytesOf("^025^0'00933^1'00933"));
   ASSERT_TRUE(decoded.ok());
   EXPECT_NEAR(decoded.value.k_vib, 2.5, 1e-12);
   EXPECT_EQ(decoded.value.reference_ticks[1], -933.0);
-  EXPECT_EQ(decodeInfoLength(bytes("01209")).value, 1209U);
-  EXPECT_EQ(decodeInfoLength(bytes("01210")).refusal, ClassicRefusal::range);
+  EXPECT_EQ(decodeInfoLength(bytesOf("01209")).value, 1209U);
+  EXPECT_EQ(decodeInfoLength(bytesOf("01210")).refusal, ClassicRefusal::range);
 }
 
 TEST(ClassicMotorReference, IsWrittenByteForByte) {
   EXPECT_EQ(text(encodeMotorReference({.first_ticks = 4200.4, .second_ticks = -1234.6})), "0'04200:1'01235.\n");
-  const auto decoded = decodeMotorReference(bytes("1'00100:0'04200.\n"));
+  const auto decoded = decodeMotorReference(bytesOf("1'00100:0'04200.\n"));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded.value.first_ticks, -100.0);
   EXPECT_EQ(decoded.value.second_ticks, 4200.0);
@@ -155,21 +156,21 @@ TEST(ClassicMotorReference, IsWrittenByteForByte) {
 
 TEST(ClassicImage, LengthIsSixDigitsBelow57600) {
   EXPECT_EQ(text(encodeImageLength(57'599)), "057599");
-  EXPECT_EQ(decodeImageLength(bytes("057599")).value, 57'599U);
-  EXPECT_EQ(decodeImageLength(bytes("057600")).refusal, ClassicRefusal::range);
-  EXPECT_EQ(decodeImageLength(bytes("000000")).value, 0U);
+  EXPECT_EQ(decodeImageLength(bytesOf("057599")).value, 57'599U);
+  EXPECT_EQ(decodeImageLength(bytesOf("057600")).refusal, ClassicRefusal::range);
+  EXPECT_EQ(decodeImageLength(bytesOf("000000")).value, 0U);
 }
 
 // ---- sloppy senders ----
 
 TEST(ClassicState, SixCharacterMagnitudesAreReadAsTheOverflowTheyAre) {
   // Position y of −40000 prints "-25536" and costs the packet its last byte.
-  const auto one = decodeState(bytes("?0,0'00000:0'00000:0'00000:1,0'00001:1'-25536:0'00003:0'06000."));
+  const auto one = decodeState(bytesOf("?0,0'00000:0'00000:0'00000:1,0'00001:1'-25536:0'00003:0'06000."));
   ASSERT_TRUE(one.ok());
   EXPECT_EQ(one.value.robot.position_mm, (Vec3{1.0, -40000.0, 3.0}));
   EXPECT_NEAR(one.value.robot.stiffness_N_per_mm, 0.6, 1e-12);
   // −32768 in the stiffness itself: no stiffness can be negative.
-  const auto stiffness = decodeState(bytes("?0,0'00000:0'00000:0'00000:1,0'00001:0'00002:0'00003:1'-32768."));
+  const auto stiffness = decodeState(bytesOf("?0,0'00000:0'00000:0'00000:1,0'00001:0'00002:0'00003:1'-32768."));
   ASSERT_TRUE(stiffness.ok());
   EXPECT_TRUE(stiffness.value.stiffness_known);
   EXPECT_EQ(stiffness.value.robot.stiffness_N_per_mm, 0.0);
@@ -178,7 +179,7 @@ TEST(ClassicState, SixCharacterMagnitudesAreReadAsTheOverflowTheyAre) {
 TEST(ClassicState, StiffnessThatTheCutTookIsUnknownAndTheRestIsRead) {
   const std::string full = "?2,0'06553:0'00000:0'00000:1,1'-25536:1'-25536:1'-32768:0'06000.\n";
   ASSERT_EQ(full.size(), 65U);
-  const auto decoded = decodeState(bytes(std::string_view(full).substr(0, 62)));
+  const auto decoded = decodeState(bytesOf(std::string_view(full).substr(0, 62)));
   ASSERT_TRUE(decoded.ok());
   EXPECT_FALSE(decoded.value.stiffness_known);
   EXPECT_EQ(decoded.value.command, RobotCommand::vibration_up);
@@ -188,11 +189,11 @@ TEST(ClassicState, StiffnessThatTheCutTookIsUnknownAndTheRestIsRead) {
 
 TEST(ClassicState, PaddingAndMissingEndMarksAreTolerated) {
   const std::string packet = "?0,0'00000:0'00000:0'00000:0,0'00000:0'00000:0'00000:0'05500.\n";
-  EXPECT_TRUE(decodeState(bytes(padded(packet, 102))).ok());
-  EXPECT_TRUE(decodeState(bytes(packet.substr(0, 61))).ok());
-  EXPECT_TRUE(decodeState(bytes(packet.substr(0, 60))).ok());
-  EXPECT_EQ(decodeState(bytes(packet.substr(0, 59))).refusal, ClassicRefusal::size);
-  EXPECT_EQ(decodeState(bytes(packet + "x")).refusal, ClassicRefusal::size);
+  EXPECT_TRUE(decodeState(bytesOf(padded(packet, 102))).ok());
+  EXPECT_TRUE(decodeState(bytesOf(packet.substr(0, 61))).ok());
+  EXPECT_TRUE(decodeState(bytesOf(packet.substr(0, 60))).ok());
+  EXPECT_EQ(decodeState(bytesOf(packet.substr(0, 59))).refusal, ClassicRefusal::size);
+  EXPECT_EQ(decodeState(bytesOf(packet + "x")).refusal, ClassicRefusal::size);
 }
 
 TEST(ClassicState, EachKindOfDamageHasItsReason) {
@@ -200,7 +201,7 @@ TEST(ClassicState, EachKindOfDamageHasItsReason) {
   const auto refusal = [&](std::size_t at, char c) {
     std::string packet = good;
     packet[at] = c;
-    return decodeState(bytes(packet)).refusal;
+    return decodeState(bytesOf(packet)).refusal;
   };
   EXPECT_EQ(refusal(0, '!'), ClassicRefusal::mark);
   EXPECT_EQ(refusal(1, '<'), ClassicRefusal::command);
@@ -219,18 +220,18 @@ TEST(ClassicState, EachKindOfDamageHasItsReason) {
 TEST(ClassicState, OverflowedMagnitudesOutsideSixteenBitsAreRefused) {
   for (const std::string_view field : {"1'-00000", "1'-32769", "1'-99999"}) {
     const std::string packet = fmt::format("?0,0'00000:0'00000:0'00000:0,{}:0'00000:0'00000:0'05500.", field);
-    EXPECT_EQ(decodeState(bytes(packet)).refusal, ClassicRefusal::range) << field;
+    EXPECT_EQ(decodeState(bytesOf(packet)).refusal, ClassicRefusal::range) << field;
   }
 }
 
 TEST(ClassicState, IsRecognisedByItsSizeAndOneMark) {
   std::string packet = "?0,0'00000:0'00000:0'00000:0,0'00000:0'00000:0'00000:0'05500.\n";
-  EXPECT_TRUE(looksLikeState(bytes(packet)));
+  EXPECT_TRUE(looksLikeState(bytesOf(packet)));
   packet[0] = 'x';
-  EXPECT_TRUE(looksLikeState(bytes(packet)));
+  EXPECT_TRUE(looksLikeState(bytesOf(packet)));
   packet[61] = 'x';
-  EXPECT_FALSE(looksLikeState(bytes(packet)));
-  EXPECT_FALSE(looksLikeState(bytes("?0,")));
+  EXPECT_FALSE(looksLikeState(bytesOf(packet)));
+  EXPECT_FALSE(looksLikeState(bytesOf("?0,")));
   EXPECT_FALSE(looksLikeState(encodeAck()));
 }
 
@@ -282,30 +283,32 @@ TEST(ClassicCodec, EverySingleBitFlipIsRefusedOrWellFormed) {
     for (std::size_t bit = 0; bit < 8 * packet.size(); ++bit) {
       std::string flipped = packet;
       flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << (bit % 8)));
-      expectWellFormed(bytes(flipped));
+      expectWellFormed(bytesOf(flipped));
     }
   }
 }
 
 TEST(ClassicCodec, TruncationAtEveryByteIsRefusedOrWellFormed) {
   for (const std::string& packet : validPackets()) {
-    for (std::size_t size = 0; size < packet.size(); ++size) expectWellFormed(bytes(packet).first(size));
+    for (std::size_t size = 0; size < packet.size(); ++size) expectWellFormed(bytesOf(packet).first(size));
   }
 }
 
 TEST(ClassicCodec, TruncationThatTakesMoreThanTheClosingMarksIsRefused) {
   const auto all = validPackets();
   for (std::size_t size = 0; size < 60; ++size) {
-    EXPECT_FALSE(decodeState(bytes(all[0]).first(size)).ok()) << size;
-    EXPECT_FALSE(decodeState(bytes(all[1]).first(size)).ok()) << size;
+    EXPECT_FALSE(decodeState(bytesOf(all[0]).first(size)).ok()) << size;
+    EXPECT_FALSE(decodeState(bytesOf(all[1]).first(size)).ok()) << size;
   }
-  for (std::size_t size = 0; size < 32; ++size) EXPECT_FALSE(decodeTouch(bytes(all[2]).first(size)).ok()) << size;
-  for (std::size_t size = 0; size < 20; ++size) EXPECT_FALSE(decodeInfoValues(bytes(all[4]).first(size)).ok()) << size;
+  for (std::size_t size = 0; size < 32; ++size) EXPECT_FALSE(decodeTouch(bytesOf(all[2]).first(size)).ok()) << size;
+  for (std::size_t size = 0; size < 20; ++size)
+    EXPECT_FALSE(decodeInfoValues(bytesOf(all[4]).first(size)).ok()) << size;
   for (std::size_t size = 0; size < 15; ++size) {
-    EXPECT_FALSE(decodeMotorReference(bytes(all[5]).first(size)).ok()) << size;
+    EXPECT_FALSE(decodeMotorReference(bytesOf(all[5]).first(size)).ok()) << size;
   }
-  for (std::size_t size = 0; size < 5; ++size) EXPECT_FALSE(decodeInfoLength(bytes(all[6]).first(size)).ok()) << size;
-  for (std::size_t size = 0; size < 6; ++size) EXPECT_FALSE(decodeImageLength(bytes(all[7]).first(size)).ok()) << size;
+  for (std::size_t size = 0; size < 5; ++size) EXPECT_FALSE(decodeInfoLength(bytesOf(all[6]).first(size)).ok()) << size;
+  for (std::size_t size = 0; size < 6; ++size)
+    EXPECT_FALSE(decodeImageLength(bytesOf(all[7]).first(size)).ok()) << size;
 }
 
 TEST(ClassicCodec, RandomBytesAreRefusedOrWellFormed) {
@@ -316,7 +319,7 @@ TEST(ClassicCodec, RandomBytesAreRefusedOrWellFormed) {
     for (char& c : packet) {
       c = i % 2 == 0 ? static_cast<char>(random()) : kAlphabet[random() % kAlphabet.size()];
     }
-    expectWellFormed(bytes(packet));
+    expectWellFormed(bytesOf(packet));
   }
 }
 

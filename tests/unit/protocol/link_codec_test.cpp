@@ -6,12 +6,12 @@
 
 #include "core/protocol/link/link_codec.h"
 #include "core/protocol/link/message_budget.h"
+#include "tests/not_a_number.h"
 #include "tests/unit/protocol/link_pair.h"
 
 namespace fyd::protocol {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 const PositionCode kTouchCode = *PositionCode::make(asOnTheWire(TouchpadHello{}.workspace));

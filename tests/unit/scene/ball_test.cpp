@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::scene {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 static_assert(std::is_trivially_copyable_v<BallGameState>);
 

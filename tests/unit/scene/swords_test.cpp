@@ -7,10 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::scene {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Along x at this height; the other one along y, in the plane z = 0.

@@ -7,11 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "core/sensing/indentation.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::sensing {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Code whose thesis curve gives this distance, by bisection on the printed polynomial.
 std::uint16_t codeAt(double distance_mm) {

@@ -11,11 +11,11 @@
 #include "core/teleop/coupling/model_coupling.h"
 #include "core/teleop/coupling/spring_coupling.h"
 #include "core/teleop/coupling/surface_estimator.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::teleop {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStep_s = 0.001;
 
 CouplingMessage wallAt(double date_s, double surface_m, double stiffness_N_per_m) {

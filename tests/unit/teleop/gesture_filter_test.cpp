@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::teleop {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(EmissionFilter, TakesTremorAndStepsOfTheDeviceAwayAndDelaysNoSteadyMotion) {
   std::mt19937 random(2);

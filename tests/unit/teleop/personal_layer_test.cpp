@@ -45,14 +45,14 @@ TEST(PersonalLayer, LearnsWhatAHandDoesOtherwise) {
 }
 
 TEST(PersonalLayer, WhatIsNotFiniteLeavesItAsItWasOrAnew) {
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kNaNf = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
   std::mt19937 random(2);
   PersonalLayer layer;
   for (int i = 0; i < 5000; ++i) {
     auto in = drawn(random);
     auto differences = habit(in);
-    if (i % 5 == 0) in[random() % in.size()] = std::array{kNaN, kInfinity, -kInfinity, 3e38F}[random() % 4];
-    if (i % 7 == 0) differences[1][random() % 2] = std::array{kNaN, kInfinity, -kInfinity, 3e38F}[random() % 4];
+    if (i % 5 == 0) in[random() % in.size()] = std::array{kNaNf, kInfinity, -kInfinity, 3e38F}[random() % 4];
+    if (i % 7 == 0) differences[1][random() % 2] = std::array{kNaNf, kInfinity, -kInfinity, 3e38F}[random() % 4];
     layer.learn(in, differences);
     for (const auto& node : layer(drawn(random))) {
       for (const float x : node) ASSERT_TRUE(std::isfinite(x)) << i;

@@ -10,11 +10,10 @@
 
 #include "core/teleop/prediction/predictor_choice.h"
 #include "core/teleop/prediction/smooth_output.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::teleop {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Trace rows(std::initializer_list<std::pair<double, double>> each) {
   Trace out{.axes = 1, .time_s = {}, .position_mm = {}};

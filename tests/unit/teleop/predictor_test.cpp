@@ -13,11 +13,11 @@
 
 #include "core/teleop/prediction/learned_forecast.h"
 #include "core/teleop/prediction/prediction_trial.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::teleop {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::unique_ptr<Predictor> named(std::string_view name, std::size_t axes = 1) {

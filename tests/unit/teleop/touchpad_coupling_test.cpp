@@ -7,11 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::teleop {
 namespace {
 
 using Choice = TouchpadCouplingChoice;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// A session in which each call is a step of 1 ms, and what is told stays until it is told anew.

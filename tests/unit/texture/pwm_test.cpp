@@ -5,10 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/not_a_number.h"
+
 namespace fyd::texture {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr PwmSettings kPlain = {.k_vib = 1.0, .full_scale_g = 2.0, .maximum_percent = 100.0, .dead_zone_percent = 25.0};
 
 TEST(Pwm, ThesisRoundsDownwardOnBothSidesOfZero) {

@@ -6,11 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "core/texture/recording.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::texture {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 AccelerationSample sample(double t_ms, double value) { return {instantAt(t_ms * 1e-3), {value, 0.0, -value}}; }
 

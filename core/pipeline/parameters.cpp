@@ -1,0 +1,3 @@
+#include "core/pipeline/parameters.h"
+
+template std::vector<fyd::Parameter> fyd::bindParameters(fyd::pipeline::Parameters& instance);

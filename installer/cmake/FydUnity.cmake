@@ -1,0 +1,47 @@
+# Files of one folder compiled together: each reads the same headers and instantiates the same templates, which together
+# they do once. Off, each file is an object of its own, as clang-tidy and an editor want it (compile_commands.json).
+option(FYD_UNITY "Compile the files of a folder together" ON)
+set(FYD_UNITY_FILES 12 CACHE STRING "Most files that are compiled together")
+
+# fyd_unity(TARGET ROOT FILE…): compiles those of the target's FILEs together that have the first folder below ROOT in
+# common, in units of equal size; without a folder, those of ROOT itself. Not CMake's UNITY_BUILD, which includes by
+# absolute paths: a compiler cache then finds nothing that another folder's build has left there.
+function(fyd_unity target root)
+  if(NOT FYD_UNITY)
+    return()
+  endif()
+  set(folders "")
+  foreach(file IN LISTS ARGN)
+    if(file MATCHES "\\.cpp$")
+      file(RELATIVE_PATH path "${root}" "${file}")
+      string(REGEX MATCH "^[a-z_]+/" folder "${path}")
+      list(APPEND folders "/${folder}")
+      list(APPEND "files_of_/${folder}" "${file}")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC takes every included file for a header, where a type must not hold one of an anonymous namespace.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+  foreach(folder IN LISTS folders)
+    list(LENGTH "files_of_${folder}" count)
+    math(EXPR units "(${count} + ${FYD_UNITY_FILES} - 1) / ${FYD_UNITY_FILES}")
+    set(place 0)
+    foreach(file IN LISTS "files_of_${folder}")
+      math(EXPR unit "${place} * ${units} / ${count}")
+      file(RELATIVE_PATH path "${PROJECT_SOURCE_DIR}" "${file}")
+      string(APPEND text_${unit} "#include \"${path}\"\n")
+      math(EXPR place "${place} + 1")
+    endforeach()
+    set_source_files_properties(${files_of_${folder}} PROPERTIES HEADER_FILE_ONLY ON)
+    math(EXPR last "${units} - 1")
+    foreach(unit RANGE ${last})
+      # The object's path holds the folder's name, which tests/architecture and tests/golden read.
+      set(source "${CMAKE_CURRENT_BINARY_DIR}/together/${target}${folder}unit_${unit}.cpp")
+      file(CONFIGURE OUTPUT "${source}" CONTENT "${text_${unit}}" @ONLY)
+      target_sources(${target} PRIVATE "${source}")
+      unset(text_${unit})
+    endforeach()
+  endforeach()
+endfunction()
