@@ -1,4 +1,5 @@
 // A small list without an allocation, trivially copyable when its items are: inputs of the step are made of these.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>

@@ -1,13 +1,16 @@
 // The clock of every session: monotonic, that of the operating system. A session in which everything is simulated may
 // hold it back: it then never runs ahead of a thread that is late, so that the simulated world waits for a slow
 // computer, as a paused simulation does. It is one for the process, because devices, robot and step must agree on it.
+// Stability: may change
 #pragma once
 
 #include <chrono>
 
+#include "core/base/api.h"
+
 namespace fyd {
 
-struct Clock {
+struct FYD_API Clock {
   using duration = std::chrono::nanoseconds;
   using rep = duration::rep;
   using period = duration::period;
@@ -24,7 +27,7 @@ struct Clock {
 
 /// One thread's part in holding the clock back: while it exists, the clock does not pass the time that the thread
 /// named last. A thread names a new one before it waits, later than the time at which it will wake.
-class ClockHold {
+class FYD_API ClockHold {
  public:
   /// @param holds false: does nothing
   explicit ClockHold(bool holds);

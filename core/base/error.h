@@ -1,4 +1,5 @@
 // Errors as values. A message names the thing, its value and what was expected.
+// Stability: stable since 0.1
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // View of a picture whose pixels are owned elsewhere: rows of 8-bit samples. The core's detector and the camera's
 // threads pass this, so that neither needs the other's image library.
+// Stability: may change
 #pragma once
 
 #include <cstddef>

@@ -10,6 +10,7 @@
 //
 // A value is a number, a text that no language changes (a name, a path, an id), or a Message of its own where it is
 // itself words: `say("Not armed: {}.", phrase(toString(fault)))`.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
@@ -25,6 +26,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "core/base/api.h"
 
 namespace fyd {
 
@@ -42,12 +45,12 @@ enum class MessageKind : std::uint8_t {
   station,      ///< what runs the devices and the step (core/station)
 };
 
-[[nodiscard]] std::string_view toString(MessageKind kind);
+[[nodiscard]] FYD_API std::string_view toString(MessageKind kind);
 
 struct Value;
 
 // Nearly every file makes, copies and drops messages: what that takes is compiled once, in message.cpp.
-struct Message {
+struct FYD_API Message {
   MessageKind kind = MessageKind::command;
   std::string_view format;  ///< static storage; places as fmt has them, each filled by the value of its number
   std::vector<Value> values;
@@ -64,7 +67,7 @@ struct Message {
   /// In English.
   [[nodiscard]] std::string text() const;
   /// Equal format and values; `kind` is not compared.
-  friend bool operator==(const Message& a, const Message& b);
+  FYD_API friend bool operator==(const Message& a, const Message& b);
 
   /// One value more.
   void add(std::int64_t value);
@@ -78,19 +81,20 @@ struct Message {
 struct Value {
   std::variant<std::int64_t, std::uint64_t, double, std::string, Message> is;
 
-  friend bool operator==(const Value&, const Value&);
+  FYD_API friend bool operator==(const Value&, const Value&);
 };
 
 /// A value as a place with this spec ("" or ".2f") shows it, in English.
-[[nodiscard]] std::string shown(const Value& value, std::string_view spec);
+[[nodiscard]] FYD_API std::string shown(const Value& value, std::string_view spec);
 
 using ShowValue = std::function<std::string(const Value& value, std::string_view spec)>;
 /// The values filled into `form`, the message's format or its translation.
 /// @return nullopt when the form's places do not fit the values: every value in at least one place, with the same spec
 ///         as in the message's own format
-[[nodiscard]] std::optional<std::string> filledIn(std::string_view form, const Message& message, const ShowValue& show);
-[[nodiscard]] std::optional<std::string> filledIn(std::string_view form,
-                                                  const Message& message);  ///< as `shown`
+[[nodiscard]] FYD_API std::optional<std::string> filledIn(std::string_view form, const Message& message,
+                                                          const ShowValue& show);
+[[nodiscard]] FYD_API std::optional<std::string> filledIn(std::string_view form,
+                                                          const Message& message);  ///< as `shown`
 
 /// Marks a literal for translation, and returns it.
 [[nodiscard]] consteval std::string_view sentence(const char* english) { return english; }
@@ -100,18 +104,18 @@ using ShowValue = std::function<std::string(const Value& value, std::string_view
 [[nodiscard]] inline Message phrase(std::string_view english) { return {MessageKind::command, english}; }
 
 /// Words that are not the program's own (of the system, of a library, of a file) and that no language changes.
-[[nodiscard]] Message verbatim(std::string_view text);
+[[nodiscard]] FYD_API Message verbatim(std::string_view text);
 
 /// "{}: {}": what was wrong with what, when the message alone does not name it.
-[[nodiscard]] Message about(std::string_view name, Message message);
-[[nodiscard]] Message about(Message what, Message message);
+[[nodiscard]] FYD_API Message about(std::string_view name, Message message);
+[[nodiscard]] FYD_API Message about(Message what, Message message);
 
 /// "{} ({})": the reason, or what else belongs to it, in brackets.
-[[nodiscard]] Message explained(Message message, Message by);
+[[nodiscard]] FYD_API Message explained(Message message, Message by);
 
 /// One after the other; empty ones are left out.
 /// @param format "{}; {}" or "{}, {}": what stands between
-[[nodiscard]] Message listed(std::vector<Message> messages, std::string_view format = "{}; {}");
+[[nodiscard]] FYD_API Message listed(std::vector<Message> messages, std::string_view format = "{}; {}");
 
 namespace message_detail {
 

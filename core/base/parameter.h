@@ -13,6 +13,7 @@
 //
 // The profile file, the command line, the tuning panel, the recorder and the manual's tables all read
 // the list that `bindParameters` makes of it. A live change travels to the step as (index, value).
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
@@ -26,6 +27,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/batch.h"
 #include "core/base/error.h"
 #include "core/base/message.h"
@@ -75,7 +77,7 @@ struct Parameter {
 };
 
 /// The visitor that collects the descriptions.
-class ParameterCollector {
+class FYD_API ParameterCollector {
  public:
   explicit ParameterCollector(std::vector<Parameter>& out) : out_(out) {}
 
@@ -111,26 +113,27 @@ template <class Parameters>
 }
 
 /// Whether `value` may be stored: finite, in range, whole where it must be. Allocates nothing.
-[[nodiscard]] bool mayTake(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
+[[nodiscard]] FYD_API bool mayTake(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
 /// The same; the message names id, value and range.
-[[nodiscard]] Result<double> checkParameter(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
+[[nodiscard]] FYD_API Result<double> checkParameter(const Parameter& parameter, double value,
+                                                    Ranges ranges = Ranges::bind);
 /// Whether its present value may be stored.
-[[nodiscard]] bool insideRange(const Parameter& parameter);
+[[nodiscard]] FYD_API bool insideRange(const Parameter& parameter);
 
 /// Whether `text` may be stored: one line of at most kParameterTextLimit bytes. The message names the id.
-[[nodiscard]] Result<std::string> checkText(const Parameter& parameter, std::string_view text);
+[[nodiscard]] FYD_API Result<std::string> checkText(const Parameter& parameter, std::string_view text);
 
 /// Reads one value as a person writes it ("12.5", "true", "dft321", "[1, 2]"), checks it and stores it.
-[[nodiscard]] Result<void> assignParameter(const Parameter& parameter, std::string_view text,
-                                           Ranges ranges = Ranges::bind);
+[[nodiscard]] FYD_API Result<void> assignParameter(const Parameter& parameter, std::string_view text,
+                                                   Ranges ranges = Ranges::bind);
 
 /// The value as `assignParameter` reads it; reals with the digits that round-trip.
-[[nodiscard]] std::string formatParameter(const Parameter& parameter);
+[[nodiscard]] FYD_API std::string formatParameter(const Parameter& parameter);
 
 /// "a number from 0 to 10 N" or "one of a, b": what is allowed, for messages and tables.
-[[nodiscard]] Message describeRange(const Parameter& parameter);
+[[nodiscard]] FYD_API Message describeRange(const Parameter& parameter);
 
 /// nullptr when there is none.
-[[nodiscard]] const Parameter* findParameter(std::span<const Parameter> parameters, std::string_view id);
+[[nodiscard]] FYD_API const Parameter* findParameter(std::span<const Parameter> parameters, std::string_view id);
 
 }  // namespace fyd

@@ -8,6 +8,7 @@
 //
 // What follows from the parameters alone is recomputed and left out. No size is ever read: an object is filled as large
 // as it is, so damaged bytes allocate nothing.
+// Stability: may change
 #pragma once
 
 #include <span>

@@ -1,4 +1,5 @@
 // Time as the step sees it: always passed in. The step never reads a clock.
+// Stability: stable since 0.1
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,5 @@
 // A value together with the instant it was taken: every input of the step is one of these.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Three components of one quantity; the unit is in the name of the variable that holds it.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cmath>

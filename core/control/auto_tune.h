@@ -7,11 +7,13 @@
 //
 // with the closed loop's time constant λ ≥ 0.2 s the smallest for which the gain margin is ≥ 2 and the phase margin
 // ≥ 60°, also with ±30 % of g, ±30 % of the lag and 50 ms more dead time.
+// Stability: may change
 #pragma once
 
 #include <functional>
 #include <span>
 
+#include "core/base/api.h"
 #include "core/control/loop_prediction.h"
 
 namespace fyd::control {
@@ -29,7 +31,8 @@ using TuneProgress = std::function<bool(double done)>;
 
 /// @param progress empty: no reports, no cancelling
 /// @return the errors of identifyCloth, that no λ up to 10 s keeps the margins, or that `progress` ended it
-[[nodiscard]] Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const ControlParameters& present,
-                                                const TuneProgress& progress = {});
+[[nodiscard]] FYD_API Result<TuneProposal> proposeGains(std::span<const TuneSample> recording,
+                                                        const ControlParameters& present,
+                                                        const TuneProgress& progress = {});
 
 }  // namespace fyd::control

@@ -6,10 +6,12 @@
 //
 // S is the cloth's scale, g is 1 when the law's shape holds on this cloth. For each T and τ of a grid, S and g follow
 // by least squares; the best pair is refined on a finer grid around it.
+// Stability: may change
 #pragma once
 
 #include <span>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/control/control_parameters.h"
 
@@ -34,12 +36,12 @@ struct IdentifiedCloth {
 
 /// The safe excitation: a staircase of stretch through the middle half of the travel, at a third of the rate limit at
 /// most, while the finger holds still. Repeats after kExcitation_s.
-[[nodiscard]] double excitationAngle_deg(double time_s, const ControlParameters& parameters);
+[[nodiscard]] FYD_API double excitationAngle_deg(double time_s, const ControlParameters& parameters);
 inline constexpr double kExcitation_s = 12.0;
 
 /// @return an error that says what the recording misses: samples (100 observable ones over 2 s), rising times,
 ///         excitation (the law must change by 5 %), or a model that explains half of the measured variance
-[[nodiscard]] Result<IdentifiedCloth> identifyCloth(std::span<const TuneSample> recording,
-                                                    const ControlParameters& parameters);
+[[nodiscard]] FYD_API Result<IdentifiedCloth> identifyCloth(std::span<const TuneSample> recording,
+                                                            const ControlParameters& parameters);
 
 }  // namespace fyd::control

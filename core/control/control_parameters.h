@@ -1,10 +1,12 @@
 // Parameters of the stretch control that an operator or a profile may set.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/base/message.h"
 #include "core/base/parameter.h"
@@ -231,6 +233,6 @@ struct ControlParameters {
 
 /// Checks that single ranges cannot express: lists of equal length, at least two points, both rising; travel not empty.
 /// The message names the parameter and the value. Profiles are checked with this when they are opened.
-[[nodiscard]] Result<void> checkControlParameters(const ControlParameters& parameters);
+[[nodiscard]] FYD_API Result<void> checkControlParameters(const ControlParameters& parameters);
 
 }  // namespace fyd::control

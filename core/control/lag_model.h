@@ -1,14 +1,16 @@
 // Model of a sensor chain: dead time T, then a first-order low-pass with time constant τ.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 
 namespace fyd::control {
 
-class LagModel {
+class FYD_API LagModel {
  public:
   /// May be called while running: the delay line keeps its content. Negative or not finite counts as 0.
   void configure(double delay_s, double lag_s);

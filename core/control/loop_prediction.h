@@ -16,10 +16,12 @@
 // Step response and its figures: the controller itself, run on the identified model with that dead time and motors that
 // reach 180°/s, on a cloth 30 % softer than the law says, so that the loop and not the feed-forward does the work. The
 // model's measurement is right on average, so control.measurement_bias counts as 0.
+// Stability: may change
 #pragma once
 
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/control/cloth_identification.h"
 #include "core/control/control_parameters.h"
 
@@ -66,14 +68,15 @@ struct LoopPoint {
 
 inline constexpr double kMotorLag_s = 0.03;  ///< of the motors in all
 
-[[nodiscard]] LoopMargins loopMargins(const IdentifiedCloth& cloth, const ControlParameters& parameters,
-                                      const LoopTiming& timing = {});
+[[nodiscard]] FYD_API LoopMargins loopMargins(const IdentifiedCloth& cloth, const ControlParameters& parameters,
+                                              const LoopTiming& timing = {});
 /// @param course when given: receives the run, one point every 10 ms
-[[nodiscard]] LoopPrediction predictLoop(const IdentifiedCloth& cloth, const ControlParameters& parameters,
-                                         const LoopTiming& timing = {}, std::vector<LoopPoint>* course = nullptr);
+[[nodiscard]] FYD_API LoopPrediction predictLoop(const IdentifiedCloth& cloth, const ControlParameters& parameters,
+                                                 const LoopTiming& timing = {},
+                                                 std::vector<LoopPoint>* course = nullptr);
 
 /// Model from the parameters alone, for use before an excitation was recorded: the law holds exactly, and the
 /// measurement has the lag, delay and noise that the parameters state.
-[[nodiscard]] IdentifiedCloth assumedCloth(const ControlParameters& parameters);
+[[nodiscard]] FYD_API IdentifiedCloth assumedCloth(const ControlParameters& parameters);
 
 }  // namespace fyd::control

@@ -5,11 +5,13 @@
 //
 // Turning in opposite senses stretches the cloth, in the same sense moves it sideways [thesis §3]. References are
 // ticks, 4200 for 90°; encoders count 4096 a turn, with the profile's zeros and signs.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "core/base/api.h"
 #include "core/control/control_parameters.h"
 #include "core/control/motor_types.h"
 
@@ -23,12 +25,12 @@ struct RollerAngles {
 
 /// Encoder counts to angles in −180…180° around the profile's zeros: the zero may lie anywhere on the
 /// 12-bit circle, a motor further than half a turn from it reads one turn off.
-[[nodiscard]] RollerAngles rollerAngles(const MotorFeedback& feedback, const ControlParameters& parameters);
+[[nodiscard]] FYD_API RollerAngles rollerAngles(const MotorFeedback& feedback, const ControlParameters& parameters);
 
 /// Degrees to ticks, rounded, saturated at the int16 the boards take; NaN gives 0.
-[[nodiscard]] std::int16_t ticksFromDegrees(double angle_deg);
+[[nodiscard]] FYD_API std::int16_t ticksFromDegrees(double angle_deg);
 
-class MotorMixing {
+class FYD_API MotorMixing {
  public:
   explicit MotorMixing(const ControlParameters& parameters = {});
   void configure(const ControlParameters& parameters);

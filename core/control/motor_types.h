@@ -1,4 +1,5 @@
 // What is written to the two motors and what they report.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>

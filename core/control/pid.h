@@ -9,7 +9,10 @@
 // - Limits on u and on its rate; NaN, infinity, dt ≤ 0 leave everything as it was; a larger dt counts as the maximum.
 // - Gains below 0 or not finite count as 0; gains up to 1e12, which recordings of earlier programs may have, give a bang-bang
 //   between the limits, never an overflow.
+// Stability: may change
 #pragma once
+
+#include "core/base/api.h"
 
 namespace fyd::control {
 
@@ -31,7 +34,7 @@ struct PidLimits {
   }
 };
 
-class Pid {
+class FYD_API Pid {
  public:
   explicit Pid(const PidGains& gains = {}, const PidLimits& limits = {}, double maximum_step_s = 0.02);
 

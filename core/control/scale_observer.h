@@ -11,11 +11,14 @@
 // significantLogScale(): 0 until |s| exceeds 2.8σ, σ = √P; then all of s (faded in over 0.15 s) until |s| falls below
 // 1σ. So noise causes no correction on a cloth that matches its calibration, one that does not is recognised within
 // one or two seconds, and the result does not switch back and forth.
+// Stability: may change
 #pragma once
+
+#include "core/base/api.h"
 
 namespace fyd::control {
 
-class ScaleObserver {
+class FYD_API ScaleObserver {
  public:
   /// @param correlation_s Tc; not finite or ≤ 0 changes nothing
   void configure(double correlation_s);

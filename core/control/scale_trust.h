@@ -12,13 +12,15 @@
 //
 // A difference beyond `limit` is more than a cloth of this calibration can have: law and measurement contradict each
 // other, one of them is wrong, and the law alone is used until they agree again.
+// Stability: may change
 #pragma once
 
+#include "core/base/api.h"
 #include "core/control/control_parameters.h"
 
 namespace fyd::control {
 
-class ScaleTrust {
+class FYD_API ScaleTrust {
  public:
   /// @param bias relative error of the measurement that may last, 0.1 for 10 %; not finite or below 0 counts as 0
   /// @param limit largest relative correction, 0.35 for 35 %; not finite or below 0 counts as 0

@@ -8,11 +8,13 @@
 //   thesis-linear  θ = 204.6 k − 23.6 (the authors' later code): another cloth, 33…59° above the four points
 //
 // No allocation anywhere; the cubic's inverse is found by bisection, to better than 1e−12°.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "core/base/api.h"
 #include "core/base/parameter.h"
 #include "core/control/control_parameters.h"
 
@@ -24,7 +26,7 @@ struct LawValue {
   bool clamped = false;  ///< what was asked lies outside the domain (or is NaN: then the domain's lower end)
 };
 
-class StaticLaw {
+class FYD_API StaticLaw {
  public:
   /// The four measured points of the thesis.
   StaticLaw();

@@ -19,8 +19,10 @@
 //
 // Thesis mode [thesis §4.1.4], every 100 ms, if k̂ > 0.1 and |k* − k̂| > 0.01: stretch = PID(k* − k̂) + rest, with rest
 // the static law's angle of the first target.
+// Stability: stable since 0.1
 #pragma once
 
+#include "core/base/api.h"
 #include "core/base/time.h"
 #include "core/control/control_parameters.h"
 #include "core/control/lag_model.h"
@@ -57,7 +59,7 @@ struct ControlOutput {
   bool contradiction_begins = false;
 };
 
-class StiffnessController {
+class FYD_API StiffnessController {
  public:
   explicit StiffnessController(const ControlParameters& parameters = {});
 

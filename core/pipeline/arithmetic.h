@@ -6,6 +6,7 @@
 //      bits on every x86-64 processor
 //
 // A new version never changes what is felt: an algorithm that feels different is added as a new named mode.
+// Stability: may change
 #pragma once
 
 #include <optional>

@@ -12,6 +12,7 @@
 //   logged     what an exported log says of it                                   (core/export/export_words.cpp)
 //
 // Each is an expression of the event `e`; the last two may use the helpers of the file that reads them.
+// Stability: stable since 0.1
 
 // clang-format off
 EVENT(state_changed, 0, "state changed",  // state, fault

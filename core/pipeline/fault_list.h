@@ -12,6 +12,7 @@
 //   remedy   what the operator does about it, as a sentence
 //   missing  the condition, from the step's `in` (inputs), `limits` (its parameters) and `now` (HealthContext);
 //            `stays` tolerates a bad value for so many milliseconds once it has been good
+// Stability: stable since 0.1
 
 // clang-format off
 FAULT(step_gap, 1, rendering, none, none, sentence("the haptic loop stood still for more than 20 ms"),

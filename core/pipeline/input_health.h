@@ -1,9 +1,11 @@
 // Which of the things the present mode needs are missing, judged from the inputs' ages and validity.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <bitset>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/pipeline/inputs.h"
 #include "core/pipeline/safety.h"
@@ -28,7 +30,7 @@ struct Judgement {
   FaultSet interruptions;  ///< what ends rendering although no input is missing (Need::rendering)
 };
 
-class InputHealth {
+class FYD_API InputHealth {
  public:
   /// A fresh input that was valid once may be invalid for up to its maximum age before that counts.
   [[nodiscard]] Judgement judge(const Inputs& inputs, const HealthContext& context, const StepParameters& limits);

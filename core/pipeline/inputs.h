@@ -1,4 +1,5 @@
 // All inputs of the step: nothing else reaches it, so a recording of them replays it bit for bit.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // What a finger feels without a robot, computed on this machine: a stored surface or a scene.
+// Stability: may change
 #pragma once
 
 #include <memory>

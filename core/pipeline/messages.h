@@ -1,4 +1,5 @@
 // Messages between touchpad and robot as plain structs with units; the codecs in core/protocol translate them.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>

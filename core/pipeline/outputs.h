@@ -1,4 +1,5 @@
 // Outputs of one step.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,10 @@
 // The step's parameters, gathered from the modules that declare them.
+// Stability: stable since 0.1
 #pragma once
 
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/message.h"
 #include "core/base/parameter.h"
 #include "core/control/control_parameters.h"
@@ -100,4 +102,6 @@ struct Parameters {
 
 }  // namespace fyd::pipeline
 
-extern template std::vector<fyd::Parameter> fyd::bindParameters(fyd::pipeline::Parameters& instance);
+/// @cond
+extern template FYD_API std::vector<fyd::Parameter> fyd::bindParameters(fyd::pipeline::Parameters& instance);
+/// @endcond

@@ -11,6 +11,7 @@
 // Live operation, the headless runner, tests and replay call the same step; the same parameters, local model and inputs
 // give the same outputs bit for bit. After construction a step neither allocates nor throws, and whatever comes in,
 // no output is NaN where a number is promised and no command lies beyond its limits.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/control/motor_mixing.h"
 #include "core/control/stiffness_controller.h"
@@ -42,7 +44,7 @@
 
 namespace fyd::pipeline {
 
-class Pipeline {
+class FYD_API Pipeline {
  public:
   explicit Pipeline(const Parameters& parameters, const LocalModel& local = {});
   ~Pipeline();

@@ -5,6 +5,7 @@
 //   Stopped (the operator's stop, from anywhere; motors off; latched)
 //
 // Leaving Held or Stopped takes an operator's arm; nothing re-engages by itself.
+// Stability: stable since 0.1
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 
 namespace fyd::pipeline {
@@ -82,16 +84,16 @@ struct FaultInfo {
   std::string_view remedy;  ///< what the operator does about it: "Check the network and the robot's program."
 };
 /// For a number that this program does not know: a text that says so.
-[[nodiscard]] const FaultInfo& infoOf(Fault fault);
+[[nodiscard]] FYD_API const FaultInfo& infoOf(Fault fault);
 /// All of them but none, the most urgent first: of several, the first is shown.
-[[nodiscard]] std::span<const FaultInfo> faultsByUrgency();
+[[nodiscard]] FYD_API std::span<const FaultInfo> faultsByUrgency();
 
-[[nodiscard]] std::string_view toString(SafetyState state);
+[[nodiscard]] FYD_API std::string_view toString(SafetyState state);
 [[nodiscard]] inline std::string_view toString(Fault fault) { return infoOf(fault).what; }
 [[nodiscard]] inline std::string_view remedy(Fault fault) { return infoOf(fault).remedy; }
 
 /// Keeps the state; every change goes through the table.
-class Safety {
+class FYD_API Safety {
  public:
   /// Applies `event` and remembers `why` when it leads into Held.
   void apply(SafetyEvent event, Fault why = Fault::none);

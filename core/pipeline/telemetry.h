@@ -1,5 +1,6 @@
 // Telemetry: one sample per step. The window draws, the recorder writes and replay compares this same struct.
 // NaN means "no value"; 0 is never used for that.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/fields.h"
 #include "core/pipeline/messages.h"
 #include "core/pipeline/safety.h"
@@ -163,6 +165,6 @@ struct TelemetryField {
 };
 
 /// All fields except now_ns; the first is the time in seconds since the clock's origin.
-[[nodiscard]] std::span<const TelemetryField> telemetryFields();
+[[nodiscard]] FYD_API std::span<const TelemetryField> telemetryFields();
 
 }  // namespace fyd::pipeline

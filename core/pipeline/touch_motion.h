@@ -8,10 +8,12 @@
 //
 // Pictures come 30 times a second; between two of them the position moves towards where the last one showed the
 // finger. The message therefore also carries the position in that picture and its capture time (TouchMessage::seen).
+// Stability: may change
 #pragma once
 
 #include <cstdint>
 
+#include "core/base/api.h"
 #include "core/base/time.h"
 #include "core/pipeline/messages.h"
 
@@ -38,7 +40,7 @@ struct MotionInput {
   double speed_limit_mm_s = 200.0;
 };
 
-class TouchMotion {
+class FYD_API TouchMotion {
  public:
   [[nodiscard]] TouchMessage step(const MotionInput& input);
 

@@ -1,4 +1,5 @@
 // What a recording holds, as plain values: written by RecordingWriter, read by Recording.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Everything of one step, as the haptic loop hands it to the recorder: what went in and what came out.
+// Stability: stable since 0.1
 #pragma once
 
 #include "core/pipeline/inputs.h"

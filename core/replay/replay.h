@@ -8,6 +8,7 @@
 //                simulated motor, and the difference of the two is added to the recorded encoder counts; the force
 //                follows the cloth's stiffness at the new stretch, as identified from the recording. The finger's
 //                indentation and the robot's requests are as recorded.
+// Stability: stable since 0.1
 #pragma once
 
 #include <functional>
@@ -15,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/control/cloth_identification.h"
 #include "core/recording/reader/recording.h"
 
@@ -60,7 +62,7 @@ using ReplayObserver =
 
 /// @return an error that names a wrong setting, or what is missing in the recording: rows, its state, or (closed loop)
 ///         touches that identify the cloth
-[[nodiscard]] Result<ReplayResult> replay(const recording::Recording& recording, const ReplayOptions& options,
-                                          const ReplayObserver& observer = {});
+[[nodiscard]] FYD_API Result<ReplayResult> replay(const recording::Recording& recording, const ReplayOptions& options,
+                                                  const ReplayObserver& observer = {});
 
 }  // namespace fyd::replay

@@ -1,4 +1,5 @@
 // A scene with all that it names: its text, the meshes and the stored surfaces.
+// Stability: may change
 #pragma once
 
 #include <memory>
@@ -6,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/scene/contact/contact_choice.h"
 #include "core/scene/scene.h"
@@ -22,7 +24,7 @@ struct LoadedScene {
 };
 
 /// Whether any rigid body of the description uses this body's mesh: its SearchedMesh then needs `walkable`.
-[[nodiscard]] bool needsWalkableMesh(const SceneDescription& description, const BodyDescription& of);
+[[nodiscard]] FYD_API bool needsWalkableMesh(const SceneDescription& description, const BodyDescription& of);
 
 /// What the description leaves open: chosen by trials for the scene's accuracy; vicinity and kUsualPoints without one.
 struct BodyChoice {
@@ -31,9 +33,9 @@ struct BodyChoice {
   std::optional<SoftChoiceReport> soft;        ///< of a soft body, likewise
 };
 /// @return an error that names the body and what of its material is out of range
-[[nodiscard]] Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene);
+[[nodiscard]] FYD_API Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene);
 
-[[nodiscard]] Result<Scene> buildScene(const LoadedScene& scene, const std::vector<BodyModel>& models);
-[[nodiscard]] std::vector<BodyModel> modelsOf(const std::vector<BodyChoice>& choices);
+[[nodiscard]] FYD_API Result<Scene> buildScene(const LoadedScene& scene, const std::vector<BodyModel>& models);
+[[nodiscard]] FYD_API std::vector<BodyModel> modelsOf(const std::vector<BodyChoice>& choices);
 
 }  // namespace fyd::scene

@@ -5,6 +5,7 @@
 //
 // Forces of several bodies add up. The stiffness felt is that along the force: Σ k (n·f)². The contact that is reported
 // is the one with the largest force; of two equal ones the body that stands first.
+// Stability: may change
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/scene/contact/contact.h"
 #include "core/scene/mesh/nearest_point.h"
@@ -40,7 +42,7 @@ struct SearchedMesh {
 };
 
 /// How a mesh stands in the scene: turned about x, then y, then z, then moved.
-class Placement {
+class FYD_API Placement {
  public:
   Placement() = default;
   explicit Placement(const BodyDescription& body);
@@ -68,7 +70,7 @@ struct BodyModel {
   SoftResolution resolution = {.most_points = kUsualPoints};  ///< of a soft one
 };
 
-class Scene {
+class FYD_API Scene {
  public:
   /// @param meshes, models one for each body of the description; the mesh of a rigid one walks
   /// @return an error that names the body and what of its material is out of range

@@ -3,6 +3,7 @@
 // TOML: [scene], any number of [[body]], and the gestures: [swords] with [fencing], [ball] with [serve], [palpation]
 // with [plane]. A gesture is there if its first table is. Each table is a list of parameters (core/base/parameter.h),
 // so that the reader, `fyd scene keys` and the manual's table are the same list.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/base/parameter.h"
 #include "core/scene/gesture/ball.h"
@@ -144,6 +146,6 @@ struct SceneDescription {
 /// @param source_name stands before the line number in messages
 /// @return an error with source name and line: not TOML, an unknown table or key, a wrong type, a value out of range, a
 /// scene without anything to touch
-[[nodiscard]] Result<SceneDescription> parseScene(std::string_view text, std::string_view source_name);
+[[nodiscard]] FYD_API Result<SceneDescription> parseScene(std::string_view text, std::string_view source_name);
 
 }  // namespace fyd::scene

@@ -4,12 +4,14 @@
 //   ball        the centre of a racket whose normal points along +z
 //   palpation   the probe: on the bodies of the scene, or on the plane if the scene has no body
 // Only the gestures that the description names exist.
+// Stability: may change
 #pragma once
 
 #include <cstddef>
 
 #include <optional>
 
+#include "core/base/api.h"
 #include "core/scene/scene_description.h"
 
 namespace fyd::scene {
@@ -34,7 +36,7 @@ struct SceneTouch {
   }
 };
 
-class SceneGestures {
+class FYD_API SceneGestures {
  public:
   SceneGestures() = default;
   explicit SceneGestures(const SceneDescription& description);

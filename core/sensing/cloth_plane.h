@@ -6,12 +6,14 @@
 // exactly. The noise gain |w| is 0.64 at the origin, 1 at a sensor and 2.42 at the corners of the cloth. Nearly
 // collinear sensors are refused: the condition number is the square root of the ratio of C's eigenvalues, so 1 is a
 // regular triangle whatever its size.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
+#include "core/base/api.h"
 #include "core/sensing/readings.h"
 
 namespace fyd::sensing {
@@ -26,7 +28,7 @@ struct PlaneWeights {
   double noise_gain = 0.0;                         ///< √Σw²
 };
 
-class ClothPlane {
+class FYD_API ClothPlane {
  public:
   /// Solves for the sensors whose bit is set in `used`. Allocation-free.
   /// @return false, and the plane is unusable, with fewer than three of them, or when the condition number exceeds the
@@ -54,6 +56,6 @@ class ClothPlane {
 };
 
 /// The formula as printed: z of the three distances less their offsets. Pressing makes it negative.
-[[nodiscard]] double thesisPlane(double z1_mm, double z2_mm, double z3_mm, double x_mm, double y_mm);
+[[nodiscard]] FYD_API double thesisPlane(double z1_mm, double z2_mm, double z3_mm, double x_mm, double y_mm);
 
 }  // namespace fyd::sensing

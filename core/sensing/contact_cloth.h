@@ -10,12 +10,14 @@
 // the ratio are common to all sensors; averaging over time reduces none of the three.
 //
 // No allocation; the same bits on every processor.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <limits>
 #include <span>
 
+#include "core/base/api.h"
 #include "core/sensing/cloth_plane.h"
 #include "core/sensing/indentation_parameters.h"
 #include "core/sensing/membrane.h"
@@ -31,7 +33,7 @@ struct Contact {
 
 /// The camera at height H sees what lies δ nearer to it larger by H/(H − δ): the contact from its shadow on the rest
 /// plane. A height that is not finite or not above δ removes nothing.
-[[nodiscard]] Contact withoutPerspective(const Contact& seen, double indentation_mm, double camera_height_mm);
+[[nodiscard]] FYD_API Contact withoutPerspective(const Contact& seen, double indentation_mm, double camera_height_mm);
 
 /// One sensor's reading of a press: how far the cloth came nearer to it.
 struct Drop {
@@ -46,7 +48,7 @@ struct ClothDepth {
   double variance_mm2 = std::numeric_limits<double>::infinity();  ///< of noise and shares; infinite: no usable sensor
 };
 
-class ContactCloth {
+class FYD_API ContactCloth {
  public:
   explicit ContactCloth(const IndentationParameters& parameters = {});
 

@@ -13,19 +13,21 @@
 //
 // Used by one thread at a time. Allocates only at the first picture and when its size changes. Never throws for
 // any picture; the reason says what is wrong with one.
+// Stability: may change
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <span>
 
+#include "core/base/api.h"
 #include "core/base/image.h"
 #include "core/sensing/finger_parameters.h"
 #include "core/sensing/finger_types.h"
 
 namespace fyd::sensing {
 
-class FingerDetector {
+class FYD_API FingerDetector {
  public:
   explicit FingerDetector(const FingerParameters& parameters = {});
   ~FingerDetector();

@@ -1,4 +1,5 @@
 // Parameters of the finger detector [thesis §4.1.1] [authors' program].
+// Stability: may change
 #pragma once
 
 #include <array>

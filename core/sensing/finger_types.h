@@ -1,10 +1,12 @@
 // Result of the finger detector for one picture [thesis §4.1.1].
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/fields.h"
 
 namespace fyd::sensing {
@@ -30,7 +32,7 @@ enum class FingerReason : std::uint8_t {
 }
 
 /// A word or two for the operator and for JSON, such as "at edge".
-[[nodiscard]] std::string_view toString(FingerReason reason);
+[[nodiscard]] FYD_API std::string_view toString(FingerReason reason);
 
 struct FingerDetection {
   bool contact = false;

@@ -7,18 +7,20 @@
 //
 // When distance and force contradict each other for long (a dead load cell, a hand on the cover), the force is not
 // used for the rest of the touch.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
+#include "core/base/api.h"
 #include "core/base/timed.h"
 #include "core/sensing/indentation_filter.h"
 
 namespace fyd::sensing {
 
-class ForceFusion {
+class FYD_API ForceFusion {
  public:
   ForceFusion();
 

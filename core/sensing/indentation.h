@@ -15,6 +15,7 @@
 //
 // Sensors outside their span, or stuck while the others move, are left out while the rest suffice. A lifted
 // finger is no fault: available, 0 mm, as long as enough sensors are valid.
+// Stability: may change
 #pragma once
 
 #include <array>
@@ -23,6 +24,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/timed.h"
 #include "core/sensing/cloth_plane.h"
 #include "core/sensing/contact_cloth.h"
@@ -47,7 +49,7 @@ enum class IndentationReason : std::uint8_t {
   finger_stale,     ///< no recent picture: unavailable
 };
 
-[[nodiscard]] std::string_view toString(IndentationReason reason);
+[[nodiscard]] FYD_API std::string_view toString(IndentationReason reason);
 
 struct IndentationEstimate {
   double indentation_mm = 0.0;  ///< downward positive; the last one while unavailable; always finite
@@ -76,7 +78,7 @@ struct PressReading {
   double area_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< of the contact; NaN or 0: unknown
 };
 
-class IndentationEstimator {
+class FYD_API IndentationEstimator {
  public:
   explicit IndentationEstimator(const IndentationParameters& parameters = {});
   /// Live changes: no allocation, the present estimate is kept unless the mode changes.

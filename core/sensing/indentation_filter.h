@@ -1,16 +1,18 @@
 // Filters behind the indentation estimate: two interacting Kalman filters, and the thesis' gate and smoothing.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <span>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 
 namespace fyd::sensing {
 
 /// Interacting multiple models: indentation δ as a random walk of low (holding) or high (moving) intensity; each
 /// reading z = h·δ + noise. A new touch starts from the prior of `configure`. All results are finite for any input.
-class IndentationFilter {
+class FYD_API IndentationFilter {
  public:
   struct Measurement {
     double z_mm = 0.0;
@@ -66,7 +68,7 @@ class IndentationFilter {
 };
 
 /// Later device code of the thesis' authors: a new value only when it moved < 2 mm, then 0.8 old + 0.2 new.
-class ThesisSmoother {
+class FYD_API ThesisSmoother {
  public:
   void restart() { *this = {}; }
   double update(double value_mm);

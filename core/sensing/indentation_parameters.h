@@ -1,4 +1,5 @@
 // Parameters of the distance sensors and of the indentation under the finger [thesis §4.1.2].
+// Stability: may change
 #pragma once
 
 #include <array>

@@ -6,6 +6,7 @@
 //
 // Without a calibration the curve is the thesis polynomial. A code outside the valid span gives no distance
 // (NaN) and is never clamped to the span: beyond it the polynomial turns negative or gives up to 790 mm.
+// Stability: may change
 #pragma once
 
 #include <array>
@@ -14,6 +15,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/batch.h"
 #include "core/base/parameter.h"
 
@@ -31,7 +33,7 @@ struct IrReading {
   bool valid = false;
 };
 
-class IrDistance {
+class FYD_API IrDistance {
  public:
   /// The thesis polynomial on the sensor's own span, 40…300 mm.
   IrDistance() : IrDistance({}, 524, 3408) {}

@@ -4,10 +4,12 @@
 // Two bounds: the converter's end, ±7.77 mV/V at gain 128, where a reading means only "out of range" (an open wire, a
 // broken bridge), and the configured span of the cell itself. As delivered that is ±2 mV/V, 2.5 times the cell's rated
 // 0.8 mV/V (7.65 N): a cell of this kind breaks at 1.5 times its rating, so nothing sound reads more.
+// Stability: may change
 #pragma once
 
 #include <algorithm>
 
+#include "core/base/api.h"
 #include "core/base/message.h"
 #include "core/base/parameter.h"
 
@@ -44,7 +46,7 @@ struct LoadCellParameters {
   }
 };
 
-class LoadCell {
+class FYD_API LoadCell {
  public:
   explicit LoadCell(const LoadCellParameters& parameters = {}) : parameters_(parameters) {}
   void configure(const LoadCellParameters& parameters) { parameters_ = parameters; }

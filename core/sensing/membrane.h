@@ -20,11 +20,14 @@
 // the contact the cloth follows the finger: u = 1 − (d/a)²·(1 − u(a)), which meets the outer part at its rim.
 //
 // The theory is linear; hysteresis, wrinkles and the growth of tension with depth are not in it.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
+
+#include "core/base/api.h"
 
 namespace fyd::sensing {
 
@@ -40,7 +43,7 @@ struct MembraneShare {
   double per_log_radius = 0.0;  ///< d value / d ln r
 };
 
-class Membrane {
+class FYD_API Membrane {
  public:
   /// Half sides of the frame and the radius of the finger's disc, mm; tension along x over that along y. Values that
   /// make no membrane (not finite, not positive, a disc wider than the frame) are brought to the nearest that do.

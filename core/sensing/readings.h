@@ -1,5 +1,6 @@
 // Raw readings of the touchpad, as its interfaces deliver them and as the step takes them.
 // Counts stay counts here: turning them into millimetres and newtons is sensing's work, with the profile's calibration.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>

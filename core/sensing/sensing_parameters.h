@@ -1,4 +1,5 @@
 // All parameters of the sensing module.
+// Stability: stable since 0.1
 #pragma once
 
 #include "core/sensing/finger_parameters.h"

@@ -8,12 +8,14 @@
 //
 // "Not observable" while untouched, while force or indentation is too small, invalid or stale, or while the
 // uncertainty is above the limit; then the last value is held. A new touch starts afresh.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/message.h"
 #include "core/base/parameter.h"
 #include "core/base/timed.h"
@@ -93,7 +95,7 @@ enum class StiffnessReason : std::uint8_t {
   uncertain,  ///< relative uncertainty above the limit
 };
 
-[[nodiscard]] std::string_view toString(StiffnessReason reason);
+[[nodiscard]] FYD_API std::string_view toString(StiffnessReason reason);
 
 struct StiffnessEstimate {
   double stiffness_N_per_mm = 0.0;  ///< last observed value; meaningful once known; 0…kLargest, always finite
@@ -108,7 +110,7 @@ struct StiffnessEstimate {
   }
 };
 
-class StiffnessEstimator {
+class FYD_API StiffnessEstimator {
  public:
   explicit StiffnessEstimator(const StiffnessParameters& parameters = {});
   void configure(const StiffnessParameters& parameters);

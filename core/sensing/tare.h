@@ -1,11 +1,13 @@
 // Takes the present readings as "not touched": mean distance of each sensor and mean force over N readings.
 // Pure: the caller feeds each step's readings and stores the result in the profile when it is done.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/timed.h"
 #include "core/sensing/readings.h"
 
@@ -21,7 +23,7 @@ enum class TareState : std::uint8_t {
   too_slow,        ///< failed: too few readings came in time
 };
 
-[[nodiscard]] std::string_view toString(TareState state);
+[[nodiscard]] FYD_API std::string_view toString(TareState state);
 
 struct TareResult {
   std::uint32_t sensors = 0;
@@ -38,7 +40,7 @@ struct TareResult {
 
 struct IndentationEstimate;
 
-class Tare {
+class FYD_API Tare {
  public:
   /// @param samples readings of the distance sensors to average, 1…10 000; as many seconds are allowed as 20 Hz needs
   void start(Instant now, std::uint32_t samples = 60);

@@ -1,4 +1,5 @@
 // One second-order section: y(n) = b0·x(n) + b1·x(n−1) + b2·x(n−2) − a1·y(n−1) − a2·y(n−2), a0 = 1.
+// Stability: may change
 #pragma once
 
 namespace fyd::signal {

@@ -2,16 +2,19 @@
 // recording replays bit for bit).
 //
 //   forward:   X(k) = Σ x(n)·exp(−2πi·k·n/N), k = 0…N/2        backward: x(n) = (1/N)·Σ X(k)·exp(+2πi·k·n/N)
+// Stability: may change
 #pragma once
 
 #include <complex>
 #include <memory>
 #include <span>
 
+#include "core/base/api.h"
+
 namespace fyd::signal {
 
 /// Owns its buffers and plans; only the constructor allocates. Making one is thread-safe, using one is not.
-class RealFft {
+class FYD_API RealFft {
  public:
   /// @param length ≥ 1, any value
   explicit RealFft(int length);

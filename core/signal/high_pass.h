@@ -1,6 +1,8 @@
 // Second-order high-pass filters for acceleration.
+// Stability: may change
 #pragma once
 
+#include "core/base/api.h"
 #include "core/base/vec3.h"
 #include "core/signal/biquad.h"
 
@@ -10,7 +12,7 @@ namespace fyd::signal {
 /// b = g·(1, −2, 1), so a constant gives exactly zero once settled; no inversion (+1 at Nyquist).
 /// With K = tan(π·corner/rate): g = 1/(1 + √2·K + K²), a1 = 2·(K² − 1)·g, a2 = (1 − √2·K + K²)·g.
 /// @param corner_Hz is brought into 1e-6 … 0.49 of `sample_rate_Hz`
-[[nodiscard]] BiquadCoefficients highPass(double corner_Hz, double sample_rate_Hz);
+[[nodiscard]] FYD_API BiquadCoefficients highPass(double corner_Hz, double sample_rate_Hz);
 
 /// As printed for 1 kHz [thesis §4.1.4]: Σb = 1e-4 leaves gravity a gain of +0.0039 (−48 dB); the passband
 /// is inverted (−0.998 at Nyquist); −3 dB at 0.0783 of the sample rate whatever that is.

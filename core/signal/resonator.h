@@ -4,11 +4,14 @@
 // 4):
 //   g = tan(π·f/rate), k = 1/Q, v1 = (ic1 + g·(x − ic2)) / (1 + g·(g + k)), v2 = ic2 + g·v1, output k·v1,
 // unity gain at the centre. Driven by white noise of variance 1 its output has the variance of `noisePower`.
+// Stability: may change
 #pragma once
+
+#include "core/base/api.h"
 
 namespace fyd::signal {
 
-class Resonator {
+class FYD_API Resonator {
  public:
   /// @param frequency_Hz is brought into 1e-5 … 0.49 of `sample_rate_Hz`
   /// @param quality centre over −3 dB width; at least 0.1

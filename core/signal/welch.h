@@ -1,8 +1,11 @@
 // Power spectral density by Welch's method [Welch 1967]. Offline: allocates.
+// Stability: may change
 #pragma once
 
 #include <span>
 #include <vector>
+
+#include "core/base/api.h"
 
 namespace fyd::signal {
 
@@ -15,9 +18,9 @@ struct Spectrum {
 
 /// Hann segments, half overlapped, no detrending; ∫ density df is the mean square of a stationary signal.
 /// @param segment samples; shortened to the signal's length when that is shorter. Fewer than 2 samples give no bins.
-[[nodiscard]] Spectrum welch(std::span<const double> signal, double sample_rate_Hz, int segment);
+[[nodiscard]] FYD_API Spectrum welch(std::span<const double> signal, double sample_rate_Hz, int segment);
 
 /// a += b, bin by bin; both of the same shape.
-void add(Spectrum& a, const Spectrum& b);
+FYD_API void add(Spectrum& a, const Spectrum& b);
 
 }  // namespace fyd::signal

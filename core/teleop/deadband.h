@@ -12,6 +12,7 @@
 // For any moment the receiver gives the value by the last sample before it, and sets `known` when no sample up to that
 // moment is missing. Where it is known the error is at most the band, whatever was lost, reordered or duplicated.
 // 150 ms after a moment nearly every value is known at 20 % loss.
+// Stability: may change
 #pragma once
 
 #include <array>
@@ -19,11 +20,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/base/api.h"
 #include "core/base/batch.h"
 
 namespace fyd::teleop {
 
-struct DeadbandChannel {
+struct FYD_API DeadbandChannel {
   double fraction = 0.10;  ///< of the value sent last, 0 … 1
   double floor = 0.0;      ///< in the channel's unit, 0 and more: smaller differences are never sent
   bool moves = false;      ///< a position, extrapolated with its slope; otherwise a level, which stays
@@ -38,7 +40,7 @@ inline constexpr std::size_t kMostDeadbandChannels = 6;
 using DeadbandValues = std::array<double, kMostDeadbandChannels>;
 using DeadbandChannels = std::array<DeadbandChannel, kMostDeadbandChannels>;
 
-struct DeadbandSample {
+struct FYD_API DeadbandSample {
   std::uint32_t number = 0;  ///< from 1
   double date_s = 0.0;
   DeadbandValues value{};
@@ -51,7 +53,7 @@ struct DeadbandSample {
 inline constexpr std::size_t kMostDeadbandHistory = 8;
 using DeadbandPacket = Batch<DeadbandSample, kMostDeadbandHistory>;  ///< the newest last
 
-class DeadbandSender {
+class FYD_API DeadbandSender {
  public:
   static constexpr double kFirstRepeat_s = 0.020, kRefresh_s = 0.100;
 
@@ -79,7 +81,7 @@ class DeadbandSender {
   double repeat_s_ = 0.0;  ///< after the newest
 };
 
-class DeadbandReceiver {
+class FYD_API DeadbandReceiver {
  public:
   /// In any order, any number of times. Samples that are not finite, or numbered far ahead, are ignored.
   void receive(const DeadbandPacket& packet);

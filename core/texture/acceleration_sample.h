@@ -1,4 +1,5 @@
 // One sample of the robot's tri-axial accelerometer, the input of texture rendering.
+// Stability: stable since 0.1
 #pragma once
 
 #include "core/base/fields.h"

@@ -1,13 +1,15 @@
 // High-pass and method, one after the other.
+// Stability: may change
 #pragma once
 
+#include "core/base/api.h"
 #include "core/signal/high_pass.h"
 #include "core/texture/method.h"
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::texture {
 
-class Chain {
+class FYD_API Chain {
  public:
   /// Starts in silence with this filter and method, which must outlive the chain; allocation-free.
   void select(FilterChoice filter, double corner_Hz, double sample_rate_Hz, Method& method);

@@ -9,6 +9,7 @@
 // spectral equaliser behind it restores that (spectral_equaliser.h).
 //
 // The delay is N − 1 samples, constant: a frame's oldest output is ready when its newest sample has arrived.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/signal/fft.h"
 #include "core/texture/method.h"
@@ -25,7 +27,7 @@
 namespace fyd::texture {
 
 /// The transform of one frame; also the reference for tests and benchmarks.
-class Dft321Frame {
+class FYD_API Dft321Frame {
  public:
   /// @param length ≥ 1, any value
   explicit Dft321Frame(int length);
@@ -41,7 +43,7 @@ class Dft321Frame {
   std::array<std::vector<std::complex<double>>, 3> spectra_;
 };
 
-class Dft321 final : public Method {
+class FYD_API Dft321 final : public Method {
  public:
   /// @param frame 2…kMaximumFrame; @param hop frame or a divisor of it
   Dft321(int frame, int hop, double sample_rate_Hz);
@@ -76,7 +78,7 @@ class Dft321 final : public Method {
 /// DFT321 as the thesis' program did it [thesis §4.1.4], for comparison: its buffer takes N + 1 samples and drops the
 /// last, each block is followed by one sample of silence (the cycle in which it computes), and the phase is 0 where the
 /// sum of the axes vanishes. Delay N + 1 samples; one sample in N + 1 is lost.
-class ThesisDft321 final : public Method {
+class FYD_API ThesisDft321 final : public Method {
  public:
   explicit ThesisDft321(int frame);
 

@@ -4,13 +4,15 @@
 //
 // Pictures come at 10 to 30 Hz, so the speed is held between them, and falls to zero linearly from 100 ms to 200 ms
 // after the last picture (a finger whose pictures stopped is not known to move). The first picture of a touch gives 0.
+// Stability: may change
 #pragma once
 
+#include "core/base/api.h"
 #include "core/base/time.h"
 
 namespace fyd::texture {
 
-class FingerSpeed {
+class FYD_API FingerSpeed {
  public:
   /// A new picture's centroid, in mm. Not finite, or not later than the last one: ignored.
   void observe(double x_mm, double y_mm, Instant taken);

@@ -1,4 +1,5 @@
 // A method turns three axes of vibration into one signal, sample by sample.
+// Stability: stable since 0.1
 #pragma once
 
 #include "core/base/vec3.h"

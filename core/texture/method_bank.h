@@ -1,10 +1,12 @@
 // Every method at every frame, made at construction, so that switching allocates nothing: one bank plays while another
 // fades in.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
 #include <memory>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/texture/chain.h"
 #include "core/texture/dft321.h"
@@ -29,7 +31,7 @@ struct ChainChoice {
   }
 };
 
-class MethodBank {
+class FYD_API MethodBank {
  public:
   explicit MethodBank(double sample_rate_Hz);
   MethodBank(const MethodBank&) = delete;  // the chain points to the methods
@@ -78,7 +80,7 @@ class MethodBank {
 /// @param frame  of dft321 and dft321_thesis: 2…4096 samples
 /// @param hop    of dft321: the frame (blocks) or a smaller divisor of it (overlapped)
 /// @return an error that says what of frame and hop was refused
-[[nodiscard]] Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame,
-                                                         int hop);
+[[nodiscard]] FYD_API Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame,
+                                                                 int hop);
 
 }  // namespace fyd::texture

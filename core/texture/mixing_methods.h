@@ -1,8 +1,10 @@
 // The methods that work sample by sample.
+// Stability: may change
 #pragma once
 
 #include <array>
 
+#include "core/base/api.h"
 #include "core/texture/method.h"
 #include "core/texture/spectral_equaliser.h"
 
@@ -32,7 +34,7 @@ class SumOfComponents final : public Method {
 
 /// √(x² + y² + z²), less its own mean over 0.1 s (a motor cannot render a mean). No delay; frequencies come out doubled
 /// and most of the energy goes with the mean.
-class Magnitude final : public Method {
+class FYD_API Magnitude final : public Method {
  public:
   explicit Magnitude(double sample_rate_Hz);
   [[nodiscard]] double step(const Vec3& filtered_g) override;
@@ -51,7 +53,7 @@ class Magnitude final : public Method {
 
 /// Projection onto the axis of largest variance over the last 0.25 s (one power iteration a sample on the running
 /// covariance, so the axis turns smoothly and keeps its sign). No delay; what moves across the axis is lost.
-class PrincipalAxis final : public Method {
+class FYD_API PrincipalAxis final : public Method {
  public:
   explicit PrincipalAxis(double sample_rate_Hz);
   [[nodiscard]] double step(const Vec3& filtered_g) override;
@@ -74,7 +76,7 @@ class PrincipalAxis final : public Method {
 /// equal axes with different delays, which the equaliser could not undo; only motion with x + 0.6·y + 0.36·z = 0 at all
 /// times stays silent. The equaliser needs about 50 ms of a new signal to learn its spectrum; before, the mix passes as
 /// it is.
-class Recolour final : public Method {
+class FYD_API Recolour final : public Method {
  public:
   explicit Recolour(double sample_rate_Hz) : equaliser_(sample_rate_Hz) {}
   [[nodiscard]] double step(const Vec3& filtered_g) override;

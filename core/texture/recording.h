@@ -1,11 +1,13 @@
 // Recorded accelerations: their text form, their uniform form, and the offline rendering that programs and measurements
 // share.
+// Stability: may change
 #pragma once
 
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/texture/acceleration_sample.h"
 #include "core/texture/chain.h"
@@ -25,7 +27,8 @@ struct Recording {
 /// needed. A first line of numbers counts as data. Accelerations may be NaN, times may not, nor go backwards.
 /// @param rate_Hz 0: from the times
 /// @return an error with source name, line, value and what was expected
-[[nodiscard]] Result<Recording> parseRecording(std::string_view text, std::string_view source_name, double rate_Hz);
+[[nodiscard]] FYD_API Result<Recording> parseRecording(std::string_view text, std::string_view source_name,
+                                                       double rate_Hz);
 
 /// One step per period of `rate_Hz`, from the first sample to the last (uniform_stream.h). Samples further apart than
 /// one and a half periods of the recording or of `rate_Hz`, whichever is longer, are a gap.
@@ -35,10 +38,10 @@ struct UniformRecording {
   std::uint64_t refused = 0;
 };
 /// @return an error when that would be more than 100 million steps, or a rate under 1/100 of the recording's
-[[nodiscard]] Result<UniformRecording> makeUniform(const Recording& recording, double rate_Hz);
+[[nodiscard]] FYD_API Result<UniformRecording> makeUniform(const Recording& recording, double rate_Hz);
 
 /// Rest removal (not with filter none), high-pass and method as one streaming object.
-class OfflineChain {
+class FYD_API OfflineChain {
  public:
   OfflineChain(FilterChoice filter, double corner_Hz, double sample_rate_Hz, std::unique_ptr<Method> method);
 

@@ -1,5 +1,6 @@
 // Takes away the acceleration at rest (gravity and the sensor's offset) as the thesis does: the first reading after
 // connecting counts as rest and is subtracted from every one.
+// Stability: may change
 #pragma once
 
 #include "core/base/vec3.h"

@@ -12,17 +12,19 @@
 // two noisy estimates has. With axes that need no correction G is 1 and the filter changes nothing.
 //
 // Costs about 0.1 µs a sample; the work of a frame is divided over two steps. Allocation-free after construction.
+// Stability: may change
 #pragma once
 
 #include <array>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/base/vec3.h"
 #include "core/signal/fft.h"
 
 namespace fyd::texture {
 
-class SpectralEqualiser {
+class FYD_API SpectralEqualiser {
  public:
   explicit SpectralEqualiser(double sample_rate_Hz);
 

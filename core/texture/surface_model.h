@@ -2,6 +2,7 @@
 //
 // TOML: name, description, reference_speed_mm_s, reference_force_N, speed_exponent, force_exponent, and [[band]] tables
 // with wavelength_mm or frequency_Hz, quality and rms_g. Every key but description is required; others are refused.
+// Stability: may change
 #pragma once
 
 #include <span>
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/signal/welch.h"
 
@@ -35,10 +37,10 @@ inline constexpr std::size_t kMaximumBands = 32;
 
 /// Reads a model from TOML text.
 /// @return an error with source name and line: missing or unknown key, wrong type, value out of range
-[[nodiscard]] Result<SurfaceModel> parseSurface(std::string_view text, std::string_view source_name);
+[[nodiscard]] FYD_API Result<SurfaceModel> parseSurface(std::string_view text, std::string_view source_name);
 
 /// Text that parseSurface reads back equal.
-[[nodiscard]] std::string formatSurface(const SurfaceModel& model);
+[[nodiscard]] FYD_API std::string formatSurface(const SurfaceModel& model);
 
 struct SurfaceFit {
   SurfaceModel model;
@@ -57,7 +59,7 @@ struct FitConditions {
 /// Kullback-Leibler sense, by multiplicative updates [Lee 2001], which keep them positive. Bands under −50 dB
 /// of the strongest are left out. One recording does not tell exponents: they stay at their defaults.
 /// @return an error when the recording is shorter than 64 samples, silent, or a condition is out of range
-[[nodiscard]] Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const double> y_g,
-                                            std::span<const double> z_g, const FitConditions& conditions);
+[[nodiscard]] FYD_API Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const double> y_g,
+                                                    std::span<const double> z_g, const FitConditions& conditions);
 
 }  // namespace fyd::texture

@@ -1,4 +1,5 @@
 // Everything an operator may set about texture rendering.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>

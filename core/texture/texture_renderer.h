@@ -11,6 +11,7 @@
 //
 // Changes of method, filter, frame, hop, mapping, k_vib, full scale, limit and dead zone glide over `crossfade_ms`: the
 // signal is at every instant a weighted mean of the old and the new one, so it never exceeds the larger of the two.
+// Stability: may change
 #pragma once
 
 #include <array>
@@ -18,6 +19,7 @@
 #include <memory>
 #include <span>
 
+#include "core/base/api.h"
 #include "core/base/time.h"
 #include "core/base/vec3.h"
 #include "core/texture/acceleration_sample.h"
@@ -41,7 +43,7 @@ struct TextureOutput {
   std::uint64_t refused_samples = 0;  ///< not finite, too late, out of order or stamped in the future, since the start
 };
 
-class TextureRenderer {
+class FYD_API TextureRenderer {
  public:
   /// Makes every method at every frame; from here on nothing allocates.
   explicit TextureRenderer(const TextureParameters& parameters);

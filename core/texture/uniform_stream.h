@@ -14,19 +14,21 @@
 //
 // Refused and counted: values not finite or beyond ±1000 g, stamps before the newest one, stamps more than 1 ms in
 // the future, samples whose period is already past, and what does not fit the queue of 256.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/base/time.h"
 #include "core/texture/acceleration_sample.h"
 
 namespace fyd::texture {
 
-class UniformStream {
+class FYD_API UniformStream {
  public:
   struct Step {
     bool gap = true;       ///< no value

@@ -8,11 +8,13 @@
 // with quiet(v) = 0 up to 5 mm/s, then rising smoothly to 1 at 10 mm/s (thesis: nothing below 5 mm/s; its
 // later cut at 60 mm/s is not repeated: above 2·v_ref the amplitude stays and only the pitch goes on rising).
 // A band that has moved above 0.45 of the sample rate is silent, fading out from 0.4.
+// Stability: may change
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/signal/resonator.h"
 #include "core/texture/surface_model.h"
@@ -22,7 +24,7 @@ namespace fyd::texture {
 inline constexpr double kQuietBelow_mm_s = 5.0;
 
 /// Allocation-free after construction; deterministic from its seed.
-class VirtualTexture {
+class FYD_API VirtualTexture {
  public:
   VirtualTexture(const SurfaceModel& model, double sample_rate_Hz, std::uint64_t seed = 1);
 

@@ -1,6 +1,7 @@
 // The step's parameters in a recording, whichever version recorded it: their values, the state that saves them, and the
 // indices by which its rows name them. The profile is the whole station's: parameters of other modules, and those this
 // version no longer has, are ignored. A parameter newer than the recording gets ParameterInfo::before_it_was.
+// Stability: may change
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/pipeline/local_model.h"
 #include "core/pipeline/parameters.h"
@@ -17,13 +19,13 @@ namespace fyd::recording {
 
 /// Values outside today's ranges are accepted where possible (core/base/parameter.h, Ranges::mark).
 /// @return an error when the text is damaged or a value is not possible
-[[nodiscard]] Result<pipeline::Parameters> recordedParameters(const RecordingHeader& header);
+[[nodiscard]] FYD_API Result<pipeline::Parameters> recordedParameters(const RecordingHeader& header);
 
 /// The recorded state in the form that Pipeline::restoreState reads.
-[[nodiscard]] Result<std::string> recordedState(const RecordingHeader& header);
+[[nodiscard]] FYD_API Result<std::string> recordedState(const RecordingHeader& header);
 
 /// Turns indices of parameters and of choices' words, as the recording's program counted them, into this program's.
-class RecordedIndices {
+class FYD_API RecordedIndices {
  public:
   /// The index of a parameter that this program does not know.
   static constexpr std::uint16_t kUnknown = 0xFFFF;
@@ -42,6 +44,6 @@ class RecordedIndices {
 };
 
 /// The stored surface or virtual scene that was touched; empty when there was none.
-[[nodiscard]] Result<pipeline::LocalModel> recordedLocalModel(const RecordingHeader& header);
+[[nodiscard]] FYD_API Result<pipeline::LocalModel> recordedLocalModel(const RecordingHeader& header);
 
 }  // namespace fyd::recording

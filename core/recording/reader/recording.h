@@ -2,6 +2,7 @@
 // each block checked against its CRC32C when it is first read. Memory does not grow with the recording's length.
 //
 // Times are seconds from the recording's start; rows are counted from 0.
+// Stability: stable since 0.1
 #pragma once
 
 #include <memory>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/recording/reader/recording_info.h"
 #include "core/recording/step_record.h"
@@ -16,7 +18,7 @@
 namespace fyd::recording {
 
 /// Used by one thread at a time.
-class Recording {
+class FYD_API Recording {
  public:
   /// @param path FILE or FILE.partial; FILE alone also finds FILE.partial beside it
   /// @return an error that names the file and what is wrong: no recording, another version, damaged header

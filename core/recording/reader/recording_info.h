@@ -1,6 +1,7 @@
 // The summary of a recording, and the values that are read from it.
 //
 // Times are seconds from the recording's start; rows are counted from 0.
+// Stability: stable since 0.1
 #pragma once
 
 #include <cstdint>

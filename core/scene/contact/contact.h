@@ -9,6 +9,7 @@
 //
 // nodes, facet and vicinity have no state; the proxy's is ContactState. No time step enters: the force depends on the
 // probe's present and former positions and on its velocity, not on the rate of the steps.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/scene/contact/contact_state.h"
 #include "core/scene/contact/surface.h"
 #include "core/scene/mesh/triangle_tree.h"
@@ -36,7 +38,7 @@ struct ContactSettings {
 };
 
 /// One body and one haptic point that touches it.
-class BodyContact {
+class FYD_API BodyContact {
  public:
   /// Computes what the model needs of the mesh; copies share it. @param tree must outlive this
   BodyContact(const TriangleTree& tree, Surface surface, ContactSettings settings);

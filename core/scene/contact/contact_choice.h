@@ -10,12 +10,14 @@
 //
 // In a wall thinner than that depth the nearest surface may be the one behind: facet, vicinity and nodes would push the
 // point through, and only a proxy holds it. These places are counted too.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/scene/contact/contact.h"
 
 namespace fyd::scene {
@@ -39,7 +41,7 @@ struct ContactChoiceReport {
 /// Deterministic: the same mesh gives the same choice on every machine. Cost is by rank, facet, vicinity, proxy, nodes,
 /// as it is on meshes of every size (`fyd bench scene_contact`).
 /// @param accuracy largest mean error of the force, as a share
-[[nodiscard]] ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surface,
-                                                const ContactSettings& settings, double accuracy);
+[[nodiscard]] FYD_API ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surface,
+                                                        const ContactSettings& settings, double accuracy);
 
 }  // namespace fyd::scene

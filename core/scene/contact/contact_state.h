@@ -1,4 +1,5 @@
 // What a contact gives at a step, and what it remembers until the next.
+// Stability: may change
 #pragma once
 
 #include <cstdint>

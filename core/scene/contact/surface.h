@@ -1,4 +1,5 @@
 // What a body's surface is made of: how it pushes back and rubs.
+// Stability: stable since 0.1
 #pragma once
 
 namespace fyd::scene {

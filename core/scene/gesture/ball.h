@@ -14,11 +14,13 @@
 //
 // After each stroke one message (BallState with its date) is all that another end needs: `flyBall` gives the flight
 // since, with the bounces on the court, and `meetPlane` when and where it will arrive.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <optional>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/scene/gesture/gesture.h"
 #include "core/scene/gesture/racket.h"
@@ -185,12 +187,12 @@ struct BallStep {
 };
 
 /// @param racket where it is at the end of the step; none: it strikes nothing
-[[nodiscard]] BallStep stepBall(const BallParameters& parameters, BallGameState& state,
-                                const std::optional<RacketPose>& racket, double dt_s);
+[[nodiscard]] FYD_API BallStep stepBall(const BallParameters& parameters, BallGameState& state,
+                                        const std::optional<RacketPose>& racket, double dt_s);
 
 /// The ball `seconds` later, 0 … 60 s, without rackets: extrapolates the message of a stroke to the present.
 /// @return the ball as it was when an input is no number or no such time
-[[nodiscard]] BallState flyBall(const BallParameters& parameters, const BallState& ball, double seconds);
+[[nodiscard]] FYD_API BallState flyBall(const BallParameters& parameters, const BallState& ball, double seconds);
 
 /// Where the surface of a ball will meet a plane first, court and rackets left out.
 struct Meeting {
@@ -199,10 +201,10 @@ struct Meeting {
 };
 /// @param normal of any length but 0; the plane is met from either side
 /// @param within_s at most 60 s
-[[nodiscard]] std::optional<Meeting> meetPlane(const BallParameters& parameters, const BallState& ball,
-                                               const Vec3& point_mm, const Vec3& normal, double within_s);
+[[nodiscard]] FYD_API std::optional<Meeting> meetPlane(const BallParameters& parameters, const BallState& ball,
+                                                       const Vec3& point_mm, const Vec3& normal, double within_s);
 
 /// Kinetic energy (with spin) and potential energy above z = 0, J.
-[[nodiscard]] double energyOf(const BallParameters& parameters, const BallState& ball);
+[[nodiscard]] FYD_API double energyOf(const BallParameters& parameters, const BallState& ball);
 
 }  // namespace fyd::scene

@@ -1,5 +1,6 @@
 // What the tele-gesture paper's three gestures (swords, ball, palpation) share: the check of parameters against their
 // ranges, the refusal of a step's input, the normal force of a contact, and the line segment that shows a force.
+// Stability: may change
 #pragma once
 
 #include <algorithm>

@@ -12,10 +12,12 @@
 // exactly for any time step. Smoothing delays the force, so it could drive a hand that has turned back. Therefore the
 // energy that the force takes from the hand is counted. When it has given more than it took, the force is scaled down,
 // to zero at 2 mJ; this debt decays with a time constant of 1 s.
+// Stability: may change
 #pragma once
 
 #include <optional>
 
+#include "core/base/api.h"
 #include "core/scene/gesture/gesture.h"
 
 namespace fyd::scene {
@@ -114,8 +116,8 @@ struct PalpatedSurface {
   double depth_mm = 0.0;       ///< ≤ 0: nothing is touched
   double stiffness_N_per_mm = 0.0;
 };
-[[nodiscard]] PalpatedSurface touchPlane(const PalpationParameters& parameters, const PlaneParameters& plane,
-                                         const Vec3& probe_mm);
+[[nodiscard]] FYD_API PalpatedSurface touchPlane(const PalpationParameters& parameters, const PlaneParameters& plane,
+                                                 const Vec3& probe_mm);
 
 struct PalpationInputs {
   Vec3 probe_mm;
@@ -149,7 +151,7 @@ struct PalpationForce {
 };
 
 /// A refused input leaves the state as it was and gives no force.
-[[nodiscard]] PalpationForce stepPalpation(const PalpationParameters& parameters, PalpationState& state,
-                                           const PalpationInputs& inputs, double dt_s);
+[[nodiscard]] FYD_API PalpationForce stepPalpation(const PalpationParameters& parameters, PalpationState& state,
+                                                   const PalpationInputs& inputs, double dt_s);
 
 }  // namespace fyd::scene

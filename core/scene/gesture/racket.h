@@ -1,10 +1,12 @@
 // A racket's plate, and how it moves within a step: at constant velocity and constant angular rate about one axis.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/scene/gesture/gesture.h"
 
 namespace fyd::scene {
@@ -24,9 +26,9 @@ struct RacketPose {
   }
 };
 /// Makes `normal` and `along` orthonormal. @return false if they are parallel, or one of them has no length
-[[nodiscard]] bool orthonormalise(RacketPose& pose);
+[[nodiscard]] FYD_API bool orthonormalise(RacketPose& pose);
 
-struct Plate {
+struct FYD_API Plate {
   RacketShape shape = RacketShape::disc;
   double half_width_mm = 0.0, half_height_mm = 0.0;  ///< a disc's radius is its half width
 
@@ -34,7 +36,7 @@ struct Plate {
   [[nodiscard]] Vec3 nearest(const RacketPose& pose, const Vec3& p) const;
 };
 
-class RacketMotion {
+class FYD_API RacketMotion {
  public:
   /// A racket whose centre moves faster than `most_mm_per_s`, or that turns by more than 1 rad, has been put at `to`:
   /// it is there from the start of the step and does not move (`teleported`).

@@ -16,10 +16,12 @@
 //
 // Without friction and damping no closed path gives energy. Two exactly parallel blades cross where one comes to lie on
 // the other. Blades of radius 0 that move in one common plane never touch.
+// Stability: may change
 #pragma once
 
 #include <optional>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/scene/gesture/gesture.h"
 
@@ -123,14 +125,14 @@ struct SwordTouch {
 };
 
 /// One step of two swords. A refused input leaves the state as it was and gives no force.
-[[nodiscard]] SwordTouch stepSwords(const SwordParameters& parameters, SwordState& state, const Blade& local,
-                                    const Blade& distant, double dt_s);
+[[nodiscard]] FYD_API SwordTouch stepSwords(const SwordParameters& parameters, SwordState& state, const Blade& local,
+                                            const Blade& distant, double dt_s);
 
 /// Where two segments are nearest; of parallel ones, the middle of the stretch where they overlap.
 struct NearestOfBlades {
   double at_a = 0.0, at_b = 0.0;  ///< 0 grip … 1 tip
   Vec3 apart_mm;                  ///< from b's point to a's
 };
-[[nodiscard]] NearestOfBlades nearestOf(const Blade& a, const Blade& b);
+[[nodiscard]] FYD_API NearestOfBlades nearestOf(const Blade& a, const Blade& b);
 
 }  // namespace fyd::scene

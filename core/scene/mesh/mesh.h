@@ -3,6 +3,7 @@
 // Millimetres. Outside is the side from which a triangle's vertices turn counter-clockwise. The sign of a distance
 // comes from the normal of the nearest feature: a vertex' is the sum of its triangles' normals weighted by their
 // angles, an edge's the sum of both (Bærentzen and Aanæs 2005).
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/base/vec3.h"
 
@@ -49,7 +51,7 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffff;
 
 enum class Feature : std::uint8_t { vertex_0, vertex_1, vertex_2, edge_01, edge_12, edge_20, inside };
 
-class Mesh {
+class FYD_API Mesh {
  public:
   /// Mends what can be mended (MeshReport). @return an error when no triangle is left
   [[nodiscard]] static Result<Mesh> build(TriangleSoup soup);

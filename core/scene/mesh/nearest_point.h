@@ -13,6 +13,7 @@
 // tree is searched.
 //
 // The answer is that of TriangleTree::nearest, whatever the history; `reset` costs time only.
+// Stability: may change
 #pragma once
 
 #include <cstddef>
@@ -20,6 +21,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/scene/mesh/triangle_distance.h"
 #include "core/scene/mesh/triangle_tree.h"
 #include "core/scene/mesh/vertex_fans.h"
@@ -27,7 +29,7 @@
 namespace fyd::scene {
 
 /// What is known of a mesh for walks over it. Immutable; shared by any number of probes and threads.
-class WalkableMesh {
+class FYD_API WalkableMesh {
  public:
   /// Built by as many threads as the machine runs at a time; the same whatever their number. The tree, and with it the
   /// mesh, must outlive this. Certificates reach ten mean edges, as the time to build them grows with the triangles
@@ -80,7 +82,7 @@ class WalkableMesh {
   void checkVertexNeighbours(std::uint32_t triangle);
 };
 
-class NearestPoint {
+class FYD_API NearestPoint {
  public:
   explicit NearestPoint(const WalkableMesh& on) : on_(&on) {}
 

@@ -1,4 +1,5 @@
 // The point of a triangle that is nearest to a point, in double [Ericson 2005 §5.1.5].
+// Stability: may change
 #pragma once
 
 #include <algorithm>

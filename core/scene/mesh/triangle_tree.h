@@ -5,17 +5,19 @@
 // Discs are stored as floats around the mesh's middle, grown so that they contain their triangles in spite of rounding.
 // A disc is skipped only where it is farther than the nearest triangle by more than the rounding error; distances to
 // triangles are double. So the answer is that of a search over all triangles, to the last bit.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/scene/mesh/triangle_distance.h"
 
 namespace fyd::scene {
 
-class TriangleTree {
+class FYD_API TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh);
 

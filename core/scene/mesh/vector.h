@@ -1,4 +1,5 @@
 // Products of Vec3, for geometry.
+// Stability: may change
 #pragma once
 
 #include <cmath>

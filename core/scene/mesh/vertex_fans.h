@@ -1,4 +1,5 @@
 // The triangles around each vertex of a mesh.
+// Stability: may change
 #pragma once
 
 #include <cstdint>

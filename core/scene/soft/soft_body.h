@@ -12,12 +12,14 @@
 // energy then does not exceed the work done on it. A body that sleeps as a whole costs one comparison.
 //
 // Allocates only when built. Bit-reproducible.
+// Stability: may change
 #pragma once
 
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/scene/mesh/triangle_tree.h"
 #include "core/scene/soft/soft_material.h"
@@ -45,7 +47,7 @@ struct SoftContact {
   std::uint32_t triangle = kNoTriangle;
 };
 
-class SoftBody {
+class FYD_API SoftBody {
  public:
   /// The tree (and its mesh) must outlive the body. @return an error that names what is out of range
   [[nodiscard]] static Result<SoftBody> build(const TriangleTree& tree, const SoftMaterial& material,

@@ -1,8 +1,10 @@
 // How many points of a soft body must be awake for an accuracy, found by pressing it.
+// Stability: may change
 #pragma once
 
 #include <array>
 
+#include "core/base/api.h"
 #include "core/scene/soft/soft_body.h"
 
 namespace fyd::scene {
@@ -21,7 +23,7 @@ struct SoftChoiceReport {
 
 /// Presses a few places to the depth of one newton, quickly, and then holds. Deterministic.
 /// @return an error if SoftBody::build does not accept the material
-[[nodiscard]] Result<SoftChoiceReport> chooseSoft(const TriangleTree& tree, const SoftMaterial& material,
-                                                  double accuracy);
+[[nodiscard]] FYD_API Result<SoftChoiceReport> chooseSoft(const TriangleTree& tree, const SoftMaterial& material,
+                                                          double accuracy);
 
 }  // namespace fyd::scene

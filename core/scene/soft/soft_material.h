@@ -6,8 +6,10 @@
 // rest place) and springs to its neighbours of T times the edge's cotangent weight (its rigidity between points). Under
 // a press at a mathematical point the depth would grow without bound as the mesh gets finer, so a press always has the
 // radius of a finger.
+// Stability: may change
 #pragma once
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 
 namespace fyd::scene {
@@ -30,13 +32,13 @@ struct SoftSurface {
 };
 
 /// @return an error that names what is out of range
-[[nodiscard]] Result<SoftMaterial> checked(const SoftMaterial& material);
+[[nodiscard]] FYD_API Result<SoftMaterial> checked(const SoftMaterial& material);
 
 /// Depth [mm] of 1 N pressed with `finger_mm` on a wide flat piece of foundation 1 N/mm³ and that spread; the depth is
 /// the mean with the finger's weights. From the equation above on rings around the press, solved directly.
-[[nodiscard]] double depthOfUnitPress(double finger_mm, double spread_mm);
+[[nodiscard]] FYD_API double depthOfUnitPress(double finger_mm, double spread_mm);
 
 /// @param material as returned by `checked`  @param area_mm2 of the whole body
-[[nodiscard]] SoftSurface surfaceOf(const SoftMaterial& material, double area_mm2);
+[[nodiscard]] FYD_API SoftSurface surfaceOf(const SoftMaterial& material, double area_mm2);
 
 }  // namespace fyd::scene

@@ -1,5 +1,6 @@
 // Conjugate gradients for the points of a soft body that are awake: four right sides at once, as the displacement's
 // three components and the response to a press share one matrix.
+// Stability: may change
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,8 @@
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "core/base/api.h"
 
 namespace fyd::scene {
 
@@ -20,7 +23,7 @@ struct SoftMatrix {
 
 using Four = Eigen::Array4d;
 
-class SoftSolver {
+class FYD_API SoftSolver {
  public:
   explicit SoftSolver(std::size_t points);
 

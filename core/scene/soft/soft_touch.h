@@ -4,8 +4,10 @@
 // them the body is a spring that only pushes. A change of the spring under a pressing hand could give energy, so its
 // energy is limited to the hand's work since it touched: f²/2S ≤ paid. So over any path, whatever is published and
 // however late, the hand gets back no more than it gave (a step's work is that of the force at its end).
+// Stability: may change
 #pragma once
 
+#include "core/base/api.h"
 #include "core/base/vec3.h"
 
 namespace fyd::scene {
@@ -21,7 +23,7 @@ struct SoftTouch {
 };
 
 /// The 1 kHz side. One thread's own.
-class SoftTouchForce {
+class FYD_API SoftTouchForce {
  public:
   /// On the hand. NaN feels nothing.
   [[nodiscard]] Vec3 step(const Vec3& hand_mm, const SoftTouch& touch);

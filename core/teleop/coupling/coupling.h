@@ -12,9 +12,12 @@
 //           outside of the contact loop (model-mediated [Mitra 2008])
 //
 // Every end is stepped at 1 kHz, allocates nothing, reads no clock, and gives no force for inputs that are not finite.
+// Stability: may change
 #pragma once
 
 #include <cmath>
+
+#include "core/base/api.h"
 
 namespace fyd::teleop {
 
@@ -75,6 +78,6 @@ class CouplingEnd {
 /// The paper's virtual tangential force against a hand that is faster than the far robot may move: 1 N at 10 % above
 /// the limit, growing with the square of the excess.
 /// @return N, against the motion; 0 up to the limit, and where an argument is not finite or the limit is not positive
-[[nodiscard]] double overspeedForce(double velocity_m_per_s, double limit_m_per_s);
+[[nodiscard]] FYD_API double overspeedForce(double velocity_m_per_s, double limit_m_per_s);
 
 }  // namespace fyd::teleop

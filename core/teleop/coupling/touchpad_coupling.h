@@ -15,6 +15,7 @@
 //
 // For any input the target is a number within the range of targets as soon as the robot has sent a stiffness (direct:
 // as sent). Allocates nothing, reads no clock.
+// Stability: may change
 #pragma once
 
 #include <array>
@@ -22,6 +23,7 @@
 #include <limits>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/vec3.h"
 
 namespace fyd::teleop {
@@ -67,7 +69,7 @@ struct TouchpadCouplingOutput {
 /// That is ∫F dx of a cloth without losses; with losses the finger's work is larger. Summing F dx directly would sum
 /// the noise of the indentation too (half of the energy of a press). k is the law's value at the present stretch.
 /// Unknown values are skipped, and made up for with the next known one.
-class TouchEnergy {
+class FYD_API TouchEnergy {
  public:
   /// @return by how much the indentation grew, mm, and its mean meanwhile; 0 where that is not known
   struct Step {
@@ -93,7 +95,7 @@ class TouchEnergy {
   double energy_mJ_ = 0.0;
 };
 
-class TouchpadCoupling {
+class FYD_API TouchpadCoupling {
  public:
   [[nodiscard]] TouchpadCouplingOutput step(const TouchpadCouplingInput& input);
 

@@ -7,15 +7,17 @@
 // Reception: a jitter buffer. Messages are passed on in the order of their dates, each `hold` after its date, so that
 // reordering and jitter up to `hold` have no effect; then the speed between them is low-passed. Delay: `hold`, plus one
 // time constant while the speed changes.
+// Stability: may change
 #pragma once
 
 #include <optional>
 
+#include "core/base/api.h"
 #include "core/teleop/prediction/motion_history.h"
 
 namespace fyd::teleop {
 
-class EmissionFilter {
+class FYD_API EmissionFilter {
  public:
   /// @param window_s 0: nothing is filtered
   explicit EmissionFilter(double window_s) : window_s_(window_s) {}
@@ -30,7 +32,7 @@ class EmissionFilter {
   Position last_mm_{};
 };
 
-class ReceptionFilter {
+class FYD_API ReceptionFilter {
  public:
   /// @param hold_s delay after its date at which a message is passed on, 0 and more; on the receiver's clock
   /// @param speed_constant_s of the low-pass on speed; 0: none

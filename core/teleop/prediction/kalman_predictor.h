@@ -3,13 +3,15 @@
 // [Singer 1970]
 // State per axis: position, velocity, acceleration. Every axis has the same dates, hence the same covariance. A message
 // older than the newest one is ignored.
+// Stability: may change
 #pragma once
 
+#include "core/base/api.h"
 #include "core/teleop/prediction/predictor.h"
 
 namespace fyd::teleop {
 
-class KalmanPredictor final : public Predictor {
+class FYD_API KalmanPredictor final : public Predictor {
  public:
   static constexpr double kAccelerationTimeConstant_s = 0.050;  ///< τ
   static constexpr double kAccelerationRms_mm_per_s2 = 3000.0;  ///< of a hand

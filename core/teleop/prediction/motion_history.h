@@ -1,9 +1,12 @@
 // The last messages of a motion, in the order of their dates.
+// Stability: may change
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
+#include "core/base/api.h"
 #include "core/teleop/prediction/predictor.h"
 
 namespace fyd::teleop {
@@ -13,7 +16,7 @@ struct DatedPosition {
   Position position_mm{};
 };
 
-class MotionHistory {
+class FYD_API MotionHistory {
  public:
   static constexpr std::size_t kCapacity = 256;
   enum class Insertion : std::uint8_t { newest, out_of_order, refused };

@@ -5,6 +5,7 @@
 // message, dated and sent at its own time. Ticks are the trace's rows, from the first arrival on. Rows of NaN are a
 // gap, which ends a motion: it has no messages and no ticks, and messages still in transit are dropped. Ticks begin
 // again with the first arrival of the next motion.
+// Stability: may change
 #pragma once
 
 #include <cstdint>
@@ -13,12 +14,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/teleop/prediction/predictor.h"
 
 namespace fyd::teleop {
 
-struct Trace {
+struct FYD_API Trace {
   std::size_t axes = 0;
   std::vector<double> time_s;  ///< strictly rising
   std::vector<Position> position_mm;
@@ -29,7 +31,7 @@ struct Trace {
 };
 
 /// @return an error naming the row when the times do not rise or are not finite, or when fewer than two rows are given
-[[nodiscard]] Result<void> checkTrace(const Trace& trace);
+[[nodiscard]] FYD_API Result<void> checkTrace(const Trace& trace);
 
 struct TrialNetwork {
   double period_ms = 10.0;
@@ -40,7 +42,7 @@ struct TrialNetwork {
 };
 
 /// @return an error naming the value and its range
-[[nodiscard]] Result<void> checkNetwork(const TrialNetwork& network);
+[[nodiscard]] FYD_API Result<void> checkNetwork(const TrialNetwork& network);
 
 struct TrialMessage {
   std::size_t row = 0;
@@ -58,12 +60,12 @@ struct TrialPlan {
   std::vector<Tick> ticks;
 };
 
-[[nodiscard]] TrialPlan planTrial(const Trace& trace, const TrialNetwork& network);
+[[nodiscard]] FYD_API TrialPlan planTrial(const Trace& trace, const TrialNetwork& network);
 
 /// The predictor's output at each tick.
 /// @param smooth_s the time constant of SmoothOutput; 0: none
-[[nodiscard]] std::vector<Position> runTrial(const Trace& trace, const TrialPlan& plan, Predictor& predictor,
-                                             double smooth_s);
+[[nodiscard]] FYD_API std::vector<Position> runTrial(const Trace& trace, const TrialPlan& plan, Predictor& predictor,
+                                                     double smooth_s);
 
 struct TrialFigures {
   std::size_t ticks = 0;
@@ -75,6 +77,7 @@ struct TrialFigures {
   double jerk_ratio = 0.0;       ///< RMS of the third difference over the true motion's; NaN when that one is 0
 };
 
-[[nodiscard]] TrialFigures trialFigures(const Trace& trace, const TrialPlan& plan, std::span<const Position> output);
+[[nodiscard]] FYD_API TrialFigures trialFigures(const Trace& trace, const TrialPlan& plan,
+                                                std::span<const Position> output);
 
 }  // namespace fyd::teleop

@@ -4,6 +4,7 @@
 // out of order, or not at all. A predictor gets each message as it arrives and gives, at each tick of the
 // receiver, the position at that tick. It allocates nothing after it was made, reads no clock, and gives the same
 // bits for the same calls on every processor. Tele-gesture paper: order 0, order 1 and their mean ("hybrid").
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>

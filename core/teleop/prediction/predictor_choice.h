@@ -1,4 +1,5 @@
 // The predictors by name, and the function that makes one.
+// Stability: stable since 0.1
 #pragma once
 
 #include <array>
@@ -6,6 +7,7 @@
 #include <memory>
 #include <string_view>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/teleop/prediction/predictor.h"
 
@@ -23,8 +25,8 @@ struct PredictorSetup {
   double period_s = 0.0;                                   ///< of the sender's messages; 0: not known
   std::shared_ptr<const StrokeWeights> weights = nullptr;  ///< of the perceptron; null: StrokeWeights::builtIn()
 };
-[[nodiscard]] std::unique_ptr<Predictor> makePredictor(PredictorChoice choice, PredictorSetup setup);
+[[nodiscard]] FYD_API std::unique_ptr<Predictor> makePredictor(PredictorChoice choice, PredictorSetup setup);
 /// By its name on the command line. @return an error with the names when there is none of that name
-[[nodiscard]] Result<PredictorChoice> predictorNamed(std::string_view name);
+[[nodiscard]] FYD_API Result<PredictorChoice> predictorNamed(std::string_view name);
 
 }  // namespace fyd::teleop

@@ -7,6 +7,7 @@
 //
 // The constants are found by identification (felt_identification.h). Until then the defaults apply, the middle of the
 // plausible range, and `identified` is false.
+// Stability: may change
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/api.h"
 #include "core/base/error.h"
 #include "core/base/message.h"
 
@@ -24,7 +26,7 @@ inline constexpr std::size_t kFeltMotors = 2;
 /// Perception threshold of a finger for vibration, RMS.
 inline constexpr double kFeltThreshold_g = 0.02;
 
-struct FeltPlant {
+struct FYD_API FeltPlant {
   bool identified = false;
   std::array<double, kFeltMotors> breakaway_percent{15.0, 15.0};
   double free_speed_deg_s = 207.0;
@@ -102,9 +104,9 @@ struct FeltPlant {
 /// resonance_Hz, damping. What is read counts as identified unless `identified = false`.
 /// @param unknown when given: receives the keys that this program does not know
 /// @return an error with source, line, key, value and what was expected
-[[nodiscard]] Result<FeltPlant> parsePlant(std::string_view text, std::string_view source_name,
-                                           std::vector<std::string>* unknown = nullptr);
+[[nodiscard]] FYD_API Result<FeltPlant> parsePlant(std::string_view text, std::string_view source_name,
+                                                   std::vector<std::string>* unknown = nullptr);
 /// Text that parsePlant reads back equal.
-[[nodiscard]] std::string formatPlant(const FeltPlant& plant);
+[[nodiscard]] FYD_API std::string formatPlant(const FeltPlant& plant);
 
 }  // namespace fyd::texture

@@ -1,4 +1,5 @@
 // Settings of FeltMapping (felt_mapping.h).
+// Stability: may change
 #pragma once
 
 #include "core/texture/felt/felt_plant.h"

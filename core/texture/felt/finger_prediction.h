@@ -5,10 +5,12 @@
 //
 // A coarse model with one integration step per sample. It is an estimate, not a measurement: encoders, load cell and
 // motor current do not sense this vibration. The figures are running means over 1 s. Allocation-free.
+// Stability: may change
 #pragma once
 
 #include <array>
 
+#include "core/base/api.h"
 #include "core/base/state.h"
 #include "core/signal/biquad.h"
 #include "core/texture/felt/felt_plant.h"
@@ -26,9 +28,9 @@ struct FingerFigures {
 
 inline constexpr double kWantedThreshold_g = 0.01;  ///< a texture signal of more RMS is wanted
 /// At least one duty is not 0, and every duty is below its motor's breakaway: no motor turns.
-[[nodiscard]] bool inDeadZone(const std::array<double, kFeltMotors>& duty_percent, const FeltPlant& plant);
+[[nodiscard]] FYD_API bool inDeadZone(const std::array<double, kFeltMotors>& duty_percent, const FeltPlant& plant);
 
-class FingerPrediction {
+class FYD_API FingerPrediction {
  public:
   FingerPrediction(const FeltPlant& plant, double sample_rate_Hz);
 
