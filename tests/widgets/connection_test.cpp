@@ -427,19 +427,19 @@ class ConnectionTest : public QObject {
     window.commands().action(QStringLiteral("help.first_steps"))->trigger();
     QVERIFY(strip->isVisible());
     QCOMPARE(strip->current(), std::size_t{0});
-    QCOMPARE(QApplication::focusWidget(), strip->button(QStringLiteral("first_simulated")));
+    QCOMPARE(window.focusWidget(), strip->button(QStringLiteral("first_simulated")));
     // By the keys it lies between the bar and the place.
     QCOMPARE(strip->closeButton()->previousInFocusChain()->objectName(), QStringLiteral("first_own"));
     strip->closeButton()->setFocus();
     QTest::keyClick(strip->closeButton(), Qt::Key_Backtab);
-    QCOMPARE(QApplication::focusWidget(), strip->button(QStringLiteral("first_own")));
+    QCOMPARE(window.focusWidget(), strip->button(QStringLiteral("first_own")));
     window.stateBar()->stopButton()->setFocus();
     QTest::keyClick(window.stateBar()->stopButton(), Qt::Key_Tab);
-    QVERIFY(strip->isAncestorOf(QApplication::focusWidget()));
+    QVERIFY(strip->isAncestorOf(window.focusWidget()));
     strip->button(QStringLiteral("first_simulated"))->setFocus();
     click(strip->button(QStringLiteral("first_simulated")));
     QCOMPARE(strip->current(), std::size_t{1});
-    QCOMPARE(QApplication::focusWidget(), strip->button(QStringLiteral("first_connect")));  // and not "Record"
+    QCOMPARE(window.focusWidget(), strip->button(QStringLiteral("first_connect")));  // and not "Record"
     QCOMPARE(memory.devices()->touchpad, std::string("simulated"));
     session->say(SafetyState::ready);
     window.feed().pump();

@@ -269,7 +269,7 @@ class ConsoleTest : public QObject {
     };
     const QAction* card = f.window->commands().action(QStringLiteral("session.finger_card"));
     QVERIFY(pressed() && f.window->operate()->finger()->isVisible() && card->isEnabled());
-    const auto connect_to = [&](const char* touchpad, const std::string& identity) {
+    const auto connect_to = [&](const char* touchpad, std::string_view identity) {
       f.session->say(SafetyState::ready);
       f.window->feed().pump();
       f.session->profile.calibrated_on = identity;

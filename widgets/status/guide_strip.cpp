@@ -1,6 +1,5 @@
 #include "widgets/status/guide_strip.h"
 
-#include <QApplication>
 #include <QVBoxLayout>
 
 #include "widgets/basics/icon.h"
@@ -75,7 +74,7 @@ void GuideStrip::rebuildSteps() {
 void GuideStrip::rebuildActions(const std::vector<Action>& actions) {
   // One of these buttons may be the caller, and have the focus: the next step's button takes it, not the one that Qt
   // finds next, which may record or arm.
-  const bool focused = action_body_ != nullptr && action_body_->isAncestorOf(QApplication::focusWidget());
+  const bool focused = action_body_ != nullptr && action_body_->isAncestorOf(window()->focusWidget());
   if (action_body_ != nullptr) {
     action_body_->hide();
     for (QPushButton* each : action_body_->findChildren<QPushButton*>()) each->setObjectName({});

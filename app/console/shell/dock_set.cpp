@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <algorithm>
 #include <functional>
 
@@ -31,18 +32,21 @@ int standardWidth(const QDockWidget& panel, int window_width) {
   return std::max(panel.minimumSizeHint().width(), static_cast<int>(kShareOfWidth * window_width));
 }
 
-/// Names the tab bars that the window makes for panels at one place, and tells of another width of it.
+/// Names the tab bars that the window makes for panels at one place, and gives panels that nobody has moved their share
+/// of a window that gets another width.
 class WindowFollower : public QObject {
  public:
-  WindowFollower(QObject* parent, std::function<void(int former_width)> widened)
-      : QObject(parent), widened_(std::move(widened)) {}
+  using Unmoved = std::function<QList<QDockWidget*>(int width)>;
+  WindowFollower(QMainWindow* window, Unmoved unmoved)
+      : QObject(window), window_(*window), unmoved_(std::move(unmoved)) {
+    constexpr int kSettled_ms = 50;
+    settled_.setSingleShot(true);
+    settled_.setInterval(kSettled_ms);
+    connect(&settled_, &QTimer::timeout, this, &WindowFollower::resize);
+  }
+
   bool eventFilter(QObject* window, QEvent* event) override {
-    if (event->type() == QEvent::Resize) {
-      const auto* resized = static_cast<QResizeEvent*>(event);
-      if (resized->oldSize().width() > 0 && resized->oldSize().width() != resized->size().width()) {
-        widened_(resized->oldSize().width());
-      }
-    }
+    if (event->type() == QEvent::Resize) follow(static_cast<QResizeEvent*>(event)->oldSize().width());
     if (event->type() == QEvent::ChildPolished) {
       auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
       if (tabs != nullptr && tabs->accessibleName().isEmpty()) tabs->setAccessibleName(SideDock::tr("Panels"));
@@ -51,13 +55,30 @@ class WindowFollower : public QObject {
   }
 
  private:
-  std::function<void(int)> widened_;
+  void follow(int former_width) {
+    if (former_width <= 0 || !window_.isVisible()) return;
+    // A window comes to its size by steps, and its own layout follows the last of them.
+    if (following_.isEmpty()) following_ = unmoved_(former_width);
+    if (!following_.isEmpty()) settled_.start();
+  }
+  void resize() {
+    // Narrower panels may let the window get narrower still, and that is followed, too.
+    const QList<QDockWidget*> panels = std::exchange(following_, {});
+    QList<int> widths;
+    for (const QDockWidget* panel : panels) widths << standardWidth(*panel, window_.width());
+    window_.resizeDocks(panels, widths, Qt::Horizontal);
+  }
+
+  QMainWindow& window_;
+  Unmoved unmoved_;
+  QList<QDockWidget*> following_;
+  QTimer settled_;
 };
 
 }  // namespace
 
 DockSet::DockSet(QMainWindow& window, Sharing sharing) : window_(window), sharing_(sharing) {
-  window_.installEventFilter(new WindowFollower(&window_, [this](int former_width) { follow(former_width); }));
+  window_.installEventFilter(new WindowFollower(&window_, [this](int width) { return unmoved(width); }));
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
   // Side panels extend to the window's lower edge, so that bottom panels do not shorten them.
@@ -108,26 +129,15 @@ void DockSet::arrange() {
   QMetaObject::invokeMethod(&window_, resize, Qt::QueuedConnection);  // again once the window has its final size
 }
 
-/// A larger window gives the panels at its sides their share, but not one that was drawn to another width.
-void DockSet::follow(int former_width) {
-  if (!window_.isVisible()) return;
-  QList<QDockWidget*> moved;
+QList<QDockWidget*> DockSet::unmoved(int width) const {
+  QList<QDockWidget*> out;
   for (const Panel& each : panels_) {
     const bool at_side = each.area == Qt::LeftDockWidgetArea || each.area == Qt::RightDockWidgetArea;
     if (!at_side || !each.shown || each.dock->isFloating() || !each.dock->isVisible()) continue;
     constexpr int kRounding_px = 2;
-    if (std::abs(each.dock->width() - standardWidth(*each.dock, former_width)) <= kRounding_px) moved << each.dock;
+    if (std::abs(each.dock->width() - standardWidth(*each.dock, width)) <= kRounding_px) out << each.dock;
   }
-  if (moved.isEmpty()) return;
-  // Once the window's own layout has followed.
-  QMetaObject::invokeMethod(
-      &window_,
-      [&window = window_, moved] {
-        QList<int> widths;
-        for (const QDockWidget* panel : moved) widths << standardWidth(*panel, window.width());
-        window.resizeDocks(moved, widths, Qt::Horizontal);
-      },
-      Qt::QueuedConnection);
+  return out;
 }
 
 void DockSet::restore(const QByteArray& layout) {

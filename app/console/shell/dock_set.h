@@ -31,7 +31,8 @@ class DockSet {
   static constexpr int kVersion = 1;  ///< increased when a panel's meaning changes: older layouts are then dropped
 
   void place(const Panel& panel);
-  void follow(int former_width);
+  /// The side panels that are as wide as a window of this width makes them.
+  [[nodiscard]] QList<QDockWidget*> unmoved(int width) const;
 
   QMainWindow& window_;
   Sharing sharing_;
