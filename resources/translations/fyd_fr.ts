@@ -3244,8 +3244,8 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
         <translation>Non connecté ; les appareils précédents sont de retour. %1.</translation>
     </message>
     <message>
-        <source>Not following (F)</source>
-        <translation>Ne suit pas (F)</translation>
+        <source>Not following: press F</source>
+        <translation>Suivi arrêté : touche F</translation>
     </message>
     <message>
         <source>Not moved: %1.</source>

@@ -3244,8 +3244,8 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
         <translation>Non collegato; sono tornati i dispositivi precedenti. %1.</translation>
     </message>
     <message>
-        <source>Not following (F)</source>
-        <translation>Non segue (F)</translation>
+        <source>Not following: press F</source>
+        <translation>Non segue: premere F</translation>
     </message>
     <message>
         <source>Not moved: %1.</source>

@@ -207,7 +207,7 @@ void CurveView::goTo(double time_s) {
 
 void CurveView::sayFollowing() {
   const bool now = following();
-  follow_label_->setText(now ? tr("Following") : tr("Not following (F)"));
+  follow_label_->setText(now ? tr("Following") : tr("Not following: press F"));
   follow_label_->setProperty("role", now ? "muted" : "warning");
   restyle(*follow_label_);
   follow_label_->setToolTip(follow_label_->text());
