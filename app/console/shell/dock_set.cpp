@@ -62,7 +62,6 @@ class WindowFollower : public QObject {
     if (!following_.isEmpty()) settled_.start();
   }
   void resize() {
-    // Narrower panels may let the window get narrower still, and that is followed, too.
     const QList<QDockWidget*> panels = std::exchange(following_, {});
     QList<int> widths;
     for (const QDockWidget* panel : panels) widths << standardWidth(*panel, window_.width());
