@@ -281,7 +281,7 @@ def run_python(code, before, place):
 def check_cmake(code, place):
     """CMake reads it; what it finds and makes is the business of the test that builds against the installed tree."""
     path = place.folder / "block.cmake"
-    path.write_text(f"function(block)\n{code}\nendfunction()\n", encoding="utf-8")
+    path.write_text(f"function(fyd_block)\n{code}\nendfunction()\n", encoding="utf-8")
     status, _, err = place.run(["cmake", "-P", str(path)])
     if status != 0:
         raise Broken(err)

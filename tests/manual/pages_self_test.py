@@ -30,7 +30,8 @@ class Planted(unittest.TestCase):
         for path in ROOT.iterdir():
             if path.name in ("core", "app", "widgets", "tests", "installer"):
                 (self.root / path.name).symlink_to(path)
-        shutil.copy(ROOT / "README.md", self.root)
+        for name in ("README.md", "CMakeLists.txt"):
+            shutil.copy(ROOT / name, self.root)
         (self.root / "resources").mkdir()
         for path in (ROOT / "resources").iterdir():
             if path.name != "manual":
