@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "core/calibration/fit/least_squares.h"
 #include "core/calibration/fit/polynomial_basis.h"
@@ -13,7 +14,7 @@
 namespace fyd::bench {
 namespace {
 
-constexpr int kPoints = 64, kDegree = 5, kRuns = 400;
+constexpr int kPoints = 64, kDegree = 5;
 
 struct Data {
   std::vector<double> codes;
@@ -52,12 +53,16 @@ Table bench_calibration() {
   Table table;
   table.subject = "calibration";
   table.title = "Fits of a calibration against normal equations on raw powers";
-  table.columns = {"codes", "method", "p50 (us)", "p99 (us)", "largest error (mm)"};
+  table.columns = {{"codes", Role::group},
+                   {"method", Role::method},
+                   {"p50", "µs", Role::cost},
+                   {"p99", "µs"},
+                   {"largest error", "mm", Role::error}};
   for (const auto& [name, lowest, highest] :
        {std::tuple{"524 to 3408", 524.0, 3408.0}, std::tuple{"2000 to 2200, clustered", 2000.0, 2200.0}}) {
     const Data data = dataBetween(lowest, highest);
     const auto add = [&](const char* method, auto&& solve) {
-      auto times = timeEach(kRuns, [&] { (void)solve(data); });
+      auto times = timeEach(wholeOrQuick(400, 20), [&] { (void)solve(data); });
       const Quantiles q = quantiles(times);
       const double error = (solve(data) - data.truth).cwiseAbs().maxCoeff();
       table.rows.push_back({name, method, number(q.p50 / 1000), number(q.p99 / 1000), number(error)});
@@ -76,7 +81,7 @@ Table bench_calibration() {
     }
   }
   double error = 0.0;
-  auto times = timeEach(10, [&] {
+  auto times = timeEach(wholeOrQuick(10, 1), [&] {
     const auto found = calibration::calibrateIr(samples, {}, {});
     error = found.result.held_out_rmse;
   });

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <future>
 #include <random>
+#include <span>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/calibrated_cloth.h"
 #include "app/bench/parts/cloths.h"
 #include "app/bench/parts/table.h"
@@ -14,8 +16,8 @@
 namespace fyd::bench {
 namespace {
 
-constexpr int kMonteCarloRuns = 2000;
-constexpr int kSeeds = 10;
+int monteCarloRuns() { return wholeOrQuick(2000, 6); }
+int seeds() { return wholeOrQuick(10, 1); }
 constexpr std::array<std::pair<double, double>, 9> kPlaces_mm{
     {{0, 0}, {22, -3}, {0, 20}, {-25, 12}, {15, -18}, {-35, 0}, {30, 15}, {-10, -10}, {10, 5}}};
 
@@ -47,14 +49,14 @@ std::vector<Case> idealCases() {
   all[1].name = "cloth +30 %, reachable";
   all[2].name = "cloth −30 %, reachable";
   all[3].name = "out of reach";
-  all[4].name = fmt::format("Monte-Carlo, {} runs", kMonteCarloRuns);
+  all[4].name = fmt::format("Monte-Carlo, {} runs", monteCarloRuns());
   const auto add = [](Case& to, double target, double scale, int seed) {
     sim::StiffnessTrial trial = trialOf(sim::ClothKind::ideal, scale, seed);
     trial.parameters.sensing.indentation.mode = sensing::IndentationMode::membrane;  // right on this cloth
     trial.target_N_per_mm = target;
     to.trials.push_back(trial);
   };
-  for (int seed = 1; seed <= kSeeds; ++seed) {
+  for (int seed = 1; seed <= seeds(); ++seed) {
     for (const double target : {0.50, 0.54, 0.58, 0.62, 0.66, 0.71}) add(all[0], target, 1.0, seed);
     for (const double target : {0.68, 0.74, 0.80, 0.86, 0.91}) add(all[1], target, 1.3, seed);
     for (const double target : {0.37, 0.40, 0.43, 0.46, 0.49}) add(all[2], target, 0.7, seed);
@@ -64,7 +66,7 @@ std::vector<Case> idealCases() {
   }
   std::mt19937_64 random(2014);
   std::uniform_real_distribution<double> uniform(0, 1);
-  for (int run = 0; run < kMonteCarloRuns; ++run) {
+  for (int run = 0; run < monteCarloRuns(); ++run) {
     const double target = 0.45 + 0.35 * uniform(random);
     add(all[4], target, 0.7 + 0.6 * uniform(random), run);
     makeUnkind(all[4].trials.back(), random);
@@ -91,9 +93,9 @@ std::vector<Case> solvedCases(sim::ClothKind cloth) {
   std::vector<Case> all(3);
   all[0].name = "nine places, 3…6 mm";
   all[1].name = "the same, cloth ±30 %";
-  all[2].name = fmt::format("Monte-Carlo, {} runs", kMonteCarloRuns);
+  all[2].name = fmt::format("Monte-Carlo, {} runs", monteCarloRuns());
   int seed = 0;
-  for (const auto& [x, y] : kPlaces_mm) {
+  for (const auto& [x, y] : std::span(kPlaces_mm).first(wholeOrQuick<std::size_t>(kPlaces_mm.size(), 1))) {
     for (const double depth : {3.0, 4.5, 6.0}) {
       for (const double scale : {1.0, 0.7, 1.3}) {
         for (const double angle_deg : {30.0, 55.0, 80.0}) {
@@ -109,7 +111,7 @@ std::vector<Case> solvedCases(sim::ClothKind cloth) {
   }
   std::mt19937_64 random(2014);
   std::uniform_real_distribution<double> uniform(0, 1);
-  for (int run = 0; run < kMonteCarloRuns; ++run) {
+  for (int run = 0; run < monteCarloRuns(); ++run) {
     sim::StiffnessTrial trial = trialOf(cloth, 0.7 + 0.6 * uniform(random), run);
     trial.sim.finger = static_cast<sim::FingerKind>(run % static_cast<int>(sim::kFingerNames.size()));
     trial.x_mm = 66 * (uniform(random) - 0.5);
@@ -244,9 +246,21 @@ Table bench_controller() {
   Table table;
   table.subject = "controller";
   table.title = "Stiffness controller against the thesis' PI";
-  table.columns = {"cloth",      "case",        "controller",        "runs",      "settling p50 (s)",
-                   "worst (s)",  "settled",     "overshoot (%)",     "error (%)", "worst (%)",
-                   "within 5 %", "within 15 %", "stretch swing (°)", "at a stop", "unstable"};
+  table.columns = {{"cloth", Role::group},
+                   {"case", Role::group},
+                   {"controller", Role::method},
+                   "runs",
+                   {"settling p50", "s", Role::cost},
+                   {"worst", "s"},
+                   "settled",
+                   {"overshoot", "%"},
+                   {"error", "%", Role::error},
+                   {"worst", "%"},
+                   "within 5 %",
+                   "within 15 %",
+                   {"stretch swing", "°"},
+                   "at a stop",
+                   "unstable"};
   for (const sim::ClothKind cloth : benchCloths()) {
     const Calibrations calibrations = calibrationsOf(cloth);
     for (const Case& each : cloth == sim::ClothKind::ideal ? idealCases() : solvedCases(cloth)) {

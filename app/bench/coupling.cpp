@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/bench/coupling_run.h"
+#include "app/bench/parts/coupling_run.h"
 #include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "app/cli/parts/command.h"
@@ -74,13 +74,14 @@ Table bench_coupling() {
   Table table;
   table.subject = "coupling";
   table.title = "Couplings: press, release and second press over drawn networks, walls and hands";
-  table.columns = {"coupling",
+  table.columns = {{"coupling", Role::method},
                    "all goals met",
+                   {"missed a goal", "%", Role::error},
                    "unstable",
-                   "least energy at the hand J",
-                   "oscillation mm",
-                   "difference at rest mm",
-                   "drag in free motion N",
+                   {"least energy at the hand", "J"},
+                   {"oscillation", "mm"},
+                   {"difference at rest", "mm"},
+                   {"drag in free motion", "N"},
                    "felt stiffness / wall's"};
   for (std::size_t c = 0; c < kChoices.size(); ++c) {
     const auto all = [&](auto part) {
@@ -89,8 +90,10 @@ Table bench_coupling() {
       return range(std::move(out));
     };
     const auto count = [&](auto holds) { return std::ranges::count_if(figures[c], holds); };
+    const auto good = count([](const auto& f) { return f.good(); });
     table.rows.push_back({std::string(nameOf(kChoices[c])) + (c == 0 ? " (baseline)" : ""),
-                          fmt::format("{} of {}", count([](const auto& f) { return f.good(); }), options.runs),
+                          fmt::format("{} of {}", good, options.runs),
+                          number(100.0 * static_cast<double>(options.runs - good) / options.runs),
                           std::to_string(count([](const auto& f) { return f.unstable; })),
                           all(&CouplingFigures::least_energy_J), all(&CouplingFigures::oscillation_mm),
                           all(&CouplingFigures::rest_difference_mm), all(&CouplingFigures::drag_N),

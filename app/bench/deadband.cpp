@@ -57,8 +57,12 @@ Table bench_deadband() {
   Table table;
   table.subject = "deadband";
   table.title = "Deadband: packets of recorded forces";
-  table.columns = {"sent when it changed by", "loss %", "recordings", "packets %", "known 150 ms later %",
-                   "worst error / band"};
+  table.columns = {{"sent when it changed by", Role::method},
+                   {"loss", "%", Role::group},
+                   "recordings",
+                   {"packets", "%", Role::cost},
+                   {"known 150 ms later", "%"},
+                   {"worst error / band", "", Role::error}};
   std::vector<Trace> forces;
   std::error_code none;
   for (const auto& file : std::filesystem::directory_iterator(data / "teleop_1dof", none)) {
@@ -67,6 +71,7 @@ Table bench_deadband() {
       forces.push_back(cli::readTrace(file.path(), {name}).trace);
     }
   }
+  forces = wholeOrFirst(forces, 2);
   if (forces.empty()) table.notes.push_back(fmt::format("No recordings in {}.", (data / "teleop_1dof").string()));
   for (const double fraction : {0.0, 0.05, 0.10, 0.20}) {
     for (const double loss : {0.0, 0.2}) {

@@ -4,15 +4,16 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include "app/bench/detector_opencv.h"
+#include "app/bench/parts/detector_opencv.h"
 #include "app/bench/parts/labelled_pictures.h"
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "core/sensing/finger_detector.h"
 
 namespace fyd::bench {
 namespace {
 
-constexpr int kFrames = 2000;
+int frames() { return wholeOrQuick(2000, 100); }
 
 struct Contestant {
   std::string name;
@@ -70,23 +71,31 @@ Table bench_detector() {
                       fmt::format("{} × {}", (220 + stride - 1) / stride, (150 + stride - 1) / stride), parameters));
   }
 
-  LabelledPictures frames(2024);
-  for (int i = 0; i < kFrames; ++i) {
-    frames.next();
-    for (Contestant& c : all) c.look(frames.picture(), frames.label());
+  LabelledPictures pictures(2024);
+  for (int i = 0; i < frames(); ++i) {
+    pictures.next();
+    for (Contestant& c : all) c.look(pictures.picture(), pictures.label());
   }
   cv::setNumThreads(threads);
 
   Table table{.subject = "detector",
               .title = "Finger detector: time and error over labelled pictures",
-              .columns = {"method", "pixels used", "µs p50", "µs p99", "times faster (p50)", "found %",
-                          "centroid RMS mm", "centroid worst mm", "area RMS %", "area worst %"}};
+              .columns = {{"method", Role::method},
+                          "pixels used",
+                          {"p50", "µs", Role::cost},
+                          {"p99", "µs"},
+                          "times faster by p50",
+                          {"found", "%"},
+                          {"centroid RMS", "mm", Role::error},
+                          {"centroid worst", "mm"},
+                          {"area RMS", "%"},
+                          {"area worst", "%"}}};
   const double base_ns = quantiles(all.front().ns).p50;
   for (Contestant& c : all) {
     const Quantiles t = quantiles(c.ns);
     const double n = c.found;
     table.rows.push_back({c.name, c.pixels, number(t.p50 / 1e3), number(t.p99 / 1e3), number(base_ns / t.p50),
-                          number(100.0 * n / kFrames, 4), number(std::sqrt(c.squares / n)), number(c.worst),
+                          number(100.0 * n / frames(), 4), number(std::sqrt(c.squares / n)), number(c.worst),
                           number(100 * std::sqrt(c.area_squares / n)), number(100 * c.area_worst)});
   }
   table.notes = {
@@ -94,7 +103,7 @@ Table bench_detector() {
           "{} pictures of 320 × 240 grey, another finger in each, another light every {}: noise σ 0–8, slope of "
           "the light to 40 %, lens fall-off to 15 %, radius 10–32 px, blur σ 0–2 px, contrast 45–75 %, a third "
           "near or over the region's edge (truth is then the visible part). Error over the pictures found.",
-          kFrames, LabelledPictures::kFramesPerLight),
+          frames(), LabelledPictures::kFramesPerLight),
       "The baseline has the same light surface, components and sums, one OpenCV call and one whole picture after the "
       "other; OpenCV on one thread. thesis: its threshold of 210 takes a dim cloth for a finger; its area is a count.",
       "Synthetic discs: what real fingers, fabric weave and cast shadows do is not in these figures."};

@@ -1,6 +1,7 @@
 // Indentation: error against true depth over the whole cloth, and the time of one step.
 #include <cmath>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/calibrated_cloth.h"
 #include "app/bench/parts/cloths.h"
 #include "app/bench/parts/pressed_cloth.h"
@@ -125,8 +126,9 @@ Score wholeCloth(const Method& method, const Scene& scene) {
   const double width_mm = !ideal && scene.finger == sim::FingerKind::disc ? 38 : 41.5;
   const double depth_mm = ideal || scene.finger == sim::FingerKind::sphere ? 27 : 18;
   std::uint64_t seed = 1;
-  for (int i = -4; i <= 4; ++i) {
-    for (int j = -3; j <= 3; ++j) {
+  const int every = wholeOrQuick(1, 4);
+  for (int i = -4; i <= 4; i += every) {
+    for (int j = -3; j <= 3; j += wholeOrQuick(1, 3)) {
       for (const double depth : {3.0, 6.0, ideal ? 10.0 : 7.5}) {
         press({.x_mm = width_mm * i / 4,
                .y_mm = depth_mm * j / 3,
@@ -148,10 +150,19 @@ Score wholeCloth(const Method& method, const Scene& scene) {
 Table bench_indentation() {
   Table table{.subject = "indentation",
               .title = "Indentation and stiffness over the whole cloth",
-              .columns = {"method", "cloth and finger", "IR noise mV", "error RMS mm", "of the thesis' error",
-                          "worst mm", "corners RMS mm", "claimed σ RMS mm", "stiffness error RMS %", "within 15 %",
-                          "step ns p50", "step ns p99"}};
-  for (const Scene& scene : scenes()) {
+              .columns = {{"method", Role::method},
+                          {"cloth and finger", Role::group},
+                          {"IR noise", "mV", Role::group},
+                          {"error RMS", "mm", Role::error},
+                          "of the thesis' error",
+                          {"worst", "mm"},
+                          {"corners RMS", "mm"},
+                          {"claimed σ RMS", "mm"},
+                          {"stiffness error RMS", "%"},
+                          "within 15 %",
+                          {"step p50", "ns", Role::cost},
+                          {"step p99", "ns"}}};
+  for (const Scene& scene : wholeOrFirst(scenes(), 1)) {
     double thesis = 0.0;
     for (const Method& method : kMethods) {
       if (method.calibrated && scene.cloth == sim::ClothKind::ideal) continue;

@@ -5,6 +5,7 @@
 #include <sodium/crypto_aead_chacha20poly1305.h>
 
 #include "app/bench/parts/allocation_count.h"
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "core/protocol/classic/classic_codec.h"
 #include "core/protocol/link/link_codec.h"
@@ -16,7 +17,7 @@ namespace {
 
 using namespace protocol;
 
-constexpr int kTimings = 4'000;
+int timings() { return wholeOrQuick(4'000, 200); }
 constexpr int kCallsPerSample = 16;
 constexpr std::size_t kRobotSamples = 10;
 constexpr std::size_t kHeaders = 28;  // IPv4 and UDP
@@ -24,6 +25,7 @@ constexpr std::size_t kHeaders = 28;  // IPv4 and UDP
 using Packet = std::array<std::uint8_t, kMaximumLinkDatagram>;
 
 struct Row {
+  std::string message;
   std::string name;
   std::size_t bytes = 0;
   double p50_ns = 0.0;
@@ -38,15 +40,15 @@ void keep(const T& value) {
 
 /// Times `call(i)` with i increasing; several calls between two readings of the clock.
 template <class Call>
-Row measure(const std::string& name, std::size_t bytes, Call&& call) {
+Row measure(const std::string& message, const std::string& name, std::size_t bytes, Call&& call) {
   std::size_t i = 0;
   const auto several = [&] {
     for (int n = 0; n < kCallsPerSample; ++n) call(i++);
   };
   const AllocationCount allocations;
   several();
-  Row row{.name = name, .bytes = bytes, .allocations = allocations.count()};
-  std::vector<double> times = timeEach(kTimings, several);
+  Row row{.message = message, .name = name, .bytes = bytes, .allocations = allocations.count()};
+  std::vector<double> times = timeEach(timings(), several);
   for (double& time : times) time /= kCallsPerSample;
   const Quantiles q = quantiles(times);
   row.p50_ns = q.p50;
@@ -80,27 +82,27 @@ void linkRows(std::vector<Row>& rows, const std::string& name, const Message& me
   const std::size_t plain = encodeLink(message, code, 1, Sealer::messagePart(packet));
   const std::size_t size = sealer.seal(packet, plain);
   Packet copy{};
-  rows.push_back(measure(name + ": copy of its bytes (baseline)", size, [&](std::size_t) {
+  rows.push_back(measure(name, "copy of its bytes (baseline)", size, [&](std::size_t) {
     std::memcpy(copy.data(), packet.data(), size);
     keep(copy);
   }));
   const std::array<std::uint8_t, 12> nonce{};
-  rows.push_back(measure(name + ": libsodium's seal alone (baseline)", size, [&](std::size_t) {
+  rows.push_back(measure(name, "libsodium's seal alone", size, [&](std::size_t) {
     crypto_aead_chacha20poly1305_ietf_encrypt(copy.data() + kSealHeader, nullptr, copy.data() + kSealHeader, plain,
                                               copy.data(), kSealHeader, nullptr, nonce.data(), key.data());
     keep(copy);
   }));
-  rows.push_back(measure(name + ": encode + seal", size, [&](std::size_t) {
+  rows.push_back(measure(name, "encode + seal", size, [&](std::size_t) {
     (void)sealer.seal(packet, encodeLink(message, code, 1, Sealer::messagePart(packet)));
     keep(packet);
   }));
-  std::vector<Packet> sent((kTimings + 1) * kCallsPerSample);
+  std::vector<Packet> sent(static_cast<std::size_t>(timings() + 1) * kCallsPerSample);
   Sealer fresh(key, 1);
   for (Packet& out : sent) (void)fresh.seal(out, encodeLink(message, code, 1, Sealer::messagePart(out)));
   Opener opener(key, 1);
   std::size_t next = 0;
   std::uint64_t good = 0;
-  rows.push_back(measure(name + ": open + decode", size, [&](std::size_t) {
+  rows.push_back(measure(name, "open + decode", size, [&](std::size_t) {
     const Opened opened = opener.open(Bytes(sent[next++]).first(size), copy);
     good += decode(decodeEnvelope(opened.message).value).ok() ? 1 : 0;
   }));
@@ -112,19 +114,19 @@ void classicRows(std::vector<Row>& rows) {
   const pipeline::TouchMessage finger{.position_mm = {12.3, -7.9, -3.1}, .in_contact = true, .force_N = 1.2345};
   auto state_bytes = encodeState(robot);
   auto touch_bytes = encodeTouch(finger);
-  rows.push_back(measure("classic state: encode", kClassicStateSize, [&](std::size_t) {
+  rows.push_back(measure("classic state", "encode", kClassicStateSize, [&](std::size_t) {
     state_bytes = encodeState(robot);
     keep(state_bytes);
   }));
-  rows.push_back(measure("classic state: decode", kClassicStateSize, [&](std::size_t) {
+  rows.push_back(measure("classic state", "decode", kClassicStateSize, [&](std::size_t) {
     keep(state_bytes);
     keep(decodeState(state_bytes));
   }));
-  rows.push_back(measure("classic touch: encode", kClassicTouchSize, [&](std::size_t) {
+  rows.push_back(measure("classic touch", "encode", kClassicTouchSize, [&](std::size_t) {
     touch_bytes = encodeTouch(finger);
     keep(touch_bytes);
   }));
-  rows.push_back(measure("classic touch: decode", kClassicTouchSize, [&](std::size_t) {
+  rows.push_back(measure("classic touch", "decode", kClassicTouchSize, [&](std::size_t) {
     keep(touch_bytes);
     keep(decodeTouch(touch_bytes));
   }));
@@ -148,9 +150,14 @@ Table bench_link() {
 
   Table table{.subject = "link",
               .title = "FYD Link and the classic codec",
-              .columns = {"operation", "bytes", "p50 ns", "p99 ns", "allocations"}};
+              .columns = {{"message", Role::group},
+                          {"operation", Role::method},
+                          "bytes",
+                          {"p50", "ns", Role::cost},
+                          {"p99", "ns"},
+                          "allocations"}};
   for (const Row& row : rows) {
-    table.rows.push_back({row.name, fmt::format("{}", row.bytes), number(row.p50_ns), number(row.p99_ns),
+    table.rows.push_back({row.message, row.name, fmt::format("{}", row.bytes), number(row.p50_ns), number(row.p99_ns),
                           fmt::format("{}", row.allocations)});
   }
   Packet packet{};

@@ -1,10 +1,13 @@
-// fyd-bench [NAME] [--out DIR] [--cloth NAME] [--runs N] [--seed S] [--data DIR] [--mesh FILE] [--path FILE] [--json]:
-// measures speed beside error, against a baseline in the same run; `fyd bench` runs it.
+// fyd-bench [NAME | --all] [--quick] [--out DIR] [--cloth NAME] [--runs N] [--seed S] [--data DIR] [--mesh FILE]
+// [--path FILE] [--json | --text]: measures speed beside error, against a baseline in the same run; `fyd bench` runs
+// it.
+#include <cstdlib>
 #include <functional>
 #include <iostream>
 
 #include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/cloths.h"
+#include "app/bench/parts/numbers_page.h"
 #include "app/bench/parts/table.h"
 #include "app/cli/parts/cloth_name.h"
 #include "app/cli/parts/command.h"
@@ -36,15 +39,24 @@ struct Options {
   std::string name;
   std::string out;
   std::string cloth;
+  bool all = false;
   bool json = false;
+  bool text = false;
 };
 
 void addTo(CLI::App& app, Options& options) {
   std::vector<std::string> names;
   for (const Subject& subject : subjects()) names.push_back(subject.name);
-  app.add_option("name", options.name, "Subject; all of them when left out")->check(CLI::IsMember(names));
-  app.add_option("--out", options.out,
-                 "Folder for one Markdown and one CSV file per subject, and for what it measured");
+  auto* name =
+      app.add_option("name", options.name, "Subject; all of them when left out")->check(CLI::IsMember(names));
+  auto* out = app.add_option("--out", options.out,
+                             "Folder for one Markdown and one CSV file per subject, and for what it measured");
+  app.add_flag("--all", options.all,
+               "Every subject, and of all of them the page of numbers: numbers.md, numbers.csv and numbers.svg in --out")
+      ->needs(out)
+      ->excludes(name);
+  app.add_flag("--quick", benchOptions().quick,
+               "A small part of each subject, within a minute in all: shows that it works, its figures are rough");
   app.add_option("--cloth", options.cloth,
                  "The simulated cloth of indentation and controller; membrane, rollers and ideal when left out")
       ->check(CLI::IsMember(std::vector<std::string>(sim::kClothNames.begin(), sim::kClothNames.end())));
@@ -58,27 +70,32 @@ void addTo(CLI::App& app, Options& options) {
   auto* path = app.add_option("--path", more.path, "CSV with t_s, x_mm, y_mm and z_mm over that mesh, for scene");
   mesh->needs(path);
   path->needs(mesh);
-  app.add_flag("--json", options.json, "As JSON: an array of tables");
+  auto* json = app.add_flag("--json", options.json, "As JSON: an array of tables");
+  app.add_flag("--text", options.text, "As columns below each other instead of Markdown")->excludes(json);
 }
 
 void run(const Options& options) {
-  nlohmann::ordered_json tables = nlohmann::ordered_json::array();
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::vector<Table> tables;
+  // The page is of drawing in software, wherever it is made.
+  if (options.all) ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
   benchOptions().out = options.out;
   if (!options.cloth.empty()) benchCloths() = {cli::clothOf(options.cloth)};
   for (const Subject& subject : subjects()) {
     if (!options.name.empty() && options.name != subject.name && !subject.name.starts_with(options.name + "_")) {
       continue;  // NAME_… are further tables of the subject NAME
     }
-    const Table table = subject.run();
+    const Table& table = tables.emplace_back(subject.run());
     if (options.json) {
-      tables.push_back(toJson(table));
+      json.push_back(toJson(table));
     } else {
-      std::cout << toMarkdown(table) << '\n' << std::flush;
+      std::cout << (options.text ? toText(table) : toMarkdown(table)) << '\n' << std::flush;
     }
     writeBeside(table.subject + ".md", toMarkdown(table));
     writeBeside(table.subject + ".csv", toCsv(table));
   }
-  if (options.json) cli::printJson(tables);
+  if (options.all) writeNumbersPage(tables);
+  if (options.json) cli::printJson(json);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <modbus/modbus.h>
 
 #include "app/bench/parts/line_bridge.h"
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "core/device/touchpad/modbus_touchpad.h"
 #include "core/sim/server/touchpad_process.h"
@@ -16,8 +17,8 @@ namespace fyd::bench {
 namespace {
 
 constexpr int kWarmUp = 50;
-constexpr int kCycles = 3000;
-constexpr int kSlowCycles = 300;
+int loopbackCycles() { return wholeOrQuick(3000, 100); }
+int slowCycles() { return wholeOrQuick(300, 10); }
 constexpr int kReadRegisters = 16;
 constexpr int kWrittenRegisters = 8;
 constexpr int kBaud = 115'200;  // of the pseudo-terminals, which ignore it
@@ -145,11 +146,11 @@ double cpuShareAt250Hz(const device::ModbusAddress& address) {
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
   };
-  constexpr int kExchanges = 500;
+  const int exchanges = wholeOrQuick(500, 50);
   device::ModbusTouchpad touchpad(address, patient());
   const double before = cpu_s();
   const Instant start = Clock::now();
-  for (int i = 1; i <= kExchanges; ++i) {
+  for (int i = 1; i <= exchanges; ++i) {
     static_cast<void>(touchpad.exchange({}, Clock::now()));
     std::this_thread::sleep_until(start + i * touchpad.period());
   }
@@ -161,8 +162,15 @@ double cpuShareAt250Hz(const device::ModbusAddress& address) {
 Table bench_modbus() {
   Table table{.subject = "modbus",
               .title = "One Modbus cycle (function 0x17) of the touchpad",
-              .columns = {"line", "client", "registers read + written", "p50 µs", "p99 µs", "cycles/s", "p50 ratio",
-                          "mean age of an encoder reading ms", "failed"},
+              .columns = {{"line", Role::group},
+                          {"client", Role::method},
+                          {"registers read + written", Role::group},
+                          {"p50", "µs", Role::cost},
+                          {"p99", "µs"},
+                          {"cycles", "1/s"},
+                          "p50 ratio",
+                          {"mean age of an encoder reading", "ms"},
+                          {"failed", "cycles", Role::error}},
               .rows = {},
               .notes = {}};
   sim::TouchpadProcessOptions options;
@@ -171,13 +179,13 @@ Table bench_modbus() {
   auto process = sim::TouchpadProcess::start(options);
   if (!process) return table;
   const std::string tcp = (*process)->addresses()[0];
-  addLine(table, "TCP loopback", tcp, kCycles);
-  addLine(table, "pseudo-terminal", fmt::format("modbus-rtu:{}:{}", options.modbus_rtu, kBaud), kCycles);
+  addLine(table, "TCP loopback", tcp, loopbackCycles());
+  addLine(table, "pseudo-terminal", fmt::format("modbus-rtu:{}:{}", options.modbus_rtu, kBaud), loopbackCycles());
   for (const int baud : {115'200, 1'000'000}) {
     const std::string path = scratch("bridge");
     auto bridge = LineBridge::start(options.modbus_rtu, path, baud);
     if (!bridge) continue;
-    addLine(table, fmt::format("bridge at {} Bd", baud), fmt::format("modbus-rtu:{}:{}", path, kBaud), kSlowCycles);
+    addLine(table, fmt::format("bridge at {} Bd", baud), fmt::format("modbus-rtu:{}:{}", path, kBaud), slowCycles());
   }
   table.notes = {
       "All clients speak with the same simulated touchpad in this process. The bridge delivers a group of bytes when "

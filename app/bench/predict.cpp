@@ -46,7 +46,7 @@ std::vector<Trace> tracesOf(const MotionSet& set, const std::filesystem::path& d
   std::ranges::sort(files);
   std::vector<Trace> out;
   for (const auto& file : files) out.push_back(cli::readTrace(file, {}).trace);
-  return out;
+  return wholeOrFirst(out, 1);
 }
 
 double processor_ns() {
@@ -99,24 +99,33 @@ Table bench_predict() {
   Table table;
   table.subject = "predict";
   table.title = "Predictors: error against cost over recorded motions";
-  table.columns = {"motion",          "recordings", "delay ms",
-                   "predictor",       "RMS mm",     "gain over the paper's best %",
-                   "worst / order 0", "max mm",     "ns a step and axis"};
+  table.columns = {{"motion", Role::group},
+                   "recordings",
+                   {"delay", "ms", Role::group},
+                   {"predictor", Role::method},
+                   {"RMS", "mm", Role::error},
+                   {"gain over the paper's best", "%"},
+                   "worst / order 0",
+                   {"max", "mm"},
+                   {"a step and axis", "ns", Role::cost}};
   std::vector<CostPanel> panels;
-  for (const MotionSet& set : motionSets()) {
+  for (const MotionSet& set : wholeOrFirst(motionSets(), 1)) {
     const std::vector<Trace> traces = tracesOf(set, data);
     if (traces.empty()) {
       table.notes.push_back(fmt::format("{}: no recordings in {}.", set.name, (data / set.folder).string()));
       continue;
     }
-    for (const double delay_ms : set.delays_ms) {
+    for (const double delay_ms : wholeOrFirst(set.delays_ms, 1)) {
       auto pooled = measure(traces, set.period_ms, delay_ms);
-      const double best = std::min({pooled["order0"].rms(), pooled["order1"].rms(), pooled["hybrid"].rms()});
+      const auto paper = std::ranges::min({"order0", "order1", "hybrid"}, {},
+                                          [&](const char* name) { return pooled[name].rms(); });
+      const double best = pooled[paper].rms();
       CostPanel panel{.title = fmt::format("{}, {:.0f} ms", set.name, delay_ms), .points = {}};
       for (const std::string_view name : kPredictorNames) {
         const Pooled& each = pooled[name];
         const double ns = each.ns / each.axis_ticks;
-        table.rows.push_back({set.name, std::to_string(traces.size()), number(delay_ms), std::string(name),
+        table.rows.push_back({set.name, std::to_string(traces.size()), number(delay_ms),
+                              std::string(name) + (name == paper ? " (the paper's best, baseline)" : ""),
                               number(each.rms()), fmt::format("{:.1f}", 100.0 * (1.0 - each.rms() / best)),
                               number(each.worst), number(each.max_mm), number(ns)});
         panel.points.push_back({std::string(name), ns, each.rms() / best});

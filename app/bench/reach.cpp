@@ -16,7 +16,7 @@ namespace {
 
 using sim::ReachRow;
 
-constexpr double kSeconds = 60.0;
+double seconds() { return wholeOrQuick(60.0, 5.0); }
 constexpr double kSettled_s = 3.0;  // armed, connected, and the arm where the finger is
 constexpr double kHalfWidth_mm = 32.0, kHalfDepth_mm = 22.0;
 constexpr double kShallow_mm = 1.0, kDeep_mm = 6.0;
@@ -159,11 +159,20 @@ Table bench_reach() {
   Table table;
   table.subject = "reach";
   table.title = "From the finger to the tool";
-  table.columns = {
-      "hand",           "protocol",       "one way ms",      "following",       "lag ms",        "RMS mm",
-      "depth's lag ms", "depth's RMS mm", "vibration ratio", "largest step mm", "speed / limit", "acceleration / limit",
-      "jerk / limit"};
-  for (const Hand& hand : hands()) {
+  table.columns = {{"hand", Role::group},
+                   {"protocol", Role::group},
+                   {"one way", "ms", Role::group},
+                   {"following", Role::method},
+                   {"lag", "ms", Role::cost},
+                   {"RMS", "mm", Role::error},
+                   {"depth's lag", "ms"},
+                   {"depth's RMS", "mm"},
+                   "vibration ratio",
+                   {"largest step", "mm"},
+                   "speed / limit",
+                   "acceleration / limit",
+                   "jerk / limit"};
+  for (const Hand& hand : wholeOrFirst(hands(), 1)) {
     for (const bool secured : {true, false}) {
       for (const auto& [delay_ms, following] : cases()) {
         sim::ReachSettings settings;
@@ -173,7 +182,7 @@ Table bench_reach() {
         settings.network.forward.delay_ms = settings.network.backward.delay_ms = delay_ms;
         settings.reference.predictor = cli::valueOrFail(device::followingNamed(following));
         settings.secured = secured;
-        settings.seconds = kSeconds;
+        settings.seconds = seconds();
         const auto rows = cli::valueOrFail(sim::reach(settings));
         const teleop::TrialFigures figures = figuresOf(rows);
         table.rows.push_back({hand.name, secured ? "FYD Link" : "classic", number(delay_ms),

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <thread>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/recorded_session.h"
 #include "app/bench/parts/table.h"
 #include "core/station/station.h"
@@ -9,8 +10,8 @@
 namespace fyd::bench {
 namespace {
 
-constexpr double kPush_s = 6.0;
-constexpr double kStation_s = 12.0;
+double push_s() { return wholeOrQuick(6.0, 1.5); }
+double station_s() { return wholeOrQuick(12.0, 2.0); }
 
 struct Push {
   Quantiles copy_ns;
@@ -27,7 +28,7 @@ Push measurePush(const std::string& path) {
   std::vector<recording::StepRecord> slots(2000);
   Instant due = Clock::now();
   std::size_t number = 0;
-  simulateSession(kPush_s, [&](const recording::StepView& step) {
+  simulateSession(push_s(), [&](const recording::StepView& step) {
     std::this_thread::sleep_until(due += std::chrono::milliseconds(1));
     if (number == 500) (void)recorder.begin({.path = path});
     recording::StepRecord& slot = slots[number++ % slots.size()];
@@ -62,7 +63,7 @@ Session runStation(const std::string& path) {
   (*opened)->start();
   const Instant start = Clock::now();
   bool armed = false;
-  while (toSeconds(Clock::now() - start) < kStation_s) {
+  while (toSeconds(Clock::now() - start) < station_s()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     const std::size_t taken = (*opened)->takeTelemetry(batch);
     if (armed || taken == 0 || batch[taken - 1].state != pipeline::SafetyState::ready) continue;
@@ -87,12 +88,13 @@ Table bench_recorder() {
   const Session with = runStation(folder.file("station.h5"));
   const auto pushRow = [&](const std::string& name, const Quantiles& ns, std::uint64_t lost) {
     return std::vector<std::string>{
-        name,     number(ns.p50), number(ns.p99), number(ns.p50 / push.copy_ns.p50), kNothing,
+        "a step", name, number(ns.p50), number(ns.p99), number(ns.p50 / push.copy_ns.p50), kNothing,
         kNothing, kNothing,       kNothing,       number(static_cast<double>(lost))};
   };
   const auto stationRow = [](const std::string& name, const Session& session) {
     const recording::RecorderStatus& status = session.recorder;
-    return std::vector<std::string>{name,
+    return std::vector<std::string>{"a session",
+                                    name,
                                     kNothing,
                                     kNothing,
                                     kNothing,
@@ -104,13 +106,21 @@ Table bench_recorder() {
   };
   return {.subject = "recorder",
           .title = "Recording",
-          .columns = {"what", "p50 ns", "p99 ns", "p50 ratio", "cycles missed %", "recorder's thread % of a core",
-                      "commit p99 ms", "kB/s", "steps lost"},
+          .columns = {{"part", Role::group},
+                      {"what", Role::method},
+                      {"p50", "ns", Role::cost},
+                      {"p99", "ns"},
+                      "p50 ratio",
+                      {"cycles missed", "%"},
+                      {"recorder's thread", "% of a core"},
+                      {"commit p99", "ms"},
+                      {"written", "kB/s"},
+                      {"lost", "steps", Role::error}},
           .rows = {pushRow("copy of a whole StepRecord (baseline)", push.copy_ns, 0),
                    pushRow("push to the recorder", push.push_ns, push.lost),
                    stationRow("simulated station, not recorded (baseline)", without),
                    stationRow("simulated station, recorded", with)},
-          .notes = {"Pushes at 1 kHz from a simulated session with one acceleration a step; the station runs 12 s each "
+          .notes = {"Pushes at 1 kHz from a simulated session with one acceleration a step; the station runs some seconds each "
                     "way, with pictures. What the recorder's thread takes while it does not record is the second "
                     "pipeline that follows the step. The first seconds, in which the file is made, count as well."}};
 }

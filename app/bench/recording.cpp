@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <random>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/recorded_session.h"
 #include "app/bench/parts/table.h"
 #include "core/recording/file/recording_disk.h"
@@ -22,8 +23,9 @@ namespace {
 
 using namespace recording;
 
-constexpr std::uint64_t kHourSteps = 3'600'000;
-constexpr std::uint64_t kCommitSteps = 60 * 1000;
+/// Seconds of the long recording: an hour.
+double long_s() { return wholeOrQuick(3600.0, 30.0); }
+std::uint64_t commitSteps() { return wholeOrQuick<std::uint64_t>(60 * 1000, 5 * 1000); }
 constexpr std::uint64_t kStepsPerPicture = 1'000;
 constexpr std::size_t kForceField = 11;
 
@@ -104,7 +106,7 @@ std::uint64_t makeHour(const std::string& file) {
   if (!writer) return 0;
   BusySession steps;
   recording::EncodedPicture picture = aPicture();
-  for (std::uint64_t i = 0; i < kHourSteps; ++i) {
+  for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(1e3 * long_s()); ++i) {
     const StepRecord step = steps.next();
     if (!(*writer)->append(step)) return 0;
     if (i % kStepsPerPicture != 0) continue;
@@ -152,41 +154,47 @@ Times timesOf(int runs, Call&& call) {
   return out;
 }
 
-std::vector<std::string> rowOf(const std::string& name, Times times, const std::string& ratio) {
+std::vector<std::string> rowOf(const char* part, const std::string& name, Times times, const std::string& ratio) {
   const Quantiles q = quantiles(times.passed_ns);
   return {
-      name, number(ms(q.p50)), number(ms(p95(times.passed_ns))), number(ms(q.p99)), number(ms(p95(times.worked_ns))),
+      part, name, number(ms(q.p50)), number(ms(p95(times.passed_ns))), number(ms(q.p99)), number(ms(p95(times.worked_ns))),
       ratio};
 }
 
 void addTimes(Table& table, const std::string& name, const Times& times) {
-  table.rows.push_back(rowOf(name, times, "—"));
+  table.rows.push_back(rowOf("reading", name, times, "—"));
 }
 
 void measureReading(Table& table, const std::string& file) {
-  addTimes(table, "open an hour", timesOf(20, [&] { (void)recording::Recording::open(file); }));
+  addTimes(table, "baseline: all of its bytes by read()", timesOf(5, [&] {
+             std::ifstream whole(file, std::ios::binary);
+             std::vector<char> block(1 << 20);
+             while (whole.read(block.data(), static_cast<std::streamsize>(block.size()))) {
+             }
+           }));
+  addTimes(table, "open it", timesOf(20, [&] { (void)recording::Recording::open(file); }));
   const auto opened = recording::Recording::open(file);
   if (!opened) return;
   const recording::Recording& recording = **opened;
   std::mt19937 random(2);
   std::vector<pipeline::TelemetrySample> second(1000);
   addTimes(table, "1 s of telemetry with its picture, anywhere", timesOf(200, [&] {
-             const double from_s = std::uniform_real_distribution<double>(1.0, 3598.0)(random);
+             const double from_s = std::uniform_real_distribution<double>(1.0, long_s() - 2.0)(random);
              if (const auto row = recording.rowAt(from_s); row) (void)recording.telemetry(*row, second);
              (void)recording.pictureAt(from_s);
            }));
   const auto overview = [&](double seconds) {
     return timesOf(10, [&] {
-      const double from_s = std::uniform_real_distribution<double>(0.0, 3600.0 - seconds)(random);
+      const double from_s = std::uniform_real_distribution<double>(0.0, long_s() - seconds)(random);
       // Opened anew each time: nothing is in the reader's own cache.
       if (const auto fresh = recording::Recording::open(file); fresh)
         (void)(*fresh)->overview(kForceField, from_s, from_s + seconds, 1000);
     });
   };
-  addTimes(table, "open, then 1 h in 1000 buckets", overview(3600));
-  addTimes(table, "open, then 10 min in 1000 buckets", overview(600));
-  addTimes(table, "open, then 3 min in 1000 buckets", overview(180));
-  addTimes(table, "open, then 20 s in 1000 buckets", overview(20));
+  addTimes(table, "open, then all of it in 1000 buckets", overview(long_s()));
+  for (const double seconds : {600.0, 180.0, 20.0}) {
+    if (seconds < long_s()) addTimes(table, fmt::format("open, then {:g} s in 1000 buckets", seconds), overview(seconds));
+  }
   std::uint64_t row = 0;
   addTimes(table, "1000 steps in order, for replay", timesOf(100, [&] {
              for (int i = 0; i < 1000; ++i) (void)recording.step(row++);
@@ -199,7 +207,7 @@ void measureCommits(Table& table, const TemporaryFolder& folder) {
   BusySession steps;
   Times times;
   const std::uint64_t before = (*writer)->bytes();
-  for (std::uint64_t i = 1; i <= kCommitSteps; ++i) {
+  for (std::uint64_t i = 1; i <= commitSteps(); ++i) {
     const StepRecord record = steps.next();
     Result<void> put;
     if (i % kBlockSteps == 0)
@@ -217,8 +225,8 @@ void measureCommits(Table& table, const TemporaryFolder& folder) {
   ::close(plain);
   const double ratio = times.p50_ns() / plain_times.p50_ns();
   table.rows.push_back(
-      rowOf(fmt::format("baseline: write() and fdatasync() of {} kB", bytes.size() / 1000), plain_times, "1"));
-  table.rows.push_back(rowOf("a commit of 250 steps", times, number(ratio)));
+      rowOf("a commit", fmt::format("baseline: write() and fdatasync() of {} kB", bytes.size() / 1000), plain_times, "1"));
+  table.rows.push_back(rowOf("a commit", "250 steps", times, number(ratio)));
 }
 
 }  // namespace
@@ -226,7 +234,13 @@ void measureCommits(Table& table, const TemporaryFolder& folder) {
 Table bench_recording() {
   Table table{.subject = "recording",
               .title = "The recording's file",
-              .columns = {"what", "p50 (ms)", "p95 (ms)", "p99 (ms)", "processor p95 (ms)", "p50 against the baseline"},
+              .columns = {{"part", Role::group},
+                          {"what", Role::method},
+                          {"p50", "ms", Role::cost},
+                          {"p95", "ms"},
+                          {"p99", "ms"},
+                          {"processor p95", "ms"},
+                          "p50 against the baseline"},
               .rows = {},
               .notes = {}};
   const TemporaryFolder folder;
@@ -239,11 +253,11 @@ Table bench_recording() {
   const double verify_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (verified)
     table.notes.push_back(fmt::format(
-        "An hour of steps, with a picture a second: {} MB, its rows without compression {} MB ({} of them); verify "
+        "{:g} s of steps, with a picture a second: {} MB, its rows without compression {} MB ({} of them); verify "
         "reads all "
         "of "
         "it in {} s and finds {} damaged blocks.",
-        number(static_cast<double>(bytes) * 1e-6, 4), number(static_cast<double>(verified->bytes) * 1e-6, 4),
+        long_s(), number(static_cast<double>(bytes) * 1e-6, 4), number(static_cast<double>(verified->bytes) * 1e-6, 4),
         number(static_cast<double>(bytes) / static_cast<double>(verified->bytes)), number(verify_s),
         verified->damaged));
   rusage used{};

@@ -1,6 +1,7 @@
 // Speed of a replay of a recording through the step, against the bare step on the same inputs in memory.
 #include <thread>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/recorded_session.h"
 #include "app/bench/parts/table.h"
 #include "core/base/profile_text.h"
@@ -9,7 +10,7 @@
 namespace fyd::bench {
 namespace {
 
-constexpr double kSession_s = 60.0;
+double session_s() { return wholeOrQuick(60.0, 5.0); }
 constexpr std::size_t kAtOnce = 2000;  // steps; the recorder's ring takes more
 
 /// @return the inputs, for the baseline
@@ -21,7 +22,7 @@ std::vector<pipeline::Inputs> record(const std::string& path) {
   recording::Recorder recorder({}, {}, {}, {}, {.profile = profile, .link = {}});
   recorder.start();
   std::vector<pipeline::Inputs> inputs;
-  simulateSession(kSession_s, [&](const recording::StepView& step) {
+  simulateSession(session_s(), [&](const recording::StepView& step) {
     recorder.push(step);
     inputs.push_back(step.inputs);
     if (inputs.size() % kAtOnce != 0) return;
@@ -36,13 +37,17 @@ double bareStep_x(const std::vector<pipeline::Inputs>& inputs) {
   pipeline::Pipeline step({});
   const Instant start = Clock::now();
   for (const pipeline::Inputs& in : inputs) (void)step.step(in);
-  return kSession_s / toSeconds(Clock::now() - start);
+  return session_s() / toSeconds(Clock::now() - start);
 }
 
 std::vector<std::string> row(const std::string& name, const Result<replay::ReplayResult>& result, double baseline_x) {
-  if (!result) return {name, result.error().text(), "—", "—", "—"};
-  return {name, number(result->speed_x), number(result->speed_x / baseline_x),
-          number(static_cast<double>(result->different)), number(result->max_abs_difference)};
+  if (!result) return {name, "—", "—", "—", "—", result.error().text()};
+  return {name,
+          number(1e3 / result->speed_x),
+          number(result->speed_x),
+          number(result->speed_x / baseline_x),
+          number(static_cast<double>(result->different)),
+          number(result->max_abs_difference)};
 }
 
 }  // namespace
@@ -54,13 +59,18 @@ Table bench_replay() {
   const double bare_x = bareStep_x(inputs);
   Table table{.subject = "replay",
               .title = "Replay of a recording",
-              .columns = {"what", "times real time", "ratio", "steps that differ", "largest difference"},
-              .rows = {{"bare step, inputs in memory (baseline)", number(bare_x), "1", "—", "—"}},
-              .notes = {"60 s of the demonstration gesture with one acceleration a step; the file is read from the "
-                        "system's cache. With another gain the steps differ, as they should."}};
+              .columns = {{"what", Role::method},
+                          {"a step of 1 ms", "µs", Role::cost},
+                          "times real time",
+                          "ratio",
+                          {"differ", "steps", Role::error},
+                          "largest difference"},
+              .rows = {{"bare step, inputs in memory (baseline)", number(1e3 / bare_x), number(bare_x), "1", "—", "—"}},
+              .notes = {fmt::format("{:g} s of the demonstration gesture with one acceleration a step; the file is read from the "
+                        "system's cache. With another gain the steps differ, as they should.", session_s())}};
   auto recording = recording::Recording::open(path);
   if (!recording) {
-    table.rows.push_back({recording.error().text(), "—", "—", "—", "—"});
+    table.rows.push_back({recording.error().text(), "—", "—", "—", "—", "—"});
     return table;
   }
   table.rows.push_back(row("replay, compared bit for bit", replay::replay(**recording, {}), bare_x));

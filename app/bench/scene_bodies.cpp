@@ -3,8 +3,9 @@
 #include <cmath>
 #include <memory>
 
+#include "app/bench/parts/bench_options.h"
+#include "app/bench/parts/scene_bumpy_plane.h"
 #include "app/bench/parts/table.h"
-#include "app/bench/scene_bumpy_plane.h"
 #include "core/scene/scene.h"
 
 namespace fyd::bench {
@@ -13,7 +14,7 @@ namespace {
 
 using namespace scene;
 
-constexpr int kSteps = 20'000;
+int steps() { return wholeOrQuick(20'000, 500); }
 constexpr int kRounds = 5;  // alternating, so that a machine that slows down affects all cases alike
 
 struct Counted {
@@ -44,13 +45,17 @@ Table bench_scene_bodies() {
   using namespace scene_bodies_rows;
   Table table{.subject = "scene_bodies",
               .title = "A step with bodies that sleep",
-              .columns = {"bodies", "of them awake", "step median, ns", "against one body", "memory, MB"},
+              .columns = {{"bodies", Role::method},
+                          "of them awake",
+                          {"step median", "ns", Role::cost},
+                          "against one body",
+                          {"memory", "MB"}},
               .rows = {},
-              .notes = {std::to_string(kSteps) +
+              .notes = {std::to_string(steps()) +
                         " steps over a bumpy plane of 10 000 triangles, five times in turn; the others are as large, "
                         "share its mesh and are at least 850 mm away. Each has search and surface of its own."}};
   const auto mesh = std::make_shared<const SearchedMesh>(*Mesh::build(bumpyPlane(71)));
-  const std::vector<Vec3> path = underBumpyPlane(kSteps, 110.0, 1.0);
+  const std::vector<Vec3> path = underBumpyPlane(steps(), 110.0, 1.0);
   std::vector<Counted> all;
   for (const std::size_t bodies : {1, 2, 10, 100}) all.push_back(withBodies(bodies, mesh));
   double time_s = 0.0;
@@ -68,7 +73,7 @@ Table bench_scene_bodies() {
   for (Counted& each : all) {
     const double median_ns = quantiles(each.ns).p50;
     if (each.bodies == 1) one_ns = median_ns;
-    table.rows.push_back({std::to_string(each.bodies), std::to_string(each.scene->awake()), number(median_ns),
+    table.rows.push_back({std::to_string(each.bodies) + (each.bodies == 1 ? " (baseline)" : ""), std::to_string(each.scene->awake()), number(median_ns),
                           number(median_ns / one_ns), number(static_cast<double>(each.scene->bytes()) / 1e6)});
   }
   return table;

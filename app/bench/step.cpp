@@ -3,13 +3,14 @@
 #include <cmath>
 
 #include "app/bench/parts/allocation_count.h"
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "core/sim/touchpad/lockstep.h"
 
 namespace fyd::bench {
 namespace {
 
-constexpr double kSession_s = 16.0;
+double session_s() { return wholeOrQuick(16.0, 6.0); }
 constexpr double kSettle_s = 1.0;
 
 pipeline::Parameters thesisModes() {
@@ -51,7 +52,7 @@ Run measure(const pipeline::Parameters& parameters) {
   options.finger = sim::FingerPath::demonstration();
   sim::Lockstep session(options);
   std::vector<pipeline::Inputs> inputs;
-  inputs.reserve(static_cast<std::size_t>(kSession_s * 1000));
+  inputs.reserve(static_cast<std::size_t>(session_s() * 1000));
   session.spoil = [&inputs](pipeline::Inputs& in) {
     const double phase = 0.7 * static_cast<double>(inputs.size());
     (void)in.robot.accelerations.push(
@@ -61,7 +62,7 @@ Run measure(const pipeline::Parameters& parameters) {
   Run run;
   session.run(0.3);
   (void)session.next.commands.push({.action = pipeline::OperatorAction::arm});
-  session.run(kSession_s - 0.3, [&](const pipeline::Outputs& outputs) {
+  session.run(session_s() - 0.3, [&](const pipeline::Outputs& outputs) {
     const sim::WorldSnapshot truth = session.world().truth();
     if (session.time_s() < kSettle_s || !outputs.telemetry.contact || truth.finger.lifted) return;
     run.indentation_mm.add(outputs.telemetry.indentation_mm - truth.finger.indentation_mm);
@@ -98,13 +99,21 @@ Table bench_step() {
   const Run normal = measure({});
   return {.subject = "step",
           .title = "One pipeline step",
-          .columns = {"modes", "p50 ns", "p99 ns", "p99.9 ns", "p50 ratio", "allocations per step",
-                      "indentation error mm RMS", "stiffness error % RMS"},
+          .columns = {{"modes", Role::method},
+                      {"p50", "ns", Role::cost},
+                      {"p99", "ns"},
+                      {"p99.9", "ns"},
+                      "p50 ratio",
+                      "allocations per step",
+                      {"indentation error RMS", "mm", Role::error},
+                      {"stiffness error RMS", "%"}},
           .rows = {row("thesis (baseline)", thesis, thesis), row("default", normal, thesis)},
           .notes = {
-              "The demonstration gesture, 16 s, one acceleration per step; inputs are collected from the simulated "
+              fmt::format(
+              "The demonstration gesture, {:g} s, one acceleration per step; inputs are collected from the simulated "
               "touchpad first and the step alone is timed on them. Errors are against the simulation's truth while the "
-              "cloth is touched, the stiffness error between the cloth's true stiffness and the target."}};
+              "cloth is touched, the stiffness error between the cloth's true stiffness and the target.",
+              session_s())}};
 }
 
 }  // namespace fyd::bench

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "core/base/whole_file.h"
 #include "core/texture/dft321.h"
@@ -18,7 +19,7 @@ namespace {
 
 using namespace texture;
 
-constexpr std::size_t kSamples = 32768;
+std::size_t samples() { return wholeOrQuick<std::size_t>(32768, 4096); }
 constexpr double kRate_Hz = 1000.0;
 constexpr std::array<const char*, 2> kRecordings = {"fabric", "wood"};
 constexpr const char* kFolder = "tests/data/texture_100hz";
@@ -64,16 +65,16 @@ std::vector<Signal> recorded() {
 }
 
 std::vector<Signal> signals() {
-  const auto noise = bandNoise(kSamples, 30.0, 300.0, kRate_Hz, 2);
+  const auto noise = bandNoise(samples(), 30.0, 300.0, kRate_Hz, 2);
   std::vector<Signal> out;
   out.push_back({"one noise, three paths", kRate_Hz, spread(noise, {{{0.0, 1.0}, {3.0, 0.7}, {7.0, 0.5}}})});
   out.push_back({"equal gains, long paths", kRate_Hz,
-                 spread(bandNoise(kSamples, 20.0, 450.0, kRate_Hz, 4), {{{0.0, 1.0}, {5.0, 1.0}, {11.0, 1.0}}})});
+                 spread(bandNoise(samples(), 20.0, 450.0, kRate_Hz, 4), {{{0.0, 1.0}, {5.0, 1.0}, {11.0, 1.0}}})});
   out.push_back({"a band on each axis",
                  kRate_Hz,
-                 {bandNoise(kSamples, 60.0, 150.0, kRate_Hz, 9), bandNoise(kSamples, 150.0, 300.0, kRate_Hz, 10),
-                  bandNoise(kSamples, 250.0, 420.0, kRate_Hz, 11)}});
-  out.push_back({"a chirp on each axis", kRate_Hz, chirps(kSamples, 30.0, 450.0, kRate_Hz)});
+                 {bandNoise(samples(), 60.0, 150.0, kRate_Hz, 9), bandNoise(samples(), 150.0, 300.0, kRate_Hz, 10),
+                  bandNoise(samples(), 250.0, 420.0, kRate_Hz, 11)}});
+  out.push_back({"a chirp on each axis", kRate_Hz, chirps(samples(), 30.0, 450.0, kRate_Hz)});
   for (Signal& s : recorded()) out.push_back(std::move(s));
   return out;
 }
@@ -184,10 +185,20 @@ Table bench_texture() {
   Table table;
   table.subject = "texture";
   table.title = "Texture: what each millisecond of delay buys";
-  table.columns = {"method",         "signal",       "frame",     "hop",       "delay ms", "impulse delay ms",
-                   "spectral match", "energy ratio", "edge jump", "ns/sample", "× soc"};
+  table.columns = {{"method", Role::method},
+                   {"signal", Role::group},
+                   {"frame", Role::method},
+                   {"hop", Role::method},
+                   {"delay", "ms"},
+                   {"impulse delay", "ms"},
+                   "spectral match",
+                   {"spectral mismatch", "", Role::error},
+                   "energy ratio",
+                   "edge jump",
+                   {"a sample", "ns", Role::cost},
+                   "× soc"};
   bool has_recording = false;
-  for (const Signal& signal : signals()) {
+  for (const Signal& signal : wholeOrFirst(signals(), 1)) {
     has_recording = has_recording || signal.rate_Hz != kRate_Hz;
     double baseline_ns = 0.0;
     for (const Setting& s : settings()) {
@@ -197,6 +208,7 @@ Table bench_texture() {
       table.rows.push_back({label(s), signal.name, s.frame > 0 ? std::to_string(s.frame) : "—",
                             s.hop > 0 ? std::to_string(s.hop) : "—", number(r.delay * ms, 4),
                             number(impulseDelay(s, signal.rate_Hz) * ms, 4), number(r.figures.spectral_match),
+                            number(1.0 - r.figures.spectral_match),
                             number(r.figures.energy_ratio, 4), number(r.edge_jump), number(r.ns_per_sample),
                             number(r.ns_per_sample / baseline_ns)});
     }

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <random>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "core/base/whole_file.h"
 #include "core/signal/high_pass.h"
@@ -224,15 +226,30 @@ Table table() {
   Table out;
   out.subject = "texture_felt";
   out.title = "Texture: what arrives at a finger";
-  out.columns = {"mapping",     "signals",          "breakaway %", "resonance Hz",    "match",
-                 "worst match", "third octaves dB", "envelope",    "felt %",          "level mg",
-                 "peak mg",     "lag ms",           "duty RMS %",  "stretch moved °", "ns/sample"};
+  out.columns = {{"mapping", Role::method},
+                 {"signals", Role::group},
+                 {"breakaway", "%", Role::group},
+                 {"resonance", "Hz", Role::group},
+                 "match",
+                 "worst match",
+                 {"third octaves", "dB", Role::error},
+                 "envelope",
+                 {"felt", "%"},
+                 {"level", "mg"},
+                 {"peak", "mg"},
+                 {"lag", "ms"},
+                 {"duty RMS", "%"},
+                 {"stretch moved", "°"},
+                 {"a sample", "ns", Role::cost}};
   const std::vector<Signal> of_materials = materials();
   const std::vector<Signal> of_surfaces = surfaces();
   const std::vector<Signal> of_noises = noises();
+  const auto some = [](const std::array<double, 3>& all) {
+    return std::span(all).first(wholeOrQuick<std::size_t>(all.size(), 1));
+  };
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
-    for (const double breakaway : kBreakaway_percent) {
-      for (const double resonance : kResonance_Hz) {
+    for (const double breakaway : some(kBreakaway_percent)) {
+      for (const double resonance : some(kResonance_Hz)) {
         const Plant plant{breakaway, resonance};
         const auto add = [&](const std::string& what, const std::vector<Signal>& signals) {
           if (signals.empty()) return;

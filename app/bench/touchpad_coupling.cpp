@@ -133,19 +133,19 @@ Table bench_touchpad_coupling() {
   Table table;
   table.subject = "touchpad_coupling";
   table.title = "Coupling of the touchpad: what a finger feels of a robot behind a network";
-  table.columns = {"coupling",
-                   "one way ms",
-                   "least energy mJ, stays",
-                   "stiffens",
-                   "softens",
-                   "slides",
-                   "second press off %",
-                   "until felt ms, stiffens",
-                   "until felt, softens",
-                   "until felt, slides"};
+  table.columns = {{"coupling", Role::method},
+                   {"one way", "ms", Role::group},
+                   {"least energy, stays", "mJ"},
+                   {"stiffens", "mJ"},
+                   {"softens", "mJ"},
+                   {"slides", "mJ"},
+                   {"second press off", "%", Role::error},
+                   {"until felt, stiffens", "ms"},
+                   {"until felt, softens", "ms"},
+                   {"until felt, slides", "ms"}};
   for (const auto choice : {TouchpadCouplingChoice::direct, TouchpadCouplingChoice::spring,
                             TouchpadCouplingChoice::tdpa, TouchpadCouplingChoice::model}) {
-    for (const int delay_ms : {0, 50, 200}) {
+    for (const int delay_ms : wholeOrFirst(std::vector<int>{0, 50, 200}, 1)) {
       const auto run = [&](Case what) { return press(choice, what, 1e-3 * delay_ms, benchOptions().seed); };
       const Figures stays = run(Case::stays), stiffens = run(Case::stiffens), softens = run(Case::softens),
                     slides = run(Case::slides);

@@ -16,7 +16,11 @@ constexpr double kLabelWide = 75.0;
 double logShare(double value, double least, double most) {
   return std::log(std::clamp(value, least, most) / least) / std::log(most / least);
 }
-double across(double ns, const CostAxes& axes) { return kLeft + kWide * logShare(ns, axes.least_ns, axes.most_ns); }
+double across(double cost, const CostAxes& axes) { return kLeft + kWide * logShare(cost, axes.least, axes.most); }
+std::string costWords(double cost, bool ratio) {
+  if (ratio) return fmt::format("{:g} ×", cost);
+  return cost < 1000.0 ? fmt::format("{:.0f} ns", cost) : fmt::format("{:.0f} µs", 1e-3 * cost);
+}
 double down(double error, const CostAxes& axes) {
   const double least = axes.errors.front(), most = axes.errors.back();
   const double part =
@@ -24,18 +28,20 @@ double down(double error, const CostAxes& axes) {
   return kTop + kHigh * (1.0 - part);
 }
 
-std::string text(double x, double y, std::string_view anchor, std::string_view words) {
+std::string text(double x, double y, std::string_view anchor, std::string_view plain) {
+  std::string words;
+  for (const char c : plain) words += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
   return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, words);
 }
 
 std::string panel(const CostPanel& of, const CostAxes& axes) {
   std::string out = text(kLeft + kWide / 2, 16, "middle", of.title);
-  for (double ns = 10.0; ns <= axes.most_ns; ns *= 10.0) {
-    if (ns < axes.least_ns) continue;
-    const double x = across(ns, axes);
+  for (int decade = axes.ratio ? -9 : 1; decade < 10; ++decade) {
+    const double cost = std::pow(10.0, decade);
+    if (cost < 0.999 * axes.least || cost > 1.001 * axes.most) continue;
+    const double x = across(cost, axes);
     out += fmt::format("<path d=\"M{0:.0f} {1:.0f}V{2:.0f}\" stroke=\"#ddd\"/>\n", x, kTop, kTop + kHigh);
-    out += text(x, kTop + kHigh + 15, "middle",
-                ns < 1000.0 ? fmt::format("{:.0f} ns", ns) : fmt::format("{:.0f} µs", 1e-3 * ns));
+    out += text(x, kTop + kHigh + 15, "middle", costWords(cost, axes.ratio));
   }
   for (const double error : axes.errors) {
     const double y = down(error, axes);
@@ -48,7 +54,7 @@ std::string panel(const CostPanel& of, const CostAxes& axes) {
   };
   std::vector<Label> taken;
   for (const CostPoint& point : of.points) {
-    const double x = across(point.ns, axes), y = down(point.error, axes);
+    const double x = across(point.cost, axes), y = down(point.error, axes);
     const auto free = [&](double at) {
       return std::ranges::none_of(
           taken, [&](const Label& other) { return std::abs(other.x - x) < kLabelWide && std::abs(other.y - at) < 12; });

@@ -8,7 +8,7 @@ namespace fyd::bench {
 
 struct CostPoint {
   std::string name;
-  double ns = 0.0;
+  double cost = 0.0;  ///< ns, or a multiple of the baseline's
   double error = 0.0;
 };
 struct CostPanel {
@@ -18,7 +18,8 @@ struct CostPanel {
 
 /// Cost to the right, logarithmic; error upward.
 struct CostAxes {
-  double least_ns = 5.0, most_ns = 2000.0;
+  double least = 5.0, most = 2000.0;
+  bool ratio = false;          ///< costs are multiples of the baseline's, not ns
   std::vector<double> errors;  ///< lines, ascending; the first and the last are the ends
   double marked_error = 0.0;   ///< a darker line
   bool logarithmic = false;    ///< errors; the first is then above 0

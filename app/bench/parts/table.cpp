@@ -11,13 +11,62 @@ namespace {
 
 constexpr std::string_view kNothing = "—";
 
+std::vector<std::string> headings(const Table& table) {
+  std::vector<std::string> out;
+  for (const Column& column : table.columns) out.push_back(column.heading());
+  return out;
+}
+
+/// A bar would begin another cell.
+std::string markdownCell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
+  return text;
+}
+
+std::size_t charactersOf(const std::string& utf8) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 }  // namespace
 
-std::string toMarkdown(const Table& table) {
-  std::string out = fmt::format("# {}\n\n| {} |\n|", table.title, fmt::join(table.columns, " | "));
-  for (std::size_t i = 0; i < table.columns.size(); ++i) out += i == 0 ? "---|" : "---:|";
+std::string Column::heading() const { return unit.empty() ? name : fmt::format("{} ({})", name, unit); }
+
+std::string markdownRows(const Table& table) {
+  const auto line = [](std::vector<std::string> cells) {
+    for (std::string& cell : cells) cell = markdownCell(cell);
+    return fmt::format("| {} |\n", fmt::join(cells, " | "));
+  };
+  std::string out = line(headings(table)) + "|";
+  for (const Column& column : table.columns) {
+    out += column.role == Role::group || column.role == Role::method ? "---|" : "---:|";
+  }
   out += '\n';
-  for (const auto& row : table.rows) out += fmt::format("| {} |\n", fmt::join(row, " | "));
+  for (const auto& row : table.rows) out += line(row);
+  return out;
+}
+
+std::string toMarkdown(const Table& table) {
+  std::string out = fmt::format("# {}\n\n{}", table.title, markdownRows(table));
+  for (const auto& note : table.notes) out += fmt::format("\n{}\n", note);
+  return out;
+}
+
+std::string toText(const Table& table) {
+  std::vector<std::vector<std::string>> lines = {headings(table)};
+  lines.insert(lines.end(), table.rows.begin(), table.rows.end());
+  std::vector<std::size_t> widths(table.columns.size());
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], charactersOf(line[i]));
+  }
+  std::string out = table.title + "\n";
+  for (const auto& line : lines) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      text += line[i] + std::string(widths[i] - charactersOf(line[i]) + 2, ' ');
+    }
+    out += text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+  }
   for (const auto& note : table.notes) out += fmt::format("\n{}\n", note);
   return out;
 }
@@ -25,31 +74,34 @@ std::string toMarkdown(const Table& table) {
 std::string toCsv(const Table& table) {
   const auto line = [](const std::vector<std::string>& cells) {
     std::string out;
-    for (const std::string& cell : cells) {
-      if (!out.empty()) out += ',';
-      out += cell.find_first_of(",\"") == std::string::npos ? cell : fmt::format("\"{}\"", cell);
+    for (std::string cell : cells) {
+      if (cell.find_first_of(",\"\n") != std::string::npos) {
+        for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2) cell.insert(at, "\"");
+        cell = fmt::format("\"{}\"", cell);
+      }
+      out += cell + ',';
     }
-    return out + '\n';
+    out.back() = '\n';
+    return out;
   };
-  std::string out = line(table.columns);
+  std::string out = line(headings(table));
   for (const auto& row : table.rows) out += line(row);
   return out;
 }
 
 nlohmann::ordered_json toJson(const Table& table) {
+  const std::vector<std::string> names = headings(table);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const auto& row : table.rows) {
     nlohmann::ordered_json object;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      double value = 0.0;
-      const auto [end, problem] = std::from_chars(row[i].data(), row[i].data() + row[i].size(), value);
-      const bool whole = problem == std::errc() && end == row[i].data() + row[i].size();
-      if (whole) {
-        object[table.columns[i]] = value;
+      const double value = valueOf(row[i]);
+      if (std::isfinite(value)) {
+        object[names[i]] = value;
       } else if (row[i] == kNothing) {
-        object[table.columns[i]] = nullptr;
+        object[names[i]] = nullptr;
       } else {
-        object[table.columns[i]] = row[i];
+        object[names[i]] = row[i];
       }
     }
     rows.push_back(std::move(object));
@@ -59,6 +111,12 @@ nlohmann::ordered_json toJson(const Table& table) {
 
 std::string number(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : std::string(kNothing);
+}
+
+double valueOf(const std::string& cell) {
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return problem == std::errc() && end == cell.data() + cell.size() ? value : std::nan("");
 }
 
 }  // namespace fyd::bench

@@ -18,7 +18,8 @@ struct Row {
   double worst = 0.0;
   std::string unit = "ms";
   std::string aim;
-  std::string error;  ///< what was drawn wrong; empty: not applicable
+  std::string error;     ///< what was drawn wrong; empty: not applicable
+  std::string compared;  ///< rows with the same word here are compared with the baseline among them
 };
 
 struct Settings {

@@ -94,7 +94,8 @@ std::vector<Row> frameRows(const Settings& settings) {
   Row frame{.what = "window: frame, 12 curves × 60 s × 1 kHz, camera 30 fps",
             .scale = scaleWord(),
             .aim = full ? "p95 ≤ 16" : "p95 ≤ 33",
-            .error = lost};
+            .error = lost,
+            .compared = "frame"};
   Row cpu{.what = "window: the same, processor time alone", .scale = scaleWord(), .aim = "", .error = lost};
   Row use{.what = "window: share of a core by its thread",
           .scale = scaleWord(),

@@ -48,8 +48,8 @@ QJsonArray cellsOf(const Row& row) {
   const auto figure = [](double value) {
     return std::isfinite(value) ? QString::number(value, 'g', 3) : QString(widgets::kNoValue);
   };
-  return {text(row.what),    text(row.scale), figure(row.p50), figure(row.p95),
-          figure(row.worst), text(row.unit),  text(row.aim),   text(row.error)};
+  return {text(row.compared), text(row.what),    text(row.scale), figure(row.p50), figure(row.p95),
+          figure(row.worst),  text(row.unit), text(row.aim),   text(row.error)};
 }
 
 int runPart(const Part& part, const Settings& settings) {
@@ -59,10 +59,11 @@ int runPart(const Part& part, const Settings& settings) {
   return rows.isEmpty() ? 1 : 0;
 }
 
-int runAll(const QStringList& passed) {
+int runAll(const QStringList& passed, const QStringList& only) {
   QJsonArray rows;
   int failed = 0;
   for (const Part& part : parts()) {
+    if (!only.isEmpty() && !only.contains(QLatin1String(part.name))) continue;
     for (const char* scale : part.scales) {
       QProcess process;
       QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -79,7 +80,7 @@ int runAll(const QStringList& passed) {
   }
   const QJsonObject table{
       {QStringLiteral("title"), QStringLiteral("The operator's window")},
-      {QStringLiteral("columns"), QJsonArray{"measured", "scale", "p50", "p95", "worst", "unit", "aim", "error"}},
+      {QStringLiteral("columns"), QJsonArray{"compared", "measured", "scale", "p50", "p95", "worst", "unit", "aim", "error"}},
       {QStringLiteral("rows"), rows},
       {QStringLiteral("notes"),
        QJsonArray{
@@ -109,6 +110,7 @@ int main(int argc, char** argv) {
   QStringList names;
   for (const Part& part : parts()) names << QLatin1String(part.name);
   parser.addOptions({{"part", "One of " + names.join(QStringLiteral(", ")) + "; all when left out.", "NAME"},
+                     {"only", "Parts of the table, with commas between; all when left out.", "NAMES"},
                      {"seconds", "Of measuring at full load; default: 10.", "S"},
                      {"recording", "Recording that is opened in the part blocks; none when left out.", "FILE"},
                      {"hours", "Of samples in the soak; default: 0.25.", "H"}});
@@ -133,7 +135,7 @@ int main(int argc, char** argv) {
   }
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
   const QString wanted = parser.value(QStringLiteral("part"));
-  if (wanted.isEmpty()) return runAll(passed);
+  if (wanted.isEmpty()) return runAll(passed, parser.value(QStringLiteral("only")).split(QLatin1Char(','), Qt::SkipEmptyParts));
   for (const Part& part : parts()) {
     if (wanted == QLatin1String(part.name)) return runPart(part, settings);
   }

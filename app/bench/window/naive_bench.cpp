@@ -55,7 +55,8 @@ std::vector<Row> naiveFrameRows(const Settings& settings) {
     QApplication::processEvents();
   }
   Row row{.what = "baseline: frame, 12 curves × 60 s × 1 kHz in QCustomPlot alone, no window, no camera",
-          .scale = scaleWord()};
+          .scale = scaleWord(),
+          .compared = "frame"};
   return {summarise(row, took_ms)};
 }
 

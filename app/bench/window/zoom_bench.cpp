@@ -111,7 +111,8 @@ std::vector<Row> zoomRows(const Settings& settings) {
     Row row{.what = "curve of 10 M samples: pan, " + spanWord(span_s),
             .scale = scaleWord(),
             .aim = "p95 ≤ 16",
-            .error = errorWord(found)};
+            .error = errorWord(found),
+            .compared = "pan, " + spanWord(span_s)};
     rows.push_back(summarise(row, found.took_ms));
     all.took_ms.insert(all.took_ms.end(), found.took_ms.begin(), found.took_ms.end());
     all.lost += found.lost;
@@ -146,7 +147,8 @@ std::vector<Row> zoomRows(const Settings& settings) {
     Row baseline{.what = "baseline: the same in QCustomPlot alone, " + spanWord(kSpans_s[i]),
                  .scale = scaleWord(),
                  .aim = "",
-                 .error = errorWord(found)};
+                 .error = errorWord(found),
+                 .compared = "pan, " + spanWord(kSpans_s[i])};
     rows.push_back(summarise(baseline, found.took_ms));
   }
   return rows;

@@ -31,7 +31,7 @@ def y(match):
 def worst(rows):
     points = {}
     for row in rows:
-        delay = float(row["delay ms"])
+        delay = float(row["delay (ms)"])
         points[delay] = min(points.get(delay, 1.0), float(row["spectral match"]))
     return sorted(points.items())
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/scene_bumpy_plane.h"
+#include "app/bench/parts/scene_bumpy_plane.h"
 #include "core/scene/mesh/vector.h"
 
 namespace fyd::bench {

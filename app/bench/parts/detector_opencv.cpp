@@ -1,4 +1,4 @@
-#include "app/bench/detector_opencv.h"
+#include "app/bench/parts/detector_opencv.h"
 
 #include <algorithm>
 #include <cmath>

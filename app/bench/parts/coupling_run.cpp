@@ -1,4 +1,4 @@
-#include "app/bench/coupling_run.h"
+#include "app/bench/parts/coupling_run.h"
 
 #include "core/teleop/coupling/coupling_choice.h"
 
