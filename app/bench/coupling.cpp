@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/bench/parts/coupling_run.h"
 #include "app/bench/parts/bench_options.h"
+#include "app/bench/parts/coupling_run.h"
 #include "app/bench/parts/table.h"
 #include "app/cli/parts/command.h"
 #include "app/cli/parts/output_file.h"
@@ -91,13 +91,12 @@ Table bench_coupling() {
     };
     const auto count = [&](auto holds) { return std::ranges::count_if(figures[c], holds); };
     const auto good = count([](const auto& f) { return f.good(); });
-    table.rows.push_back({std::string(nameOf(kChoices[c])) + (c == 0 ? " (baseline)" : ""),
-                          fmt::format("{} of {}", good, options.runs),
-                          number(100.0 * static_cast<double>(options.runs - good) / options.runs),
-                          std::to_string(count([](const auto& f) { return f.unstable; })),
-                          all(&CouplingFigures::least_energy_J), all(&CouplingFigures::oscillation_mm),
-                          all(&CouplingFigures::rest_difference_mm), all(&CouplingFigures::drag_N),
-                          all(&CouplingFigures::felt_share)});
+    table.rows.push_back(
+        {std::string(nameOf(kChoices[c])) + (c == 0 ? " (baseline)" : ""), fmt::format("{} of {}", good, options.runs),
+         number(100.0 * static_cast<double>(options.runs - good) / options.runs),
+         std::to_string(count([](const auto& f) { return f.unstable; })), all(&CouplingFigures::least_energy_J),
+         all(&CouplingFigures::oscillation_mm), all(&CouplingFigures::rest_difference_mm),
+         all(&CouplingFigures::drag_N), all(&CouplingFigures::felt_share)});
   }
   table.notes = {
       fmt::format(

@@ -4,9 +4,9 @@
 
 #include <opencv2/core/utility.hpp>
 
+#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/detector_opencv.h"
 #include "app/bench/parts/labelled_pictures.h"
-#include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
 #include "core/sensing/finger_detector.h"
 

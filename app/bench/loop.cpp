@@ -87,21 +87,20 @@ Table bench_loop() {
   const Periods sleeping = naive();
   const Periods alone = haptic();
   const Periods station = wholeStation();
-  return {
-      .subject = "loop",
-      .title = "Period of the haptic loop",
-      .columns = {{"loop", Role::method},
-                  {"period's distance from 1 ms, p50", "µs", Role::error},
-                  {"p99", "µs"},
-                  {"worst", "µs"},
-                  "p50 ratio",
-                  {"drift over all cycles", "ms"},
-                  {"missed", "%"}},
-      .rows = {row("sleep for 1 ms (baseline)", sleeping, sleeping), row("haptic loop alone", alone, sleeping),
-               row("whole simulated station", station, sleeping)},
-      .notes = {fmt::format(
-          "{} cycles each. The drift is how far the last cycle lies from the ideal grid, missed cycles apart.",
-          cycles())}};
+  return {.subject = "loop",
+          .title = "Period of the haptic loop",
+          .columns = {{"loop", Role::method},
+                      {"period's distance from 1 ms, p50", "µs", Role::error},
+                      {"p99", "µs"},
+                      {"worst", "µs"},
+                      "p50 ratio",
+                      {"drift over all cycles", "ms"},
+                      {"missed", "%"}},
+          .rows = {row("sleep for 1 ms (baseline)", sleeping, sleeping), row("haptic loop alone", alone, sleeping),
+                   row("whole simulated station", station, sleeping)},
+          .notes = {fmt::format(
+              "{} cycles each. The drift is how far the last cycle lies from the ideal grid, missed cycles apart.",
+              cycles())}};
 }
 
 }  // namespace fyd::bench

@@ -47,12 +47,12 @@ struct Options {
 void addTo(CLI::App& app, Options& options) {
   std::vector<std::string> names;
   for (const Subject& subject : subjects()) names.push_back(subject.name);
-  auto* name =
-      app.add_option("name", options.name, "Subject; all of them when left out")->check(CLI::IsMember(names));
+  auto* name = app.add_option("name", options.name, "Subject; all of them when left out")->check(CLI::IsMember(names));
   auto* out = app.add_option("--out", options.out,
                              "Folder for one Markdown and one CSV file per subject, and for what it measured");
-  app.add_flag("--all", options.all,
-               "Every subject, and of all of them the page of numbers: numbers.md, numbers.csv and numbers.svg in --out")
+  app.add_flag(
+         "--all", options.all,
+         "Every subject, and of all of them the page of numbers: numbers.md, numbers.csv and numbers.svg in --out")
       ->needs(out)
       ->excludes(name);
   app.add_flag("--quick", benchOptions().quick,

@@ -7,8 +7,8 @@
 
 #include <modbus/modbus.h>
 
-#include "app/bench/parts/line_bridge.h"
 #include "app/bench/parts/bench_options.h"
+#include "app/bench/parts/line_bridge.h"
 #include "app/bench/parts/table.h"
 #include "core/device/touchpad/modbus_touchpad.h"
 #include "core/sim/server/touchpad_process.h"

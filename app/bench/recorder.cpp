@@ -88,8 +88,8 @@ Table bench_recorder() {
   const Session with = runStation(folder.file("station.h5"));
   const auto pushRow = [&](const std::string& name, const Quantiles& ns, std::uint64_t lost) {
     return std::vector<std::string>{
-        "a step", name, number(ns.p50), number(ns.p99), number(ns.p50 / push.copy_ns.p50), kNothing,
-        kNothing, kNothing,       kNothing,       number(static_cast<double>(lost))};
+        "a step", name,     number(ns.p50), number(ns.p99), number(ns.p50 / push.copy_ns.p50),
+        kNothing, kNothing, kNothing,       kNothing,       number(static_cast<double>(lost))};
   };
   const auto stationRow = [](const std::string& name, const Session& session) {
     const recording::RecorderStatus& status = session.recorder;
@@ -104,25 +104,27 @@ Table bench_recorder() {
                                     number(status.bytes_per_s * 1e-3),
                                     number(static_cast<double>(status.lost))};
   };
-  return {.subject = "recorder",
-          .title = "Recording",
-          .columns = {{"part", Role::group},
-                      {"what", Role::method},
-                      {"p50", "ns", Role::cost},
-                      {"p99", "ns"},
-                      "p50 ratio",
-                      {"cycles missed", "%"},
-                      {"recorder's thread", "% of a core"},
-                      {"commit p99", "ms"},
-                      {"written", "kB/s"},
-                      {"lost", "steps", Role::error}},
-          .rows = {pushRow("copy of a whole StepRecord (baseline)", push.copy_ns, 0),
-                   pushRow("push to the recorder", push.push_ns, push.lost),
-                   stationRow("simulated station, not recorded (baseline)", without),
-                   stationRow("simulated station, recorded", with)},
-          .notes = {"Pushes at 1 kHz from a simulated session with one acceleration a step; the station runs some seconds each "
-                    "way, with pictures. What the recorder's thread takes while it does not record is the second "
-                    "pipeline that follows the step. The first seconds, in which the file is made, count as well."}};
+  return {
+      .subject = "recorder",
+      .title = "Recording",
+      .columns = {{"part", Role::group},
+                  {"what", Role::method},
+                  {"p50", "ns", Role::cost},
+                  {"p99", "ns"},
+                  "p50 ratio",
+                  {"cycles missed", "%"},
+                  {"recorder's thread", "% of a core"},
+                  {"commit p99", "ms"},
+                  {"written", "kB/s"},
+                  {"lost", "steps", Role::error}},
+      .rows = {pushRow("copy of a whole StepRecord (baseline)", push.copy_ns, 0),
+               pushRow("push to the recorder", push.push_ns, push.lost),
+               stationRow("simulated station, not recorded (baseline)", without),
+               stationRow("simulated station, recorded", with)},
+      .notes = {
+          "Pushes at 1 kHz from a simulated session with one acceleration a step; the station runs some seconds each "
+          "way, with pictures. What the recorder's thread takes while it does not record is the second "
+          "pipeline that follows the step. The first seconds, in which the file is made, count as well."}};
 }
 
 }  // namespace fyd::bench

@@ -156,9 +156,13 @@ Times timesOf(int runs, Call&& call) {
 
 std::vector<std::string> rowOf(const char* part, const std::string& name, Times times, const std::string& ratio) {
   const Quantiles q = quantiles(times.passed_ns);
-  return {
-      part, name, number(ms(q.p50)), number(ms(p95(times.passed_ns))), number(ms(q.p99)), number(ms(p95(times.worked_ns))),
-      ratio};
+  return {part,
+          name,
+          number(ms(q.p50)),
+          number(ms(p95(times.passed_ns))),
+          number(ms(q.p99)),
+          number(ms(p95(times.worked_ns))),
+          ratio};
 }
 
 void addTimes(Table& table, const std::string& name, const Times& times) {
@@ -193,7 +197,8 @@ void measureReading(Table& table, const std::string& file) {
   };
   addTimes(table, "open, then all of it in 1000 buckets", overview(long_s()));
   for (const double seconds : {600.0, 180.0, 20.0}) {
-    if (seconds < long_s()) addTimes(table, fmt::format("open, then {:g} s in 1000 buckets", seconds), overview(seconds));
+    if (seconds < long_s())
+      addTimes(table, fmt::format("open, then {:g} s in 1000 buckets", seconds), overview(seconds));
   }
   std::uint64_t row = 0;
   addTimes(table, "1000 steps in order, for replay", timesOf(100, [&] {
@@ -224,8 +229,8 @@ void measureCommits(Table& table, const TemporaryFolder& folder) {
   });
   ::close(plain);
   const double ratio = times.p50_ns() / plain_times.p50_ns();
-  table.rows.push_back(
-      rowOf("a commit", fmt::format("baseline: write() and fdatasync() of {} kB", bytes.size() / 1000), plain_times, "1"));
+  table.rows.push_back(rowOf("a commit", fmt::format("baseline: write() and fdatasync() of {} kB", bytes.size() / 1000),
+                             plain_times, "1"));
   table.rows.push_back(rowOf("a commit", "250 steps", times, number(ratio)));
 }
 

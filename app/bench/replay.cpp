@@ -66,8 +66,10 @@ Table bench_replay() {
                           {"differ", "steps", Role::error},
                           "largest difference"},
               .rows = {{"bare step, inputs in memory (baseline)", number(1e3 / bare_x), number(bare_x), "1", "—", "—"}},
-              .notes = {fmt::format("{:g} s of the demonstration gesture with one acceleration a step; the file is read from the "
-                        "system's cache. With another gain the steps differ, as they should.", session_s())}};
+              .notes = {fmt::format(
+                  "{:g} s of the demonstration gesture with one acceleration a step; the file is read from the "
+                  "system's cache. With another gain the steps differ, as they should.",
+                  session_s())}};
   auto recording = recording::Recording::open(path);
   if (!recording) {
     table.rows.push_back({recording.error().text(), "—", "—", "—", "—", "—"});

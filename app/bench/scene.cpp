@@ -6,8 +6,8 @@
 #include <embree3/rtcore.h>
 
 #include "app/bench/parts/bench_options.h"
-#include "app/bench/parts/table.h"
 #include "app/bench/parts/scene_bumpy_plane.h"
+#include "app/bench/parts/table.h"
 #include "app/cli/parts/command.h"
 #include "app/cli/parts/probe_path.h"
 #include "core/scene/mesh/nearest_point.h"
@@ -195,21 +195,20 @@ std::vector<Way> bumpyWays() {
 
 Table bench_scene() {
   using namespace scene_rows;
-  Table table{
-      .subject = "scene",
-      .title = "Nearest point of a mesh, probe 1 mm under a bumpy plane",
-      .columns = {{"triangles", Role::group},
-                  {"path", Role::group},
-                  {"engine", Role::method},
-                  {"median", "ns", Role::cost},
-                  {"p99", "ns"},
-                  "median against bounded Embree",
-                  "p99 against it",
-                  {"largest difference from the whole search", "mm", Role::error},
-                  {"built in", "s"},
-                  {"memory", "MB"}},
-      .rows = {},
-      .notes = {}};
+  Table table{.subject = "scene",
+              .title = "Nearest point of a mesh, probe 1 mm under a bumpy plane",
+              .columns = {{"triangles", Role::group},
+                          {"path", Role::group},
+                          {"engine", Role::method},
+                          {"median", "ns", Role::cost},
+                          {"p99", "ns"},
+                          "median against bounded Embree",
+                          "p99 against it",
+                          {"largest difference from the whole search", "mm", Role::error},
+                          {"built in", "s"},
+                          {"memory", "MB"}},
+              .rows = {},
+              .notes = {}};
   const std::string differences =
       "Differences of Embree are those of floats. The walk's are against the tree, which is compared with every single "
       "triangle in the tests.";
@@ -222,7 +221,8 @@ Table bench_scene() {
     table.notes = {differences};
     return table;
   }
-  for (const int n : wholeOrFirst(std::vector<int>{71, 224, 707}, 1)) measureOn(table, *Mesh::build(bumpyPlane(n)), bumpyWays());
+  for (const int n : wholeOrFirst(std::vector<int>{71, 224, 707}, 1))
+    measureOn(table, *Mesh::build(bumpyPlane(n)), bumpyWays());
   table.notes = {
       "z = 2 mm · sin(2πx/20 mm) · sin(2πy/20 mm), 100 × 100 mm; " + std::to_string(steps()) +
           " steps of 1 ms (a tenth with 4 MB written between them), one thread, the clock's own time taken off.",

@@ -73,8 +73,9 @@ Table bench_scene_bodies() {
   for (Counted& each : all) {
     const double median_ns = quantiles(each.ns).p50;
     if (each.bodies == 1) one_ns = median_ns;
-    table.rows.push_back({std::to_string(each.bodies) + (each.bodies == 1 ? " (baseline)" : ""), std::to_string(each.scene->awake()), number(median_ns),
-                          number(median_ns / one_ns), number(static_cast<double>(each.scene->bytes()) / 1e6)});
+    table.rows.push_back({std::to_string(each.bodies) + (each.bodies == 1 ? " (baseline)" : ""),
+                          std::to_string(each.scene->awake()), number(median_ns), number(median_ns / one_ns),
+                          number(static_cast<double>(each.scene->bytes()) / 1e6)});
   }
   return table;
 }

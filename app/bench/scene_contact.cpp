@@ -5,8 +5,8 @@
 
 #include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/cost_picture.h"
-#include "app/bench/parts/table.h"
 #include "app/bench/parts/scene_bumpy_plane.h"
+#include "app/bench/parts/table.h"
 #include "core/scene/contact/contact.h"
 #include "core/scene/mesh/nearest_point.h"
 #include "core/scene/mesh/vector.h"

@@ -108,8 +108,7 @@ Table bench_step() {
                       {"indentation error RMS", "mm", Role::error},
                       {"stiffness error RMS", "%"}},
           .rows = {row("thesis (baseline)", thesis, thesis), row("default", normal, thesis)},
-          .notes = {
-              fmt::format(
+          .notes = {fmt::format(
               "The demonstration gesture, {:g} s, one acceleration per step; inputs are collected from the simulated "
               "touchpad first and the step alone is timed on them. Errors are against the simulation's truth while the "
               "cloth is touched, the stiffness error between the cloth's true stiffness and the target.",

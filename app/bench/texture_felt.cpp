@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <random>
+#include <span>
 
 #include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"

@@ -22,7 +22,8 @@ Table bench_window() {
     table.notes.push_back("Not measured: fyd-window-bench is not there, this build has no window.");
     return table;
   }
-  std::FILE* pipe = popen(("'" + program.string() + "'" + wholeOrQuick("", " --only frame,naive --seconds 0.3")).c_str(), "r");
+  std::FILE* pipe =
+      popen(("'" + program.string() + "'" + wholeOrQuick("", " --only frame,naive --seconds 0.3")).c_str(), "r");
   std::string text;
   std::array<char, 4096> block{};
   if (pipe != nullptr) {

@@ -18,7 +18,7 @@ struct Entry {
   std::string group;
   std::string method;
   std::string baseline;  ///< the method that it is compared with; empty: none
-  std::string cost = kNothing, cost_unit, error = kNothing;
+  std::string cost = kNothing, cost_unit, error = kNothing, error_unit;
   double cost_ratio = std::nan(""), error_ratio = std::nan("");
 };
 
@@ -52,9 +52,11 @@ std::vector<Entry> entriesOf(const Table& table) {
         case Role::cost: entry.cost = row[i]; break;
         case Role::unit: entry.cost_unit = row[i]; break;
         case Role::error: entry.error = row[i]; break;
+        case Role::error_unit: entry.error_unit = row[i]; break;
         case Role::figure: break;
       }
       if (column.role == Role::cost && !column.unit.empty()) entry.cost_unit = column.unit;
+      if (column.role == Role::error && !column.unit.empty()) entry.error_unit = column.unit;
     }
   }
   for (Entry& entry : out) {
@@ -111,26 +113,29 @@ Table comparisonOf(const std::vector<Table>& tables) {
                         {"unit of cost", Role::unit},
                         "cost / baseline",
                         {"error", Role::error},
-                        "unit of error",
+                        {"unit of error", Role::error_unit},
                         "error / baseline"},
             .rows = {},
             .notes = {}};
   for (const Table& table : tables) {
-    const Column* error = columnOf(table, Role::error);
     for (const Entry& entry : entriesOf(table)) {
       out.rows.push_back({table.subject, entry.group.empty() ? kNothing : entry.group, entry.method,
                           entry.baseline.empty() ? kNothing : entry.baseline, entry.cost, entry.cost_unit,
-                          number(entry.cost_ratio), entry.error, error == nullptr ? "" : error->unit,
-                          number(entry.error_ratio)});
+                          number(entry.cost_ratio), entry.error, entry.error_unit, number(entry.error_ratio)});
     }
   }
   return out;
 }
 
 Table summaryOf(const Table& table) {
-  Table out{.subject = table.subject, .title = table.title, .columns = {{"what", Role::method}, "rows"}, .rows = {}, .notes = table.notes};
+  Table out{.subject = table.subject,
+            .title = table.title,
+            .columns = {{"what", Role::method}, "rows"},
+            .rows = {},
+            .notes = table.notes};
   const Column* cost = columnOf(table, Role::cost);
   const Column* error = columnOf(table, Role::error);
+  const bool mixed = columnOf(table, Role::error_unit) != nullptr;
   const bool own_units = columnOf(table, Role::unit) != nullptr;
   if (cost != nullptr) {
     out.columns.push_back(*cost);
@@ -149,7 +154,8 @@ Table summaryOf(const Table& table) {
       row.push_back(number(median(method.cost_ratio)));
     }
     if (error != nullptr) {
-      row.push_back(method.rows == 1 ? method.only_error : number(median(method.error)));
+      // A median over rows of different units is none.
+      row.push_back(method.rows == 1 ? method.only_error : mixed ? kNothing : number(median(method.error)));
       row.push_back(number(median(method.error_ratio)));
     }
     out.rows.push_back(std::move(row));

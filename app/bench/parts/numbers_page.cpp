@@ -33,7 +33,11 @@ better than times do. What hands feel, and what real hardware does, is in none o
 )";
 
 std::string factsTable() {
-  Table facts{.subject = {}, .title = {}, .columns = {{"of this run", Role::group}, {"", Role::group}}, .rows = {}, .notes = {}};
+  Table facts{.subject = {},
+              .title = {},
+              .columns = {{"of this run", Role::group}, {"", Role::group}},
+              .rows = {},
+              .notes = {}};
   for (const Fact& fact : factsOfThisRun()) facts.rows.push_back({fact.name, fact.value});
   return markdownRows(facts);
 }
@@ -42,7 +46,8 @@ std::string factsTable() {
 
 void writeNumbersPage(const std::vector<Table>& tables) {
   std::string page = kBeginning + factsTable() + "\n";
-  if (benchOptions().quick) page += "This run was shortened (`--quick`): its figures only show that each subject works.\n\n";
+  if (benchOptions().quick)
+    page += "This run was shortened (`--quick`): its figures only show that each subject works.\n\n";
   if (const std::string picture = pictureOf(tables); !picture.empty()) {
     writeBeside("numbers.svg", picture);
     page +=

@@ -22,6 +22,7 @@ enum class Role : std::uint8_t {
   cost,    ///< time as a rule; less is better
   unit,    ///< of this row's cost, where rows differ
   error,   ///< less is better
+  error_unit,
 };
 
 struct Column {

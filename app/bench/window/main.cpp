@@ -48,7 +48,7 @@ QJsonArray cellsOf(const Row& row) {
   const auto figure = [](double value) {
     return std::isfinite(value) ? QString::number(value, 'g', 3) : QString(widgets::kNoValue);
   };
-  return {text(row.compared), text(row.what),    text(row.scale), figure(row.p50), figure(row.p95),
+  return {text(row.compared), text(row.what), text(row.scale), figure(row.p50), figure(row.p95),
           figure(row.worst),  text(row.unit), text(row.aim),   text(row.error)};
 }
 
@@ -80,7 +80,8 @@ int runAll(const QStringList& passed, const QStringList& only) {
   }
   const QJsonObject table{
       {QStringLiteral("title"), QStringLiteral("The operator's window")},
-      {QStringLiteral("columns"), QJsonArray{"compared", "measured", "scale", "p50", "p95", "worst", "unit", "aim", "error"}},
+      {QStringLiteral("columns"),
+       QJsonArray{"compared", "measured", "scale", "p50", "p95", "worst", "unit", "aim", "error"}},
       {QStringLiteral("rows"), rows},
       {QStringLiteral("notes"),
        QJsonArray{
@@ -135,7 +136,8 @@ int main(int argc, char** argv) {
   }
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
   const QString wanted = parser.value(QStringLiteral("part"));
-  if (wanted.isEmpty()) return runAll(passed, parser.value(QStringLiteral("only")).split(QLatin1Char(','), Qt::SkipEmptyParts));
+  if (wanted.isEmpty())
+    return runAll(passed, parser.value(QStringLiteral("only")).split(QLatin1Char(','), Qt::SkipEmptyParts));
   for (const Part& part : parts()) {
     if (wanted == QLatin1String(part.name)) return runPart(part, settings);
   }

@@ -1,0 +1,222 @@
+// Sensors and their calibration.
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Cholesky>
+
+#include "app/bench/parts/hard_case.h"
+#include "core/calibration/encoder_calibration.h"
+#include "core/calibration/fit/least_squares.h"
+#include "core/calibration/fit/polynomial_basis.h"
+#include "core/calibration/load_cell_calibration.h"
+#include "core/sensing/cloth_plane.h"
+#include "core/sensing/finger_detector.h"
+#include "core/sensing/ir_distance.h"
+#include "core/sensing/stiffness_estimator.h"
+
+namespace fyd::bench {
+namespace {
+
+/// Slope of a line by the formula with sums of products.
+double slopeBySums(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<double>(x.size());
+  const double sx = std::accumulate(x.begin(), x.end(), 0.0), sy = std::accumulate(y.begin(), y.end(), 0.0);
+  return (n * std::inner_product(x.begin(), x.end(), y.begin(), 0.0) - sx * sy) /
+         (n * std::inner_product(x.begin(), x.end(), x.begin(), 0.0) - sx * sx);
+}
+
+double relative(double value, double truth) { return std::abs(value / truth - 1.0); }
+
+HardCase lineFarFromZero() {
+  calibration::LoadCellSamples samples;
+  for (int i = 0; i < 10; ++i) {
+    samples.value_mV_per_V.push_back(900.0 + i / 128.0);  // exact in binary
+    samples.force_N.push_back(98.0 * i / 128.0);
+  }
+  const auto found = calibration::calibrateLoadCell(samples, {});
+  return {
+      .name = "slope of a load cell whose readings lie at 900 ± 0.04",
+      .naive = "n·Σxy − Σx·Σy over n·Σx² − (Σx)²",
+      .ours = "about the mean, scaled, Householder QR (`calibration::calibrateLoadCell`)",
+      .truth = "exact by construction: 98",
+      .unit = "relative",
+      .naive_error = relative(slopeBySums(samples.value_mV_per_V, samples.force_N), 98.0),
+      .our_error = found.result.coefficients.empty() ? kNotFinite : relative(found.result.coefficients[0].value, 98.0),
+      .at_most = 1e-12};
+}
+
+HardCase quinticOverAFewCodes() {
+  constexpr int kPoints = 64, kDegree = 5;
+  const sensing::IrDistance curve;
+  std::vector<double> codes;
+  Eigen::VectorXd truth(kPoints);
+  Eigen::MatrixXd powers(kPoints, kDegree + 1);
+  for (int i = 0; i < kPoints; ++i) {
+    codes.push_back(2000.0 + 200.0 * i / (kPoints - 1));
+    truth[i] = curve.distance_mm(sensing::voltsFromCode(codes.back()));
+    for (int j = 0; j <= kDegree; ++j) powers(i, j) = std::pow(codes.back(), j);
+  }
+  const Eigen::VectorXd naive = (powers.transpose() * powers).ldlt().solve(powers.transpose() * truth);
+  const calibration::PolynomialBasis basis(codes, kDegree);
+  const Eigen::MatrixXd design = basis.design(codes);
+  const auto ours = calibration::fitLinear(design, truth);
+  return {.name = "a quintic through 64 exact points over codes 2000 to 2200",
+          .naive = "normal equations on powers of the codes",
+          .ours = "Chebyshev polynomials on the span, QR (`calibration::PolynomialBasis`)",
+          .truth = "the points themselves, which lie on a quintic",
+          .unit = "mm",
+          .naive_error = (powers * naive - truth).cwiseAbs().maxCoeff(),
+          .our_error = ours ? (design * ours->coefficients - truth).cwiseAbs().maxCoeff() : kNotFinite,
+          .at_most = 1e-10};
+}
+
+HardCase inverseOfTheDistanceCurve() {
+  const sensing::IrDistance curve;
+  const auto c = curve.coefficients();
+  const auto polynomial = [&](auto volts) {
+    decltype(volts) sum = 0;
+    for (std::size_t i = c.size(); i-- > 0;) sum = sum * volts + static_cast<decltype(volts)>(c[i]);
+    return sum;
+  };
+  const auto newton = [&](double wanted_mm) {
+    double volts = 0.5 * (sensing::voltsFromCode(524) + sensing::voltsFromCode(3408));
+    for (int i = 0; i < 100; ++i) {
+      double slope = 0.0;
+      for (std::size_t k = c.size(); k-- > 1;) slope = slope * volts + static_cast<double>(k) * c[k];
+      volts -= (polynomial(volts) - wanted_mm) / slope;
+    }
+    return volts;
+  };
+  HardCase out{.name = "volts of a distance sensor at 40 to 300 mm",
+               .naive = "Newton's method from the middle of the span: the curve is flat at 2.1 to 2.5 V",
+               .ours = "within the span (`sensing::IrDistance::voltsAt`)",
+               .truth = "bisection in long double",
+               .unit = "V",
+               .at_most = 1e-6};
+  for (int mm = 41; mm < 300; ++mm) {
+    long double low = sensing::voltsFromCode(524), high = sensing::voltsFromCode(3408);
+    for (int i = 0; i < 100; ++i) {
+      const long double middle = 0.5L * (low + high);
+      (polynomial(middle) > static_cast<long double>(mm) ? low : high) = middle;
+    }
+    const auto truth = static_cast<double>(low);
+    const double naive = newton(mm);
+    out.naive_error = std::max(out.naive_error, std::isfinite(naive) ? std::abs(naive - truth) : kNotFinite);
+    out.our_error = std::max(out.our_error, std::abs(curve.voltsAt(mm) - truth));
+  }
+  return out;
+}
+
+HardCase stiffnessOfALiftedFinger() {
+  constexpr double kTruth_N_per_mm = 0.6, kTareError_N = 0.02;
+  sensing::StiffnessEstimator estimator;
+  sensing::IndentationEstimate depth{.sigma_mm = 0.05, .available = true, .touched = true};
+  Timed<double> force;
+  HardCase out{.name = "stiffness while a finger is lifted to 0.01 mm, the force's zero 0.02 N off",
+               .naive = "force over indentation",
+               .ours = "slope and intercept, held where it cannot be observed (`sensing::StiffnessEstimator`)",
+               .truth = "the simulated cloth's 0.6 N/mm",
+               .unit = "relative",
+               .at_most = 0.1};
+  for (int ms = 1; ms <= 4000; ++ms) {
+    const Instant now = instantAt(1e-3 * ms);
+    depth.indentation_mm = std::max(0.01, ms < 1000 ? 5e-3 * ms : 5.0 - 2.5e-3 * (ms - 1000));
+    depth.taken = now;
+    ++depth.count;
+    force.set(kTruth_N_per_mm * depth.indentation_mm + kTareError_N, now);
+    const sensing::StiffnessEstimate estimate = estimator.step(now, force, depth);
+    if (ms < 900) continue;
+    out.naive_error = std::max(out.naive_error, relative(force.value / depth.indentation_mm, kTruth_N_per_mm));
+    out.our_error =
+        std::max(out.our_error, estimate.known ? relative(estimate.stiffness_N_per_mm, kTruth_N_per_mm) : kNotFinite);
+  }
+  return out;
+}
+
+HardCase planeFarFromTheOrigin() {
+  // The three sensors in the coordinates of a survey, 500 km from its origin.
+  constexpr double kFar_mm = 5e8;
+  const std::array<std::array<double, 2>, 3> at = {{{-22.0, -3.0}, {0.0, 27.0}, {22.0, -3.0}}};
+  const double x = 10.0, y = 5.0;
+  const auto area = [](auto ax, auto ay, auto bx, auto by, auto cx, auto cy) {
+    return ax * (by - cy) + bx * (cy - ay) + cx * (ay - by);  // Cramer's rule, by the coordinates as they are
+  };
+  std::array<sensing::SensorPosition, 3> sensors{};
+  for (std::size_t i = 0; i < 3; ++i) sensors[i] = {at[i][0] + kFar_mm, at[i][1] + kFar_mm};
+  sensing::ClothPlane plane;
+  const bool solved = plane.solve(sensors, 0b111, 20.0);
+  const auto ours = plane.weightsAt(x + kFar_mm, y + kFar_mm);
+  HardCase out{.name = "the plane through three sensors that lie 500 km from the origin: weights",
+               .naive = "Cramer's rule on the coordinates",
+               .ours = "about the sensors' mean (`sensing::ClothPlane`)",
+               .truth = "long double about the sensors' middle",
+               .unit = "",
+               .at_most = 1e-12};
+  if (!solved) out.our_error = kNotFinite;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& a = at[(i + 1) % 3];
+    const auto& b = at[(i + 2) % 3];
+    const auto truth = static_cast<double>(
+        area(static_cast<long double>(x), static_cast<long double>(y), static_cast<long double>(a[0]),
+             static_cast<long double>(a[1]), static_cast<long double>(b[0]), static_cast<long double>(b[1])) /
+        area(static_cast<long double>(at[i][0]), static_cast<long double>(at[i][1]), static_cast<long double>(a[0]),
+             static_cast<long double>(a[1]), static_cast<long double>(b[0]), static_cast<long double>(b[1])));
+    const sensing::SensorPosition &p = sensors[i], &q = sensors[(i + 1) % 3], &r = sensors[(i + 2) % 3];
+    const double fx = x + kFar_mm, fy = y + kFar_mm;
+    const double naive =
+        area(fx, fy, q.x_mm, q.y_mm, r.x_mm, r.y_mm) / area(p.x_mm, p.y_mm, q.x_mm, q.y_mm, r.x_mm, r.y_mm);
+    out.naive_error = std::max(out.naive_error, std::isfinite(naive) ? std::abs(naive - truth) : kNotFinite);
+    out.our_error = std::max(out.our_error, std::abs(ours.weight[i] - truth));
+  }
+  return out;
+}
+
+HardCase pictureWithoutContrast() {
+  // Every pixel is equal: the printed σ = (max − min)/5 is 0.
+  const std::vector<std::uint8_t> grey(320 * 240, 100);
+  const double value = grey[0], darkest = value, sigma = (value - darkest) / 5.0;
+  const double weight = std::exp(-(value - darkest) * (value - darkest) / (2.0 * sigma * sigma));
+  const double naive_px = weight * 160.0 / weight;
+  sensing::FingerParameters parameters;
+  parameters.mode = sensing::FingerMode::thesis;
+  sensing::FingerDetector detector(parameters);
+  const auto seen = detector.detect({.data = grey.data(), .width = 320, .height = 240, .stride = 320, .channels = 1});
+  return {.name = "a picture without contrast: positions that are no number",
+          .naive = "weights exp(−(I − µ)²/2σ²) with σ = 0, as printed",
+          .ours = "is no finger, and says why (`sensing::FingerDetector`)",
+          .truth = "by definition: none",
+          .unit = "of 1 picture",
+          .naive_error = std::isfinite(naive_px) ? 0.0 : 1.0,
+          .our_error = std::isfinite(seen.x_px) && std::isfinite(seen.x_mm) && !seen.contact ? 0.0 : 1.0,
+          .at_most = 0.0};
+}
+
+HardCase encoderOverItsEnd() {
+  constexpr double kTruth = 4096.0 / 360.0;
+  calibration::EncoderSamples samples;
+  for (std::size_t motor = 0; motor < samples.counts.size(); ++motor) {
+    for (int deg = 0; deg <= 90; deg += 5) {
+      samples.command_deg[motor].push_back(deg);
+      samples.counts[motor].push_back(std::fmod(4000.0 + kTruth * deg, 4096.0));
+    }
+  }
+  const auto found = calibration::calibrateEncoders(samples, {});
+  return {.name = "counts per degree of an encoder that passes from 4095 to 0",
+          .naive = "a line through the counts",
+          .ours = "unwrapped along the sweep (`calibration::calibrateEncoders`)",
+          .truth = "by construction: 4096/360",
+          .unit = "relative",
+          .naive_error = relative(slopeBySums(samples.command_deg[0], samples.counts[0]), kTruth),
+          .our_error = relative(found.encoders[0].counts_per_deg, kTruth),
+          .at_most = 1e-9};
+}
+
+}  // namespace
+
+std::vector<HardCase> hardCasesOfSensing() {
+  return {lineFarFromZero(),       quinticOverAFewCodes(),   inverseOfTheDistanceCurve(), stiffnessOfALiftedFinger(),
+          planeFarFromTheOrigin(), pictureWithoutContrast(), encoderOverItsEnd()};
+}
+
+}  // namespace fyd::bench
