@@ -19,7 +19,7 @@ and puts the figures that the README quotes there too:
 installer/numbers.sh
 ```
 
-`fyd bench --all --out DIR` measures without touching the manual; `fyd bench NAME` one subject, with all of its columns.
+`fyd bench --all --out DIR` measures without touching the manual; `fyd bench step` one subject, with all of its columns.
 
 )";
 

@@ -76,6 +76,7 @@ PICTURES = {
     "architecture.svg": lambda m, n: m.run(sys.executable, IMAGES / "architecture.py", IMAGES / n),
     "membrane_section.svg": lambda m, n: m.run(sys.executable, IMAGES / "membrane_section.py", IMAGES / n),
     # What a bench measured.
+    "numbers.svg": lambda m, n: m.run(ROOT / "installer/numbers.sh"),  # and its page
     "predict.svg": lambda m, n: m.bench("predict", n),
     "scene_contact.svg": lambda m, n: m.bench("scene_contact", n),
     "teleop.svg": lambda m, n: m.run("fyd", "teleop", "table", "--out", IMAGES / n),

@@ -1,0 +1,65 @@
+"""fyd bench --all: every subject in one run, as text, Markdown, CSV, JSON and pictures. What it measures is not judged."""
+import csv
+import os
+import re
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import fyd
+
+SUBJECTS = sorted(path.stem for path in (Path(os.environ["FYD_SOURCE_DIR"]) / "app/bench").glob("*.cpp") if path.stem != "main")
+
+
+@unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(fyd.PROGRAM), "fyd-bench")), "fyd-bench is not built")
+class Bench(fyd.Case):
+    def test_all_subjects_are_run_and_written(self):
+        out = Path(self.path("out"))
+        done = fyd.run("bench", "--all", "--quick", "--out", out, "--runs", 2, "--data", fyd.DATA, timeout=1500)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (out / "numbers.md").read_text(encoding="utf-8")
+        self.assertEqual(sorted(re.findall(r"^## (\w+)$", page, re.MULTILINE)), SUBJECTS)
+        for name in ("date", "processor", "cores", "memory", "version", "revision", "compiler", "build type", "flags"):
+            self.assertRegex(page, rf"(?m)^\| {name} \| [^|]+ \|$")
+        self.assertIn("--quick", page)
+        with open(out / "numbers.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        measured = {row["subject"] for row in rows}
+        self.assertLessEqual(set(SUBJECTS) - measured, {"window"})
+        if "window" not in measured:
+            self.assertIn("fyd-window-bench", page)
+        # Each subject but those that say so has a baseline, and its ratio is 1.
+        for subject in measured:
+            baselines = [row for row in rows if row["subject"] == subject and row["what"] == row["baseline"]]
+            self.assertTrue(baselines, f"{subject} has no baseline")
+            self.assertLessEqual({row["cost / baseline"] for row in baselines}, {"1", "—"}, subject)
+        for subject in measured:
+            with self.subTest(subject=subject):
+                with open(out / f"{subject}.csv", encoding="utf-8", newline="") as file:
+                    table = list(csv.reader(file))
+                self.assertEqual({len(line) for line in table}, {len(table[0])}, "cells of a row")
+                self.assertEqual(len(table) - 1, sum(row["subject"] == subject for row in rows))
+                markdown = (out / f"{subject}.md").read_text(encoding="utf-8")
+                self.assertEqual(len(re.findall(r"^\| ", markdown, re.MULTILINE)), len(table))
+        for name in ("numbers.svg", "predict.svg", "scene_contact.svg"):
+            tree = ElementTree.parse(out / name)
+            self.assertGreater(len(tree.findall(".//{http://www.w3.org/2000/svg}circle")), 5, name)
+
+    def test_a_table_as_text_has_what_its_json_has(self):
+        done = fyd.run("bench", "calibration", "--quick", "--text")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = self.json("bench", "calibration", "--quick", "--json")[0]["rows"]
+        lines = done.stdout.split("\n")
+        self.assertTrue(lines[1].startswith("codes"), lines[1])
+        for row, line in zip(rows, lines[2:]):
+            self.assertTrue(line.startswith(row["codes"] + "  "), line)
+            self.assertIn(row["method"], line)
+
+    def test_what_does_not_go_together_is_refused(self):
+        self.assertIn("--out", self.refused(2, "bench", "--all"))
+        self.refused(2, "bench", "step", "--all", "--out", self.path("out"))
+        self.refused(2, "bench", "step", "--text", "--json")
+
+
+if __name__ == "__main__":
+    unittest.main()
