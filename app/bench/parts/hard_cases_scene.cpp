@@ -7,7 +7,9 @@
 #include "core/scene/gesture/flight.h"
 #include "core/scene/gesture/racket.h"
 #include "core/scene/gesture/swords.h"
+#include "core/scene/mesh/triangle_distance.h"
 #include "core/scene/mesh/triangle_tree.h"
+#include "core/scene/mesh/vector.h"
 #include "core/scene/soft/soft_body.h"
 
 namespace fyd::bench {
@@ -19,7 +21,7 @@ HardCase bladesNearlyParallel() {
   // They cross 1 mm apart at 300 mm, at 1e-7 rad: y = 1e-7·x − 3e-5.
   const Blade a{{0.0, 0.0, 0.0}, {1000.0, 0.0, 0.0}}, b{{0.0, -3e-5, 1.0}, {1000.0, 7e-5, 1.0}};
   const Vec3 u = a.tip_mm - a.grip_mm, v = b.tip_mm - b.grip_mm, w = a.grip_mm - b.grip_mm;
-  const double uu = u * u, uv = u * v, vv = v * v, uw = u * w, vw = v * w;
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
   const double naive = (uv * vw - vv * uw) / (uu * vv - uv * uv);
   return {.name = "where two blades that are parallel to 1e-7 rad are nearest",
           .naive = "the formula of the textbook: its denominator cancels",
@@ -85,7 +87,7 @@ HardCase racketThatHardlyTurns() {
   to.normal = {std::sin(kAngle), 0.0, std::cos(kAngle)};
   to.along = {std::cos(kAngle), 0.0, -std::sin(kAngle)};
   const RacketMotion motion(from, to, 0.01, 1e6);
-  const double naive = std::sin(0.5 * std::acos(std::min(1.0, from.normal * to.normal)));
+  const double naive = std::sin(0.5 * std::acos(std::min(1.0, dot(from.normal, to.normal))));
   const double truth = std::sin(0.5 * kAngle);
   return {.name = "a racket that turns by 1e-9 rad: where it is half-way",
           .naive = "the angle by arc cosine",
@@ -107,8 +109,8 @@ HardCase triangleWithoutArea() {
   double naive = 0.0;
   for (const Triangle& t : soup.triangles) {
     const Vec3 normal = cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]);
-    const Vec3 unit_normal = (1.0 / std::sqrt(normal * normal)) * normal;
-    naive += unit_normal * (probe - v[t[0]]);  // the sum of what each plane pushes
+    const Vec3 unit_normal = (1.0 / std::sqrt(dot(normal, normal))) * normal;
+    naive += dot(unit_normal, probe - v[t[0]]);  // the sum of what each plane pushes
   }
   const auto mesh = Mesh::build(soup);
   double ours = kNotFinite;
@@ -121,6 +123,58 @@ HardCase triangleWithoutArea() {
           .naive_error = std::isfinite(naive) ? std::abs(naive - 5.0) : kNotFinite,
           .our_error = ours,
           .at_most = 1e-12};
+}
+
+template <class Real>
+struct Place {
+  Real x, y, z;
+  friend Place operator-(Place a, Place b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Place operator+(Place a, Place b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Place operator*(Real s, Place a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend Real operator*(Place a, Place b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+};
+
+/// The nearest point of a triangle as in Ericson's book; the square of its distance.
+template <class Real>
+double squaredByTheBook(const std::array<Vec3, 3>& corners, const Vec3& probe) {
+  using P = Place<Real>;
+  const auto from = [](const Vec3& v) { return P{Real(v.x), Real(v.y), Real(v.z)}; };
+  const P a = from(corners[0]), b = from(corners[1]), c = from(corners[2]), p = from(probe);
+  const auto to = [&](const P& point) { return static_cast<double>((p - point) * (p - point)); };
+  const P ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const Real zero = 0, d1 = ab * ap, d2 = ac * ap, d3 = ab * bp, d4 = ac * bp, d5 = ab * cp, d6 = ac * cp;
+  if (d1 <= zero && d2 <= zero) return to(a);
+  if (d3 >= zero && d4 <= d3) return to(b);
+  const Real vc = d1 * d4 - d3 * d2;
+  if (vc <= zero && d1 >= zero && d3 <= zero) return to(a + d1 / (d1 - d3) * ab);
+  if (d6 >= zero && d5 <= d6) return to(c);
+  const Real vb = d5 * d2 - d1 * d6;
+  if (vb <= zero && d2 >= zero && d6 <= zero) return to(a + d2 / (d2 - d6) * ac);
+  const Real va = d3 * d6 - d5 * d4;
+  if (va <= zero && d4 >= d3 && d5 >= d6) return to(b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b));
+  return to(a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac);
+}
+
+HardCase needleTriangle() {
+  __extension__ using Quad = __float128;
+  const std::array<Vec3, 3> needle = {{{0.1, 0.2, 0.3}, {100.3, 40.7, 20.9}, {50.2, 20.45, 10.6000001}}};
+  HardCase out{.name = "distance to a triangle 110 mm long and 1e-7 mm thin",
+               .naive = "barycentric shares as in textbooks",
+               .ours = "its edges, and its plane where the foot is within (`scene::nearestOfNeedle`)",
+               .truth = "the textbook's in 113 bits",
+               .unit = "mm",
+               .at_most = 1e-6};
+  for (int i = 0; i < 2000; ++i) {
+    const double share = 0.02 + 0.96 * i / 2000.0;
+    const Vec3 probe =
+        needle[0] + share * (needle[1] - needle[0]) + 1e-3 * Vec3{std::sin(i), std::cos(i), std::sin(2.0 * i)};
+    const double truth = std::sqrt(squaredByTheBook<Quad>(needle, probe));
+    const double naive = std::sqrt(squaredByTheBook<double>(needle, probe));
+    const double ours = std::sqrt(nearestOf(probe, needle[0], needle[1], needle[2], 0).squared_mm2);
+    out.naive_error = std::max(out.naive_error, std::isfinite(naive) ? std::abs(naive - truth) : kNotFinite);
+    out.our_error = std::max(out.our_error, std::abs(ours - truth));
+  }
+  return out;
 }
 
 HardCase stiffAndLight() {
