@@ -18,19 +18,19 @@ namespace {
 using namespace scene;
 
 HardCase bladesNearlyParallel() {
-  // They cross 1 mm apart at 300 mm, at 1e-7 rad: y = 1e-7·x − 3e-5.
-  const Blade a{{0.0, 0.0, 0.0}, {1000.0, 0.0, 0.0}}, b{{0.0, -3e-5, 1.0}, {1000.0, 7e-5, 1.0}};
+  // They cross 1 mm apart at 300 mm: y = 2e-6·x − 6e-4.
+  const Blade a{{0.0, 0.0, 0.0}, {1000.0, 0.0, 0.0}}, b{{0.0, -6e-4, 1.0}, {1000.0, 14e-4, 1.0}};
   const Vec3 u = a.tip_mm - a.grip_mm, v = b.tip_mm - b.grip_mm, w = a.grip_mm - b.grip_mm;
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
   const double naive = (uv * vw - vv * uw) / (uu * vv - uv * uv);
-  return {.name = "where two blades that are parallel to 1e-7 rad are nearest",
+  return {.name = "where two blades that are parallel to 2e-6 rad are nearest",
           .naive = "the formula of the textbook: its denominator cancels",
-          .ours = "`scene::nearestOf`",
+          .ours = "the square of the cross product (`scene::nearestOf`)",
           .truth = "similar triangles: 300 mm",
           .unit = "mm",
           .naive_error = std::isfinite(naive) ? std::abs(1000.0 * naive - 300.0) : kNotFinite,
           .our_error = std::abs(1000.0 * nearestOf(a, b).at_a - 300.0),
-          .at_most = 0.1};
+          .at_most = 1e-6};
 }
 
 HardCase bladesThatPassInOneStep() {
