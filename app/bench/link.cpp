@@ -114,6 +114,14 @@ void classicRows(std::vector<Row>& rows) {
   const pipeline::TouchMessage finger{.position_mm = {12.3, -7.9, -3.1}, .in_contact = true, .force_N = 1.2345};
   auto state_bytes = encodeState(robot);
   auto touch_bytes = encodeTouch(finger);
+  const auto copies = [&rows](const char* message, const auto& bytes) {
+    auto copy = bytes;
+    rows.push_back(measure(message, "copy of its bytes (baseline)", bytes.size(), [&](std::size_t) {
+      std::memcpy(copy.data(), bytes.data(), bytes.size());
+      keep(copy);
+    }));
+  };
+  copies("classic state", state_bytes);
   rows.push_back(measure("classic state", "encode", kClassicStateSize, [&](std::size_t) {
     state_bytes = encodeState(robot);
     keep(state_bytes);
@@ -122,6 +130,7 @@ void classicRows(std::vector<Row>& rows) {
     keep(state_bytes);
     keep(decodeState(state_bytes));
   }));
+  copies("classic touch", touch_bytes);
   rows.push_back(measure("classic touch", "encode", kClassicTouchSize, [&](std::size_t) {
     touch_bytes = encodeTouch(finger);
     keep(touch_bytes);
