@@ -1,4 +1,5 @@
 // Meshes, contacts and bodies.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,6 +17,8 @@ namespace fyd::bench {
 namespace {
 
 using namespace scene;
+
+__extension__ using Quad = __float128;
 
 HardCase bladesNearlyParallel() {
   // They cross 1 mm apart at 300 mm: y = 2e-6·x − 6e-4.
@@ -156,7 +159,6 @@ double squaredByTheBook(const std::array<Vec3, 3>& corners, const Vec3& probe) {
 }
 
 HardCase needleTriangle() {
-  __extension__ using Quad = __float128;
   const std::array<Vec3, 3> needle = {{{0.1, 0.2, 0.3}, {100.3, 40.7, 20.9}, {50.2, 20.45, 10.6000001}}};
   HardCase out{.name = "distance to a triangle 110 mm long and 1e-7 mm thin",
                .naive = "barycentric shares as in textbooks",

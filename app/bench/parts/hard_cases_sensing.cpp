@@ -1,4 +1,5 @@
 // Sensors and their calibration.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
