@@ -20,7 +20,7 @@ int steps() { return wholeOrQuick(1'500, 150); }
 /// Down to 1.5 mm below the surface and along it.
 Vec3 hand(int step) {
   const double t = 1e-3 * step;
-  const double x = 50.0 + 6.0 * std::sin(2.0 * t), y = 50.3;
+  const double x = 6.0 * std::sin(2.0 * t), y = 0.3;
   return {x, y, bumpyHeight(x, y) + 0.2 - 0.85 * (1.0 - std::cos(6.0 * t))};
 }
 
