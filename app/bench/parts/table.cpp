@@ -17,10 +17,14 @@ std::vector<std::string> headings(const Table& table) {
   return out;
 }
 
-/// A bar would begin another cell.
-std::string markdownCell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
-  return text;
+/// `before` in front of each `mark`.
+std::string escaped(const std::string& text, char mark, char before) {
+  std::string out;
+  for (const char c : text) {
+    if (c == mark) out += before;
+    out += c;
+  }
+  return out;
 }
 
 std::size_t charactersOf(const std::string& utf8) {
@@ -34,7 +38,7 @@ std::string Column::heading() const { return unit.empty() ? name : fmt::format("
 
 std::string markdownRows(const Table& table) {
   const auto line = [](std::vector<std::string> cells) {
-    for (std::string& cell : cells) cell = markdownCell(cell);
+    for (std::string& cell : cells) cell = escaped(cell, '|', '\\');  // a bar would begin another cell
     return fmt::format("| {} |\n", fmt::join(cells, " | "));
   };
   std::string out = line(headings(table)) + "|";
@@ -74,12 +78,9 @@ std::string toText(const Table& table) {
 std::string toCsv(const Table& table) {
   const auto line = [](const std::vector<std::string>& cells) {
     std::string out;
-    for (std::string cell : cells) {
-      if (cell.find_first_of(",\"\n") != std::string::npos) {
-        for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2) cell.insert(at, "\"");
-        cell = fmt::format("\"{}\"", cell);
-      }
-      out += cell + ',';
+    for (const std::string& cell : cells) {
+      const bool plain = cell.find_first_of(",\"\n") == std::string::npos;
+      out += (plain ? cell : fmt::format("\"{}\"", escaped(cell, '"', '"'))) + ',';
     }
     out.back() = '\n';
     return out;
