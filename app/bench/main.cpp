@@ -1,12 +1,14 @@
 // fyd-bench [NAME | --all] [--quick] [--out DIR] [--cloth NAME] [--runs N] [--seed S] [--data DIR] [--mesh FILE]
 // [--path FILE] [--json | --text]: measures speed beside error, against a baseline in the same run; `fyd bench` runs
 // it.
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
 
 #include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/cloths.h"
+#include "app/bench/parts/machine.h"
 #include "app/bench/parts/numbers_page.h"
 #include "app/bench/parts/table.h"
 #include "app/cli/parts/cloth_name.h"
@@ -77,6 +79,11 @@ void addTo(CLI::App& app, Options& options) {
 void run(const Options& options) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   std::vector<Table> tables;
+  std::vector<Fact> facts = factsOfThisRun();  // before it loads the machine itself
+  const auto start = std::chrono::steady_clock::now();
+  const auto since_s = [](std::chrono::steady_clock::time_point then) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+  };
   // The page is of drawing in software, wherever it is made.
   if (options.all) ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
   benchOptions().out = options.out;
@@ -85,7 +92,9 @@ void run(const Options& options) {
     if (!options.name.empty() && options.name != subject.name && !subject.name.starts_with(options.name + "_")) {
       continue;  // NAME_… are further tables of the subject NAME
     }
+    const auto begun = std::chrono::steady_clock::now();
     const Table& table = tables.emplace_back(subject.run());
+    if (options.all) std::cerr << fmt::format("{}: {:.1f} s\n", subject.name, since_s(begun));
     if (options.json) {
       json.push_back(toJson(table));
     } else {
@@ -94,7 +103,10 @@ void run(const Options& options) {
     writeBeside(table.subject + ".md", toMarkdown(table));
     writeBeside(table.subject + ".csv", toCsv(table));
   }
-  if (options.all) writeNumbersPage(tables);
+  if (options.all) {
+    facts.push_back({"measuring took", fmt::format("{:.1f} min", since_s(start) / 60.0)});
+    writeNumbersPage(tables, facts);
+  }
   if (options.json) cli::printJson(json);
 }
 

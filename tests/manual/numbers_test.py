@@ -11,7 +11,7 @@ from pathlib import Path
 ROOT = Path(os.environ["FYD_SOURCE_DIR"])
 MANUAL = ROOT / "resources/manual"
 FACTS = ("date", "processor", "cores", "memory", "others at work", "system", "version", "revision", "compiler", "build type",
-         "flags")
+         "flags", "measuring took")
 
 spec = importlib.util.spec_from_file_location("take", MANUAL / "numbers/take.py")
 take = importlib.util.module_from_spec(spec)

@@ -4,7 +4,6 @@
 
 #include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/comparison.h"
-#include "app/bench/parts/machine.h"
 
 namespace fyd::bench {
 namespace {
@@ -32,20 +31,20 @@ better than times do. What hands feel, and what real hardware does, is in none o
 
 )";
 
-std::string factsTable() {
+std::string factsTable(const std::vector<Fact>& known) {
   Table facts{.subject = {},
               .title = {},
               .columns = {{"of this run", Role::group}, {"", Role::group}},
               .rows = {},
               .notes = {}};
-  for (const Fact& fact : factsOfThisRun()) facts.rows.push_back({fact.name, fact.value});
+  for (const Fact& fact : known) facts.rows.push_back({fact.name, fact.value});
   return markdownRows(facts);
 }
 
 }  // namespace
 
-void writeNumbersPage(const std::vector<Table>& tables) {
-  std::string page = kBeginning + factsTable() + "\n";
+void writeNumbersPage(const std::vector<Table>& tables, const std::vector<Fact>& facts) {
+  std::string page = kBeginning + factsTable(facts) + "\n";
   if (benchOptions().quick)
     page += "This run was shortened (`--quick`): its figures only show that each subject works.\n\n";
   if (const std::string picture = pictureOf(tables); !picture.empty()) {

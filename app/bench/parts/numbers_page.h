@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/parts/machine.h"
 #include "app/bench/parts/table.h"
 
 namespace fyd::bench {
 
 /// Writes numbers.md, numbers.csv (each row in one shape) and numbers.svg into the folder of --out, beside each
 /// subject's own files.
-void writeNumbersPage(const std::vector<Table>& tables);
+void writeNumbersPage(const std::vector<Table>& tables, const std::vector<Fact>& facts);
 
 }  // namespace fyd::bench
