@@ -1,8 +1,8 @@
 #!/bin/bash
 # Measures every subject of `fyd bench` and puts the result into the manual and the README:
 #   installer/numbers.sh [--quick]
-# Takes half an hour on a machine that does nothing else; on a busy one the figures are of the others too. --quick only
-# shows that it works: such a page fails the test manual_numbers.
+# The page says how long it took. Run it on a machine that does nothing else; on a busy one the figures are of the others
+# too. --quick only shows that it works: such a page fails the test manual_numbers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 programs=${FYD_PROGRAMS:-build/release/bin}

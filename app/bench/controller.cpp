@@ -8,6 +8,7 @@
 #include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/calibrated_cloth.h"
 #include "app/bench/parts/cloths.h"
+#include "app/bench/parts/page_run.h"
 #include "app/bench/parts/table.h"
 #include "core/control/stiffness_controller.h"
 #include "core/sim/cloth/cloth.h"
@@ -16,8 +17,8 @@
 namespace fyd::bench {
 namespace {
 
-int monteCarloRuns() { return wholeOrQuick(2000, 6); }
-int seeds() { return wholeOrQuick(10, 1); }
+int monteCarloRuns() { return wholePageOrQuick(2000, 200, 6); }
+int seeds() { return wholePageOrQuick(10, 3, 1); }
 constexpr std::array<std::pair<double, double>, 9> kPlaces_mm{
     {{0, 0}, {22, -3}, {0, 20}, {-25, 12}, {15, -18}, {-35, 0}, {30, 15}, {-10, -10}, {10, 5}}};
 

@@ -10,6 +10,7 @@
 #include "app/bench/parts/cloths.h"
 #include "app/bench/parts/machine.h"
 #include "app/bench/parts/numbers_page.h"
+#include "app/bench/parts/page_run.h"
 #include "app/bench/parts/table.h"
 #include "app/cli/parts/cloth_name.h"
 #include "app/cli/parts/command.h"
@@ -87,6 +88,7 @@ void run(const Options& options) {
   // The page is of drawing in software, wherever it is made.
   if (options.all) ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
   benchOptions().out = options.out;
+  isPageRun() = options.all;
   if (!options.cloth.empty()) benchCloths() = {cli::clothOf(options.cloth)};
   for (const Subject& subject : subjects()) {
     if (!options.name.empty() && options.name != subject.name && !subject.name.starts_with(options.name + "_")) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/bench/parts/bench_options.h"
+#include "app/bench/parts/page_run.h"
 #include "app/bench/parts/table.h"
 #include "app/cli/parts/command.h"
 #include "app/cli/parts/trace_file.h"
@@ -16,7 +17,7 @@ namespace {
 
 using sim::ReachRow;
 
-double seconds() { return wholeOrQuick(60.0, 5.0); }
+double seconds() { return wholePageOrQuick(60.0, 20.0, 5.0); }
 constexpr double kSettled_s = 3.0;  // armed, connected, and the arm where the finger is
 constexpr double kHalfWidth_mm = 32.0, kHalfDepth_mm = 22.0;
 constexpr double kShallow_mm = 1.0, kDeep_mm = 6.0;

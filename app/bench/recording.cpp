@@ -9,6 +9,7 @@
 #include <random>
 
 #include "app/bench/parts/bench_options.h"
+#include "app/bench/parts/page_run.h"
 #include "app/bench/parts/recorded_session.h"
 #include "app/bench/parts/table.h"
 #include "core/recording/file/recording_disk.h"
@@ -23,8 +24,8 @@ namespace {
 
 using namespace recording;
 
-/// Seconds of the long recording: an hour.
-double long_s() { return wholeOrQuick(3600.0, 30.0); }
+/// Seconds of the long recording: an hour, of the page ten minutes.
+double long_s() { return wholePageOrQuick(3600.0, 600.0, 30.0); }
 std::uint64_t commitSteps() { return wholeOrQuick<std::uint64_t>(60 * 1000, 5 * 1000); }
 constexpr std::uint64_t kStepsPerPicture = 1'000;
 constexpr std::size_t kForceField = 11;

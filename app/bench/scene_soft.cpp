@@ -1,5 +1,5 @@
 // Deformable bodies: the force of a press that slides and its cost, beside the same body with every point awake and at
-// a hundredth of the step, which is the truth here.
+// a fiftieth of the step, which is the truth here.
 #include <cmath>
 #include <memory>
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace scene;
 
-int steps() { return wholeOrQuick(1'500, 150); }
+int steps() { return wholeOrQuick(600, 150); }
 
 /// Down to 1.5 mm below the surface and along it.
 Vec3 hand(int step) {
@@ -49,7 +49,7 @@ void measure(Table& table, int n) {
   const TriangleTree tree(mesh);
   const SoftMaterial material{
       .mass_kg = 0.05, .rigidity_N_per_mm = 0.5, .viscosity_Ns_per_mm = 0.01, .spread_mm = 3.0, .finger_mm = 4.0};
-  const Run truth = press(tree, material, {.border = 1e-6, .longest_step_s = 1e-5, .tolerance = 1e-7});
+  const Run truth = press(tree, material, {.border = 1e-6, .longest_step_s = 2e-5, .tolerance = 1e-7});
   double largest_N = 0.0;
   for (const Vec3& force : truth.force_N) largest_N = std::max(largest_N, length(force));
   const auto add = [&](const char* name, const SoftResolution& resolution) {
@@ -72,20 +72,21 @@ void measure(Table& table, int n) {
 }  // namespace scene_soft_rows
 
 Table bench_scene_soft() {
-  Table table{.subject = "scene_soft",
-              .title = "A deformable body, pressed and slid along",
-              .columns = {{"triangles", Role::group},
-                          {"body", Role::method},
-                          "points awake",
-                          {"step median", "µs", Role::cost},
-                          {"step p99", "µs"},
-                          {"worst force error", "% of the largest", Role::error}},
-              .rows = {},
-              .notes = {"The bumpy plane of the contact benches as a membrane on a foundation, 0.5 N/mm, a finger of 4 "
-                        "mm, 1.5 mm deep and 6 mm along. Truth: every point awake, steps of 10 µs, equations solved to "
-                        "1e-7. It is the same equations, so the figures are of time step, border and solver, not of "
-                        "the material law."}};
-  for (const int n : wholeOrQuick(std::vector<int>{50, 100}, std::vector<int>{30})) scene_soft_rows::measure(table, n);
+  Table table{
+      .subject = "scene_soft",
+      .title = "A deformable body, pressed and slid along",
+      .columns = {{"triangles", Role::group},
+                  {"body", Role::method},
+                  "points awake",
+                  {"step median", "µs", Role::cost},
+                  {"step p99", "µs"},
+                  {"worst force error", "% of the largest", Role::error}},
+      .rows = {},
+      .notes = {"The bumpy plane of the contact benches as a membrane on a foundation, 0.5 N/mm, a finger of 4 "
+                "mm, 1.5 mm deep and 5.6 mm along. Truth: every point awake, steps of 20 µs, equations solved to "
+                "1e-7. It is the same equations, so the figures are of time step, border and solver, not of "
+                "the material law."}};
+  for (const int n : wholeOrQuick(std::vector<int>{35, 71}, std::vector<int>{30})) scene_soft_rows::measure(table, n);
   return table;
 }
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/bench/parts/bench_options.h"
+#include "app/bench/parts/page_run.h"
 #include "app/bench/parts/table.h"
 
 namespace fyd::bench {
@@ -22,8 +22,10 @@ Table bench_window() {
     table.notes.push_back("Not measured: fyd-window-bench is not there, this build has no window.");
     return table;
   }
-  std::FILE* pipe =
-      popen(("'" + program.string() + "'" + wholeOrQuick("", " --only frame,naive --seconds 0.3")).c_str(), "r");
+  std::FILE* pipe = popen(("'" + program.string() + "'" +
+                           wholePageOrQuick("", " --seconds 5 --hours 0.05", " --only frame,naive --seconds 0.3"))
+                              .c_str(),
+                          "r");
   std::string text;
   std::array<char, 4096> block{};
   if (pipe != nullptr) {

@@ -18,7 +18,8 @@ and puts the figures that the README quotes there too:
 installer/numbers.sh
 ```
 
-`fyd bench --all --out DIR` measures without touching the manual; `fyd bench step` one subject, with all of its columns.
+`fyd bench --all --out DIR` measures without touching the manual; `fyd bench step` one subject, with all of its columns. The
+longest subjects have fewer or shorter cases here than alone, so that all of them together take minutes.
 
 )";
 
