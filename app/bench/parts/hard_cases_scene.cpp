@@ -21,8 +21,9 @@ using namespace scene;
 __extension__ using Quad = __float128;
 
 HardCase bladesNearlyParallel() {
-  // They cross 1 mm apart at 300 mm: y = 2e-6·x − 6e-4.
-  const Blade a{{0.0, 0.0, 0.0}, {1000.0, 0.0, 0.0}}, b{{0.0, -6e-4, 1.0}, {1000.0, 14e-4, 1.0}};
+  // Along `forth` they cross 1 mm apart at 300 mm: aside = 2e-6·x − 6e-4. The three are perpendicular and of length 1.
+  const Vec3 forth{0.6, 0.64, 0.48}, aside{0.8, -0.48, -0.36}, up{0.0, 0.6, -0.8};
+  const Blade a{{}, 1000.0 * forth}, b{up - 6e-4 * aside, 1000.0 * forth + up + 14e-4 * aside};
   const Vec3 u = a.tip_mm - a.grip_mm, v = b.tip_mm - b.grip_mm, w = a.grip_mm - b.grip_mm;
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
   const double naive = (uv * vw - vv * uw) / (uu * vv - uv * uv);
@@ -160,7 +161,7 @@ double squaredByTheBook(const std::array<Vec3, 3>& corners, const Vec3& probe) {
 
 HardCase needleTriangle() {
   const std::array<Vec3, 3> needle = {{{0.1, 0.2, 0.3}, {100.3, 40.7, 20.9}, {50.2, 20.45, 10.6000001}}};
-  HardCase out{.name = "distance to a triangle 110 mm long and 1e-7 mm thin",
+  HardCase out{.name = "distance to a triangle 110 mm long and 1e-7 mm thin, from some 30 mm away",
                .naive = "barycentric shares as in textbooks",
                .ours = "its edges, and its plane where the foot is within (`scene::nearestOfNeedle`)",
                .truth = "the textbook's in 113 bits",
@@ -169,7 +170,7 @@ HardCase needleTriangle() {
   for (int i = 0; i < 2000; ++i) {
     const double share = 0.02 + 0.96 * i / 2000.0;
     const Vec3 probe =
-        needle[0] + share * (needle[1] - needle[0]) + 1e-3 * Vec3{std::sin(i), std::cos(i), std::sin(2.0 * i)};
+        needle[0] + share * (needle[1] - needle[0]) + 30.0 * Vec3{std::sin(i), std::cos(i), std::sin(2.0 * i)};
     const double truth = std::sqrt(squaredByTheBook<Quad>(needle, probe));
     const double naive = std::sqrt(squaredByTheBook<double>(needle, probe));
     const double ours = std::sqrt(nearestOf(probe, needle[0], needle[1], needle[2], 0).squared_mm2);

@@ -119,8 +119,10 @@ HardCase stiffnessOfALiftedFinger() {
 HardCase planeFarFromTheOrigin() {
   // The three sensors in the coordinates of a survey, 500 km from its origin.
   constexpr double kFar_mm = 5e8;
-  const std::array<std::array<double, 2>, 3> at = {{{-22.0, -3.0}, {0.0, 27.0}, {22.0, -3.0}}};
-  const double x = 10.0, y = 5.0;
+  const auto stored = [](double mm) { return (mm + kFar_mm) - kFar_mm; };  // what is left of it there
+  const std::array<std::array<double, 2>, 3> at = {
+      {{stored(-22.3), stored(-3.1)}, {stored(0.2), stored(27.4)}, {stored(22.6), stored(-2.9)}}};
+  const double x = stored(10.7), y = stored(5.3);
   const auto area = [](auto ax, auto ay, auto bx, auto by, auto cx, auto cy) {
     return ax * (by - cy) + bx * (cy - ay) + cx * (ay - by);  // Cramer's rule, by the coordinates as they are
   };
