@@ -491,6 +491,30 @@ class TuneTest : public QObject {
     WAIT_EQUAL(said(0), QStringLiteral("confirmed"));
   }
 
+  void aTouchpadThatAnotherProgramHasIsNotBlamedOnItsCable() {
+    Fixture f;
+    const auto told = [&](bool in_use) {
+      f.session->present.touchpad = "modbus-tcp:10.0.0.7:502";
+      f.session->reports = {{.part = device::Part::touchpad, .in_use = in_use}};
+      f.session->lines = {{.what = say("Motors answer"),
+                           .ok = false,
+                           .why = phrase(toString(pipeline::Fault::motors_stale)),
+                           .remedy = say("Check the touchpad's power and its cable."),
+                           .fault = pipeline::Fault::motors_stale}};
+      f.session->say(pipeline::SafetyState::disconnected);
+      f.session->telemetry.back().fault = pipeline::Fault::motors_stale;
+      f.window->feed().pump();
+      return f.window->stateBar()->stateReason();
+    };
+    const QString taken = told(true);
+    QVERIFY2(taken.startsWith(QStringLiteral("Another program drives the touchpad. Close what has it at 10.0.0.7:502")),
+             qPrintable(taken));
+    QVERIFY2(!taken.contains(QStringLiteral("cable")) && !taken.contains(QStringLiteral("silent")), qPrintable(taken));
+    const QString silent = told(false);
+    QVERIFY2(silent.contains(QStringLiteral("silent")) && silent.contains(QStringLiteral("network cable to 10.0.0.7")),
+             qPrintable(silent));
+  }
+
   void readinessSaysWhyAndHowAndLeadsToWhereItIsMended() {
     Fixture f;
     f.session->lines = {{.what = say("Motors answer"),

@@ -311,8 +311,9 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
 
 void MainWindow::takeReadiness(const std::vector<widgets::ReadinessRow>& rows) {
   const auto unmet = std::ranges::find(rows, false, &widgets::ReadinessRow::ok);
-  stateBar()->showMissing(unmet == rows.end() ? widgets::MissingNow{}
-                                              : widgets::MissingNow{.why = unmet->why, .remedy = unmet->remedy});
+  stateBar()->showMissing(unmet == rows.end()
+                              ? widgets::MissingNow{}
+                              : widgets::MissingNow{.why = unmet->why, .remedy = unmet->remedy, .fault = unmet->fault});
   causes_.look(session_->readiness(), state_, *notices());
 }
 
