@@ -6,6 +6,7 @@
 #include "tests/widgets/device_reports.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
+#include "widgets/tuning/tuning_text.h"
 
 namespace fyd::tests {
 
@@ -224,6 +225,26 @@ class FrameTest : public QObject {
     quit->trigger();
     QVERIFY(!f.window->isVisible());
     QVERIFY(f.session->stops > 0);
+  }
+
+  void quittingNamesWhatIsChangedAndNotSavedAndTheQuestionGoesWithIt() {
+    Fixture f;
+    f.row("control.kp")->slider()->setValue(100);
+    f.row("texture.k_vib")->slider()->setValue(200);
+    QAction* quit = f.window->commands().action(QStringLiteral("session.quit"));
+    quit->trigger();
+    QVERIFY(f.window->isVisible());
+    const QString asked = f.window->notices()->shownText();
+    for (const char* id : {"control.kp", "texture.k_vib"}) {
+      station::Profile profile;
+      const auto bound = bindParameters(profile);
+      QVERIFY2(asked.contains(widgets::tunedName(*findParameter(bound, id))), qPrintable(asked));
+    }
+    f.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
+    f.window->feed().pump();
+    QVERIFY(!f.window->notices()->shows(QStringLiteral("leaving")));
+    quit->trigger();
+    QVERIFY(!f.window->isVisible());
   }
 
   void quittingAsksNothingWhereNothingIsUnderWay() {

@@ -315,6 +315,7 @@ void MainWindow::takeReadiness(const std::vector<widgets::ReadinessRow>& rows) {
                               ? widgets::MissingNow{}
                               : widgets::MissingNow{.why = unmet->why, .remedy = unmet->remedy, .fault = unmet->fault});
   causes_.look(session_->readiness(), state_, *notices());
+  leaving_.look([this] { return unfinished(); });
 }
 
 void MainWindow::takeNotice(const station::Notice& notice) {
@@ -355,6 +356,7 @@ QStringList MainWindow::unfinished() const {
   if (state_ == pipeline::SafetyState::active) out << tr("the touchpad renders, motors on");
   if (session_->recorderStatus().state == recording::RecorderState::recording)
     out << tr("a recording is being written");
+  if (const QString unsaved = tuning_.unsaved(); !unsaved.isEmpty()) out << unsaved;
   for (const PlaceInfo& place : places()) {
     const QString left = frame_->page(QLatin1String(place.id))->unfinished();
     if (!left.isEmpty()) out << left;
