@@ -309,6 +309,27 @@ class TuneTest : public QObject {
     QCOMPARE(f.page->response()->figure(TuningResponse::proposed, 0), QStringLiteral("—"));
   }
 
+  void whatIsSaidOfTheMotorsFollowsThemWhileThePlaceIsOpen() {
+    TuneFixture f;  // before the first answer, as a window that was closed here begins
+    const QString none = QStringLiteral("The motors have not answered yet");
+    QVERIFY2(f.page->response()->ground().contains(none), qPrintable(f.page->response()->ground()));
+    const auto hear = [&](double age_ms, int samples = 1) {
+      for (int i = 0; i < samples; ++i) {
+        f.session->say(pipeline::SafetyState::ready);
+        f.session->telemetry.back().motors_age_ms = age_ms;
+      }
+      f.window->feed().pump();
+    };
+    hear(3.5);
+    WAIT_FOR(!f.page->response()->ground().contains(none));
+    QVERIFY2(f.page->response()->ground().contains(QStringLiteral("3.5 ms old")),
+             qPrintable(f.page->response()->ground()));
+    hear(5.5, 4000);
+    WAIT_FOR(f.page->response()->ground().contains(QStringLiteral("5.")));
+    f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});  // of another it is not known yet
+    WAIT_FOR(f.page->response()->ground().contains(none));
+  }
+
   void whatTheLoopsModelCallsUnstableIsAskedFirst() {
     TuneFixture f;
     // The touchpad's motors have not answered: only what no touchpad bears is asked about.

@@ -126,7 +126,10 @@ void TunePage::leave() {
   reading_.stop();
 }
 
-void TunePage::readBack() { readback_->setLines(readbackLines(model_, newest_, context_.session.devices())); }
+void TunePage::readBack() {
+  readback_->setLines(readbackLines(model_, newest_, context_.session.devices()));
+  gains_->followTouchpad();
+}
 
 void TunePage::findParameter() {
   list_->search()->setFocus(Qt::ShortcutFocusReason);
