@@ -89,6 +89,25 @@ class RecordingTest : public QObject {
     QVERIFY(f.form->fileField()->text() != QString::fromStdString(asked.path));
   }
 
+  void whatIsSaidOfARecordingGoesWhenItIsClosed() {
+    RecordingFixture f;
+    const auto said = [&] {
+      QStringList out;
+      for (int i = 0; i < f.window->notices()->count(); ++i) out << f.window->notices()->text(i);
+      return out;
+    };
+    QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
+    QVERIFY(said().join(QLatin1Char('|')).contains(QStringLiteral("nothing is being recorded")));
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    QCOMPARE(said().size(), 1);  // something is, now
+    QVERIFY2(said()[0].startsWith(QStringLiteral("Recording into ")), qPrintable(said()[0]));
+    QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
+    QCOMPARE(said().size(), 2);
+    QTest::mouseClick(f.form->stopButton(), Qt::LeftButton);
+    QVERIFY2(said().size() == 1 && said()[0].startsWith(QStringLiteral("Recording closed: ")),
+             qPrintable(said().join(QLatin1Char('|'))));
+  }
+
   void entriesThatCannotBeTakenAreMarkedAndSaidInWords() {
     RecordingFixture f;
     const QString present = f.folder.filePath(QStringLiteral("present.h5"));

@@ -122,8 +122,9 @@ void OperatePage::connectTuning() {
   connect(tuning_, &widgets::TuningPanel::targetByHandAsked, bridge, &TuningBridge::targetByHand);
   connect(tuning_, &widgets::TuningPanel::targetFromRobotAsked, bridge, &TuningBridge::targetFromRobot);
   connect(tuning_, &widgets::TuningPanel::saveAsked, bridge, &TuningBridge::save);
-  connect(tuning_, &widgets::TuningPanel::refused, this,
-          [this](const QString& why) { context_.tell(widgets::Severity::warning, why); });
+  connect(tuning_, &widgets::TuningPanel::refused, this, [this](const QString& why, const QString& parameter) {
+    context_.tell_about(entryCause(parameter), widgets::Severity::warning, why);
+  });
   connect(tuning_, &widgets::TuningPanel::entered, curves_, [this] { curves_->setFocus(Qt::OtherFocusReason); });
   auto* presets = new QMenu(this);
   bridge->presets().feed(*presets);

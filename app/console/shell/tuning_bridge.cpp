@@ -37,7 +37,7 @@ void TuningBridge::apply(const QString& id, double value) {
   const std::string name = id.toStdString();
   if (const auto ok = session_.setParameter(name, value); !ok) {
     const QString why = widgets::coreText(ok.error().message);
-    emit told(Severity::warning, why);
+    emit refused(why, id);
     model_.refuse(name, why);
     return;
   }

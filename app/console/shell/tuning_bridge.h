@@ -52,6 +52,7 @@ class TuningBridge : public QObject {
  signals:
   void targetShown(bool by_hand);
   void told(fyd::widgets::Severity severity, const QString& text);
+  void refused(const QString& why, const QString& parameter);
 
  private:
   struct UnderWay {

@@ -92,6 +92,12 @@ PageContext MainWindow::context() {
           .connection = *connection_,
           .catalogue = catalogue_,
           .tell = [this](Severity severity, const QString& text) { tell(severity, text); },
+          .tell_about =
+              [this](const QString& cause, Severity severity, const QString& text) {
+                notices()->withdraw(cause);
+                tell(severity, text, true, cause);
+              },
+          .over = [this](const QString& cause) { notices()->withdraw(cause); },
           .written = [this](const QString& text, const QString& file) { tellWritten(text, file); }};
 }
 
@@ -158,6 +164,11 @@ void MainWindow::connectFeed() {
   connect(feed_, &SessionFeed::readiness, this, &MainWindow::takeReadiness);
   connect(&tuning_, &TuningBridge::told, this,
           [this](Severity severity, const QString& text) { tell(severity, text); });
+  connect(&tuning_, &TuningBridge::refused, this, [this](const QString& why, const QString& id) {
+    context().tell_about(entryCause(id), Severity::warning, why);
+  });
+  connect(&tuning_.model(), &widgets::TuningModel::taken, this,
+          [this](const QString& id) { notices()->withdraw(entryCause(id)); });
   connect(recording_, &RecordingControl::catalogued, reviewPage(), &ReviewPage::showNews);
 }
 
