@@ -135,8 +135,8 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   }
   if (!(result.held_out_rmse <= p.encoder_held_out_deg)) {
     result = refused(std::move(result),
-                     say("held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle",
-                         result.held_out_rmse, p.encoder_held_out_deg),
+                     say("held-out error {}; expected at most {:g}: sweep slower, and wait at each angle",
+                         errorWithUnit(result.held_out_rmse, "deg"), p.encoder_held_out_deg),
                      "calibration.encoder_held_out_deg");
     return out;
   }
@@ -146,10 +146,10 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
     result.changes.push_back(
         {fmt::format("control.encoder_{}_inverted", kNames[motor]), out.encoders[motor].inverted ? "true" : "false"});
   }
-  result.verdict = {
-      .accepted = true,
-      .reason = say("held-out error {:.3f} deg of at most {:g} deg", result.held_out_rmse, p.encoder_held_out_deg),
-      .threshold = "calibration.encoder_held_out_deg"};
+  result.verdict = {.accepted = true,
+                    .reason = say("held-out error {} of at most {:g} deg", errorWithUnit(result.held_out_rmse, "deg"),
+                                  p.encoder_held_out_deg),
+                    .threshold = "calibration.encoder_held_out_deg"};
   return out;
 }
 

@@ -6586,44 +6586,44 @@ Pour commencer : %1</translation>
         <translation>bords tenus et bords libres conviennent presque autant (erreur {:.2f} et {:.2f} mm) : les bords ne sont pas prouvés</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle</source>
-        <translation>erreur de vérification {:.2f}° ; attendu au plus {:g} : balayer plus lentement, et attendre à chaque angle</translation>
+        <source>held-out error {}; expected at most {:g}: sweep slower, and wait at each angle</source>
+        <translation>erreur de vérification {} ; attendu au plus {:g} : balayer plus lentement, et attendre à chaque angle</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
-        <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; tous les bords sont tenus</translation>
+        <source>held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
+        <translation>erreur de vérification {}, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; tous les bords sont tenus</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
-        <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; les bords avant et arrière sont libres : de tels appuis ne peuvent faire mieux connaître ce tissu (environ 0,7 mm et 20 % de raideur)</translation>
+        <source>held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
+        <translation>erreur de vérification {}, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; les bords avant et arrière sont libres : de tels appuis ne peuvent faire mieux connaître ce tissu (environ 0,7 mm et 20 % de raideur)</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
-        <translation>erreur sur les points exclus {:.2f} mm ; attendu au plus {:g} mm : faites la tare et appuyez bien droit au-dessus du milieu de chaque capteur</translation>
+        <source>held-out error {}; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
+        <translation>erreur de vérification {} ; attendu au plus {:g} mm : faites la tare et appuyez bien droit au-dessus du milieu de chaque capteur</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm; expected at most {:g} mm: {}</source>
-        <translation>erreur de vérification {:.2f} mm ; attendu au plus {:g} mm : {}</translation>
+        <source>held-out error {}; expected at most {:g} mm: {}</source>
+        <translation>erreur de vérification {} ; attendu au plus {:g} mm : {}</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
-        <translation>erreur de vérification {:.3f} N (au plus {:g} N) ; la raideur croît de {:.3f} à {:.3f} N/mm</translation>
+        <source>held-out error {} of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
+        <translation>erreur de vérification {} (au plus {:g} N) ; la raideur croît de {:.3f} à {:.3f} N/mm</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} N; expected at most {:g} N: {}</source>
-        <translation>erreur de vérification {:.3f} N ; attendu au plus {:g} N : {}</translation>
+        <source>held-out error {}; expected at most {:g} N: {}</source>
+        <translation>erreur de vérification {} ; attendu au plus {:g} N : {}</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} deg of at most {:g} deg</source>
-        <translation>erreur de vérification {:.3f}° (au plus {:g}°)</translation>
+        <source>held-out error {} of at most {:g} deg</source>
+        <translation>erreur de vérification {} (au plus {:g}°)</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} mm of at most {:g} mm</source>
-        <translation>erreur de vérification {:.3f} mm (au plus {:g} mm)</translation>
+        <source>held-out error {} of at most {:g} mm</source>
+        <translation>erreur de vérification {} (au plus {:g} mm)</translation>
     </message>
     <message>
-        <source>held-out error {:.4f} N of at most {:g} N over {} weights</source>
-        <translation>erreur de vérification {:.4f} N (au plus {:g} N) sur {} poids</translation>
+        <source>held-out error {} of at most {:g} N over {} weights</source>
+        <translation>erreur de vérification {} (au plus {:g} N) sur {} poids</translation>
     </message>
     <message>
         <source>histogram</source>
@@ -9246,8 +9246,8 @@ Pour commencer : %1</translation>
         <translation>{} : n'a pas de sommes de contrôle</translation>
     </message>
     <message>
-        <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
-        <translation>{} : erreur de vérification {:.2f} mm (au plus {:g} mm), décroît à chaque code de {:.0f} à {:.0f}</translation>
+        <source>{}: held-out error {} of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
+        <translation>{} : erreur de vérification {} (au plus {:g} mm), décroît à chaque code de {:.0f} à {:.0f}</translation>
     </message>
     <message>
         <source>{}: holds no picture</source>

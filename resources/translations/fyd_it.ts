@@ -6586,44 +6586,44 @@ Per cominciare: %1</translation>
         <translation>bordi tenuti e bordi liberi si adattano quasi ugualmente (errore {:.2f} e {:.2f} mm): i bordi non sono provati</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle</source>
-        <translation>errore di verifica {:.2f} deg; atteso al più {:g}: muovere più piano, e attendere a ogni angolo</translation>
+        <source>held-out error {}; expected at most {:g}: sweep slower, and wait at each angle</source>
+        <translation>errore di verifica {}; atteso al più {:g}: muovere più piano, e attendere a ogni angolo</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
-        <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; tutti i bordi sono tenuti</translation>
+        <source>held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
+        <translation>errore di verifica {} di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; tutti i bordi sono tenuti</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
-        <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; i bordi davanti e dietro sono liberi: da tali pressioni questo tessuto non si può conoscere meglio (circa 0,7 mm e 20 % di rigidezza)</translation>
+        <source>held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
+        <translation>errore di verifica {} di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; i bordi davanti e dietro sono liberi: da tali pressioni questo tessuto non si può conoscere meglio (circa 0,7 mm e 20 % di rigidezza)</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
-        <translation>errore sui punti esclusi {:.2f} mm; atteso al massimo {:g} mm: fare la tara e premere dritto sopra il centro di ogni sensore</translation>
+        <source>held-out error {}; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
+        <translation>errore di verifica {}; atteso al massimo {:g} mm: fare la tara e premere dritto sopra il centro di ogni sensore</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm; expected at most {:g} mm: {}</source>
-        <translation>errore di verifica {:.2f} mm; atteso al più {:g} mm: {}</translation>
+        <source>held-out error {}; expected at most {:g} mm: {}</source>
+        <translation>errore di verifica {}; atteso al più {:g} mm: {}</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
-        <translation>errore di verifica {:.3f} N su al più {:g} N; la rigidezza cresce da {:.3f} a {:.3f} N/mm</translation>
+        <source>held-out error {} of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
+        <translation>errore di verifica {} su al più {:g} N; la rigidezza cresce da {:.3f} a {:.3f} N/mm</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} N; expected at most {:g} N: {}</source>
-        <translation>errore di verifica {:.3f} N; atteso al più {:g} N: {}</translation>
+        <source>held-out error {}; expected at most {:g} N: {}</source>
+        <translation>errore di verifica {}; atteso al più {:g} N: {}</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} deg of at most {:g} deg</source>
-        <translation>errore di verifica {:.3f} deg su al più {:g} deg</translation>
+        <source>held-out error {} of at most {:g} deg</source>
+        <translation>errore di verifica {} su al più {:g} deg</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} mm of at most {:g} mm</source>
-        <translation>errore di verifica {:.3f} mm su al più {:g} mm</translation>
+        <source>held-out error {} of at most {:g} mm</source>
+        <translation>errore di verifica {} su al più {:g} mm</translation>
     </message>
     <message>
-        <source>held-out error {:.4f} N of at most {:g} N over {} weights</source>
-        <translation>errore di verifica {:.4f} N su al più {:g} N con {} pesi</translation>
+        <source>held-out error {} of at most {:g} N over {} weights</source>
+        <translation>errore di verifica {} su al più {:g} N con {} pesi</translation>
     </message>
     <message>
         <source>histogram</source>
@@ -9246,8 +9246,8 @@ Per cominciare: %1</translation>
         <translation>{}: non ha somme di controllo</translation>
     </message>
     <message>
-        <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
-        <translation>{}: errore di verifica {:.2f} mm su al più {:g} mm, decresce a ogni codice da {:.0f} a {:.0f}</translation>
+        <source>{}: held-out error {} of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
+        <translation>{}: errore di verifica {} su al più {:g} mm, decresce a ogni codice da {:.0f} a {:.0f}</translation>
     </message>
     <message>
         <source>{}: holds no picture</source>

@@ -106,7 +106,7 @@ class CalibrateMotionTest : public QObject {
     const widgets::FitView& plot = c.page->fitPanel()->plot()->fit();
     QCOMPARE(plot.bars.size(), std::size_t{3});
     QVERIFY(!plot.curve.empty() && !plot.former_curve.empty());
-    QVERIFY2(c.page->fitPanel()->figures().contains(QLatin1String("of at most 0.300 N")),
+    QVERIFY2(c.page->fitPanel()->figures().contains(QLatin1String("of at most 0.3 N")),
              qPrintable(c.page->fitPanel()->figures()));
     QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("valid from 20.0 to 90.0 deg")));
     c.click(c.page->acceptButton());

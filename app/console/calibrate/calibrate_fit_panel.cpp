@@ -19,7 +19,6 @@ namespace {
 using widgets::kGrid;
 using widgets::TextSize;
 
-constexpr int kErrorDecimals = 3;
 constexpr int kLongestWho = 80, kLongestConditions = 400;  // characters that fit in a report
 
 /// Every number of a parameter's text with five digits: the file keeps all of them.
@@ -178,12 +177,13 @@ void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, 
     verdict_->setText(result.verdict.accepted  ? tr("Good: %1.").arg(reason)
                       : !fit.missing.isEmpty() ? tr("Not yet: %1.").arg(reason)
                                                : tr("Refused: %1.").arg(reason));
-    const QString unit = QString::fromStdString(result.unit);
-    const auto error = [&](double value) { return widgets::quantityText(value, kErrorDecimals, unit); };
+    const auto error = [&](double value) { return widgets::coreText(calibration::errorWithUnit(value, result.unit)); };
     if (std::isfinite(result.held_out_rmse)) {
       const double allowed = valueOf(error_limit, profile);
       figures << (std::isfinite(allowed)
-                      ? tr("Held-out error %1 of at most %2").arg(error(result.held_out_rmse), error(allowed))
+                      ? tr("Held-out error %1 of at most %2")
+                            .arg(error(result.held_out_rmse),
+                                 widgets::plainNumber(allowed) + QLatin1Char(' ') + QString::fromStdString(result.unit))
                       : tr("Held-out error %1").arg(error(result.held_out_rmse)));
     }
     if (std::isfinite(result.rmse)) figures << tr("error of the fit %1").arg(error(result.rmse));
