@@ -232,8 +232,8 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   const double share = std::exp(at.log_share), ratio = std::exp(at.log_ratio);
   const double share_part = std::sqrt(std::max(fit.covariance(0, 0), 0.0));
   const double ratio_part = std::sqrt(std::max(fit.covariance(1, 1), 0.0));
-  result.coefficients = {{"radius share", "1", share, share * share_part},
-                         {"tension ratio", "1", ratio, ratio * ratio_part}};
+  result.coefficients = {{std::string(sentence("radius share")), "1", share, share * share_part},
+                         {std::string(sentence("tension ratio")), "1", ratio, ratio * ratio_part}};
   result.held_out_rmse = rootMeanSquare(heldOut(fitter, presses, out.edges));
 
   const double share_limit = p.cloth_share_percent * (free ? kFreeLimits : 1.0);

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kTurn = control::kEncoderCountsPerTurn;
 constexpr std::array<std::string_view, control::kMotorCount> kNames = {sentence("first"), sentence("second")};
+constexpr std::array<std::string_view, control::kMotorCount> kScales = {sentence("first scale"),
+                                                                        sentence("second scale")};
+constexpr std::array<std::string_view, control::kMotorCount> kZeros = {sentence("first zero"), sentence("second zero")};
 
 std::vector<double> unwrapped(const std::vector<double>& counts) {
   std::vector<double> out;
@@ -63,10 +66,10 @@ Problem calibrateOne(std::size_t motor, const EncoderSamples& s, const Calibrati
   found.inverted = found.counts_per_deg < 0;
   const double zero = fit->coefficients[1] - kTurn * std::floor(fit->coefficients[1] / kTurn);
   found.zero_counts = static_cast<int>(std::lround(zero)) % control::kEncoderCountsPerTurn;
-  const std::string name(kNames[motor]);
   CalibrationResult& result = out.result;
-  result.coefficients.push_back({name + " scale", "counts/deg", found.counts_per_deg, fit->standardError(0)});
-  result.coefficients.push_back({name + " zero", "counts", zero, fit->standardError(1)});
+  result.coefficients.push_back(
+      {std::string(kScales[motor]), "counts/deg", found.counts_per_deg, fit->standardError(0)});
+  result.coefficients.push_back({std::string(kZeros[motor]), "counts", zero, fit->standardError(1)});
   result.condition_number = std::fmax(result.condition_number, fit->condition_number);
   for (const double residual : fit->residuals) result.residuals.push_back(residual / control::kEncoderCountsPerDegree);
   const auto predicted = predictHeldOut(

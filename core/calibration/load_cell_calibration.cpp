@@ -169,8 +169,8 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   const double slope = fit->coefficients[0], offset = fit->coefficients[1] - slope * centre;
   const double offset_variance =
       fit->covariance(1, 1) - 2 * centre * fit->covariance(0, 1) + centre * centre * fit->covariance(0, 0);
-  result.coefficients = {{"slope", "N/(mV/V)", slope, fit->standardError(0)},
-                         {"offset", "N", offset, std::sqrt(offset_variance)}};
+  result.coefficients = {{std::string(sentence("slope")), "N/(mV/V)", slope, fit->standardError(0)},
+                         {std::string(sentence("offset")), "N", offset, std::sqrt(offset_variance)}};
   result.rmse = fit->rmse;
   result.max_residual = fit->max_residual;
   result.condition_number = fit->condition_number;

@@ -79,6 +79,9 @@ class CalibrateTest : public QObject {
              qPrintable(held_out + QStringLiteral(" | ") + c.page->fitPanel()->verdict()));
     QCOMPARE(c.page->fitPanel()->changes()->item(0, 0)->text(), QStringLiteral("force_slope_g, g/(mV/V)"));
     QCOMPARE(c.page->fitPanel()->changes()->item(0, 1)->text(), QStringLiteral("1004.9"));
+    const QTableWidget* fitted = c.page->fitPanel()->coefficients();
+    QCOMPARE(fitted->rowCount(), 2);
+    QCOMPARE(fitted->item(0, 0)->text(), QStringLiteral("slope, N/(mV/V)"));
     c.page->choose(QStringLiteral("ir-1"));  // points of a part that is not shown are not forgotten at the exit
     QCOMPARE(c.page->unfinished(), QStringLiteral("calibration points not accepted: Load cell 4"));
     c.page->choose(QStringLiteral("load-cell"));
