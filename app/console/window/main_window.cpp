@@ -118,6 +118,12 @@ void MainWindow::start() {
   feed_->start();
 }
 
+void MainWindow::endWithoutDisplay() {
+  session_->requestStop();
+  if (session_->recorderStatus().state == recording::RecorderState::recording) (void)session_->stopRecording();
+  session_->shutDown();
+}
+
 void MainWindow::openPanels(const QStringList& names) {
   for (const QString& name : names) {
     if (name == QStringLiteral("first-steps")) showFirstSteps();

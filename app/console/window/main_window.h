@@ -49,6 +49,8 @@ class MainWindow : public QMainWindow {
 
   /// Starts the session's threads and the feed.
   void start();
+  /// The display is gone: stops the motors and closes the recording. Only the session is touched.
+  void endWithoutDisplay();
   /// Arms once when first Ready, as a headless station does; for screenshots.
   void armOnce() { arm_once_ = true; }
 
