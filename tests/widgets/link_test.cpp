@@ -225,6 +225,13 @@ class LinkTest : public QObject {
     views[1].figures = QStringLiteral("1 Hz");
     parts.setParts(views);
     QCOMPARE(parts.place(QStringLiteral("Second")), wide);
+    // Too little for all: the short ones keep what they need, and the long one has the rest.
+    const int first = parts.place(QStringLiteral("First")).width();
+    parts.resize(needed + 100, 24);
+    QVERIFY(parts.place(QStringLiteral("Third")).right() <= parts.width());
+    QVERIFY2(parts.place(QStringLiteral("Second")).width() > parts.width() / 2,
+             qPrintable(QString::number(parts.place(QStringLiteral("Second")).width())));
+    QVERIFY(parts.place(QStringLiteral("First")).width() <= first);
     parts.resize(100, 24);  // too little for any: alike
     QCOMPARE(parts.place(QStringLiteral("First")).width(), parts.place(QStringLiteral("Third")).width());
   }

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <algorithm>
 #include <numeric>
 
 #include "widgets/basics/icon.h"
@@ -58,18 +59,29 @@ void PartList::setParts(const std::vector<PartView>& parts) {
 
 std::vector<QRect> PartList::places() const {
   // The largest width each has needed plus an equal share of the rest, so that none moves when a figure changes its
-  // width. Equal columns where there is too little room.
+  // width. Where there is too little room, the short ones have what they need and the long ones share what is left.
   const int count = std::max(1, static_cast<int>(parts_.size()));
-  std::vector<int> columns(static_cast<std::size_t>(count), width() / count);
   const int needed = std::accumulate(needs_.begin(), needs_.end(), 0);
+  std::vector<int> columns = needs_;
   if (needed <= width()) {
-    for (std::size_t i = 0; i < needs_.size(); ++i) columns[i] = needs_[i] + (width() - needed) / count;
+    for (int& column : columns) column += (width() - needed) / count;
+  } else {
+    std::vector<int> rising = needs_;
+    std::ranges::sort(rising);
+    int left = width();
+    int longest = 0;
+    for (std::size_t i = 0; i < rising.size(); ++i) {
+      longest = left / static_cast<int>(rising.size() - i);
+      if (rising[i] > longest) break;
+      left -= rising[i];
+    }
+    for (int& column : columns) column = std::min(column, longest);
   }
   std::vector<QRect> out;
-  int left = 0;
+  int edge = 0;
   for (const int column : columns) {
-    out.emplace_back(left, 0, column - kGrid, height());
-    left += column;
+    out.emplace_back(edge, 0, column - kGrid, height());
+    edge += column;
   }
   return out;
 }

@@ -64,12 +64,18 @@ void DevicesPage::build() {
   column->addWidget(form_);
   column->addWidget(found_, 1);
   side->setWidget(column_body);
-  side->setFixedWidth(34 * kGrid);
+  auto* edge = new QWidget(this);
+  edge->setFixedWidth(34 * kGrid);
+  auto* edge_layout = new QVBoxLayout(edge);
+  edge_layout->setContentsMargins(0, 0, 0, 0);
+  edge_layout->setSpacing(kGrid);
+  edge_layout->addWidget(side, 1);
+  edge_layout->addWidget(form_->foot());  // at the lower edge, whatever is chosen or said above it
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
   layout->addWidget(scroll, 1);
-  layout->addWidget(side);
+  layout->addWidget(edge);
 }
 
 void DevicesPage::connectForm() {
