@@ -1,5 +1,7 @@
 #include "app/console/window/exit_guard.h"
 
+#include <QString>
+#include <QtGlobal>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
@@ -8,6 +10,7 @@ namespace fyd::console {
 namespace {
 
 std::function<void()> end_of_session;  // empty: no guard
+QtMessageHandler former_handler = nullptr;
 
 void endNow() {
   const auto end = std::exchange(end_of_session, {});
@@ -18,13 +21,28 @@ void endNow() {
   std::_Exit(kDisplayLost);
 }
 
+void hear(QtMsgType type, const QMessageLogContext& context, const QString& words) {
+  if (former_handler != nullptr) {
+    former_handler(type, context, words);
+  } else {
+    std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, words)));
+  }
+  // "The X11 connection broke …", "The Wayland connection broke …": the last words before exit() and _exit().
+  if (words.contains(QLatin1String("connection broke"))) endNow();
+}
+
 }  // namespace
 
 ExitGuard::ExitGuard(std::function<void()> end) {
-  static const bool registered = std::atexit(endNow) == 0;
-  if (registered) end_of_session = std::move(end);
+  static const bool registered = std::atexit(endNow) == 0;  // for who calls exit() without a word, such as libX11
+  static_cast<void>(registered);
+  end_of_session = std::move(end);
+  former_handler = qInstallMessageHandler(hear);
 }
 
-ExitGuard::~ExitGuard() { end_of_session = {}; }
+ExitGuard::~ExitGuard() {
+  qInstallMessageHandler(former_handler);
+  end_of_session = {};
+}
 
 }  // namespace fyd::console
