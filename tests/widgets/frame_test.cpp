@@ -112,14 +112,79 @@ class FrameTest : public QObject {
     }
   }
 
-  void aLargerWindowGivesTheCameraItsShare() {
+  void thePanelsShareFollowsTheWindowInBothDirections() {
     Fixture f;
     const QWidget* picture = f.window->operate()->camera()->image();
+    auto* area = f.window->operate()->findChild<QMainWindow*>();
+    auto* camera = area->findChild<QDockWidget*>(QStringLiteral("camera"));
     f.window->resize(1280, 720);
     QTest::qWait(200);
+    const int before = camera->width();
     QVERIFY(picture->width() < 300);
     f.window->resize(3840, 2160);
     WAIT_FOR(picture->width() > 0.12 * 3840);
+    // Not quite its share, as when its contents needed more for a while.
+    area->resizeDocks({camera}, {camera->width() + 30}, Qt::Horizontal);
+    QTest::qWait(100);
+    f.window->resize(1280, 720);
+    WAIT_EQUAL(camera->width(), before);
+    for (const int width : {2000, 1700, 1500, 1280}) {  // by steps
+      f.window->resize(width, 720);
+      QTest::qWait(20);
+    }
+    WAIT_EQUAL(camera->width(), before);
+  }
+
+  void besideAPanelTheTuningIsWholeAndTheFieldForATimeComesWhenAskedFor() {
+    Fixture f;
+    f.window->resize(1280, 720);
+    for (const char* panel : {"link", "recording"}) {
+      f.window->openPanels({QLatin1String(panel)});
+      QTest::qWait(200);
+      const QWidget* tuning = f.window->operate()->tuning();
+      const int right = tuning->mapTo(f.window->frame(), QPoint(tuning->width(), 0)).x();
+      const QWidget* shown = f.window->frame()->panelArea()->findChild<QDockWidget*>(QLatin1String(panel));
+      QVERIFY2(right <= shown->mapTo(f.window->frame(), QPoint(0, 0)).x(),
+               qPrintable(QStringLiteral("%1: to %2").arg(QLatin1String(panel)).arg(right)));
+    }
+    widgets::TimeField* field = f.window->operate()->curves()->timeField();
+    QVERIFY(!field->isVisible());
+    f.window->commands().action(QStringLiteral("curves.go_to"))->trigger();
+    QVERIFY(field->isVisible() && field->hasFocus());
+    f.window->operate()->curves()->setFocus();
+    QVERIFY(!field->isVisible());
+    for (auto* panel : f.window->frame()->panelArea()->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
+      panel->hide();
+    }
+    WAIT_FOR(field->isVisible());
+  }
+
+  void aWidthDrawnByHandIsLeftAlone() {
+    Fixture f;
+    auto* area = f.window->operate()->findChild<QMainWindow*>();
+    auto* camera = area->findChild<QDockWidget*>(QStringLiteral("camera"));
+    f.window->resize(1600, 1000);
+    QTest::qWait(200);
+    const int before = camera->width();
+    const auto drag = [&](int by_px) {
+      const QPoint edge(camera->geometry().right() + 2, camera->geometry().center().y());
+      QTest::mousePress(area, Qt::LeftButton, {}, edge);
+      QTest::mouseMove(area, edge + QPoint(by_px, 0));
+      QTest::qWait(20);
+      QTest::mouseRelease(area, Qt::LeftButton, {}, edge + QPoint(by_px, 0));
+      QTest::qWait(200);
+    };
+    drag(70);
+    const int drawn = camera->width();
+    QVERIFY2(drawn > before + 40, qPrintable(QString::number(drawn)));
+    for (const QSize size : {QSize(2400, 1200), QSize(1600, 1000)}) {
+      f.window->resize(size);
+      QTest::qWait(300);
+      QCOMPARE(camera->width(), drawn);
+    }
+    drag(before - drawn);  // back to its share: it follows again
+    f.window->resize(3000, 1600);
+    WAIT_FOR(camera->width() > drawn);
   }
 
   void theFirstFocusIsNoButtonThatRecords() {
