@@ -43,7 +43,7 @@ StateWords describeState(SafetyState state, Fault fault, const std::optional<Mis
   QString reason = fault == Fault::none ? QString() : asSentence(toString(fault));
   QString remedy = fault == Fault::none || !lateness.isEmpty() ? QString() : coreText(pipeline::remedy(fault));
   // The readiness list knows the very cable, and who has the device.
-  if (now && now->fault == fault && !now->remedy.isEmpty()) {
+  if (now && fault != Fault::none && now->fault == fault && !now->remedy.isEmpty()) {
     reason = sentenceOf(now->why);
     remedy = now->remedy;
   }

@@ -187,7 +187,8 @@ void CalibrationFitPanel::setCoefficients(const std::vector<calibration::Coeffic
   coefficients_->setRowCount(static_cast<int>(coefficients.size()));
   int row = 0;
   for (const calibration::Coefficient& each : coefficients) {
-    const bool known = each.standard_error > 0.0;  // none is known of a mean, and points without scatter tell none
+    // None is known of a mean, and points without scatter tell none.
+    const bool known = each.standard_error > 1e-9 * std::abs(each.value);
     const int decimals = widgets::decimalsOf(each.standard_error);
     const QString unit = each.unit == "1" ? QString() : QString::fromStdString(each.unit);
     const QString name = coefficientName(each.name) + (unit.isEmpty() ? unit : QStringLiteral(", ") + unit);

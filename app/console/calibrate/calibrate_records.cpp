@@ -51,9 +51,9 @@ QString fileBeside(const QString& profile, const std::string& procedure, int sen
           .arg(info.completeBaseName(), part, words(when).remove(QLatin1Char(':')), QLatin1String(ending)));
 }
 
-/// @return an error when the file cannot be written; then there is none
 const QString kAccepting = QStringLiteral("accepting a calibration");  // cause of notices: the newest outcome counts
 
+/// @return an error when the file cannot be written; then there is none
 Result<void> writePicture(const QImage& picture, const QString& path) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
