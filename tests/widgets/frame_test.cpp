@@ -294,7 +294,7 @@ class FrameTest : public QObject {
 
   void quittingNamesWhatIsChangedAndNotSavedAndTheQuestionGoesWithIt() {
     Fixture f;
-    f.row("control.kp")->slider()->setValue(100);
+    f.row("control.kp")->slider()->setValue(60);
     f.row("texture.k_vib")->slider()->setValue(200);
     QAction* quit = f.window->commands().action(QStringLiteral("session.quit"));
     quit->trigger();
