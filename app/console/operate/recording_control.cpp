@@ -110,7 +110,7 @@ void RecordingControl::start(const widgets::RecordingEntries& entries) {
   markers_ = 0;
   remember(entries);
   form_->notesField()->clear();  // they are this recording's, not the next one's
-  context_.over(kMark);  // also that nothing was recorded
+  context_.over(kMark);          // also that nothing was recorded
   context_.tell_about(kRecording, Severity::information,
                       tr("Recording into %1.").arg(QDir::toNativeSeparators(entries.file)));
   context_.feed.pump();
