@@ -31,7 +31,7 @@ QString quantityText(double value, int decimals, const QString& unit) {
   return text == kNoValue || unit.isEmpty() ? text : text + QLatin1Char(' ') + unit;
 }
 
-int decimalsOf(double uncertainty) {
+int decimalsOfUncertainty(double uncertainty) {
   constexpr double kMost = 9.0;
   if (!std::isfinite(uncertainty) || uncertainty <= 0.0) return 0;
   return static_cast<int>(std::clamp(1.0 - std::floor(std::log10(uncertainty)), 0.0, kMost));

@@ -13,7 +13,7 @@ inline const QString kNoValue = QStringLiteral("—");
 /// numberText and the unit after a space; the unit is left off with the value.
 [[nodiscard]] QString quantityText(double value, int decimals, const QString& unit);
 /// Decimals that show two digits of a standard uncertainty, in it and in its value.
-[[nodiscard]] int decimalsOf(double uncertainty);
+[[nodiscard]] int decimalsOfUncertainty(double uncertainty);
 /// Numbers in a row: a semicolon between them where a comma is their decimal sign.
 [[nodiscard]] QString rowText(const QStringList& numbers);
 /// An age: "4 ms", "1.2 s", "3 min"; "—" for NaN.

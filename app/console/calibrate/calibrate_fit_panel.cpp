@@ -189,7 +189,7 @@ void CalibrationFitPanel::setCoefficients(const std::vector<calibration::Coeffic
   for (const calibration::Coefficient& each : coefficients) {
     // None is known of a mean, and points without scatter tell none.
     const bool known = each.standard_error > 1e-9 * std::abs(each.value);
-    const int decimals = widgets::decimalsOf(each.standard_error);
+    const int decimals = widgets::decimalsOfUncertainty(each.standard_error);
     const QString unit = each.unit == "1" ? QString() : QString::fromStdString(each.unit);
     const QString name = coefficientName(each.name) + (unit.isEmpty() ? unit : QStringLiteral(", ") + unit);
     const QString value = known ? widgets::numberText(each.value, decimals)
