@@ -277,7 +277,7 @@ class CalibrateMotionTest : public QObject {
       const calibration::Coefficient kept = station::loadCalibrationRecords(c.profilePath())->back().coefficients.at(0);
       QVERIFY(kept.standard_error > 0.0);
       QCOMPARE(shown, QStringLiteral("± ") + widgets::quantityText(kept.standard_error,
-                                                                   widgets::decimalsOf(kept.standard_error),
+                                                                   widgets::decimalsOfUncertainty(kept.standard_error),
                                                                    QStringLiteral("N/(mV/V)")));
     }
     c.click(c.page->reportButton());
