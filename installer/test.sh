@@ -4,7 +4,7 @@ set -euo pipefail
 source "$(dirname "$0")/common.sh"
 
 preset=${1:-release}
-install_packages run test
+install_packages run package test
 build "$preset" -DFYD_BUILD_TESTS=ON -DFYD_WARNINGS_AS_ERRORS="${CI:+ON}"
 say "Running the tests"
 cd "$root"
