@@ -157,6 +157,15 @@ class Control(unittest.TestCase):
         raise AssertionError(f"{path} belongs to no package")
 
 
+class ManualPage(unittest.TestCase):
+    def test_it_names_each_package_and_no_other(self):
+        page = (SOURCES / "resources/manual/installing.md").read_text()
+        rows = re.findall(r"^\| `([\w-]+)` \|", page, re.MULTILINE)
+        self.assertEqual(set(rows), set(ALL) | {"python3-fyd"})
+        named = set(re.findall(r"\./([\w-]+)_\*\.deb", page)) | set(re.search(r"apt purge (.*)", page)[1].split())
+        self.assertLessEqual(named, set(rows))
+
+
 class Desktop(unittest.TestCase):
     def test_desktop_files(self):
         files = ALL["fyd-console"].find("usr/share/applications/*.desktop")
