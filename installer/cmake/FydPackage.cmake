@@ -8,7 +8,7 @@ endif()
 # Whoever publishes the packages says who and where they are.
 set(FYD_MAINTAINER "FYD Console maintainers <maintainers@fyd-console.example.org>" CACHE STRING "Maintainer of the packages")
 set(FYD_HOMEPAGE "https://fyd-console.example.org" CACHE STRING "The project's page; its folder images/ has the manual's pictures")
-set(revision 1)
+set(revision 0fyd1)  # before a revision 1, which would be Debian's own
 
 set(resources "${PROJECT_SOURCE_DIR}/resources")
 set(package_files "${PROJECT_SOURCE_DIR}/installer/package")
@@ -109,6 +109,7 @@ This package has the module fyd for Python 3.")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fyd-console)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGE_CONTACT "${FYD_MAINTAINER}")
 set(CPACK_PACKAGE_HOMEPAGE_URL "${FYD_HOMEPAGE}")
 set(CPACK_DEB_COMPONENT_INSTALL ON)

@@ -1,4 +1,5 @@
 """What is in the packages of the folder PACKAGES, by the tools that judge such things in Debian."""
+import fnmatch
 import gzip
 import os
 import re
@@ -39,7 +40,8 @@ class Package:
         return [path for path in sorted(self.root.rglob("*")) if path.is_file() and not path.is_symlink()]
 
     def find(self, pattern):
-        return sorted(self.root.glob(pattern))
+        return [path for path in sorted(self.root.rglob("*"))
+                if fnmatch.fnmatch(str(path.relative_to(self.root)), pattern)]  # glob would not see libfyd.so, whose target is elsewhere
 
 
 def setUpModule():
@@ -143,7 +145,9 @@ class Control(unittest.TestCase):
                         self.assertIn("libfyd0", depends, package.name)
                         continue
                     owner = self.owner_of(cache[library])
-                    self.assertIn(owner, depends, f"{file.name} needs {library}")
+                    provided = run("dpkg-query", "-W", "-f=${Provides}", owner)  # libspdlog1.10 is asked for as libspdlog1.10-fmt9
+                    names = {owner, *re.findall(r"(?:^|, )([^ ,]+)", provided)}
+                    self.assertTrue(names & depends, f"{file.name} needs {library} of {owner}")
                     checked += 1
         self.assertGreater(checked, 30)
 
@@ -274,7 +278,7 @@ class Hardening(unittest.TestCase):
         files = [ALL[name].root / path for name, path in PROGRAMS.items()] + ALL["libfyd0"].find("usr/lib/*/libfyd.so.0")
         self.assertEqual(len(files), 3)
         for file in files:
-            said = run("hardening-check", "--color=never", file)
+            said = run("hardening-check", file)
             # A library is no program that could be position-independent.
             self.assertNotRegex(said, r": no(?!, regular shared library \(ignored\))", said)
             for what in ("Stack protected", "Fortify Source functions", "Read-only relocations", "Immediate binding"):
@@ -300,7 +304,7 @@ class Lintian(unittest.TestCase):
     def test_each_override_has_its_reason(self):
         for path in (SOURCES / "installer/package").glob("*.lintian-overrides"):
             before = ""
-            for line in path.read_text().splitlines():
+            for line in re.sub(r"(?m)^(\w\S*:.*\n)(?=\w)", "", path.read_text()).splitlines():  # of several lines the first has it
                 if line and not line.startswith("#"):
                     self.assertTrue(before.startswith("# "), f"{path.name}: {line}: no comment says why")
                 before = line
