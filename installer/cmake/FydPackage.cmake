@@ -1,5 +1,11 @@
 # Debian packages by CPack, one for each component: what is installed beside the libraries, and what each package is.
 # installer/package.sh builds them; resources/manual/installing.md describes them.
+set(resources "${PROJECT_SOURCE_DIR}/resources")
+set(package_files "${PROJECT_SOURCE_DIR}/installer/package")
+# Programs find scenes and surfaces below share/fyd-console, in the build folder as when installed (core/sim/resources.h).
+file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/share")
+file(CREATE_LINK "${resources}" "${PROJECT_BINARY_DIR}/share/fyd-console" SYMBOLIC)
+
 find_program(FYD_PYTHON3 python3)
 if(NOT FYD_PYTHON3 OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux")
   return()  # the man pages and the rest of what documents.py writes cannot be made
@@ -10,8 +16,6 @@ set(FYD_MAINTAINER "FYD Console maintainers <maintainers@fyd-console.example.org
 set(FYD_HOMEPAGE "https://fyd-console.example.org" CACHE STRING "The project's page; its folder images/ has the manual's pictures")
 set(revision 0fyd1)  # before a revision 1, which would be Debian's own
 
-set(resources "${PROJECT_SOURCE_DIR}/resources")
-set(package_files "${PROJECT_SOURCE_DIR}/installer/package")
 if(TARGET fyd-console)
   install(TARGETS fyd-console RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT console)
   install(FILES "${resources}/desktop/fyd-console.desktop" "${resources}/desktop/fyd-console-review.desktop"
@@ -24,9 +28,6 @@ install(TARGETS fyd RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT prog
 install(DIRECTORY "${resources}/scenes" "${resources}/textures"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/fyd-console" COMPONENT program)
 install(FILES "${PROJECT_SOURCE_DIR}/installer/udev/70-fyd-touchpad.rules" DESTINATION lib/udev/rules.d COMPONENT program)
-# Programs in the build folder find them there too (core/sim/resources.h).
-file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/share")
-file(CREATE_LINK "${resources}" "${PROJECT_BINARY_DIR}/share/fyd-console" SYMBOLIC)
 
 # fyd_package(COMPONENT NAME SECTION DEPENDS… TEXT …): the package NAME of the component, if something of it is installed.
 # The first line of TEXT is the summary. Libraries that the binaries are linked to come to its dependencies by themselves.
@@ -99,7 +100,8 @@ execute_process(COMMAND /usr/bin/python3 -c "import sys; v = sys.version_info; p
 list(GET python 0 python_this)
 list(GET python 1 python_next)
 fyd_package(python python3-fyd python
-  DEPENDS "libfyd0 ${same}" "python3 (>= ${python_this}~)" "python3 (<< ${python_next})" python3-numpy
+  SUGGESTS fyd
+  DEPENDS "python3 (>= ${python_this}~)" "python3 (<< ${python_next})" python3-numpy
   EXTRA "${package_files}/python3-fyd/postinst" "${package_files}/python3-fyd/prerm"
   TEXT "haptic algorithms of the FYD Touchpad (Python module)
 Recordings of the FYD Touchpad as NumPy arrays with units, their replay with

@@ -123,8 +123,6 @@ class Control(unittest.TestCase):
         same = f"(= {ALL['fyd'].field['Version']})"
         self.assertIn(f"fyd {same}", ALL["fyd-console"].depends())
         self.assertIn(f"libfyd0 {same}", ALL["libfyd-dev"].depends())
-        if "python3-fyd" in ALL:
-            self.assertIn(f"libfyd0 {same}", ALL["python3-fyd"].depends())
 
     def test_the_command_line_needs_no_window(self):
         self.assertNotRegex(ALL["fyd"].field["Depends"], "(?i)qt6|qcustomplot")
