@@ -47,7 +47,7 @@ macro(fyd_package component name section)
     set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA "${one_EXTRA}")
     set(CPACK_DEBIAN_${upper}_DESCRIPTION "${one_TEXT}")
     # Changelog, copyright, man pages and completion: they are asked of the programs when something is installed.
-    install(CODE "execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND \"${FYD_PYTHON3}\" \"${package_files}/documents.py\"
+    install(CODE "execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND \"${FYD_PYTHON3}\" -B \"${package_files}/documents.py\"
       ${component} --package ${name} --version ${PROJECT_VERSION}-${revision}
       --maintainer \"${FYD_MAINTAINER}\" --homepage \"${FYD_HOMEPAGE}\" --programs \"${CMAKE_RUNTIME_OUTPUT_DIRECTORY}\"
       --root \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\")" COMPONENT ${component})
@@ -95,10 +95,12 @@ meshes, recordings and their bit-exact replay.
 
 This package has the headers, and what CMake and pkg-config need to find the
 library.")
-execute_process(COMMAND /usr/bin/python3 -c "import sys; v = sys.version_info; print(f'{v[0]}.{v[1]};{v[0]}.{v[1] + 1}', end='')"
-  OUTPUT_VARIABLE python ERROR_QUIET)
-list(GET python 0 python_this)
-list(GET python 1 python_next)
+if("python" IN_LIST fyd_components)  # built for Debian's own interpreter, of exactly this version
+  execute_process(COMMAND /usr/bin/python3 -c "import sys; v = sys.version_info; print(f'{v[0]}.{v[1]};{v[0]}.{v[1] + 1}', end='')"
+    OUTPUT_VARIABLE python COMMAND_ERROR_IS_FATAL ANY)
+  list(GET python 0 python_this)
+  list(GET python 1 python_next)
+endif()
 fyd_package(python python3-fyd python
   SUGGESTS fyd
   DEPENDS "python3 (>= ${python_this}~)" "python3 (<< ${python_next})" python3-numpy
