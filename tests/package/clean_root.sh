@@ -41,10 +41,10 @@ names=$(for each in /packages/new/*.deb; do dpkg-deb -f "$each" Package; done)
 say() { printf '== %s (%d s)\n' "$*" "$SECONDS"; }
 quietly() { "$@" >/tmp/said 2>&1 || { cat /tmp/said >&2; return 1; }; }
 expect() { [ "$1" = "$2" ] || { echo "$3: $1, expected $2" >&2; exit 1; }; }
-# Every file and link with its contents, but for logs, and for what apt and dpkg themselves remember.
+# Every file and link with its contents, but for logs, and for what apt, dpkg and ldconfig themselves remember.
 everything() {
   find / -xdev \( -path /proc -o -path /sys -o -path /dev -o -path /run -o -path /tmp -o -path /packages -o -path /var/log \
-    -o -path /var/lib/apt -o -path /var/lib/dpkg -o -path /var/cache/apt -o -path /var/cache/debconf \) -prune \
+    -o -path /var/lib/apt -o -path /var/lib/dpkg -o -path /var/cache/apt -o -path /var/cache/debconf -o -path /var/cache/ldconfig \) -prune \
     -o \( -type f -exec sha256sum {} + -o -type l -printf 'link to %l  %p\n' -o -type d -printf 'folder  %p\n' \) | sort -k2
 }
 
