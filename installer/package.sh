@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the Debian packages into build/package/packages, debug symbols beside them as NAME-dbgsym…ddeb.
+# Builds the Debian packages into build/package/packages; fyd-console-dbg has the debug symbols.
 # --check: afterwards builds the last commit once more, in another folder and without a compiler cache, and fails when a
 #          byte of a package differs.
 # Times in the packages are SOURCE_DATE_EPOCH, or those of the last commit.
@@ -46,7 +46,7 @@ say "The same in $other"
 first=$root
 root=$other CCACHE_DISABLE=1 build package
 pack "$other"
-if diff <(cd "$first/build/package/packages" && sha256sum -- *deb) <(cd "$other/build/package/packages" && sha256sum -- *deb); then
+if diff <(cd "$first/build/package/packages" && sha256sum -- *.deb) <(cd "$other/build/package/packages" && sha256sum -- *.deb); then
   say "The same to the byte"
 else
   echo "package.sh --check: these packages differ" >&2

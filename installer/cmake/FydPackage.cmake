@@ -29,6 +29,18 @@ install(DIRECTORY "${resources}/scenes" "${resources}/textures"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/fyd-console" COMPONENT program)
 install(FILES "${PROJECT_SOURCE_DIR}/installer/udev/70-fyd-touchpad.rules" DESTINATION lib/udev/rules.d COMPONENT program)
 
+string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
+if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "(^| )-g")
+  set(binaries "")
+  foreach(target fyd fyd-console fyd_library fyd_python)
+    if(TARGET ${target})
+      string(APPEND binaries " \"$<TARGET_FILE:${target}>\"")
+    endif()
+  endforeach()
+  install(CODE "execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND \"${package_files}/debug_symbols.sh\"
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" ${binaries})" COMPONENT symbols)
+endif()
+
 # fyd_package(COMPONENT NAME SECTION DEPENDS… TEXT …): the package NAME of the component, if something of it is installed.
 # The first line of TEXT is the summary. Libraries that the binaries are linked to come to its dependencies by themselves.
 set(CPACK_COMPONENTS_ALL "")
@@ -111,6 +123,15 @@ the same or other gains, textures, predictors, sensing and haptic scenes.
 
 This package has the module fyd for Python 3.")
 
+fyd_package(symbols fyd-console-dbg debug RECOMMENDS "fyd ${same}" SUGGESTS gdb
+  TEXT "haptic operator console of the FYD Touchpad (debug symbols)
+The FYD Touchpad lets a person touch something that is far away: two motors
+stretch a cloth until it feels as soft or as stiff as what a remote robot
+touches, and shake it so that the finger feels the texture.
+
+This package has the debug symbols of the programs and libraries of FYD
+Console, by which gdb shows functions and lines of the source.")
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fyd-console)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
@@ -127,10 +148,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}/lib")  # 
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
-if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "(^| )-g")
-  set(CPACK_DEBIAN_DEBUGINFO_PACKAGE ON)  # NAME-dbgsym
-else()
-  set(CPACK_STRIP_FILES ON)
-endif()
+set(CPACK_STRIP_FILES ON)
 include(CPack)

@@ -39,6 +39,9 @@ class Package:
     def files(self):
         return [path for path in sorted(self.root.rglob("*")) if path.is_file() and not path.is_symlink()]
 
+    def binaries(self):
+        return [file for file in self.files() if file.suffix != ".debug" and file.read_bytes()[:4] == b"\x7fELF"]
+
     def find(self, pattern):
         return [path for path in sorted(self.root.rglob("*"))
                 if fnmatch.fnmatch(str(path.relative_to(self.root)), pattern)]  # glob would not see libfyd.so, whose target is elsewhere
@@ -70,6 +73,8 @@ class Contents(unittest.TestCase):
         }
         if "python3-fyd" in ALL:  # where the module is built
             parts["python3-fyd"] = ["usr/lib/python3/dist-packages/fyd*"]
+        if "fyd-console-dbg" in ALL:  # of a build with debug symbols
+            parts["fyd-console-dbg"] = ["usr/lib/debug/.build-id/??/*.debug"]
         self.assertEqual(set(ALL), set(parts))
         for name, files in parts.items():
             for file in [*files, f"usr/share/doc/{name}/copyright", f"usr/share/doc/{name}/changelog.gz",
@@ -97,7 +102,7 @@ class Contents(unittest.TestCase):
                 self.assertNotIn(str(SOURCES).encode() + b"/", data, file)
 
     def test_binaries_are_stripped(self):
-        binaries = [file for package in ALL.values() for file in package.files() if file.read_bytes()[:4] == b"\x7fELF"]
+        binaries = [file for package in ALL.values() for file in package.binaries()]
         self.assertGreaterEqual(len(binaries), 3)
         for file in binaries:
             self.assertNotRegex(run("readelf", "-SW", file), r"\.(symtab|debug_info)\b", file)
@@ -135,9 +140,7 @@ class Control(unittest.TestCase):
         checked = 0
         for package in ALL.values():
             depends = {each.split(" ")[0] for each in package.depends()}
-            for file in package.files():
-                if file.read_bytes()[:4] != b"\x7fELF":
-                    continue
+            for file in package.binaries():
                 for library in re.findall(r"NEEDED +(\S+)", run("objdump", "-p", file)):
                     if library == "libfyd.so.0":
                         self.assertIn("libfyd0", depends, package.name)
@@ -163,7 +166,7 @@ class ManualPage(unittest.TestCase):
     def test_it_names_each_package_and_no_other(self):
         page = (SOURCES / "resources/manual/installing.md").read_text()
         rows = re.findall(r"^\| `([\w-]+)` \|", page, re.MULTILINE)
-        self.assertEqual(set(rows), set(ALL) | {"python3-fyd"})
+        self.assertEqual(set(rows), set(ALL) | {"python3-fyd", "fyd-console-dbg"})
         named = set(re.findall(r"\./([\w-]+)_\*\.deb", page)) | set(re.search(r"apt purge (.*)", page)[1].split())
         self.assertLessEqual(named, set(rows))
 
