@@ -110,7 +110,7 @@ class Contents(unittest.TestCase):
     def test_the_changelog_and_the_time_are_those_asked_for(self):
         for package in ALL.values():
             text = gzip.decompress((package.root / f"usr/share/doc/{package.name}/changelog.Debian.gz").read_bytes()).decode()
-            self.assertRegex(text, rf"^fyd-console \({re.escape(VERSION)}-\d+\) ")
+            self.assertRegex(text, rf"^fyd-console \({re.escape(VERSION)}-\w+\) ")
             self.assertIn("Thu, 01 Jan 2026 00:00:00 +0000", text)
             self.assertIn(" 2026-01-01 00:00 ./usr/\n", run("dpkg-deb", "-c", package.path, env=os.environ | {"TZ": "UTC"}))
 
@@ -118,7 +118,7 @@ class Contents(unittest.TestCase):
 class Control(unittest.TestCase):
     def test_the_version_and_a_description_of_several_lines(self):
         for package in ALL.values():
-            self.assertRegex(package.field["Version"], rf"^{re.escape(VERSION)}-\d+$")
+            self.assertRegex(package.field["Version"], rf"^{re.escape(VERSION)}-\w+$")
             summary, *rest = package.field["Description"].split("\n")
             self.assertGreaterEqual(len(rest), 4, package.name)
             self.assertLess(len(summary), 80)
