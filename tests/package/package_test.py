@@ -292,7 +292,7 @@ class Running(unittest.TestCase):
     def test_scenes_and_surfaces_that_come_along(self):
         fyd = ALL["fyd"].root / PROGRAMS["fyd"]
         with tempfile.TemporaryDirectory() as folder:
-            self.assertIn("speed_limit", run(fyd, "scene", "explain", "echography", cwd=folder))
+            self.assertIn("palpation", run(fyd, "scene", "explain", "echography", cwd=folder))
             self.assertIn("wood", run(fyd, "texture", "play", "wood", "--speed", "40", "--force", "1", "-o", "out.csv", cwd=folder))
             with self.assertRaisesRegex(AssertionError, "nothing_like_this: cannot be read"):
                 run(fyd, "scene", "explain", "nothing_like_this", cwd=folder)
