@@ -133,7 +133,8 @@ int main(int argc, char** argv) {
     }
   }
   print(figures, passed());
-  if (figures.active_steps * 10 < figures.steps) broken("less than a tenth was Active: it proves little");
+  if (figures.sessions >= 5 && figures.active_steps * 10 < figures.steps)
+    broken("less than a tenth was Active: it proves little");
   std::printf("seed %llu: everything held\n", static_cast<unsigned long long>(seed));
   return 0;
 }

@@ -56,8 +56,10 @@ class Operator {
     };
     if (state == SafetyState::active) {
       arm_at_ = now + milliseconds(50 + chance.below(600));
+      arms_ = 0;
     } else if (now >= arm_at_) {
-      give(OperatorAction::arm);
+      // A device that switched its motors off asks for "stop, then arm again".
+      give(++arms_ % 4 == 0 ? OperatorAction::stop : OperatorAction::arm);
       arm_at_ = now + milliseconds(50 + chance.below(600));
     }
     if (chance.once(12'000)) give(OperatorAction::stop);
@@ -81,6 +83,7 @@ class Operator {
   std::vector<Parameter> bound_;
   std::vector<std::size_t> live_;
   Instant arm_at_{};
+  int arms_ = 0;  // in vain, and the stops between them
 };
 
 /// Faults whose time to end Active is running.
