@@ -4974,8 +4974,8 @@ Pour commencer : %1</translation>
         <translation>La consigne est hors de portée ; rendu de la plus proche, {:.3f} N/mm.</translation>
     </message>
     <message>
-        <source>The theme changes once nothing renders: Esc would not be heard meanwhile.</source>
-        <translation>Le thème change quand plus rien n'est rendu : Échap ne serait pas entendu entre-temps.</translation>
+        <source>The theme changes once the motors are off: Esc would not be heard meanwhile.</source>
+        <translation>Le thème change quand les moteurs sont éteints : Échap ne serait pas entendu entre-temps.</translation>
     </message>
     <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>

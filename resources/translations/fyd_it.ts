@@ -4974,8 +4974,8 @@ Per cominciare: %1</translation>
         <translation>L'obiettivo è fuori portata; si rende il più vicino, {:.3f} N/mm.</translation>
     </message>
     <message>
-        <source>The theme changes once nothing renders: Esc would not be heard meanwhile.</source>
-        <translation>Il tema cambia quando nulla è più reso: nel frattempo Esc non sarebbe sentito.</translation>
+        <source>The theme changes once the motors are off: Esc would not be heard meanwhile.</source>
+        <translation>Il tema cambia quando i motori sono spenti: nel frattempo Esc non sarebbe sentito.</translation>
     </message>
     <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>

@@ -92,8 +92,12 @@ class FrameTest : public QObject {
     QCOMPARE(look.choice(), before);
     become(SafetyState::active);
     QCOMPARE(look.choice(), before);
+    become(SafetyState::held);  // its drives stay enabled
+    QTest::qWait(500);
+    QCOMPARE(look.choice(), before);
     become(SafetyState::stopped);
-    QCOMPARE(look.choice(), chosen);
+    QCOMPARE(look.choice(), before);  // first the state is seen
+    WAIT_FOR(look.choice() == chosen);
     f.window->commands().action(QStringLiteral("view.theme_") + widgets::themeWord(before))->trigger();
     QCOMPARE(look.choice(), before);  // nothing renders: at once
   }

@@ -52,6 +52,20 @@ class RecordingTest : public QObject {
     clipboard->clear();
   }
 
+  void initialsAndEnterAfterTheKeyRecord() {
+    Fixture f;
+    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    widgets::RecordingForm* form = f.window->recording()->form();
+    write(form->fileField(), f.folder.filePath(QStringLiteral("two.h5")));
+    f.window->recording()->dock()->hide();
+    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    QVERIFY(form->operatorField()->hasFocus());
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("mm"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QCOMPARE(f.session->recordings.size(), std::size_t{1});
+    QCOMPARE(f.session->recordings[0].operator_name, std::string("mm"));
+  }
+
   void fromTheKeyToAClosedFile() {
     RecordingFixture f;
     QVERIFY(f.window->recording()->dock()->isVisible());

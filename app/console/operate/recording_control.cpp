@@ -86,7 +86,7 @@ void RecordingControl::open() {
   if (!dock_->isVisible() && !recording() && form_->fileIsSuggested()) form_->suggest();  // with the present time
   dock_->show();
   dock_->raise();
-  form_->focusButton();
+  form_->focusNext();
 }
 
 void RecordingControl::start(const widgets::RecordingEntries& entries) {

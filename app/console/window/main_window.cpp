@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QScreen>
+#include <QTimer>
 #include <QUrl>
 #include <algorithm>
 
@@ -18,6 +19,7 @@
 #include "app/console/window/focus_guard.h"
 #include "app/console/window/manual.h"
 #include "app/console/window/places.h"
+#include "core/catalogue/catalogue_delivery.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/icon.h"
 
@@ -120,8 +122,10 @@ void MainWindow::start() {
 
 void MainWindow::endWithoutDisplay() {
   session_->requestStop();
-  if (session_->recorderStatus().state == recording::RecorderState::recording) (void)session_->stopRecording();
+  const recording::RecorderStatus recorder = session_->recorderStatus();
+  const bool recorded = recorder.state == recording::RecorderState::recording && session_->stopRecording().has_value();
   session_->shutDown();
+  if (recorded) (void)catalogue::catalogueRecording(catalogue_.toStdString(), recorder.path);  // what fails here, a scan finds
 }
 
 void MainWindow::openPanels(const QStringList& names) {
@@ -252,15 +256,29 @@ void MainWindow::connectLook() {
 
 void MainWindow::setTheme(widgets::ThemeChoice choice) {
   // Dressing every widget anew takes almost a second, in which the window hears no key and a real device is Held.
-  if (state_ == pipeline::SafetyState::active && !session_->status().loop.waits) {
+  if (motorsMayBeOn() && !session_->status().loop.waits) {
     waiting_theme_ = choice;
-    tell(Severity::information, tr("The theme changes once nothing renders: Esc would not be heard meanwhile."), true,
+    tell(Severity::information, tr("The theme changes once the motors are off: Esc would not be heard meanwhile."), true,
          QStringLiteral("theme"));
     return;
   }
   waiting_theme_.reset();
   notices()->withdraw(QStringLiteral("theme"));
   widgets::Look::instance().apply(*qApp, choice);
+}
+
+bool MainWindow::motorsMayBeOn() const {
+  return state_ == pipeline::SafetyState::active || state_ == pipeline::SafetyState::held;  // Held keeps the drives enabled
+}
+
+void MainWindow::takeWaitingTheme() {
+  if (!waiting_theme_ || motorsMayBeOn() || theme_comes_) return;
+  constexpr int kPainted_ms = 300;  // until the state bar says that the motors are off
+  theme_comes_ = true;
+  QTimer::singleShot(kPainted_ms, this, [this] {
+    theme_comes_ = false;
+    if (waiting_theme_) setTheme(*waiting_theme_);
+  });
 }
 
 void MainWindow::connectLayouts() {
@@ -319,7 +337,7 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
   if (state_ == pipeline::SafetyState::active) notices()->withdraw(kHowToArm);
   stateBar()->showState(newest.state, newest.fault);
   link_->showSample(newest);
-  if (waiting_theme_ && state_ != pipeline::SafetyState::active) setTheme(*waiting_theme_);
+  takeWaitingTheme();
   if (arm_once_ && newest.state == pipeline::SafetyState::ready) {
     arm_once_ = false;
     ask(pipeline::OperatorAction::arm);
