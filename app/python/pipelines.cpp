@@ -1,8 +1,11 @@
 // The pure step.
 #include "app/python/described.h"
 #include "app/python/parameters.h"
+#include "app/python/recordings.h"
 #include "app/python/scenes.h"
+#include "core/control/stiffness_controller.h"
 #include "core/pipeline/pipeline.h"
+#include "core/recording/reader/recorded_profile.h"
 
 namespace fyd::python {
 namespace {
@@ -31,6 +34,20 @@ void addList(py::class_<Inputs>& type, const char* name, const char* help, Get g
         get(inputs) = list;
       },
       help);
+}
+
+/// As it stood before the first row of a recording.
+std::unique_ptr<StepOwner> recordedPipeline(OpenRecording& file) {
+  const auto header = file.info().header;
+  const pipeline::Parameters values = done(recording::recordedParameters(header));
+  valid(control::checkControlParameters(values.control));
+  auto out = std::make_unique<StepOwner>(values, done(recording::recordedLocalModel(header)));
+  const std::string state = done(recording::recordedState(header));
+  done(out->run([&](pipeline::Pipeline& pipeline) {
+    pipeline.takeRecordedValues();
+    return pipeline.restoreState(state);
+  }));
+  return out;
 }
 
 void addInputs(py::module_& module) {
@@ -107,7 +124,9 @@ void addPipeline(py::module_& module) {
              pipeline::LocalModel local;
              if (surface != nullptr) local.surface = *surface;
              if (scene != nullptr) local.scene = scene->start();
-             return std::make_unique<StepOwner>(orDefaults(parameters), local);
+             const pipeline::Parameters values = orDefaults(parameters);
+             valid(control::checkControlParameters(values.control));
+             return std::make_unique<StepOwner>(values, local);
            }),
            py::arg("parameters") = py::none(), py::arg("surface") = py::none(), py::arg("scene") = py::none(),
            "With these parameters, and what is felt without a robot: a stored surface, or a scene in the robot's place. "
@@ -139,6 +158,9 @@ void addPipeline(py::module_& module) {
            py::arg("state"),
            "Continues from a saved step of a pipeline with the same parameters, live ones apart; Error, and the pipeline "
            "as it was, for other bytes. Units: none.")
+      .def_static("of", &recordedPipeline, py::arg("recording"),
+                  "As it stood before the first row of an open recording: its parameters, its surface or scene and its "
+                  "state. Units: each parameter's own.")
       .def_property_readonly("parameters",
                              [](StepOwner& owner) {
                                return std::make_unique<ParameterSet>(

@@ -4,6 +4,8 @@
 #include "app/python/described.h"
 #include "app/python/parameters.h"
 #include "app/python/recordings.h"
+#include "core/control/stiffness_controller.h"
+#include "core/recording/reader/recorded_profile.h"
 #include "core/replay/replay.h"
 
 namespace fyd::python {
@@ -19,8 +21,15 @@ struct Replayed {
 
 Replayed replayed(OpenRecording& file, const py::dict& settings, bool closed_loop, bool keep_telemetry) {
   replay::ReplayOptions options{.settings = {}, .closed_loop = closed_loop};
-  for (const auto& [id, value] : settings)
-    options.settings.push_back(fmt::format("{}={}", id.cast<std::string>(), written(value)));
+  if (!settings.empty()) {
+    const ParameterSet trial(done(recording::recordedParameters(file.info().header)));
+    for (const auto& [id, value] : settings) {
+      const std::string name = id.cast<std::string>();
+      valid(assignParameter(trial.find(name), written(value), Ranges::mark));
+      options.settings.push_back(fmt::format("{}={}", name, written(value)));
+    }
+    valid(control::checkControlParameters(trial.values().control));
+  }
   std::vector<TelemetrySample> kept;
   ReplayResult result = file.run([&](recording::Recording& recording) {
     return replay::replay(recording, options, [&](const TelemetrySample& sample, const TelemetrySample&) {

@@ -187,6 +187,12 @@ class Recording:
         """What went into the step of this row and what came out. Units: those of its values."""
         return self._file.step(row)
 
+    def pipeline(self) -> _fyd.Pipeline:
+        """The step as it stood before the first row: stepped with the recorded inputs it gives what was recorded, bit for
+        bit. Units: none.
+        """
+        return _fyd.Pipeline.of(self._file)
+
     def overview(self, name: str, from_s: float, to_s: float, buckets: int) -> tuple[Array, Array, Array]:
         """Smallest and largest of a column between from_s and to_s [s], in at most so many buckets: (start of each bucket
         [s], smallest, largest [the column's unit]). No spike is lost.
