@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/parameter.h"
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::python {

@@ -98,13 +98,14 @@ template <class T>
 
 // Each part of the module.
 void addValues(py::module_& module);
+void addInputs(py::module_& module);
 void addParameters(py::module_& module);
 void addRecordings(py::module_& module);
-void addPipeline(py::module_& module);
 void addReplay(py::module_& module);
 void addSensing(py::module_& module);
 void addTextures(py::module_& module);
 void addPrediction(py::module_& module);
 void addScenes(py::module_& module);
+void addPipeline(py::module_& module);
 
 }  // namespace fyd::python

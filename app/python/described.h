@@ -58,7 +58,7 @@ void fromPython(std::string_view name, const py::handle& from, V& value) {
     if (items.size() != value.size())
       throw Refusal{fmt::format("{}: {} items; expected {}", name, items.size(), value.size())};
     V out{};
-    for (std::size_t i = 0; i < out.size(); ++i) fromPython(name, items[i], out[i]);
+    for (std::size_t i = 0; i < out.size(); ++i) fromPython(name, py::object(items[i]), out[i]);
     value = out;
   } else {
     value = from.cast<V>();
@@ -91,7 +91,7 @@ void assignNamed(T& value, const py::kwargs& given) {
     if constexpr (std::is_lvalue_reference_v<FieldResult<decltype(field), T>>) {
       const std::string name = nameOf(field);
       if (!given.contains(name.c_str())) return;
-      assignField(name, given[name.c_str()], field.of(value));
+      assignField(name, py::object(given[name.c_str()]), field.of(value));
       ++used;
     }
   });
@@ -100,7 +100,8 @@ void assignNamed(T& value, const py::kwargs& given) {
   forEachField<T>([&](auto, const auto& field) { names += (names.empty() ? "" : ", ") + nameOf(field); });
   for (const auto& [name, value_of] : given)
     if (fmt::format(", {}, ", names).find(fmt::format(", {}, ", std::string(py::str(name)))) == std::string::npos)
-      throw py::type_error(fmt::format("{}: there is no such value; expected one of {}", std::string(py::str(name)), names));
+      throw py::type_error(
+          fmt::format("{}: there is no such value; expected one of {}", std::string(py::str(name)), names));
 }
 
 /// A property for each field, a constructor by their names, `as_dict()`, and of the class `units` and `help`.
@@ -126,16 +127,17 @@ void describe(py::class_<T, More...>& type) {
   });
   type.attr("units") = units;
   type.attr("help") = help;
-  type.def("as_dict",
-           [](const T& value) {
-             py::dict out;
-             forEachField<T>([&](auto, const auto& field) {
-               using V = FieldValue<decltype(field), T>;
-               out[nameOf(field).c_str()] = toPython<V>(field.of(value));
-             });
-             return out;
-           },
-           "Every value by its name; their units stand in `units`.");
+  type.def(
+      "as_dict",
+      [](const T& value) {
+        py::dict out;
+        forEachField<T>([&](auto, const auto& field) {
+          using V = FieldValue<decltype(field), T>;
+          out[nameOf(field).c_str()] = toPython<V>(field.of(value));
+        });
+        return out;
+      },
+      "Every value by its name; their units stand in `units`.");
   type.def("__repr__", [](const py::object& value) {
     std::string out;
     for (const auto& [name, one] : value.attr("as_dict")().template cast<py::dict>())

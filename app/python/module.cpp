@@ -31,15 +31,17 @@ PYBIND11_MODULE(_fyd, module) {
   module.doc() = "What the library of the FYD Touchpad computes; import fyd, not this.";
   module.attr("__version__") = FYD_VERSION;
   addErrors(module);
+  // A type stands before the functions that name it: pybind11 writes their signatures.
   addValues(module);
+  addInputs(module);
   addParameters(module);
   addRecordings(module);
-  addPipeline(module);
   addReplay(module);
   addSensing(module);
   addTextures(module);
   addPrediction(module);
   addScenes(module);
+  addPipeline(module);
 }
 
 }  // namespace fyd::python

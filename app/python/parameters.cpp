@@ -52,13 +52,14 @@ const Parameter& ParameterSet::find(const std::string& id) const {
 std::string written(const py::handle& value) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) return py::repr(value);
   if (py::hasattr(value, "__iter__")) {
     std::string out;
     for (const auto& item : value) out += fmt::format("{}{}", out.empty() ? "" : ", ", written(item));
     return fmt::format("[{}]", out);
   }
-  if (py::hasattr(value, "__float__")) return py::repr(py::float_(py::reinterpret_borrow<py::object>(value)));
+  const auto number = py::reinterpret_borrow<py::object>(value);
+  if (py::hasattr(value, "__index__")) return py::repr(py::int_(number));
+  if (py::hasattr(value, "__float__")) return py::repr(py::float_(number));
   throw py::type_error(
       fmt::format("{}: no number, truth value, text or list of numbers", std::string(py::repr(value))));
 }
@@ -107,39 +108,46 @@ void addParameters(py::module_& module) {
       .def_readonly("kind", &Described::kind, "real, integer, boolean, choice, list or text [—]")
       .def_readonly("allowed", &Described::allowed, "What may be given, as a phrase [—]");
 
-  py::class_<ParameterSet>(module, "Parameters",
-                           "The step's parameters: a mapping from id (\"control.kp\") to value. Each is checked when it "
-                           "is set: InvalidValue names id, value and range.")
+  py::class_<ParameterSet>(
+      module, "Parameters",
+      "The step's parameters: a mapping from id (\"control.kp\") to value. Each is checked when it "
+      "is set: InvalidValue names id, value and range.")
       .def(py::init([](const std::optional<py::dict>& values) {
              auto out = std::make_unique<ParameterSet>();
              if (values) update(*out, *values);
              return out;
            }),
-           py::arg("values") = py::none(), "The defaults, and these values in their place. Units: each parameter's own.")
-      .def("__getitem__", [](const ParameterSet& set, const std::string& id) { return valueOf(set.find(id)); },
-           py::arg("id"))
-      .def("__setitem__",
-           [](ParameterSet& set, const std::string& id, const py::object& value) { assign(set.find(id), value); },
-           py::arg("id"), py::arg("value"))
-      .def("__contains__",
-           [](const ParameterSet& set, const std::string& id) { return findParameter(set.bound(), id) != nullptr; },
-           py::arg("id"))
+           py::arg("values") = py::none(),
+           "The defaults, and these values in their place. Units: each parameter's own.")
+      .def(
+          "__getitem__", [](const ParameterSet& set, const std::string& id) { return valueOf(set.find(id)); },
+          py::arg("id"))
+      .def(
+          "__setitem__",
+          [](ParameterSet& set, const std::string& id, const py::object& value) { assign(set.find(id), value); },
+          py::arg("id"), py::arg("value"))
+      .def(
+          "__contains__",
+          [](const ParameterSet& set, const std::string& id) { return findParameter(set.bound(), id) != nullptr; },
+          py::arg("id"))
       .def("__len__", [](const ParameterSet& set) { return set.bound().size(); })
-      .def("__iter__",
-           [](const py::object& set) { return py::iter(set.attr("keys")()); })
-      .def("keys",
-           [](const ParameterSet& set) {
-             std::vector<std::string> out;
-             for (const Parameter& each : set.bound()) out.emplace_back(each.id);
-             return out;
-           },
-           "Ids of all parameters, in the order of the profile. Units: none.")
+      .def("__iter__", [](const py::object& set) { return py::iter(set.attr("keys")()); })
+      .def(
+          "keys",
+          [](const ParameterSet& set) {
+            std::vector<std::string> out;
+            for (const Parameter& each : set.bound()) out.emplace_back(each.id);
+            return out;
+          },
+          "Ids of all parameters, in the order of the profile. Units: none.")
       .def("update", &update, py::arg("values"),
            "Sets several; none of them when one is not possible. Units: each parameter's own.")
-      .def("copy", [](const ParameterSet& set) { return std::make_unique<ParameterSet>(set.values()); },
-           "A set of its own with the same values. Units: none.")
-      .def("profile", [](const ParameterSet& set) { return formatProfile(set.bound()); },
-           "All of them as the TOML text of a profile. Units: each in its comment.")
+      .def(
+          "copy", [](const ParameterSet& set) { return std::make_unique<ParameterSet>(set.values()); },
+          "A set of its own with the same values. Units: none.")
+      .def(
+          "profile", [](const ParameterSet& set) { return formatProfile(set.bound()); },
+          "All of them as the TOML text of a profile. Units: each in its comment.")
       .def_static(
           "from_profile",
           [](const std::string& text, const std::string& name) {
@@ -148,9 +156,11 @@ void addParameters(py::module_& module) {
             return out;
           },
           py::arg("text"), py::arg("name") = "profile",
-          "The defaults, and in their place what a TOML text of the step's parameters says; `name` begins each message. "
+          "The defaults, and in their place what a TOML text of the step's parameters says; `name` begins each "
+          "message. "
           "Units: each parameter's own.")
-      .def_static("info", &describedParameter, py::arg("id"), "What a parameter means, and what it may be. Units: none.");
+      .def_static("info", &describedParameter, py::arg("id"),
+                  "What a parameter means, and what it may be. Units: none.");
 }
 
 }  // namespace fyd::python

@@ -14,28 +14,6 @@ using pipeline::Inputs;
 using pipeline::Outputs;
 using StepOwner = Shared<pipeline::Pipeline>;
 
-/// A list of the inputs as a Python list; it is set as a whole.
-template <class Get>
-void addList(py::class_<Inputs>& type, const char* name, const char* help, Get get) {
-  using List = std::remove_cvref_t<decltype(get(std::declval<Inputs&>()))>;
-  using Item = std::remove_cvref_t<decltype(std::declval<List&>().items[0])>;
-  type.def_property(
-      name,
-      [get](Inputs& inputs) {
-        const List& list = get(inputs);
-        return std::vector<Item>(list.begin(), list.end());
-      },
-      [get, name](Inputs& inputs, const std::vector<Item>& items) {
-        List list;
-        for (const Item& item : items)
-          if (!list.push(item))
-            throw Refusal{std::string(name) + ": " + std::to_string(items.size()) + " items; at most " +
-                          std::to_string(List::capacity()) + " fit"};
-        get(inputs) = list;
-      },
-      help);
-}
-
 /// As it stood before the first row of a recording.
 std::unique_ptr<StepOwner> recordedPipeline(OpenRecording& file) {
   const auto header = file.info().header;
@@ -50,123 +28,102 @@ std::unique_ptr<StepOwner> recordedPipeline(OpenRecording& file) {
   return out;
 }
 
-void addInputs(py::module_& module) {
-  py::class_<Inputs> type(module, "Inputs", "All that reaches a step; nothing else does.");
-  describe(type);
-  type.def(byNames<Inputs>(), "From values by their names; the others keep their defaults. Units: those in `units`.");
-  type.def_readwrite("finger", &Inputs::finger, "What the finger detector says [each in its unit]")
-      .def_readwrite("ir", &Inputs::ir, "The distance sensors [ADC code]")
-      .def_readwrite("bridge", &Inputs::bridge, "The load cell [mV/V]")
-      .def_readwrite("motors", &Inputs::motors, "The motors' report [each in its unit]");
-  type.def_property("robot_state", [](Inputs& inputs) -> auto& { return inputs.robot.state; },
-                    [](Inputs& inputs, const Timed<pipeline::RobotState>& state) { inputs.robot.state = state; },
-                    py::return_value_policy::reference_internal, "The robot's state [each in its unit]");
-  type.def_property("motor_reference", [](Inputs& inputs) -> auto& { return inputs.robot.motor_reference; },
-                    [](Inputs& inputs, const Timed<pipeline::RobotMotorReference>& reference) {
-                      inputs.robot.motor_reference = reference;
-                    },
-                    py::return_value_policy::reference_internal, "Where the robot wants the motors [tick]");
-  addList(type, "accelerations", "Samples that came since the last step, a list of AccelerationSample [g]",
-          [](Inputs& inputs) -> auto& { return inputs.robot.accelerations; });
-  addList(type, "robot_commands", "Commands of the robot's operator since the last step [—]",
-          [](Inputs& inputs) -> auto& { return inputs.robot.commands; });
-  addList(type, "commands", "Commands of the operator since the last step, a list of OperatorCommand [each in its unit]",
-          [](Inputs& inputs) -> auto& { return inputs.commands; });
-  addList(type, "changes", "Live parameters changed since the last step, a list of ParameterChange [each in its unit]",
-          [](Inputs& inputs) -> auto& { return inputs.changes; });
-  type.def("copy", [](const Inputs& inputs) { return inputs; }, "The same inputs once more. Units: none.");
-}
-
 void addOutputs(py::module_& module) {
   py::class_<Outputs>(module, "Outputs", "What came of a step.")
       .def_readonly("motors", &Outputs::motors, "What is written to the motors [each in its unit]")
       .def_readonly("telemetry", &Outputs::telemetry, "The step's sample [each in its unit]")
-      .def_property_readonly("touch_mm",
-                             [](const Outputs& out) {
-                               const Vec3& at = out.touch.position_mm;
-                               return py::make_tuple(at.x, at.y, at.z);
-                             },
-                             "The position sent to the robot: x right, y back, z up [mm]")
-      .def_property_readonly("touch_force_N", [](const Outputs& out) { return out.touch.force_N; },
-                             "The force sent to the robot [N]")
-      .def_property_readonly("in_contact", [](const Outputs& out) { return out.touch.in_contact; },
-                             "Whether a finger touches [—]")
-      .def_property_readonly("faults",
-                             [](const Outputs& out) {
-                               std::vector<pipeline::Fault> faults;
-                               for (const auto& info : pipeline::faultsByUrgency())
-                                 if (out.faults.test(static_cast<std::size_t>(info.fault))) faults.push_back(info.fault);
-                               return faults;
-                             },
-                             "All that is missing for Active, the most urgent first [—]")
-      .def_property_readonly("events",
-                             [](const Outputs& out) {
-                               return std::vector<pipeline::Event>(out.events.begin(), out.events.end());
-                             },
-                             "What the step reports [each in its unit]");
+      .def_property_readonly(
+          "touch_mm",
+          [](const Outputs& out) {
+            const Vec3& at = out.touch.position_mm;
+            return py::make_tuple(at.x, at.y, at.z);
+          },
+          "The position sent to the robot: x right, y back, z up [mm]")
+      .def_property_readonly(
+          "touch_force_N", [](const Outputs& out) { return out.touch.force_N; }, "The force sent to the robot [N]")
+      .def_property_readonly(
+          "in_contact", [](const Outputs& out) { return out.touch.in_contact; }, "Whether a finger touches [—]")
+      .def_property_readonly(
+          "faults",
+          [](const Outputs& out) {
+            std::vector<pipeline::Fault> faults;
+            for (const auto& info : pipeline::faultsByUrgency())
+              if (out.faults.test(static_cast<std::size_t>(info.fault))) faults.push_back(info.fault);
+            return faults;
+          },
+          "All that is missing for Active, the most urgent first [—]")
+      .def_property_readonly(
+          "events",
+          [](const Outputs& out) { return std::vector<pipeline::Event>(out.events.begin(), out.events.end()); },
+          "What the step reports [each in its unit]");
 }
 
 }  // namespace
 
 void addPipeline(py::module_& module) {
-  addInputs(module);
   addOutputs(module);
-  module.def("fault_text",
-             [](pipeline::Fault fault) {
-               return py::make_tuple(std::string(toString(fault)), std::string(remedy(fault)));
-             },
-             py::arg("fault"), "What is wrong, and what is done about it. Units: none.");
+  module.def(
+      "fault_text",
+      [](pipeline::Fault fault) { return py::make_tuple(std::string(toString(fault)), std::string(remedy(fault))); },
+      py::arg("fault"), "What is wrong, and what is done about it. Units: none.");
 
   py::class_<StepOwner>(module, "Pipeline",
                         "The pure step: all haptic behaviour in one function without I/O, threads or clock. The same "
                         "parameters and inputs give the same outputs bit for bit.")
-      .def(py::init([](const ParameterSet* parameters, const texture::SurfaceModel* surface, const FeltScene* scene) {
-             pipeline::LocalModel local;
-             if (surface != nullptr) local.surface = *surface;
-             if (scene != nullptr) local.scene = scene->start();
-             const pipeline::Parameters values = orDefaults(parameters);
-             valid(control::checkControlParameters(values.control));
-             return std::make_unique<StepOwner>(values, local);
-           }),
-           py::arg("parameters") = py::none(), py::arg("surface") = py::none(), py::arg("scene") = py::none(),
-           "With these parameters, and what is felt without a robot: a stored surface, or a scene in the robot's place. "
-           "Units: each parameter's own.")
-      .def("step",
-           [](StepOwner& owner, const Inputs& inputs, const std::optional<py::bytes>& state) {
-             std::optional<std::string> from;
-             if (state) from = std::string(*state);
-             return done(owner.run([&](pipeline::Pipeline& pipeline) -> Result<Outputs> {
-               if (from)
-                 if (auto restored = pipeline.restoreState(*from); !restored)
-                   return tl::unexpected(restored.error());
-               return pipeline.step(inputs);
-             }));
-           },
-           py::arg("inputs"), py::arg("state") = py::none(),
-           "One step, nominally every millisecond of inputs.now_ns [ns]; from a saved state, when one is given, instead of "
-           "from where it stands. Units: those of the values.")
-      .def("save_state",
-           [](StepOwner& owner) {
-             return py::bytes(owner.run([](pipeline::Pipeline& pipeline) { return pipeline.saveState(); }));
-           },
-           "All that the next steps depend on, as bytes. Units: none.")
-      .def("restore_state",
-           [](StepOwner& owner, const py::bytes& state) {
-             const std::string bytes = state;
-             done(owner.run([&](pipeline::Pipeline& pipeline) { return pipeline.restoreState(bytes); }));
-           },
-           py::arg("state"),
-           "Continues from a saved step of a pipeline with the same parameters, live ones apart; Error, and the pipeline "
-           "as it was, for other bytes. Units: none.")
+      .def(
+          py::init([](const ParameterSet* parameters, const texture::SurfaceModel* surface, const FeltScene* scene) {
+            pipeline::LocalModel local;
+            if (surface != nullptr) local.surface = *surface;
+            if (scene != nullptr) local.scene = scene->start();
+            const pipeline::Parameters values = orDefaults(parameters);
+            valid(control::checkControlParameters(values.control));
+            return std::make_unique<StepOwner>(values, local);
+          }),
+          py::arg("parameters") = py::none(), py::arg("surface") = py::none(), py::arg("scene") = py::none(),
+          "With these parameters, and what is felt without a robot: a stored surface, or a scene in the robot's place. "
+          "Units: each parameter's own.")
+      .def(
+          "step",
+          [](StepOwner& owner, const Inputs& inputs, const std::optional<py::bytes>& state) {
+            std::optional<std::string> from;
+            if (state) from = std::string(*state);
+            const Inputs taken = inputs;  // another thread may change them meanwhile
+            return done(owner.run([&](pipeline::Pipeline& pipeline) -> Result<Outputs> {
+              if (from)
+                if (auto restored = pipeline.restoreState(*from); !restored) return tl::unexpected(restored.error());
+              return pipeline.step(taken);
+            }));
+          },
+          py::arg("inputs"), py::arg("state") = py::none(),
+          "One step, nominally every millisecond of inputs.now_ns [ns]; from a saved state, when one is given, instead "
+          "of "
+          "from where it stands. Units: those of the values.")
+      .def(
+          "save_state",
+          [](StepOwner& owner) {
+            return py::bytes(owner.run([](pipeline::Pipeline& pipeline) { return pipeline.saveState(); }));
+          },
+          "All that the next steps depend on, as bytes. Units: none.")
+      .def(
+          "restore_state",
+          [](StepOwner& owner, const py::bytes& state) {
+            const std::string bytes = state;
+            done(owner.run([&](pipeline::Pipeline& pipeline) { return pipeline.restoreState(bytes); }));
+          },
+          py::arg("state"),
+          "Continues from a saved step of a pipeline with the same parameters, live ones apart; Error, and the "
+          "pipeline "
+          "as it was, for other bytes. Units: none.")
       .def_static("of", &recordedPipeline, py::arg("recording"),
                   "As it stood before the first row of an open recording: its parameters, its surface or scene and its "
                   "state. Units: each parameter's own.")
-      .def_property_readonly("parameters",
-                             [](StepOwner& owner) {
-                               return std::make_unique<ParameterSet>(
-                                   owner.run([](pipeline::Pipeline& pipeline) { return pipeline.parameters(); }));
-                             },
-                             "As they are now, live changes and tare included: a copy [each in its unit]");
+      .def_property_readonly(
+          "parameters",
+          [](StepOwner& owner) {
+            return std::make_unique<ParameterSet>(
+                owner.run([](pipeline::Pipeline& pipeline) { return pipeline.parameters(); }));
+          },
+          "As they are now, live changes and tare included: a copy [each in its unit]");
 }
 
 }  // namespace fyd::python

@@ -103,39 +103,45 @@ void addPrediction(py::module_& module) {
            }),
            py::arg("name") = "default", py::arg("axes") = 1, py::arg("period_s") = 0.0,
            "One of PREDICTORS, for 1 to 3 axes; period_s [s] of the sender's messages, 0: not known.")
-      .def("message",
-           [](PredictorOwner& owner, double date_s, const Numbers& position_mm) {
-             const std::size_t axes = owner.run([](Predicting& each) { return each.axes; });
-             const Position position = positionOf(position_mm, axes);
-             owner.run([&](Predicting& each) { each.predictor->message(date_s, position); });
-           },
-           py::arg("date_s"), py::arg("position_mm"),
-           "A message has arrived: at date_s [s] the hand was at position_mm [mm]. What is not finite is ignored.")
-      .def("predict",
-           [](PredictorOwner& owner, double time_s) {
-             const auto [at, axes] =
-                 owner.run([&](Predicting& each) { return std::pair(each.predictor->predict(time_s), each.axes); });
-             return arrayFrom(at, axes);
-           },
-           py::arg("time_s"), "The position [mm] at time_s [s]; always finite, zeros before the first message.")
-      .def("velocity",
-           [](PredictorOwner& owner, double time_s) {
-             const auto [at, axes] =
-                 owner.run([&](Predicting& each) { return std::pair(each.predictor->velocity(time_s), each.axes); });
-             return arrayFrom(at, axes);
-           },
-           py::arg("time_s"), "The prediction's rate of change [mm/s] at time_s [s].")
-      .def("end_motion", [](PredictorOwner& owner) { owner.run([](Predicting& each) { each.predictor->endMotion(); }); },
-           "The hand was lifted; the next message begins another motion. Units: none.");
+      .def(
+          "message",
+          [](PredictorOwner& owner, double date_s, const Numbers& position_mm) {
+            const std::size_t axes = owner.run([](Predicting& each) { return each.axes; });
+            const Position position = positionOf(position_mm, axes);
+            owner.run([&](Predicting& each) { each.predictor->message(date_s, position); });
+          },
+          py::arg("date_s"), py::arg("position_mm"),
+          "A message has arrived: at date_s [s] the hand was at position_mm [mm]. What is not finite is ignored.")
+      .def(
+          "predict",
+          [](PredictorOwner& owner, double time_s) {
+            const auto [at, axes] =
+                owner.run([&](Predicting& each) { return std::pair(each.predictor->predict(time_s), each.axes); });
+            return arrayFrom(at, axes);
+          },
+          py::arg("time_s"), "The position [mm] at time_s [s]; always finite, zeros before the first message.")
+      .def(
+          "velocity",
+          [](PredictorOwner& owner, double time_s) {
+            const auto [at, axes] =
+                owner.run([&](Predicting& each) { return std::pair(each.predictor->velocity(time_s), each.axes); });
+            return arrayFrom(at, axes);
+          },
+          py::arg("time_s"), "The prediction's rate of change [mm/s] at time_s [s].")
+      .def(
+          "end_motion", [](PredictorOwner& owner) { owner.run([](Predicting& each) { each.predictor->endMotion(); }); },
+          "The hand was lifted; the next message begins another motion. Units: none.");
 
-  module.def("predict_trial", &trial, py::arg("time_s"), py::arg("position_mm"), py::arg("name") = "default",
-             py::arg("period_ms") = 10.0, py::arg("delay_ms") = 50.0, py::arg("jitter_ms") = 0.0,
-             py::arg("loss_percent") = 0.0, py::arg("seed") = 1, py::arg("smooth_s") = 0.0,
-             "Sends a recorded motion, time_s [s] and position_mm [mm] of shape (n, axes), over a simulated network (a "
-             "message every period_ms [ms], delay_ms [ms], up to jitter_ms [ms] more, loss_percent [%]) and predicts it. "
-             "Returns `row` of the motion at each tick, the predicted `position_mm` [mm] there, and the figures `rms_mm`, "
-             "`mean_mm`, `max_mm`, `largest_step_mm` [mm], `vibration_ratio` and `jerk_ratio` [1]. smooth_s [s]: time constant "
-             "of the output's smoothing. Other threads go on meanwhile.");
+  module.def(
+      "predict_trial", &trial, py::arg("time_s"), py::arg("position_mm"), py::arg("name") = "default",
+      py::arg("period_ms") = 10.0, py::arg("delay_ms") = 50.0, py::arg("jitter_ms") = 0.0,
+      py::arg("loss_percent") = 0.0, py::arg("seed") = 1, py::arg("smooth_s") = 0.0,
+      "Sends a recorded motion, time_s [s] and position_mm [mm] of shape (n, axes), over a simulated network (a "
+      "message every period_ms [ms], delay_ms [ms], up to jitter_ms [ms] more, loss_percent [%]) and predicts it. "
+      "Returns `row` of the motion at each tick, the predicted `position_mm` [mm] there, and the figures `rms_mm`, "
+      "`mean_mm`, `max_mm`, `largest_step_mm` [mm], `vibration_ratio` and `jerk_ratio` [1]. smooth_s [s]: time "
+      "constant "
+      "of the output's smoothing. Other threads go on meanwhile.");
 }
 
 }  // namespace fyd::python

@@ -19,10 +19,11 @@ class OpenRecording {
   template <class Work>
   auto run(Work&& work) {
     const Hdf5Turn turn;
-    return done(file_.run([&](std::unique_ptr<recording::Recording>& file) -> std::invoke_result_t<Work, recording::Recording&> {
-      if (!file) throw Failure{path_ + ": is closed"};
-      return work(*file);
-    }));
+    return done(file_.run(
+        [&](std::unique_ptr<recording::Recording>& file) -> std::invoke_result_t<Work, recording::Recording&> {
+          if (!file) throw Failure{path_ + ": is closed"};
+          return work(*file);
+        }));
   }
   [[nodiscard]] recording::RecordingInfo info() {
     return run([](recording::Recording& file) -> Result<recording::RecordingInfo> { return file.info(); });

@@ -49,9 +49,10 @@ auto of(Member member) {
 void addReplay(py::module_& module) {
   using R = ReplayResult;
   py::class_<Replayed>(module, "ReplayResult", "What came of running a recording through the step again.")
-      .def_readonly("telemetry", &Replayed::telemetry,
-                    "Every column of the replayed steps by name: views of the steps' own memory, which no copy was made "
-                    "of [each in its unit]")
+      .def_readonly(
+          "telemetry", &Replayed::telemetry,
+          "Every column of the replayed steps by name: views of the steps' own memory, which no copy was made "
+          "of [each in its unit]")
       .def_property_readonly("what_if", of(&R::what_if), "Whether parameters were changed [—]")
       .def_property_readonly("closed_loop", of(&R::closed_loop), "Whether motors and load cell answered [—]")
       .def_property_readonly("from_rest", of(&R::from_rest), "Started without the recorded state [—]")
@@ -59,8 +60,9 @@ void addReplay(py::module_& module) {
       .def_property_readonly("steps", of(&R::samples), "Steps run [1]")
       .def_property_readonly("of", of(&R::of), "Steps recorded [1]")
       .def_property_readonly("gaps", of(&R::gaps), "Steps the recording lost; the replay ends at the first gap [1]")
-      .def_property_readonly("why_not_exact", [](const Replayed& r) { return r.result.why_not_exact.text(); },
-                             "What is lost in the recording, so that nothing can be proven; empty: nothing [—]")
+      .def_property_readonly(
+          "why_not_exact", [](const Replayed& r) { return r.result.why_not_exact.text(); },
+          "What is lost in the recording, so that nothing can be proven; empty: nothing [—]")
       .def_property_readonly("different", of(&R::different), "Steps that differ [1]")
       .def_property_readonly("out_of_range", of(&R::out_of_range), "Parameters with a value beyond today's range [—]")
       .def_property_readonly("unknown_changes", of(&R::unknown_changes),

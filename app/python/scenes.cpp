@@ -69,14 +69,13 @@ std::unique_ptr<ContactOwner> contactOf(const MeshOwner& mesh, const py::kwargs&
   if (chosen) throw Refusal{"contact: automatic is chosen in a scene only; expected nodes, facet, vicinity or proxy"};
   // The choice "automatic" stands before the models.
   const auto model = static_cast<scene::ContactModel>(static_cast<int>(body.contact) - 1);
-  return std::make_unique<ContactOwner>(Touching{
-      mesh,
-      scene::BodyContact(mesh->tree,
-                         {.stiffness_N_per_mm = body.stiffness_N_per_mm,
-                          .damping_Ns_per_mm = body.damping_Ns_per_mm,
-                          .static_friction = body.static_friction,
-                          .kinetic_friction = body.kinetic_friction},
-                         {.model = model, .radius_mm = body.radius_mm, .reach_mm = body.depth_mm})});
+  return std::make_unique<ContactOwner>(
+      Touching{mesh, scene::BodyContact(mesh->tree,
+                                        {.stiffness_N_per_mm = body.stiffness_N_per_mm,
+                                         .damping_Ns_per_mm = body.damping_Ns_per_mm,
+                                         .static_friction = body.static_friction,
+                                         .kinetic_friction = body.kinetic_friction},
+                                        {.model = model, .radius_mm = body.radius_mm, .reach_mm = body.depth_mm})});
 }
 
 /// What a path of a haptic point felt.
@@ -117,65 +116,73 @@ std::span<const double> timesFor(const Numbers& time_s, std::size_t rows) {
 void addMeshes(py::module_& module) {
   py::class_<Searched, MeshOwner>(module, "Mesh", "A triangle mesh that can be touched.")
       .def(py::init(&meshOf), py::arg("vertices_mm"), py::arg("triangles"),
-           "Of vertices [mm], shape (n, 3), and triangles, three numbers of vertices each, counter-clockwise from outside. "
+           "Of vertices [mm], shape (n, 3), and triangles, three numbers of vertices each, counter-clockwise from "
+           "outside. "
            "Mends what can be mended.")
-      .def_static("open",
-                  [](const std::string& path, const std::string& unit) {
-                    const auto length = unitNamed(unit);
-                    const py::gil_scoped_release others_go_on;
-                    return std::make_shared<Searched>(done(sim::openMesh(path, length)));
-                  },
-                  py::arg("path"), py::arg("unit") = "mm", "An OBJ, STL or PLY file; `unit` of its lengths: mm, cm, m or in.")
-      .def_property_readonly("vertices_mm",
-                             [](const MeshOwner& mesh) {
-                               const auto vertices = mesh->mesh.vertices();
-                               auto* kept = new MeshOwner(mesh);
-                               const py::capsule owner(kept, [](void* p) { delete static_cast<MeshOwner*>(p); });
-                               py::array_t<double> out({static_cast<py::ssize_t>(vertices.size()), py::ssize_t{3}},
-                                                       reinterpret_cast<const double*>(vertices.data()), owner);
-                               out.attr("flags").attr("writeable") = false;
-                               return out;
-                             },
-                             "Shape (n, 3), the mesh's own memory [mm]")
-      .def_property_readonly("triangles",
-                             [](const MeshOwner& mesh) {
-                               const auto triangles = mesh->mesh.triangles();
-                               auto* kept = new MeshOwner(mesh);
-                               const py::capsule owner(kept, [](void* p) { delete static_cast<MeshOwner*>(p); });
-                               py::array_t<std::uint32_t> out(
-                                   {static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}},
-                                   reinterpret_cast<const std::uint32_t*>(triangles.data()), owner);
-                               out.attr("flags").attr("writeable") = false;
-                               return out;
-                             },
-                             "Numbers of vertices, shape (n, 3), the mesh's own memory [—]")
-      .def_property_readonly("area_mm2", [](const Searched& mesh) { return mesh.mesh.report().area_mm2; }, "[mm²]")
-      .def_property_readonly("volume_mm3", [](const Searched& mesh) { return mesh.mesh.report().volume_mm3; },
-                             "Of closed pieces [mm³]")
-      .def_property_readonly("holes", [](const Searched& mesh) { return mesh.mesh.report().holes; },
-                             "Closed loops of edges with one triangle [1]")
-      .def_property_readonly("pieces", [](const Searched& mesh) { return mesh.mesh.report().pieces; },
-                             "Not connected [1]");
+      .def_static(
+          "open",
+          [](const std::string& path, const std::string& unit) {
+            const auto length = unitNamed(unit);
+            const py::gil_scoped_release others_go_on;
+            return std::make_shared<Searched>(done(sim::openMesh(path, length)));
+          },
+          py::arg("path"), py::arg("unit") = "mm", "An OBJ, STL or PLY file; `unit` of its lengths: mm, cm, m or in.")
+      .def_property_readonly(
+          "vertices_mm",
+          [](const MeshOwner& mesh) {
+            const auto vertices = mesh->mesh.vertices();
+            auto* kept = new MeshOwner(mesh);
+            const py::capsule owner(kept, [](void* p) { delete static_cast<MeshOwner*>(p); });
+            py::array_t<double> out({static_cast<py::ssize_t>(vertices.size()), py::ssize_t{3}},
+                                    reinterpret_cast<const double*>(vertices.data()), owner);
+            out.attr("flags").attr("writeable") = false;
+            return out;
+          },
+          "Shape (n, 3), the mesh's own memory [mm]")
+      .def_property_readonly(
+          "triangles",
+          [](const MeshOwner& mesh) {
+            const auto triangles = mesh->mesh.triangles();
+            auto* kept = new MeshOwner(mesh);
+            const py::capsule owner(kept, [](void* p) { delete static_cast<MeshOwner*>(p); });
+            py::array_t<std::uint32_t> out({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}},
+                                           reinterpret_cast<const std::uint32_t*>(triangles.data()), owner);
+            out.attr("flags").attr("writeable") = false;
+            return out;
+          },
+          "Numbers of vertices, shape (n, 3), the mesh's own memory [—]")
+      .def_property_readonly(
+          "area_mm2", [](const Searched& mesh) { return mesh.mesh.report().area_mm2; }, "[mm²]")
+      .def_property_readonly(
+          "volume_mm3", [](const Searched& mesh) { return mesh.mesh.report().volume_mm3; }, "Of closed pieces [mm³]")
+      .def_property_readonly(
+          "holes", [](const Searched& mesh) { return mesh.mesh.report().holes; },
+          "Closed loops of edges with one triangle [1]")
+      .def_property_readonly(
+          "pieces", [](const Searched& mesh) { return mesh.mesh.report().pieces; }, "Not connected [1]");
 
   py::class_<ContactOwner>(module, "Contact", "One body and one haptic point that touches it.")
       .def(py::init(&contactOf), py::arg("mesh"),
-           "With the keys of a body of a scene file, such as contact=\"proxy\", stiffness_N_per_mm=0.8 [N/mm], radius_mm [mm].")
-      .def("run",
-           [](ContactOwner& owner, const Numbers& probe_mm, double period_s) {
-             const auto path = vectors(probe_mm, "probe_mm");
-             if (!(period_s > 0.0)) throw Refusal{fmt::format("period_s: {}; expected more than 0", period_s)};
-             std::vector<Vec3> force(path.size());
-             owner.run([&](Touching& each) {
-               for (std::size_t i = 0; i < path.size(); ++i) {
-                 const Vec3 velocity = i == 0 ? Vec3() : (1.0 / period_s) * (path[i] - path[i - 1]);
-                 force[i] = each.contact.touch(path[i], velocity, each.mesh->tree.nearest(path[i])).force_N;
-               }
-             });
-             return arrayOf(std::move(force));
-           },
-           py::arg("probe_mm"), py::arg("period_s") = 0.001,
-           "The force [N], shape (n, 3), on a point that goes this way [mm], shape (n, 3), one place each period_s [s]. A place "
-           "that is not finite touches nothing. Other threads go on meanwhile.");
+           "With the keys of a body of a scene file, such as contact=\"proxy\", stiffness_N_per_mm=0.8 [N/mm], "
+           "radius_mm [mm].")
+      .def(
+          "run",
+          [](ContactOwner& owner, const Numbers& probe_mm, double period_s) {
+            const auto path = vectors(probe_mm, "probe_mm");
+            if (!(period_s > 0.0)) throw Refusal{fmt::format("period_s: {}; expected more than 0", period_s)};
+            std::vector<Vec3> force(path.size());
+            owner.run([&](Touching& each) {
+              for (std::size_t i = 0; i < path.size(); ++i) {
+                const Vec3 velocity = i == 0 ? Vec3() : (1.0 / period_s) * (path[i] - path[i - 1]);
+                force[i] = each.contact.touch(path[i], velocity, each.mesh->tree.nearest(path[i])).force_N;
+              }
+            });
+            return arrayOf(std::move(force));
+          },
+          py::arg("probe_mm"), py::arg("period_s") = 0.001,
+          "The force [N], shape (n, 3), on a point that goes this way [mm], shape (n, 3), one place each period_s [s]. "
+          "A place "
+          "that is not finite touches nothing. Other threads go on meanwhile.");
 }
 
 }  // namespace
@@ -185,55 +192,63 @@ void addScenes(py::module_& module) {
   using scene::SceneTouch;
   py::class_<SceneTouch>(module, "SceneTouch", "What the haptic point of a scene feels.")
       .def_readonly("touching", &SceneTouch::touching, "Whether anything is touched [—]")
-      .def_property_readonly("force_N", [](const SceneTouch& touch) { return tupleOf(touch.force_N); },
-                             "On the haptic point [N]")
-      .def_property_readonly("proxy_mm", [](const SceneTouch& touch) { return tupleOf(touch.proxy_mm); },
-                             "Where it is held by what pushes most [mm]")
-      .def_property_readonly("normal", [](const SceneTouch& touch) { return tupleOf(touch.normal); },
-                             "Of what pushes most, outwards [1]")
+      .def_property_readonly(
+          "force_N", [](const SceneTouch& touch) { return tupleOf(touch.force_N); }, "On the haptic point [N]")
+      .def_property_readonly(
+          "proxy_mm", [](const SceneTouch& touch) { return tupleOf(touch.proxy_mm); },
+          "Where it is held by what pushes most [mm]")
+      .def_property_readonly(
+          "normal", [](const SceneTouch& touch) { return tupleOf(touch.normal); }, "Of what pushes most, outwards [1]")
       .def_readonly("depth_mm", &SceneTouch::depth_mm, "How deep it is inside [mm]")
-      .def_readonly("stiffness_N_per_mm", &SceneTouch::stiffness_N_per_mm, "Along the force; 0: nothing is touched [N/mm]")
-      .def_property_readonly("body",
-                             [](const SceneTouch& touch) {
-                               return touch.body == scene::kNoBody ? -1 : static_cast<std::int64_t>(touch.body);
-                             },
-                             "Which body pushes most; −1: a gesture, or nothing [—]");
+      .def_readonly("stiffness_N_per_mm", &SceneTouch::stiffness_N_per_mm,
+                    "Along the force; 0: nothing is touched [N/mm]")
+      .def_property_readonly(
+          "body",
+          [](const SceneTouch& touch) {
+            return touch.body == scene::kNoBody ? -1 : static_cast<std::int64_t>(touch.body);
+          },
+          "Which body pushes most; −1: a gesture, or nothing [—]");
   py::class_<FeltScene>(module, "Scene", "A haptic scene as a finger feels it, step by step.")
-      .def_static("open",
-                  [](const std::string& path, double rate_Hz) {
-                    const double rate = checkedRate(rate_Hz);
-                    const py::gil_scoped_release others_go_on;
-                    return std::make_unique<FeltScene>(done(sim::openFeltScene(path, rate)));
-                  },
-                  py::arg("path"), py::arg("rate_Hz") = 1000.0,
-                  "A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz].")
-      .def_property_readonly("bodies",
-                             [](FeltScene& scene) {
-                               std::vector<std::string> out;
-                               for (const auto& body : scene.start()->loaded()->description.bodies) out.push_back(body.name);
-                               return out;
-                             },
-                             "Their names, in the order of the file [—]")
-      .def("step",
-           [](FeltScene& scene, const Numbers& probe_mm, double time_s) {
-             const Vec3 at = point(probe_mm, "probe_mm");
-             return scene.run([&](scene::FeltScene& each) { return each.step(at, time_s); });
-           },
-           py::arg("probe_mm"), py::arg("time_s"),
-           "The haptic point is at probe_mm [mm] at time_s [s]. A place or a time that is no number touches nothing.")
-      .def("run",
-           [](FeltScene& scene, const Numbers& probe_mm, const Numbers& time_s) {
-             const auto path = vectors(probe_mm, "probe_mm");
-             const auto times = timesFor(time_s, path.size());
-             Felt felt;
-             scene.run([&](scene::FeltScene& each) {
-               for (std::size_t i = 0; i < path.size(); ++i) felt.add(each.step(path[i], times[i]), each.texture_g());
-             });
-             return std::move(felt).asDict();
-           },
-           py::arg("probe_mm"), py::arg("time_s"),
-           "A whole way [mm], shape (n, 3), at these times [s]; by name the columns of SceneTouch, in [N], [mm], [N/mm], and "
-           "texture_g [g] of a finger that slides. Other threads go on meanwhile.");
+      .def_static(
+          "open",
+          [](const std::string& path, double rate_Hz) {
+            const double rate = checkedRate(rate_Hz);
+            const py::gil_scoped_release others_go_on;
+            return std::make_unique<FeltScene>(done(sim::openFeltScene(path, rate)));
+          },
+          py::arg("path"), py::arg("rate_Hz") = 1000.0,
+          "A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz].")
+      .def_property_readonly(
+          "bodies",
+          [](FeltScene& scene) {
+            std::vector<std::string> out;
+            for (const auto& body : scene.start()->loaded()->description.bodies) out.push_back(body.name);
+            return out;
+          },
+          "Their names, in the order of the file [—]")
+      .def(
+          "step",
+          [](FeltScene& scene, const Numbers& probe_mm, double time_s) {
+            const Vec3 at = point(probe_mm, "probe_mm");
+            return scene.run([&](scene::FeltScene& each) { return each.step(at, time_s); });
+          },
+          py::arg("probe_mm"), py::arg("time_s"),
+          "The haptic point is at probe_mm [mm] at time_s [s]. A place or a time that is no number touches nothing.")
+      .def(
+          "run",
+          [](FeltScene& scene, const Numbers& probe_mm, const Numbers& time_s) {
+            const auto path = vectors(probe_mm, "probe_mm");
+            const auto times = timesFor(time_s, path.size());
+            Felt felt;
+            scene.run([&](scene::FeltScene& each) {
+              for (std::size_t i = 0; i < path.size(); ++i) felt.add(each.step(path[i], times[i]), each.texture_g());
+            });
+            return std::move(felt).asDict();
+          },
+          py::arg("probe_mm"), py::arg("time_s"),
+          "A whole way [mm], shape (n, 3), at these times [s]; by name the columns of SceneTouch, in [N], [mm], "
+          "[N/mm], and "
+          "texture_g [g] of a finger that slides. Other threads go on meanwhile.");
 }
 
 }  // namespace fyd::python

@@ -45,7 +45,8 @@ void addEnums(py::module_& module) {
       .value("motor_reference_on", RobotCommand::motor_reference_on)
       .value("motor_reference_off", RobotCommand::motor_reference_off);
   using sensing::FingerReason;
-  py::enum_<FingerReason>(module, "FingerReason", "Why there is a finger in a picture, or none; files store the number.")
+  py::enum_<FingerReason>(module, "FingerReason",
+                          "Why there is a finger in a picture, or none; files store the number.")
       .value("found", FingerReason::found)
       .value("no_finger", FingerReason::no_finger)
       .value("too_small", FingerReason::too_small)
