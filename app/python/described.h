@@ -137,7 +137,7 @@ void describe(py::class_<T, More...>& type) {
         });
         return out;
       },
-      "Every value by its name; their units stand in `units`.");
+      "Every value by its name. Units: those in `units`.");
   type.def("__repr__", [](const py::object& value) {
     std::string out;
     for (const auto& [name, one] : value.attr("as_dict")().template cast<py::dict>())

@@ -27,8 +27,8 @@ def test_looking_at_a_session(session):
     assert f"{len(rows)} steps" in text and "whole" in text
     begins = np.count_nonzero(np.diff(rows["contact"].astype(int), prepend=0) == 1)
     assert len(re.findall(r"^touch \d", text, re.M)) == begins > 0
-    assert max(float(each) for each in re.findall(r"at most ([\d.]+) N", text)) == np.round(
-        np.nanmax(rows["force_N"][rows["contact"] == 1]), 2)
+    most_N = max(float(each) for each in re.findall(r"at most ([\d.]+) N", text))
+    assert abs(most_N - np.nanmax(rows["force_N"][rows["contact"] == 1])) < 0.0051
     assert len(re.findall(r"^ *[\d.]+ s  \w+  \w+$", text, re.M)) == events
 
 

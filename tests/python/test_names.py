@@ -105,8 +105,7 @@ def documented():
                 if isinstance(what, property):
                     yield f"{name}.{each}", what.__doc__ or what.fget.__doc__, True
                 elif callable(what) or isinstance(what, staticmethod):
-                    if value.__module__.startswith("fyd") and not (each == "__init__" and "instance" in str(type(what))):
-                        yield f"{name}.{each}", getattr(what, "__func__", what).__doc__, True
+                    yield f"{name}.{each}", getattr(what, "__func__", what).__doc__, True
         elif callable(value):
             yield name, value.__doc__, True
 
