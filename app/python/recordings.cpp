@@ -106,8 +106,6 @@ py::object pictureArray(const cv::Mat& picture) {
   return py::array_t<std::uint8_t>(shape, strides, kept->data, owner);
 }
 
-double secondsInto(const RecordingInfo& info, Instant when) { return recording::secondsInto(info, when); }
-
 struct LoggedNote {
   double time_s = 0.0;
   recording::NoteKind kind = recording::NoteKind::note;
@@ -286,7 +284,7 @@ void addRecordings(py::module_& module) {
             const RecordingInfo info = file.info();
             std::vector<LoggedNote> out;
             for (const auto& note : file.run([](Recording& recording) { return recording.notes(); }))
-              out.push_back({secondsInto(info, note.when), note.kind, note.text});
+              out.push_back({recording::secondsInto(info, note.when), note.kind, note.text});
             return out;
           },
           "Notes, bookmarks, trials' markers and alarms, in their order. Units: [s], in its names.")

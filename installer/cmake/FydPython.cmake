@@ -27,6 +27,7 @@ set(FYD_PYTHON_DIR "${PROJECT_BINARY_DIR}/python")  # what PYTHONPATH names
 # fyd_python(PACKAGE SOURCE…): the package's compiled half; the other half is linked beside it in the build folder.
 function(fyd_python package)
   pybind11_add_module(fyd_python MODULE NO_EXTRAS ${ARGN})
+  fyd_unity(fyd_python "${CMAKE_CURRENT_SOURCE_DIR}" ${ARGN})
   target_link_libraries(fyd_python PRIVATE Fyd::core)
   target_include_directories(fyd_python SYSTEM PRIVATE ${pybind11_INCLUDE_DIR} ${Python_INCLUDE_DIRS})
   # pybind11 compiles with hidden visibility; of the archive nothing is to be seen either.
