@@ -74,7 +74,7 @@ void readInto(OpenRecording& file, const std::vector<std::string>& names, std::u
     if (!fits)
       throw Refusal{fmt::format("{}: an array of {}, shape {}; expected a contiguous one of {}, of one length",
                                 names[i], std::string(py::str(array.dtype())), shapeOf(array),
-                                std::string(py::str(columns()[column].dtype)))};
+                                std::string(py::str(py::handle(columns()[column].dtype))))};
     rows = static_cast<std::size_t>(array.shape(0));
     places.push_back(
         {column, static_cast<std::byte*>(array.mutable_data()), static_cast<std::size_t>(array.itemsize())});
