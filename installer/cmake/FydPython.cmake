@@ -11,9 +11,11 @@ find_package(Python 3.11 COMPONENTS Interpreter Development.Module QUIET)
 if(Python_FOUND)
   find_package(pybind11 2.10 CONFIG QUIET)
 endif()
-# Off until the module has been built and its tests have run once; then on where pybind11 is found, without sanitizers,
-# fuzzers and cross-compiling.
-option(FYD_BUILD_PYTHON "Build the Python module" OFF)
+set(wanted OFF)
+if(pybind11_FOUND AND NOT FYD_SANITIZE AND NOT FYD_BUILD_FUZZERS AND NOT CMAKE_CROSSCOMPILING)
+  set(wanted ON)
+endif()
+option(FYD_BUILD_PYTHON "Build the Python module" ${wanted})
 if(NOT FYD_BUILD_PYTHON)
   return()
 endif()
@@ -27,6 +29,8 @@ function(fyd_python package)
   pybind11_add_module(fyd_python MODULE NO_EXTRAS ${ARGN})
   fyd_unity(fyd_python "${CMAKE_CURRENT_SOURCE_DIR}" ${ARGN})
   target_link_libraries(fyd_python PRIVATE Fyd::core)
+  # What takes time is computed in the core: what stands between it and Python needs no more than a quick compilation.
+  target_compile_options(fyd_python PRIVATE $<$<CONFIG:Release>:-O1>)
   target_include_directories(fyd_python SYSTEM PRIVATE ${pybind11_INCLUDE_DIR} ${Python_INCLUDE_DIRS})
   # pybind11 compiles with hidden visibility; of the archive nothing is to be seen either.
   target_link_options(fyd_python PRIVATE LINKER:--exclude-libs,ALL LINKER:--as-needed)
