@@ -13,7 +13,9 @@ import sys
 import textwrap
 from pathlib import Path
 
-from fyd import _fyd
+sys.path.remove(str(Path(__file__).resolve().parent))  # the package's sources, without the compiled half
+
+from fyd import _fyd  # noqa: E402
 
 STUB = Path(__file__).resolve().parent / "fyd/_fyd.pyi"
 HEAD = '''# Made by app/python/make_stubs.py from the module; not written by hand.
@@ -132,6 +134,8 @@ def of_class(name, value):
         elif what is None:  # __hash__ of what has its own equality
             out.append(f"    {member}: ClassVar[None]  # type: ignore[assignment]")
         elif callable(what):
+            if what.__doc__.startswith("Initialize self."):  # the module makes it, not the caller
+                continue
             out += function(member, what.__doc__, 1)
         elif isinstance(what, dict):
             out.append(f"    {member}: ClassVar[dict[str, str]]")

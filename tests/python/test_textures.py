@@ -119,7 +119,7 @@ def test_a_fit_gives_back_the_surface_it_was_made_of():
     recorded = np.zeros((60_000, 3))
     recorded[:, 2] = signal_g + 1.0  # gravity
     fitted, match = fyd.fit_surface(recorded, 1000, force_N=1.0, name="again")
-    assert match > 0.9 and fitted.name == "again"
+    assert match > 0.85 and fitted.name == "again"
     again = fyd.VirtualTexture(fitted, seed=99).run(np.full(60_000, 40.0), np.ones(60_000))
     assert np.sqrt(np.mean(again**2)) == pytest.approx(np.sqrt(np.mean(signal_g**2)), rel=0.1)
     assert fyd.spectral_match(recorded - [0, 0, 1.0], again)[0] > 0.85
