@@ -45,7 +45,7 @@ def typed(text, given=False):
     text = re.sub(r"\btuple\b(?!\[)", "tuple[Any, ...]", text)
     text = re.sub(r"\bsequence\b", "Sequence[Any]", text)
     text = re.sub(r"\bobject\b", "Any", text)
-    text = re.sub(r"\biterator\b", "Iterator[Any]", text)
+    text = re.sub(r"\b[Ii]terator\b", "Iterator[Any]", text)
     return text
 
 
@@ -72,7 +72,10 @@ def signature(doc):
         if name == "self" or name == "arg0" and not arguments:
             arguments.append("self" if not equals else each)
         elif colon:
-            arguments.append(f"{name}: {typed(kind, given=True)}" + (f" = {default}" if equals else ""))
+            kind = typed(kind, given=True)
+            if default == "None" and not kind.startswith("Optional["):
+                kind = f"Optional[{kind}]"
+            arguments.append(f"{name}: {kind}" + (f" = {default}" if equals else ""))
         else:
             arguments.append("**values: Any" if name == "**kwargs" else name)
     return arguments, typed(match[2])

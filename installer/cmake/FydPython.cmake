@@ -32,8 +32,10 @@ function(fyd_python package)
   # What takes time is computed in the core: what stands between it and Python needs no more than a quick compilation.
   target_compile_options(fyd_python PRIVATE $<$<CONFIG:Release>:-O1>)
   target_include_directories(fyd_python SYSTEM PRIVATE ${pybind11_INCLUDE_DIR} ${Python_INCLUDE_DIRS})
-  # pybind11 compiles with hidden visibility; of the archive nothing is to be seen either.
-  target_link_options(fyd_python PRIVATE LINKER:--exclude-libs,ALL LINKER:--as-needed)
+  # Python looks for one symbol; another module, or libfyd, meets none of ours.
+  set(exports "${CMAKE_CURRENT_SOURCE_DIR}/exports.map")
+  target_link_options(fyd_python PRIVATE LINKER:--version-script=${exports} LINKER:--as-needed)
+  set_target_properties(fyd_python PROPERTIES LINK_DEPENDS "${exports}")
   set_target_properties(fyd_python PROPERTIES OUTPUT_NAME _fyd LIBRARY_OUTPUT_DIRECTORY "${FYD_PYTHON_DIR}/fyd"
     BUILD_RPATH_USE_ORIGIN ON)
   file(GLOB files CONFIGURE_DEPENDS "${package}/*.py" "${package}/*.pyi" "${package}/py.typed")

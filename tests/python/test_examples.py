@@ -43,4 +43,5 @@ def test_fitting_a_texture():
     text = output_of("fit_texture.py")
     rms_g = [float(each) for each in re.findall(r"([\d.]+) g RMS", text)]
     assert len(rms_g) == 3 and rms_g[0] < rms_g[1] < rms_g[2]
-    assert all(float(each) > 0.5 for each in re.findall(r"spectral match ([\d.]+)", text))
+    chain, fit = (float(each) for each in re.findall(r"spectral match ([\d.]+)", text))
+    assert chain > 0.9 and fit > 0.4  # six bands are all that fit below the 50 Hz of this recording

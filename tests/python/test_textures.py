@@ -132,8 +132,6 @@ def test_what_cannot_be_fitted_or_rendered_is_told():
         fyd.fit_surface(np.zeros((1000, 3)))
     with pytest.raises(fyd.InvalidValue, match="row 3"):
         fyd.fit_surface(np.vstack([np.ones((3, 3)), np.full((1000, 3), np.nan)]))
-    with pytest.raises(fyd.InvalidValue, match="rate"):
-        fyd.fit_surface(RANDOM.normal(size=(1000, 3)), rate_Hz=math.nan)
     with pytest.raises(fyd.InvalidValue, match="mine.toml"):
         fyd.Surface.from_text("name = 3", "mine.toml")
     surface = fyd.Surface()

@@ -281,7 +281,7 @@ class FingerDetector:
     """Finds the finger in pictures of the cloth seen from below. It learns the light and follows the finger from picture
     to picture.
     """
-    def __init__(self, parameters: Parameters = None) -> None:
+    def __init__(self, parameters: Optional[Parameters] = None) -> None:
         """By the parameters sensing.finger_… and sensing.roi_… Units: their own."""
     def detect(self, picture: ArrayLike) -> FingerDetection:
         """Where the finger is in a picture, uint8 of shape (height, width) or (height, width, 3): position [mm], area
@@ -854,7 +854,7 @@ class Parameters:
         ...
     def __init__(self, values: Optional[dict[str, Any]] = None) -> None:
         """The defaults, and these values in their place. Units: each parameter's own."""
-    def __iter__(self) -> Iterator:
+    def __iter__(self) -> Iterator[Any]:
         ...
     def __len__(self) -> int:
         ...
@@ -904,7 +904,7 @@ class Pipeline:
     """The pure step: all haptic behaviour in one function without I/O, threads or clock. The same parameters and inputs
     give the same outputs bit for bit.
     """
-    def __init__(self, parameters: Parameters = None, surface: Surface = None, scene: Scene = None) -> None:
+    def __init__(self, parameters: Optional[Parameters] = None, surface: Optional[Surface] = None, scene: Optional[Scene] = None) -> None:
         """With these parameters, and what is felt without a robot: a stored surface, or a scene in the robot's place.
         Units: each parameter's own.
         """
@@ -1660,7 +1660,7 @@ class TelemetrySample:
 
 class TextureChain:
     """From three axes of acceleration to one signal: removal of rest, high-pass and method."""
-    def __init__(self, parameters: Parameters = None) -> None:
+    def __init__(self, parameters: Optional[Parameters] = None) -> None:
         """By texture.method, texture.filter, texture.corner_Hz, texture.sample_rate_Hz, texture.frame and texture.hop.
         Units: their own.
         """

@@ -148,7 +148,8 @@ class Recording:
     @property
     def time_s(self) -> Array:
         """Time of each step, from the recording's start [s]"""
-        return self.seconds(self._telemetry["now_ns"])
+        time_s: Array = self.seconds(self._telemetry["now_ns"])
+        return time_s
 
     def seconds(self, when_ns: Any) -> Any:
         """Time from the recording's start [s] for a time of the station's clock [ns], a number or an array."""
@@ -197,7 +198,8 @@ class Recording:
         """Smallest and largest of a column between from_s and to_s [s], in at most so many buckets: (start of each bucket
         [s], smallest, largest [the column's unit]). No spike is lost.
         """
-        return self._file.overview(name, from_s, to_s, buckets)
+        start_s, low, high = self._file.overview(name, from_s, to_s, buckets)
+        return start_s, low, high
 
     def picture(self, index: int) -> _fyd.Picture:
         """A picture by its number in the recording, from 0. Units: [s], [px]."""
