@@ -14,7 +14,7 @@ import fyd
 from fyd import _fyd
 
 PACKAGE = ROOT / "app/python/fyd"
-UNIT = re.compile(r"\[[^\]]+\]|Units: \S")
+UNIT = re.compile(r"\[[^\]]+\]|Units: \S|`unit` of")
 
 
 def of_python(name, value):

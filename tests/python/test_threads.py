@@ -97,14 +97,14 @@ LONG = [replay_of_golden, read_of_golden, chain_run, texture_run, detections, pr
 def test_another_thread_goes_on(made):
     work = made()
     with Other() as other:
-        assert other.steps_during(work) > 0
+        assert any(other.steps_during(work) > 0 for _ in range(50))  # busy processors may let it wait
 
 
 def test_work_that_keeps_the_lock_is_seen_to_keep_it():
     """The measure itself: NumPy's sort of Python objects never gives the lock up."""
     numbers = list(np.random.default_rng(1).normal(size=300_000))
     with Other() as other:
-        assert other.steps_during(lambda: sorted(numbers)) == 0
+        assert all(other.steps_during(lambda: sorted(numbers)) == 0 for _ in range(5))
 
 
 def test_one_object_in_two_threads_takes_turns():
