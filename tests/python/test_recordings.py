@@ -1,5 +1,7 @@
 """A recording read by the module and by h5py, which knows nothing of it: the same to the bit."""
 import struct
+import subprocess
+import sys
 import zlib
 
 import h5py
@@ -103,6 +105,12 @@ def test_arrays_stay_when_the_file_is_closed():
     with pytest.raises(fyd.Error, match="classic.h5: is closed"):
         _ = recording.telemetry["finger_x_mm"]
     recording.close()  # once more does nothing
+
+
+def test_what_is_open_at_the_end_says_nothing():
+    program = f"import h5py, fyd; open = fyd.open({str(GOLDEN / 'classic.h5')!r}); open.telemetry['force_N']"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
 def test_a_flag_selects_rows(classic):

@@ -1,7 +1,9 @@
 """Recordings as NumPy has them: columns by name, read once and grown with the file."""
 from __future__ import annotations
 
+import atexit
 import os
+import weakref
 from collections.abc import Iterable, Iterator, Mapping
 from types import TracebackType
 from typing import Any
@@ -12,6 +14,19 @@ import numpy.typing as npt
 from fyd import _fyd
 
 Array = npt.NDArray[Any]
+
+_opened: weakref.WeakSet[_fyd.RecordingFile] = weakref.WeakSet()
+
+
+@atexit.register
+def _close_all() -> None:
+    """What is still open is closed while h5py's lock can be had, and kept: later, as modules go, it cannot. The compiled
+    half keeps its exceptions, and so what they hold, for the life of the process. Units: none.
+    """
+    files = list(_opened)
+    for file in files:
+        file.close()
+    setattr(_fyd.Error, "_closed_at_the_end", files)
 
 
 class Columns(Mapping[str, Array]):
@@ -113,6 +128,7 @@ class Recording:
         """Opens FILE or FILE.partial; FILE alone also finds FILE.partial beside it. Units: none."""
         self.path = os.fspath(path)
         self._file = _fyd.RecordingFile(self.path)
+        _opened.add(self._file)
         self._telemetry = Telemetry(self._file)
         self._started_ns = self._file.info().started_ns
 
